@@ -295,34 +295,34 @@ $\omega^2=l^2/(l^2+y_1^2)$.
 :title: An isosceles triangle whose arc is an ellipse
 :zh: 满足三式而为椭圆弧
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$, the weights $1,\frac35,1$, $l=1$, $\cos\theta=\frac35$,
-  $\sin\theta=\frac45$
-:then: the three equations hold, but $A\ne C$: the curve lies on the ellipse $9x^2+16y^2+18y-9=0$
+:data: R = (-1,0) (0,1) (1,0); ω = 1 3/5 1; l = 1; cos θ = 3/5; t = 1/2 1/3
+:instead: R = (-1,0) (0,4/3) (1,0)
+:result: |R_0R_1|², |R_2R_1|², |R_0R_2|² = 2 2 4; I_1 = 9/25; A, …, F = 9/25 0 16/25 0 9/25 -9/25; R(t) = (0,3/8) (-15/37,12/37)
+:given: the points $R$ of an isosceles triangle, standard weights, $l$ and $\cos\theta$, with an angle $\theta$ that is not the base
+  angle, and two parameters $t$, whose points are shown
+:then: the three equations hold, but $A\ne C$: the curve lies on an ellipse that is no circle
 :method: The three equations are checked, and the conic of the curve is computed.
-:control: $R_1=(0,\frac43)$, whose base angle is $\theta$
+:control: $R_1$ at the height for which the base angle is $\theta$
 :::
 */
 CLAIM(isosceles_triangle_with_another_angle)
 {
-    num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), w[3] = {one, cosine, one}, S[6], P[2], I[1];
-    num R[6] = {neg(one), zero, zero, fault(T, from_ratio(4, 3), one), one, zero};
+    num R[6], w[3], t[2], S[6], P[4], I[1];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num l = given(T, "l"), cosine = given(T, "cos θ");
+    given_points(T, "t", 2, 1, t);
+    num side[3] = {G(scalar)(R, R + 2, R + 2), G(scalar)(R + 4, R + 2, R + 2), G(scalar)(R, R + 4, R + 4)};
     G(rational_invariants)(2, w, I);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show(T, "l", one);
-    show(T, "cos θ", cosine);
-    show(T, "|R0 R1|²", G(scalar)(R, R + 2, R + 2));
-    show(T, "|R2 R1|²", G(scalar)(R + 4, R + 2, R + 2));
-    show(T, "|R0 R2|²", G(scalar)(R, R + 4, R + 4));
-    show(T, "I_1", I[0]);
-    int conditions = equal_q(G(scalar)(R, R + 2, R + 2), G(scalar)(R + 4, R + 2, R + 2)) &&
-                     equal_q(G(scalar)(R, R + 4, R + 4), from_int(4)) && equal_q(I[0], mul(cosine, cosine));
+    int conditions = equal_q(side[0], side[1]) && equal_q(side[2], mul(from_int(4), mul(l, l))) &&
+                     equal_q(I[0], mul(cosine, cosine));
     G(conic_of_bezier)(R, w, S);
-    show_points(T, "A ... F", 6, 1, S);
-    for (int k = 2; k < 4; k++) {
-        G(rational_point)(2, 2, R, w, from_ratio(1, k), P);
-        show_points(T, k == 2 ? "R(1/2)" : "R(1/3)", 1, 2, P);
-    }
+    for (int k = 0; k < 2; k++)
+        G(rational_point)(2, 2, R, w, t[k], P + 2 * k);
+    found_points(T, "|R_0R_1|², |R_2R_1|², |R_0R_2|²", 3, 1, side);
+    found(T, "I_1", I[0]);
+    found_points(T, "A, …, F", 6, 1, S);
+    found_points(T, "R(t)", 2, 2, P);
     about(T, "A and C");
     if (conditions)
         same(T, S[0], S[2]);
@@ -333,29 +333,34 @@ CLAIM(isosceles_triangle_with_another_angle)
 :title: With a negative middle weight the curve is the other arc of the circle
 :zh: 中间权为负时得到优弧
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,\frac43)$, $R_2=(1,0)$, the weights $1,-\frac35,1$, $\cos\theta=\frac35$, the base angle
-:then: the curve lies on the circle with the centre $C=(0,-\frac34)$ and $r=\frac54$, but its middle point $(0,-2)$ is seen
-  from $C$ at an angle from $R_0$ with the cosine $-\frac35$: the central angle is $2\pi-2\theta$
+:data: R = (-1,0) (0,4/3) (1,0); ω = 1 -3/5 1; cos θ = 3/5; t = 1/2 1/3
+:instead: ω = 1 3/5 1
+:result: C = (0,-3/4); r² = 25/16; R(t) = (0,-2) (-15/13,-16/13); cos ∠R_0CR(t) = -3/5
+:given: the points $R$ of an isosceles triangle, the cosine of its base angle $\theta$, the weights with $\omega_1=-\cos\theta$, and two parameters $t$, the
+  first in the middle
+:then: the curve lies on the circle with the centre $C$ and the squared radius $r^2$, but its middle point $R(t)$ is seen
+  from $C$ at an angle from $R_0$ with the cosine $-\cos\theta$: the central angle is $2\pi-2\theta$
 :method: The points are computed, and scalar products are taken.
-:control: the weights $1,\frac35,1$
+:control: the middle weight with the other sign
 :::
 */
 CLAIM(negative_weight_gives_the_other_arc)
 {
-    num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), C[2], P[2], third[2];
-    num R[6] = {neg(one), zero, zero, from_ratio(4, 3), one, zero}, w[3] = {one, fault(T, cosine, neg(cosine)), one};
-    num rr = G(circular_arc_circle)(R, C);
-    G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
-    G(rational_point)(2, 2, R, w, from_ratio(1, 3), third);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "centre", 1, 2, C);
-    show(T, "r²", rr);
-    show_points(T, "R(1/2)", 1, 2, P);
-    show(T, "its squared distance", G(scalar)(C, P, P));
-    about(T, "cosine of the angle from R0 to the middle of the arc, and cos θ");
-    if (equal_q(G(scalar)(C, P, P), rr) && equal_q(G(scalar)(C, third, third), rr))
-        same(T, div(G(scalar)(C, R, P), rr), cosine);
+    num R[6], w[3], t[2], C[2], P[4];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num cosine = given(T, "cos θ"), rr = G(circular_arc_circle)(R, C);
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++)
+        G(rational_point)(2, 2, R, w, t[k], P + 2 * k);
+    num seen = div(G(scalar)(C, R, P), rr);
+    found_points(T, "C", 1, 2, C);
+    found(T, "r²", rr);
+    found_points(T, "R(t)", 2, 2, P);
+    found(T, "cos ∠R_0CR(t)", seen);
+    about(T, "cosine of the angle from R_0 to the middle of the arc, and cos θ");
+    if (equal_q(G(scalar)(C, P, P), rr) && equal_q(G(scalar)(C, P + 2, P + 2), rr))
+        same(T, seen, cosine);
 }
 #endif
 

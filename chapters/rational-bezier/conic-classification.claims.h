@@ -61,16 +61,16 @@ CLAIM(implicit_form_is_the_resultant)
 }
 
 #if RATIONAL
-/* Whether the determinant (3.4.1) is a conic that is not degenerate; R in special position with l = 1. */
-static void equation_expected(trial *T, int y1, int omega)
+/* For the data R, ω and P of the claim: refutes that the determinant (3.4.1) is a conic that is not degenerate. */
+static void equation_expected(trial *T)
 {
-    num one = from_int(1), R[6] = {neg(one), from_int(0), from_int(0), from_int(y1), one, from_int(0)}, S[6];
-    num w[3] = {one, from_int(omega), one};
+    num R[6], w[3], P[2], S[6];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    given_points(T, "P", 1, 2, P);
     G(conic_of_bezier)(R, w, S);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "A ... F", 6, 1, S);
-    show(T, "determinant (3.4.1) at (0, 2)", G(implicit_determinant)(R, w, from_int(0), from_int(2)));
+    found_points(T, "A, …, F", 6, 1, S);
+    found(T, "determinant at P", G(implicit_determinant)(R, w, P[0], P[1]));
     about(T, "whether the conic is not degenerate");
     refute(T, is_zero_q(G(conic_determinant)(S)));
 }
@@ -80,26 +80,32 @@ static void equation_expected(trial *T, int y1, int omega)
 :title: With points on a line the determinant may vanish everywhere
 :zh: 三点共线时行列式可恒为零
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,0)$, $R_2=(1,0)$ and the weights $1,1,1$
+:data: R = (-1,0) (0,0) (1,0); ω = 1 1 1; P = (0,2)
+:instead: R = (-1,0) (0,1) (1,0)
+:result: A, …, F = 0 0 0 0 0 0; determinant at P = 0
+:given: three points $R$ of a line, equal weights, and a point $P$ off the line
 :then: all six coefficients of the conic are 0: the determinant is no equation
-:method: The conic, by its definition the determinant up to a factor, is computed.
-:control: $R_1=(0,1)$
+:method: The conic, by its definition the determinant up to a factor, is computed, and the determinant at $P$.
+:control: $R_1$ moved off the line
 :::
 */
-CLAIM(determinant_may_vanish_identically) { equation_expected(T, fault(T, 1, 0), 1); }
+CLAIM(determinant_may_vanish_identically) { equation_expected(T); }
 
 /*
 :::{claim} determinant_needs_the_middle_weight
 :title: With the middle weight 0 the determinant is that of a line
 :zh: ω_1=0 时得到直线
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,0,1$
+:data: R = (-1,0) (0,1) (1,0); ω = 1 0 1; P = (0,2)
+:instead: ω = 1 1 1
+:result: A, …, F = 0 0 1 0 0 0; determinant at P = 16
+:given: the points $R$ of a triangle, the weights $\omega$ with $\omega_1=0$, and a point $P$ off the base
 :then: the conic is $y^2=0$
-:method: The conic, by its definition the determinant up to a factor, is computed.
-:control: $\omega_1=1$
+:method: The conic, by its definition the determinant up to a factor, is computed, and the determinant at $P$.
+:control: equal weights
 :::
 */
-CLAIM(determinant_needs_the_middle_weight) { equation_expected(T, 1, fault(T, 1, 0)); }
+CLAIM(determinant_needs_the_middle_weight) { equation_expected(T); }
 #endif
 
 /*
@@ -171,23 +177,30 @@ CLAIM(determinant_is_four_times_the_form)
 :title: The determinant is not the printed polynomial
 :zh: 行列式不等于所印多项式
 :kind: counterexample
-:given: $l=1$, $R_1=(0,1)$, $\omega=1$ and the point $(0,0)$
-:then: the determinant is $-4$, the polynomial with the coefficients (3.5.4) is $-1$
+:data: l = 1; R_1 = (0,1); ω = 1; P = (0,0); factor = 4
+:result: A, …, F = 1 0 0 0 1 -1; determinant at P = -4; polynomial at P = -1
+:given: $l$, $R_1$ and $\omega$ of a curve in special position, and a point $P$
+:then: the determinant at $P$ is the factor times the polynomial with the coefficients (3.5.4), and not the polynomial
 :method: Both are computed.
-:control: the polynomial multiplied by 4
+:control: the polynomial multiplied by the factor
 :::
 */
 CLAIM(determinant_is_not_the_printed_form)
 {
-    num zero = from_int(0), one = from_int(1), R[6], w[3], S[6];
-    G(special_position)(one, zero, one, one, R, w);
-    G(printed_form)(one, zero, one, one, S);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "A ... F", 6, 1, S);
-    num value = G(form)(S, zero, zero);
-    about(T, "at (0, 0), left the determinant, right the polynomial");
-    same(T, G(implicit_determinant)(R, w, zero, zero), fault(T, mul(from_int(4), value), value));
+    num vertex[2], P[2], R[6], w[3], S[6];
+    num l = given(T, "l");
+    given_points(T, "R_1", 1, 2, vertex);
+    num omega = given(T, "ω");
+    given_points(T, "P", 1, 2, P);
+    num factor = given(T, "factor");
+    G(special_position)(l, vertex[0], vertex[1], omega, R, w);
+    G(printed_form)(l, vertex[0], vertex[1], omega, S);
+    num determinant = G(implicit_determinant)(R, w, P[0], P[1]), polynomial = G(form)(S, P[0], P[1]);
+    found_points(T, "A, …, F", 6, 1, S);
+    found(T, "determinant at P", determinant);
+    found(T, "polynomial at P", polynomial);
+    about(T, "at P, left the determinant, right the polynomial");
+    same(T, determinant, fault(T, mul(factor, polynomial), polynomial));
 }
 #endif
 
@@ -335,20 +348,19 @@ CLAIM(sign_of_the_discriminant)
 }
 
 #if RATIONAL
-/* Whether the curve in special position is an ellipse, as omega < 1 would have it: AC - B^2 > 0 and the
- * conic not degenerate. */
-static void ellipse_expected(trial *T, num l, num x1, num y1, num omega)
+/* For the data R and ω of the claim: whether the curve is an ellipse, as ω < 1 would have it, AC - B² > 0 and the conic not
+ * degenerate. */
+static void ellipse_expected(trial *T)
 {
     num R[6], w[3], S[6], I[1];
-    G(special_position)(l, x1, y1, omega, R, w);
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
     G(conic_of_bezier)(R, w, S);
     G(rational_invariants)(2, w, I);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show(T, "I_1", I[0]);
-    show_points(T, "A ... F", 6, 1, S);
-    show(T, "AC - B²", G(conic_delta)(S));
-    show(T, "3×3 determinant", G(conic_determinant)(S));
+    found(T, "I_1", I[0]);
+    found_points(T, "A, …, F", 6, 1, S);
+    found(T, "AC-B²", G(conic_delta)(S));
+    found(T, "3×3 determinant", G(conic_determinant)(S));
     about(T, "whether the conic is an ellipse");
     agree(T, sign_q(G(conic_delta)(S)) > 0 && !is_zero_q(G(conic_determinant)(S)));
 }
@@ -358,48 +370,48 @@ static void ellipse_expected(trial *T, num l, num x1, num y1, num omega)
 :title: With three points on a line the curve is a segment
 :zh: 三点共线时曲线为线段
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,0)$, $R_2=(1,0)$ and the weights $1,\frac12,1$
-:then: $I_1=\frac14<1$, but the conic is $y^2=0$ counted with a factor: $AC-B^2=0$ and the $3\times3$ determinant is 0
+:data: R = (-1,0) (0,0) (1,0); ω = 1 1/2 1
+:instead: R = (-1,0) (0,1) (1,0)
+:result: I_1 = 1/4; A, …, F = 0 0 3/4 0 0 0; AC-B² = 0; 3×3 determinant = 0
+:given: three points $R$ of a line, and standard weights with $0<\omega_1<1$
+:then: $I_1<1$, but the conic is $y^2=0$ counted with a factor: $AC-B^2=0$, and the determinant of its matrix is 0
 :method: The conic of the curve is computed.
-:control: $R_1=(0,1)$
+:control: $R_1$ moved off the line
 :::
 */
-CLAIM(flat_triangle_is_no_conic)
-{
-    ellipse_expected(T, from_int(1), from_int(0), from_int(fault(T, 1, 0)), from_ratio(1, 2));
-}
+CLAIM(flat_triangle_is_no_conic) { ellipse_expected(T); }
 
 /*
 :::{claim} weight_minus_one_is_a_parabola
 :title: The weight -1 gives a parabola although it is less than 1
 :zh: ω=-1 时为抛物线
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,-1,1$
-:then: $\omega=-1<1$, but $AC-B^2=0$: the conic $x^2+2y-1=0$ is a parabola
+:data: R = (-1,0) (0,1) (1,0); ω = 1 -1 1
+:instead: ω = 1 -1/2 1
+:result: I_1 = 1; A, …, F = 1 0 0 0 1 -1; AC-B² = 0; 3×3 determinant = -1
+:given: the points $R$ of a triangle, and the weights with $\omega_1=-1$
+:then: $\omega_1<1$, but $AC-B^2=0$: the conic $x^2+2y-1=0$ is a parabola
 :method: The conic of the curve is computed.
-:control: $\omega=-\frac12$, which gives an ellipse
+:control: $-1<\omega_1<0$, which gives an ellipse
 :::
 */
-CLAIM(weight_minus_one_is_a_parabola)
-{
-    ellipse_expected(T, from_int(1), from_int(0), from_int(1), fault(T, from_ratio(-1, 2), from_int(-1)));
-}
+CLAIM(weight_minus_one_is_a_parabola) { ellipse_expected(T); }
 
 /*
 :::{claim} weight_zero_is_a_segment
 :title: The weight 0 gives a segment
 :zh: ω_1=0 时为线段
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,0,1$
-:then: $I_1=0<1$, but the conic is $y^2=0$
+:data: R = (-1,0) (0,1) (1,0); ω = 1 0 1
+:instead: ω = 1 1/2 1
+:result: I_1 = 0; A, …, F = 0 0 1 0 0 0; AC-B² = 0; 3×3 determinant = 0
+:given: the points $R$ of a triangle, and the weights with $\omega_1=0$
+:then: $I_1<1$, but the conic is $y^2=0$
 :method: The conic of the curve is computed.
-:control: $\omega_1=\frac12$
+:control: a positive middle weight
 :::
 */
-CLAIM(weight_zero_is_a_segment)
-{
-    ellipse_expected(T, from_int(1), from_int(0), from_int(1), fault(T, from_ratio(1, 2), from_int(0)));
-}
+CLAIM(weight_zero_is_a_segment) { ellipse_expected(T); }
 #endif
 
 /*
@@ -457,7 +469,9 @@ CLAIM(kind_in_any_coordinates)
 :title: The class agrees with the number of points at infinity
 :zh: 分类与无穷远点个数一致
 :kind: decision
-:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and the 512 triples of weights from $\{1,\dots,8\}$
+:data: R = (1,0) (0,0) (0,1); largest weight = 8
+:result: ellipses, parabolas, hyperbolas = 224 12 276
+:given: the points $R$ of a triangle and all triples of weights that are whole numbers from 1 to the largest weight
 :then: the denominator has no, one (double) or two real zeros on the projective line of the parameter exactly when
   $I_1<1$, $I_1=1$ or $I_1>1$, and exactly when $AC-B^2$ of the conic is positive, zero or negative
 :method: An ellipse, parabola or hyperbola has no, one or two real points at infinity; on the curve they are the zeros of
@@ -469,9 +483,11 @@ CLAIM(kind_in_any_coordinates)
 */
 CLAIM(points_at_infinity_tell_the_kind)
 {
-    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, S[6];
-    for (int k = 0; k < 512; k++) {
-        num w[3] = {from_int(k / 64 + 1), from_int(k / 8 % 8 + 1), from_int(k % 8 + 1)}, I[1];
+    num R[6], S[6], one = from_int(1), many[3];
+    given_points(T, "R", 3, 2, R);
+    int most = given_whole(T, "largest weight"), of_kind[3] = {0, 0, 0};
+    for (int k = 0; k < most * most * most; k++) {
+        num w[3] = {from_int(k / (most * most) + 1), from_int(k / most % most + 1), from_int(k % most + 1)}, I[1];
         poly bottom = poly_from_bernstein(2, w);
         int at_infinity = fault(T, poly_degree(bottom) < 2, 0), finite = 0;
         if (poly_degree(bottom) > 0)
@@ -481,12 +497,16 @@ CLAIM(points_at_infinity_tell_the_kind)
         G(conic_of_bezier)(R, w, S);
         int kind = finite + at_infinity - 1, side = compare_q(I[0], one);
         side = (side > 0) - (side < 0);
+        of_kind[side + 1]++;
         if (T->outcome == HOLDS && (kind != side || kind != -sign_q(G(conic_delta)(S))))
             show_points(T, "ω", 3, 1, w);
         about(T, "the number of points at infinity less 1, and the signs of I_1 - 1 and B² - AC");
         agree(T, kind == side);
         agree(T, kind == -sign_q(G(conic_delta)(S)));
     }
+    for (int k = 0; k < 3; k++)
+        many[k] = from_int(of_kind[k]);
+    found_points(T, "ellipses, parabolas, hyperbolas", 3, 1, many);
 }
 
 /*
@@ -494,24 +514,26 @@ CLAIM(points_at_infinity_tell_the_kind)
 :title: With outer weights of opposite signs the curve is a hyperbola
 :zh: ω_0 ω_2<0 时为双曲线
 :kind: counterexample
-:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and the weights $1,1,-1$
-:then: $I_1=-1<1$, but $AC-B^2<0$
+:data: R = (1,0) (0,0) (0,1); ω = 1 1 -1
+:instead: ω = 1 1 2
+:result: I_1 = -1; AC-B² = -1/2
+:given: the points $R$ of a triangle, and weights whose outer ones have opposite signs
+:then: $I_1<1$, but $AC-B^2<0$
 :method: The conic of the curve is computed.
-:control: the weights $1,1,2$
+:control: positive weights with $I_1<1$
 :::
 */
 CLAIM(opposite_weights_are_a_hyperbola)
 {
-    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, S[6], I[1];
-    num w[3] = {one, one, from_int(fault(T, 2, -1))};
+    num R[6], w[3], S[6], I[1];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
     G(conic_of_bezier)(R, w, S);
     G(rational_invariants)(2, w, I);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show(T, "I_1", I[0]);
-    show(T, "AC - B²", G(conic_delta)(S));
+    found(T, "I_1", I[0]);
+    found(T, "AC-B²", G(conic_delta)(S));
     about(T, "whether AC - B² is positive, as for an ellipse");
-    refute(T, compare_q(I[0], one) < 0 && sign_q(G(conic_delta)(S)) <= 0);
+    refute(T, compare_q(I[0], from_int(1)) < 0 && sign_q(G(conic_delta)(S)) <= 0);
 }
 #endif
 

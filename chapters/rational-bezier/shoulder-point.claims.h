@@ -63,19 +63,22 @@ CLAIM(shoulder_point_of_the_curve)
 :title: For the weight -1 there is no shoulder point
 :zh: ω=-1 时无肩点
 :kind: counterexample
-:given: the weights $1,-1,1$
-:then: the denominator at $u=\frac12$ is 0
+:data: ω = 1 -1 1; u = 1/2
+:instead: ω = 1 1 1
+:result: ω(u) = 0
+:given: standard weights with $\omega_1=-1$, and the parameter $u$ in the middle
+:then: the denominator at $u$ is 0
 :method: The denominator is computed.
-:control: the weights $1,1,1$
+:control: the middle weight with the other sign
 :::
 */
 CLAIM(shoulder_point_at_infinity)
 {
-    num one = from_int(1), w[3] = {one, from_int(fault(T, 1, -1)), one};
-    num bottom = G(rational_weight)(2, w, from_ratio(1, 2));
-    show_points(T, "ω", 3, 1, w);
-    show(T, "ω(1/2)", bottom);
-    about(T, "whether R(1/2) exists");
+    num w[3];
+    given_points(T, "ω", 3, 1, w);
+    num bottom = G(rational_weight)(2, w, given(T, "u"));
+    found(T, "ω(u)", bottom);
+    about(T, "whether R(u) exists");
     refute(T, is_zero_q(bottom));
 }
 #endif
@@ -127,27 +130,38 @@ CLAIM(curve_divides_the_median)
 }
 
 #if RATIONAL
+/* M = (R_0 + R_2)/2 */
+static void G(middle_of_the_chord)(const num R[], num M[])
+{
+    for (int c = 0; c < 2; c++)
+        M[c] = mul(from_ratio(1, 2), add(R[c], R[4 + c]));
+}
+
 /*
 :::{claim} negative_weight_leaves_the_median
 :title: With a negative weight the shoulder point is not between vertex and base
 :zh: ω<0 时肩点不在中线段上
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,-\frac12,1$
-:then: $R_s=(0,-1)$, below the base: the median is not divided
-:method: The point is computed.
-:control: the weights $1,\frac12,1$
+:data: R = (-1,0) (0,1) (1,0); ω = 1 -1/2 1
+:instead: ω = 1 1/2 1
+:result: M = (0,0); R_s = (0,-1)
+:given: the points $R$ of a triangle and standard weights with $-1<\omega_1<0$
+:then: $R_s$ is below the base: the median is not divided
+:method: The point is computed; the median lies on the second axis.
+:control: the middle weight with the other sign
 :::
 */
 CLAIM(negative_weight_leaves_the_median)
 {
-    num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, P[2];
-    num w[3] = {one, from_ratio(fault(T, 1, -1), 2), one};
+    num R[6], w[3], M[2], P[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    G(middle_of_the_chord)(R, M);
     G(conic_shoulder_point)(R, w, P);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "R_s", 1, 2, P);
-    about(T, "whether R_s lies between M = (0, 0) and R_1 = (0, 1)");
-    agree(T, is_zero_q(P[0]) && sign_q(P[1]) >= 0 && compare_q(P[1], one) <= 0);
+    found_points(T, "M", 1, 2, M);
+    found_points(T, "R_s", 1, 2, P);
+    about(T, "whether R_s lies between M and R_1");
+    agree(T, equal_q(P[0], M[0]) && compare_q(P[1], M[1]) >= 0 && compare_q(P[1], R[3]) <= 0);
 }
 
 /*
@@ -155,23 +169,28 @@ CLAIM(negative_weight_leaves_the_median)
 :title: From the base the ratio is omega to 1
 :zh: 自底边起为 ω:1
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,\frac12,1$
-:then: $R_s=(0,\frac13)$, and $\|MR_s\|:\|R_sR_1\|=\frac12$, while $1:\omega=2$
+:data: R = (-1,0) (0,1) (1,0); ω = 1 1/2 1
+:result: M = (0,0); R_s = (0,1/3); ‖MR_s‖ : ‖R_sR_1‖ = 1/2; 1 : ω_1 = 2
+:given: the points $R$ of a triangle and standard weights with $\omega_1\ne1$
+:then: $\|MR_s\|:\|R_sR_1\|$ is $\omega_1$, which is not $1:\omega_1$
 :method: The point is computed; the median lies on the second axis.
 :control: $\|R_1R_s\|:\|R_sM\|$
 :::
 */
 CLAIM(median_from_the_base_is_the_other_way)
 {
-    num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, P[2];
-    num w[3] = {one, from_ratio(1, 2), one};
+    num R[6], w[3], M[2], P[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    G(middle_of_the_chord)(R, M);
     G(conic_shoulder_point)(R, w, P);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "R_s", 1, 2, P);
-    num lower = P[1], upper = sub(one, P[1]);
+    num lower = sub(P[1], M[1]), upper = sub(R[3], P[1]), ratio = div(lower, upper), printed = div(from_int(1), w[1]);
+    found_points(T, "M", 1, 2, M);
+    found_points(T, "R_s", 1, 2, P);
+    found(T, "‖MR_s‖ : ‖R_sR_1‖", ratio);
+    found(T, "1 : ω_1", printed);
     about(T, "the ratio of the parts from the base, and 1 : ω");
-    same(T, fault(T, div(upper, lower), div(lower, upper)), div(one, w[1]));
+    same(T, fault(T, div(upper, lower), ratio), printed);
 }
 #endif
 
@@ -218,23 +237,25 @@ CLAIM(shoulder_ratio_is_the_root_of_the_invariant)
 }
 
 #if RATIONAL
-/* The conic of the curve (R, w), and whether it is an ellipse, as a shoulder ratio below 1 would have it. */
-static void ellipse_by_shoulder(trial *T, const num R[], const num w[])
+/* For the data R and ω of the claim: refutes that a shoulder ratio below 1 makes the conic an ellipse. */
+static void ellipse_by_shoulder(trial *T)
 {
-    num S[6], P[2], M[2] = {mul(from_ratio(1, 2), add(R[0], R[4])), mul(from_ratio(1, 2), add(R[1], R[5]))};
-    num base = from_int(0), vertex = base;
+    num R[6], w[3], S[6], P[2], M[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    G(middle_of_the_chord)(R, M);
     G(conic_shoulder_point)(R, w, P);
     G(conic_of_bezier)(R, w, S);
+    num base = from_int(0), vertex = base;
     for (int c = 0; c < 2; c++) {
         base = add(base, mul(sub(P[c], M[c]), sub(P[c], M[c])));
         vertex = add(vertex, mul(sub(R[2 + c], P[c]), sub(R[2 + c], P[c])));
     }
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "R_s", 1, 2, P);
-    show(T, "square of the ratio", div(base, vertex));
-    show_points(T, "A ... F", 6, 1, S);
-    show(T, "AC - B²", G(conic_delta)(S));
+    found_points(T, "M", 1, 2, M);
+    found_points(T, "R_s", 1, 2, P);
+    found(T, "square of the ratio", div(base, vertex));
+    found_points(T, "A, …, F", 6, 1, S);
+    found(T, "AC-B²", G(conic_delta)(S));
     about(T, "whether the conic is an ellipse");
     refute(T, compare_q(base, vertex) < 0 && sign_q(G(conic_delta)(S)) <= 0);
 }
@@ -244,36 +265,32 @@ static void ellipse_by_shoulder(trial *T, const num R[], const num w[])
 :title: On a line there is a shoulder ratio but no ellipse
 :zh: 三点共线时有肩点比而非椭圆
 :kind: counterexample
-:given: $R_0=(-2,0)$, $R_1=(3,0)$, $R_2=(2,0)$ and the weights $1,\frac12,1$
-:then: $R_s=(1,0)$, $M=(0,0)$, the ratio is $\frac12<1$, but the curve lies on a line
+:data: R = (-2,0) (3,0) (2,0); ω = 1 1/2 1
+:instead: R = (-2,0) (3,1) (2,0)
+:result: M = (0,0); R_s = (1,0); square of the ratio = 1/4; A, …, F = 0 0 21/4 0 0 0; AC-B² = 0
+:given: three points $R$ of a line and standard weights with $0<\omega_1<1$
+:then: the ratio of $R_sM$ to $R_1R_s$ is below 1, but the curve lies on a line
 :method: The point and the conic are computed.
-:control: $R_1=(3,1)$
+:control: $R_1$ moved off the line
 :::
 */
-CLAIM(flat_triangle_has_a_shoulder_point)
-{
-    num zero = from_int(0), one = from_int(1), w[3] = {one, from_ratio(1, 2), one};
-    num R[6] = {from_int(-2), zero, from_int(3), from_int(fault(T, 1, 0)), from_int(2), zero};
-    ellipse_by_shoulder(T, R, w);
-}
+CLAIM(flat_triangle_has_a_shoulder_point) { ellipse_by_shoulder(T); }
 
 /*
 :::{claim} weight_zero_has_ratio_zero
 :title: The weight 0 has the ratio 0 and gives a segment
 :zh: ω_1=0 时肩点比为 0
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,0,1$
-:then: $R_s=M$, the ratio is $0<1$, but the curve is the segment $R_0R_2$
+:data: R = (-1,0) (0,1) (1,0); ω = 1 0 1
+:instead: ω = 1 1/2 1
+:result: M = (0,0); R_s = (0,0); square of the ratio = 0; A, …, F = 0 0 1 0 0 0; AC-B² = 0
+:given: the points $R$ of a triangle, and the weights $\omega$ with $\omega_1=0$
+:then: $R_s=M$, the ratio is 0, but the curve is the segment $R_0R_2$
 :method: The point and the conic are computed.
-:control: $\omega_1=\frac12$
+:control: a positive middle weight
 :::
 */
-CLAIM(weight_zero_has_ratio_zero)
-{
-    num zero = from_int(0), one = from_int(1), w[3] = {one, fault(T, from_ratio(1, 2), zero), one};
-    num R[6] = {neg(one), zero, zero, one, one, zero};
-    ellipse_by_shoulder(T, R, w);
-}
+CLAIM(weight_zero_has_ratio_zero) { ellipse_by_shoulder(T); }
 #endif
 
 #include "chapters/judge/claims_off.h"

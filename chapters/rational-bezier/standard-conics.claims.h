@@ -122,27 +122,28 @@ CLAIM(standard_form_by_a_change_of_parameter)
 :title: With roots over the parameter too, the point is another one
 :zh: 根号罩住参数时得到另一点
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$, the weights $1,1,1$, which are standard, and $u=\frac9{25}$
-:then: the printed $t$ is $\frac37$, and $R(\frac37)$ is not $R^*(\frac9{25})=R(\frac9{25})$
+:data: R = (-1,0) (0,1) (1,0); ω = 1 1 1; u = 9/25
+:result: t = 3/7; R(t) = (-1/7,24/49); R*(u) = (-7/25,288/625)
+:given: the points $R$, equal weights, which are standard, and a parameter $u$ such that $u$ and $1-u$ are squares
+:then: with the printed $t$ the point $R(t)$ is not $R^*(u)=R(u)$
 :method: Both points are computed.
-:control: the roots over the weights alone, $t=\frac9{25}$
+:control: the roots over the weights alone, so that $t=u$
 :::
 */
 CLAIM(roots_over_the_parameter_are_wrong)
 {
-    num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, w[3] = {one, one, one};
-    num u = from_ratio(9, 25), P[2], Q[2];
+    num R[6], w[3], P[2], Q[2], one = from_int(1);
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num u = given(T, "u");
     num top = fault(T, mul(root(2, w[0]), u), root(2, mul(w[0], u)));
     num rest = fault(T, mul(root(2, w[2]), sub(one, u)), root(2, mul(w[2], sub(one, u))));
     num t = div(top, add(top, rest));
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show(T, "u", u);
-    show(T, "t as printed", t);
     G(rational_point)(2, 2, R, w, t, P);
     G(rational_point)(2, 2, R, w, u, Q);
-    show_points(T, "R(t)", 1, 2, P);
-    show_points(T, "R*(u)", 1, 2, Q);
+    found(T, "t", t);
+    found_points(T, "R(t)", 1, 2, P);
+    found_points(T, "R*(u)", 1, 2, Q);
     about(T, "the first coordinates of R(t) and R*(u)");
     same(T, P[0], Q[0]);
 }
@@ -160,24 +161,27 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :title: With three weights of the other sign the formula takes the wrong arc
 :zh: 权全变号时公式失效
 :kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $-1,\frac12,-1$, the curve of $1,-\frac12,1$
-:then: $\omega_1/\sqrt{\omega_0\omega_2}=\frac12$, and at $\frac12$ the two curves have the points $(0,-1)$ and
-  $(0,\frac13)$
+:data: R = (-1,0) (0,1) (1,0); ω = -1 1/2 -1; u = 1/2
+:instead: ω = 1 1/2 1
+:result: standard weights = 1 1/2 1; R(u) = (0,-1); R*(u) = (0,1/3)
+:given: the points $R$ and weights $\omega$ whose outer ones are negative, the middle one positive; the parameter $u$ in the middle
+:then: the standard weight is positive, and the curve of the standard weights has at $u$ another point than the curve itself
 :method: Both points are computed.
-:control: the weights $1,\frac12,1$
+:control: all weights positive
 :::
 */
 CLAIM(negative_weights_lose_their_sign)
 {
-    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), R[6] = {neg(one), zero, zero, one, one, zero};
-    num outer = fault(T, one, neg(one)), w[3] = {outer, half, outer}, P[2], Q[2];
-    num v[3] = {one, G(conic_standard_weight)(w), one};
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "(3.5.2)", 3, 1, v);
-    G(rational_point)(2, 2, R, w, half, P);
-    G(rational_point)(2, 2, R, v, half, Q);
-    about(T, "second coordinate at 1/2, left of the curve, right with the weights (3.5.2)");
+    num R[6], w[3], P[2], Q[2], one = from_int(1);
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num u = given(T, "u"), v[3] = {one, G(conic_standard_weight)(w), one};
+    G(rational_point)(2, 2, R, w, u, P);
+    G(rational_point)(2, 2, R, v, u, Q);
+    found_points(T, "standard weights", 3, 1, v);
+    found_points(T, "R(u)", 1, 2, P);
+    found_points(T, "R*(u)", 1, 2, Q);
+    about(T, "the second coordinate, left of the curve, right with the weights (3.5.2)");
     same(T, P[1], Q[1]);
 }
 #endif
