@@ -1,19 +1,12 @@
 /* bernstein-form.h -- the Bernstein form by the binomial theorem: the other side of claims about Bézier segments. */
-#include "chapters/judge/claims_on.h"
+#include "chapters/judge/elementary.h"
 
-/* C(n,i) as a product of fractions; 0 for i < 0 and i > n. */
-static inline num G(binomial_product)(int n, int i)
-{
-    num product = from_int(i >= 0 && i <= n);
-    for (int k = 1; k <= i; k++)
-        product = mul(product, from_ratio(n + 1 - k, k));
-    return product;
-}
+#include "chapters/judge/claims_on.h"
 
 /* The coefficient of t^r in B_i^p = C(p,i) t^i (1-t)^{p-i}. */
 static inline num G(bernstein_coefficient)(int p, int i, int r)
 {
-    num size = mul(G(binomial_product)(p, i), G(binomial_product)(p - i, r - i));
+    num size = mul(G(choose)(p, i), G(choose)(p - i, r - i));
     return (r - i) % 2 == 0 ? size : neg(size);
 }
 
@@ -26,12 +19,4 @@ static inline num G(bezier_coefficient)(int p, int dim, const num b[], int c, in
     return sum;
 }
 
-/* a^k */
-static inline num G(power_of)(num a, int k)
-{
-    num product = from_int(1);
-    for (; k > 0; k--)
-        product = mul(product, a);
-    return product;
-}
 #include "chapters/judge/claims_off.h"

@@ -119,7 +119,7 @@ CLAIM(bezier_reduction_inverts_elevation)
     G(free_control_points)(T, n + 1, dim, e);
     G(bezier_reduce)(n, dim, e, back, defect);
     for (int c = 0; c < dim; c++) {
-        num power = div(G(bezier_coefficient)(n, dim, e, c, n), G(binomial_product)(n, m));
+        num power = div(G(bezier_coefficient)(n, dim, e, c, n), G(choose)(n, m));
         same(T, defect[c], (n - m) % 2 == fault(T, 0, 1) ? power : neg(power));
     }
 }

@@ -30,7 +30,7 @@ static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
                     int from = fault(T, i, p - i);
                     sum = add(sum, mul(b[from * dim + e], G(bernstein_coefficient)(p, i, r)));
                 }
-                same(T, sum, mul(s[r], G(power_of)(h, r)));
+                same(T, sum, mul(s[r], G(power)(h, r)));
             }
         }
     }
@@ -103,7 +103,7 @@ CLAIM(points_come_back_from_bezier_points)
     about(T, "the polar form");
     for (int e = 0; e < dim; e++) {
         for (int r = 0; r <= p; r++) {
-            s[r] = div(G(bezier_coefficient)(p, dim, b, e, r), G(power_of)(length, r));
+            s[r] = div(G(bezier_coefficient)(p, dim, b, e, r), G(power)(length, r));
         }
         same(T, P[e], G(polar_of_powers)(p, s, from, x));
     }

@@ -23,6 +23,14 @@ static inline void G(distinct_knots)(trial *T, int count, int highest, num x[])
             x[i] = FIELD ? unknown(T, "x", i) : add(x[i - 1], positive(T, "h", i));
 }
 
+/* Simple knots, of which each is one distinct value. */
+static inline void G(simple_knots)(trial *T, int count, int highest, num u[], int place[])
+{
+    G(distinct_knots)(T, count, highest, u);
+    for (int i = 0; i < count; i++)
+        place[i] = i;
+}
+
 /* Such knots as sums of positive gaps h_1, h_2, ... from x_0 = 0, so that a sign can be read off; B-splines depend on
  * differences of knots and parameter alone.  In the field the gaps are variables for the degrees up to `highest`, and
  * 1, 2, 3, ... above. */

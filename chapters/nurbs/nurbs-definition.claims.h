@@ -151,11 +151,8 @@ there. The matter is not idle: it decides what a program may ask for, and conven
 CLAIM(outer_knots_do_not_count)
 {
     int p = T->degree, count = 2 * p + 3, n = count - p - 1, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS] = "";
-    num x[MOST_KNOTS], u[MOST_KNOTS], t = unknown(T, "t", 0);
-    memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, 6, x);
-    G(knots_at)(pattern, x, u, place);
+    num u[MOST_KNOTS], t = unknown(T, "t", 0);
+    G(simple_knots)(T, count, 6, u, place);
     for (int interval = p; interval < n; interval++) {
         num before[MOST_KNOTS];
         for (int i = 0; i < n; i++)
@@ -572,11 +569,8 @@ CLAIM(equal_weights_give_bspline)
 CLAIM(only_proportional_weights_give_the_bspline)
 {
     int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS] = "";
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0);
-    memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, 4, x);
-    G(knots_at)(pattern, x, u, place);
+    num u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0);
+    G(simple_knots)(T, count, 4, u, place);
     G(weighted_points)(T, p + 1, 1, R, w);
     num N[MOST_KNOTS];
     for (int i = 0; i <= p; i++)
@@ -656,11 +650,8 @@ CLAIM(bezier_knots_give_rational_bezier)
 CLAIM(segment_of_any_knots_is_rational_bezier)
 {
     int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS] = "";
-    num x[MOST_KNOTS], u[MOST_KNOTS], H[MOST_KNOTS], b[MOST_KNOTS], value, t = unknown(T, "t", 0);
-    memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, 4, x);
-    G(knots_at)(pattern, x, u, place);
+    num u[MOST_KNOTS], H[MOST_KNOTS], b[MOST_KNOTS], value, t = unknown(T, "t", 0);
+    G(simple_knots)(T, count, 4, u, place);
     for (int i = 0; i <= p; i++)
         H[i] = unknown(T, "H", i);
     G(bspline_to_bezier)(p, 1, u, p, H, b);

@@ -166,11 +166,8 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 CLAIM(nurbs_moves_with_its_points)
 {
     int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS] = "";
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], M[4], v[2], P[2], Q[2], t = unknown(T, "t", 0);
-    memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, 4, x);
-    G(knots_at)(pattern, x, u, place);
+    num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], M[4], v[2], P[2], Q[2], t = unknown(T, "t", 0);
+    G(simple_knots)(T, count, 4, u, place);
     G(weighted_points)(T, p + 1, 2, R, w);
     for (int k = 0; k < 4; k++)
         M[k] = unknown(T, "m", k);
@@ -202,12 +199,9 @@ CLAIM(nurbs_moves_with_its_points)
 CLAIM(reversed_data_reverse_the_nurbs)
 {
     int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS] = "";
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
+    num u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
     num y[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS];
-    memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, 4, x);
-    G(knots_at)(pattern, x, u, place);
+    G(simple_knots)(T, count, 4, u, place);
     G(weighted_points)(T, p + 1, 1, R, w);
     for (int i = 0; i < count; i++)
         y[i] = neg(u[count - 1 - i]);
