@@ -83,19 +83,6 @@ independent.
 :::
 */
 
-/* How many patterns a case goes through: all of them up to the given order, else `few`. */
-static int G(pattern_count)(int k, int all_up_to, int few) { return k <= all_up_to ? G(patterns)(k) : few; }
-
-/* Number m of these patterns.  Beyond the order up to which all are visited the field takes the most and the least
- * coincident one, the other types take random ones. */
-static int G(which_pattern)(trial *T, int k, int all_up_to, int m)
-{
-    if (k <= all_up_to)
-        return m;
-    int last = G(patterns)(k) - 1;
-    return FIELD ? (m % 2 == 0 ? last : 0) : pick(T, 0, last);
-}
-
 /*
 A kernel computes the matrix by the recursion, with polynomials in $u$ in the place of numbers.  It is the reference
 for all formulas of these sections, so it is itself compared with the definition of the B-splines first, for every
@@ -380,14 +367,7 @@ static int G(function_pattern)(trial *T, int k, int m) { return k <= (FIELD ? 5 
 static void G(cofactor_weights)(const struct G(nodes) * n, int k, num alpha[][LARGEST_ORDER + 1])
 {
     num H[(LARGEST_ORDER + 1) * (LARGEST_ORDER + 1)];
-    for (int i = 0, row = 0; i < n->d; i++)
-        for (int j = 0; j < n->l[i]; j++, row++)
-            for (int c = 0; c <= k; c++) {
-                num falling = from_int(c >= j);
-                for (int m = 0; m < j; m++)
-                    falling = mul(falling, from_int(c - m));
-                H[row * (k + 1) + c] = c >= j ? mul(falling, G(power)(n->tau[i], c - j)) : from_int(0);
-            }
+    G(osculation_matrix)(n->d, n->l, k, n->tau, H);
     num det = G(confluent_vandermonde_determinant)(n->d, n->l, n->tau);
     for (int i = 0, row = 0; i < n->d; i++)
         for (int j = 0; j < n->l[i]; j++, row++)

@@ -168,17 +168,6 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
 static int G(compositions)(int k, int count) { return FIELD || k <= 4 ? 1 << k : count; }
 static int G(pattern_number)(trial *T, int k, int m) { return FIELD || k <= 4 ? m : pick(T, 0, (1 << k) - 1); }
 
-/* c (c-1) ... (c-j+1) x^{c-j}: the j-th derivative of x^c */
-static num G(power_derivative)(int c, int j, num x)
-{
-    if (j > c)
-        return from_int(0);
-    num product = G(power)(x, c - j);
-    for (int m = 0; m < j; m++)
-        product = mul(product, from_int(c - m));
-    return product;
-}
-
 /*
 The matrix of the powers is a confluent matrix of Vandermonde: rows of values where nodes are simple, and below them
 rows of derivatives where they are not.  The kernel that fills it is compared with derivatives taken formally; then it
@@ -318,15 +307,6 @@ CLAIM(printed_last_row_has_wrong_factor)
 :figure: osculating_polynomial
 :::
 */
-
-/* The matrix H(T; 1, t, ..., t^k) by its definition. */
-static void G(osculation_matrix)(int d, const int l[], int k, const num tau[], num H[])
-{
-    for (int i = 0, row = 0; i < d; i++)
-        for (int j = 0; j < l[i]; j++, row++)
-            for (int c = 0; c <= k; c++)
-                H[row * (k + 1) + c] = G(power_derivative)(c, j, tau[i]);
-}
 
 #if RATIONAL
 /*

@@ -136,14 +136,6 @@ static void G(matrix_g)(const struct G(span) * S, num g[])
     }
 }
 
-/* How many patterns are visited: all up to the order `all`, else `few`; which one is number m. */
-static int G(pattern_count)(int k, int all, int few) { return k <= all ? G(patterns)(k) : few; }
-static int G(which_pattern)(trial *T, int k, int all, int m)
-{
-    int last = G(patterns)(k) - 1;
-    return k <= all ? m : FIELD ? (m == 0 ? last : 0) : pick(T, 0, last);
-}
-
 /*
 In (4.4.17) the inverse of $G$ gives the B-splines in powers of $t$, and the binomial theorem turns these into powers
 of $u$.  The formula is computed as it stands, with determinants over all permutations, at variable knots.

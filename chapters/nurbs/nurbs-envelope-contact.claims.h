@@ -7,6 +7,8 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 */
 #include "chapters/nurbs/family.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -189,9 +191,6 @@ curve.
 :control: the factors left out
 :::
 */
-/* n!/(n-k)! */
-static long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
-
 CLAIM(span_derivatives_are_parallel)
 {
     int p = T->degree, mu = p;
@@ -210,7 +209,7 @@ CLAIM(span_derivatives_are_parallel)
                 G(bspline_deboor_level)(p, 2, u, mu, r, d, t);
             G(bspline_span_derivatives)(p - r, 2, u, mu, d, t, p - r, E);
             for (int m = 0; m < 2 * (p - r + 1); m++) {
-                long a = fault(T, G(falling)(p, m / 2), 1), b = fault(T, G(falling)(p - r, m / 2), 1);
+                long a = fault(T, G(falling_factorial)(p, m / 2), 1), b = fault(T, G(falling_factorial)(p - r, m / 2), 1);
                 same(T, mul(from_int(a), E[m]), mul(from_int(b), D[m]));
             }
         }

@@ -54,6 +54,19 @@ static inline struct G(span) G(span_of_pattern)(int k, int m, const num x[])
     return S;
 }
 
+/* How many patterns a case goes through: all of them up to the given order, else `few`. */
+static inline int G(pattern_count)(int k, int all_up_to, int few) { return k <= all_up_to ? G(patterns)(k) : few; }
+
+/* Number m of these patterns.  Beyond the order up to which all are visited the field takes the most and the least
+ * coincident one, the other types take random ones. */
+static inline int G(which_pattern)(trial *T, int k, int all_up_to, int m)
+{
+    if (k <= all_up_to)
+        return m;
+    int last = G(patterns)(k) - 1;
+    return FIELD ? (m % 2 == 0 ? last : 0) : pick(T, 0, last);
+}
+
 static inline struct G(span) G(simple_span)(trial *T, int k)
 {
     num x[2 * LARGEST_ORDER];
@@ -80,6 +93,27 @@ static inline num G(column_value)(int k, const num A[], int c, num u)
     for (int j = 0; j < k; j++)
         sum = add(sum, mul(A[j * k + c], G(power)(u, j)));
     return sum;
+}
+
+/* c (c-1) ... (c-j+1) x^{c-j}: the j-th derivative of x^c */
+static inline num G(power_derivative)(int c, int j, num x)
+{
+    if (j > c)
+        return from_int(0);
+    num product = G(power)(x, c - j);
+    for (int m = 0; m < j; m++)
+        product = mul(product, from_int(c - m));
+    return product;
+}
+
+/* The matrix H(T; 1, t, ..., t^k) by its definition: for each of the d nodes the rows of the derivatives
+ * of order 0, ..., l_i - 1. */
+static inline void G(osculation_matrix)(int d, const int l[], int k, const num tau[], num H[])
+{
+    for (int i = 0, row = 0; i < d; i++)
+        for (int j = 0; j < l[i]; j++, row++)
+            for (int c = 0; c <= k; c++)
+                H[row * (k + 1) + c] = G(power_derivative)(c, j, tau[i]);
 }
 
 /* The determinant of an n x n matrix as the sum over all permutations: (-1)^{inversions} times the product. */
