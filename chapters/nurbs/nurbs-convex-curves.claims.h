@@ -3,7 +3,7 @@
 
 The source lets the polygons converge.  There is a way without a limit: if three parameters are inserted until the points of the curve
 there are vertices, the formula for the triangles holds for any three points of the curve.  The steps that the source takes are decided
-all the same, since each says more than is printed with it.
+all the same: the hulls must be those of a growing sequence of knots, and a limit of convex polygons need not be run through once.
 */
 #include "chapters/nurbs/convexity.h"
 
@@ -26,7 +26,7 @@ all the same, since each says more than is printed with it.
 :figure: convex_polygon_convex_spline
 
 For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, so by the
-formula above they turn as the polygon does.  If all turns are $0$ the curve is on a line, and so is the polygon, as the
+formula of the section before they turn as the polygon does.  If all turns are $0$ the curve is on a line, and so is the polygon, as the
 B-splines of the domain are linearly independent; it goes straight on, and so does the curve, since no line across is
 crossed more often.
 The converse is false: the curve may be convex alone (`curve_may_be_convex_alone`).  For a periodic curve the closed polygon of one period must be convex; written as

@@ -1,5 +1,9 @@
 /*
 # Properties, one side and the other of a knot (性质,节点两侧)
+
+The source passes the properties (性质) over with a word, "similar". Most of what B-spline curves have carries over because a NURBS
+curve is one in homogeneous coordinates; what needs a mean, like the hull, needs positive weights besides, and what is said about
+the curve itself rather than about its homogeneous form has to be carried through the quotient.
 */
 #include "exact/record/hull.h"
 
@@ -9,10 +13,6 @@
 #include "chapters/judge/claims_on.h"
 
 /*
-The source passes the properties (性质) over with a word, "similar". Most of what B-spline curves have carries over because a NURBS
-curve is one in homogeneous coordinates; what needs a mean, like the hull, needs positive weights besides, and what is said about
-the curve itself rather than about its homogeneous form has to be carried through the quotient.
-
 :::{statement} wang-ch4:properties-2.3
 :title: Properties similar to those of B-spline curves
 :zh: 与 B 样条曲线性质 2.3.1-2.3.7 类似的性质
@@ -36,6 +36,7 @@ usual properties is decided.  Convexity and the number of intersections follow i
 :::
 */
 
+/* For each degree: the patterns of knots that are tried, with multiplicities up to the order. */
 static const char *const G(kinds)[][3] = {
     {NULL},         {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL},
     {"5125", NULL}, {"6136", NULL},        {"7147", NULL}};
