@@ -32,6 +32,10 @@ When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 #include "chapters/judge/claims_on.h"
 
 /*
+The formula has two kinds of factors, and each has a claim of its own: the $D_{ijk}$ belong to the polygon and have one sign if it is convex; the determinants
+of Bernstein functions belong to the degree and are positive whatever the curve is.  The weights come in as products of three, so that positive ones
+cannot disturb a sign.
+
 :::{statement} wang-ch3:prop-3.2.8
 :title: A convex polygon has a convex curve
 :zh: 保凸性
@@ -48,6 +52,9 @@ line, and the curve with its chord bounds a convex region; if all $D_{ijk}$ vani
 and Binet's for every $n$, and the Wronskian is computed for every $n$, so that the curvature has one sign in every degree.
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
 :::
+
+For the curvature the determinant is that of three Bernstein functions and their first two derivatives.  Divided by the functions themselves it
+is a determinant of Vandermonde's kind in $i$, $j$, $k$, which is why the degree can stay a variable.
 
 :::{claim} wronskian_of_three_bernstein_functions
 :title: The Wronskian of three Bernstein functions is positive
@@ -79,6 +86,7 @@ CLAIM(wronskian_of_three_bernstein_functions)
     num det = G(det3)(row[0], row[1], row[2]), both = mul(t, rest);
     num product = mul(mul(sub(index[1], index[0]), sub(index[2], index[0])), sub(index[2], index[1]));
     num wanted = div(product, fault(T, mul(both, mul(both, both)), mul(both, both)));
+    /* det/(B_i B_j B_k) = (j-i)(k-i)(k-j)/(t³ (1-t)³) */
     same(T, det, wanted);
     nonnegative(T, wanted);
 }
@@ -143,9 +151,10 @@ CLAIM(curvature_is_a_sum_over_triangles)
     G(bezier_derivatives)(n, 3, H, t, 2, P);
     G(bernstein_derivatives)(n, t, 2, B);
     about(T, "det(P, P', P'') is the sum over the triangles");
+    /* det(P, P', P'') = Σ Δ_ijk ω_i ω_j ω_k D_ijk */
     same(T, G(triple)(P, P + 3, P + 6), G(sum_over_triangles)(n, B, w, R, fault(T, 0, 1)));
 
-    about(T, "it is w^3 (x'y'' - y'x'')");
+    about(T, "it is ω³ (x'y'' - y'x'')");
     num V[9], d1[2], d2[2]; /* X, Y, W, and the first and second derivatives */
     for (int c = 0; c < 9; c++)
         V[c] = c == 2 ? positive(T, "v", c) : unknown(T, "v", c);
@@ -158,6 +167,9 @@ CLAIM(curvature_is_a_sum_over_triangles)
 }
 
 /*
+Curvature of one sign is a local matter: a spiral has it, too, and does not bound a convex region.  The formula for three separate parameters says
+more.
+
 :::{claim} curve_turns_like_its_triangles
 :title: Three points of the curve turn as the triangles of the polygon do
 :zh: 曲线上三点的转向由控制三角形决定
@@ -179,6 +191,7 @@ CLAIM(curve_turns_like_its_triangles)
     G(free_curve)(T, n, 2, R, w);
     G(rational_homogenize)(n, 2, R, w, H);
     about(T, "Cauchy and Binet");
+    /* det(P(t_1), P(t_2), P(t_3)) = Σ M_ijk ω_i ω_j ω_k D_ijk */
     for (int l = 0; l < 3 * (n + 1); l++)
         M[l] = unknown(T, "b", l);
     for (int l = 0; l < 3; l++)
@@ -217,6 +230,9 @@ static void points_from(int count, const long point[], num_q R[])
 }
 
 /*
+On the side of the polygon it has to be said which polygons have all $D_{ijk}\ge0$.  Those that are convex when closed do.  To turn left at every inner
+vertex is not enough for it: that is a condition on the triangles $R_{i-1}R_iR_{i+1}$ only.
+
 :::{claim} convex_polygons_have_triangles_of_one_sign
 :title: All triangles of a convex polygon turn to one side
 :zh: 凸多边形的所有三角形同向
@@ -338,6 +354,8 @@ static void extreme_weights(int code, int n, num_q w[])
 }
 
 /*
+The property is also tried directly, with weights that differ by a factor of a million, which press the curve into one corner after the other.
+
 :::{claim} designed_convex_polygons_have_convex_curves
 :title: Curves of convex polygons, under extreme weights, have curvature of one sign
 :zh: 极端权因子下的保凸性
@@ -370,6 +388,9 @@ CLAIM(designed_convex_polygons_have_convex_curves)
 }
 
 /*
+And here is what happens under the other meaning of the word.  A hook turns by more than a half turn, and some
+$D_{ijk}$ whose vertices are not all neighbours is negative.
+
 :::{claim} turns_of_one_sign_are_not_enough
 :title: A polygon that always turns left, and a curve with two inflections
 :zh: 处处左转的多边形, 曲线却有两个拐点
@@ -404,6 +425,9 @@ CLAIM(turns_of_one_sign_are_not_enough)
 }
 
 /*
+A negative weight makes products $\omega_i\omega_j\omega_k$ negative, and the sum over the triangles may have either sign although all $D_{ijk}$
+are positive.
+
 :::{claim} mixed_weights_lose_convexity
 :title: With weights of both signs a square has a curve with inflections
 :zh: 权因子变号时正方形对应的曲线有拐点
@@ -494,11 +518,15 @@ CLAIM(subdivided_polygon_turns_like_its_triangles)
 
 #if RATIONAL
 /*
+Rows of this matrix are the new points as means of the old ones.  That all its minors of three rows are nonnegative is again a statement on the degree
+alone; for polygons and weights it is tried once more.
+
 :::{claim} subdivided_convex_polygons_are_convex
 :title: The polygon of the two halves of a convex polygon is convex
 :zh: 凸多边形离散后仍凸
 :kind: decision
-:given: the polygons and weights of `designed_convex_polygons_have_convex_curves`, $\lambda=\frac13$
+:data: λ = 1/3
+:given: the polygons and weights of `designed_convex_polygons_have_convex_curves`, and a ratio $\lambda$
 :then: the joined polygons of the two halves, closed by the chord, are convex
 :method: Computed exactly with the rational subdivision; decided by `exact/decide/hull.h`.
 :degrees: 2..4
@@ -509,14 +537,14 @@ CLAIM(subdivided_polygon_turns_like_its_triangles)
 CLAIM(subdivided_convex_polygons_are_convex)
 {
     int n = T->degree;
-    num R[2 * 5], w[5], left[2 * 5], right[2 * 5], wl[5], wr[5], joined[2 * 9];
+    num R[2 * 5], w[5], left[2 * 5], right[2 * 5], wl[5], wr[5], joined[2 * 9], lambda = given(T, "λ");
     for (int example = 0; example < CONVEX_POLYGONS; example++)
         for (int code = 0; code < weight_codes(n) && convex_polygon[example].n == n; code++) {
             int orientation;
             region_mark mark = region_open();
             points_from(n + 1, convex_polygon[example].point, R);
             extreme_weights(code, n, w);
-            G(rational_split)(n, 2, R, w, from_ratio(1, 3), left, wl, right, wr);
+            G(rational_split)(n, 2, R, w, lambda, left, wl, right, wr);
             for (int a = 0; a <= n; a++)
                 for (int c = 0; c < 2; c++) {
                     joined[2 * (n + a) + c] = right[2 * a + c];
@@ -528,6 +556,8 @@ CLAIM(subdivided_convex_polygons_are_convex)
 }
 
 /*
+The way of proof needs positive weights for the same reason as elevation did: a mean of weights of both signs may vanish.
+
 :::{claim} subdivision_fails_for_mixed_weights
 :title: With weights of both signs the halves need not exist
 :zh: 权因子变号时离散顶点可不存在
@@ -553,6 +583,8 @@ CLAIM(subdivision_fails_for_mixed_weights)
 }
 
 /*
+The converse is not claimed by the source, and it is false, for a curve may smooth out a dent of its polygon.
+
 :::{claim} curve_may_be_convex_alone
 :title: A convex curve may have a polygon that is not convex
 :zh: 曲线凸而控制多边形不凸

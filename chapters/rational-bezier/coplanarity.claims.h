@@ -26,6 +26,9 @@ The vertices are in every plane that contains the curve: if the curve is a segme
 $n=2$ the word coplanar says nothing, for three points always are; that they are in the plane of the curve says something.
 :::
 
+First the equation of any plane, not only of $z=0$, is put into the curve.  It behaves as a coordinate does: the weights stay, and the value at the
+vertex takes the place of the coordinate.
+
 :::{claim} plane_form_of_the_curve
 :title: The form of a plane, on the curve, has the weights of the curve
 :zh: 曲线上的平面式仍以原权因子表示
@@ -57,6 +60,7 @@ CLAIM(plane_form_of_the_curve)
     }
     G(rational_point)(n, 3, R, w, t, P);
     form = add(add(mul(a[0], P[0]), mul(a[1], P[1])), add(mul(a[2], P[2]), a[3]));
+    /* ω(t) (a x(t) + b y(t) + c z(t) + d) = Σ B_i^n(t) ω_i (a x_i + b y_i + c z_i + d) */
     same(T, mul(G(rational_weight)(n, w, t), form), sum);
 }
 
@@ -70,6 +74,9 @@ static num G(bernstein_coefficient)(int n, const num c[], int i)
 }
 
 /*
+The second step is that the Bernstein functions are independent.  To see it the coefficients are computed back from the
+polynomial, by way of the powers of $t$.
+
 :::{claim} powers_span_the_bernstein_functions
 :title: Bernstein coefficients and coefficients of powers determine each other
 :zh: Bernstein 系数与幂系数互相确定
@@ -113,6 +120,8 @@ CLAIM(powers_span_the_bernstein_functions)
 }
 
 /*
+Both together give the values $z_i$ from the function $z(t)$, and in the formula one sees the only danger, the division by $\omega_i$.
+
 :::{claim} plane_function_determines_the_vertices
 :title: The values at the vertices come back from the function on the curve
 :zh: 由曲线上的函数还原顶点处的值
@@ -142,7 +151,7 @@ CLAIM(plane_function_determines_the_vertices)
             sum = add(sum, mul(from_int(binomial(k, j)), mul(Dw[j], Dz[k - j])));
         c[k] = div(sum, from_int(factorial));
     }
-    for (int i = 0; i <= n; i++)
+    for (int i = 0; i <= n; i++) /* z_i = 1/ω_i Σ C(i,k)/C(n,k) c_k */
         same(T, div(G(bernstein_coefficient)(n, c, i), w[fault(T, i, n)]), z[i]);
 }
 
@@ -163,6 +172,8 @@ static int is_positive(int n, const num_q w[])
 }
 
 /*
+A vertex of weight $0$ occurs neither in the numerator nor in the denominator, and the curve cannot know where it is.
+
 :::{claim} vertex_of_weight_zero_leaves_the_plane
 :title: A vertex of weight 0 may be anywhere
 :zh: 权为零的顶点可在平面之外
@@ -236,6 +247,8 @@ CLAIM(coplanar_vertices_give_a_plane_curve)
 }
 
 /*
+The printed proof goes the same way, with the plane taken as $z=0$, in four steps.
+
 :::{statement} wang-ch3:prop-3.2.9-step-1
 :title: The plane may be taken as the xy-plane
 :zh: 可取曲线所在平面为 xy 平面
@@ -282,7 +295,7 @@ CLAIM(collocation_determinant_does_not_vanish)
         for (int j = 0; j < i; j++)
             product = mul(product, sub(t[i], t[j]));
     }
-    same(T, G(determinant)(n + 1, B), product);
+    same(T, G(determinant)(n + 1, B), product); /* Π C(n,j) Π (t_j - t_i), i < j */
 }
 
 /*
@@ -298,6 +311,8 @@ CLAIM(collocation_determinant_does_not_vanish)
 
 #if RATIONAL
 /*
+In the last step it is seen once more, in one coordinate, what a weight $0$ hides.
+
 :::{claim} weight_zero_hides_the_vertex
 :title: With a weight 0 the product vanishes and the factor does not
 :zh: 权为零时乘积为零而 z 不为零

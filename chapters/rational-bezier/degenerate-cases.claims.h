@@ -53,6 +53,9 @@ CLAIM(equal_weights_give_polynomial_curve)
 
 #if RATIONAL
 /*
+Must the weights be equal if the curve is a polynomial one?  Not if numerator and denominator have a common factor: it cancels, and
+the weights keep it.
+
 :::{claim} polynomial_line_with_unequal_weights
 :title: Unequal weights can give a polynomial curve, without any change of parameter
 :zh: 权不等时曲线亦可为多项式曲线
@@ -100,6 +103,9 @@ static num G(alpha_parameter)(num alpha, num u)
 }
 
 /*
+If a change of parameter is allowed, the condition is on the quotients $I_i$ of the section before last.  They are $1$ for equal weights, and
+they do not notice the change.
+
 :::{claim} unit_invariants_give_polynomial_curve
 :title: Weights with all invariants 1 come from a polynomial curve
 :zh: 不变量全为 1 的曲线来自多项式曲线
@@ -146,6 +152,9 @@ CLAIM(unit_invariants_give_polynomial_curve)
 
 It is (3.2.10) with $a=\alpha$, $b=1$.
 :::
+
+With $D=1-u+\alpha u$ one has $t=\alpha u/D$ and $1-t=(1-u)/D$: each factor $t$ brings an $\alpha$ and each factor $1-t$ none, so that $B_i^n$ gets
+$\alpha^i$.  The sum of all $B_i^n(t)$ is $1$, and so $D^n$ is the new denominator.
 
 :::{claim} geometric_weights_reparametrize_bezier
 :title: A Bézier curve in the new parameter is the rational curve with geometric weights
@@ -203,7 +212,7 @@ CLAIM(geometric_weights_term_by_term)
         scale = mul(scale, D);
     for (int k = 0; k < index; k++)
         new[index] = mul(new[index], factor);
-    about(T, "D^n B_i^n(t)");
+    about(T, "D^n B_i^n(t) = α^i B_i^n(u)");
     same(T, mul(scale, old[index]), new[index]);
     about(T, "the next binomial coefficient");
     same(T, mul(div(sub(n, i), add(i, one)), from_int(binomial(degree, index))), from_int(binomial(degree, index + 1)));
@@ -240,6 +249,9 @@ CLAIM(alpha_runs_the_interval_once)
 #endif
 
 /*
+Nothing in this computation asks for the sign of $\alpha$.  But with a negative one the parameter $t$ does not run from $0$ to $1$ any more: it goes to infinity
+on the way.
+
 :::{claim} negative_alpha_has_a_pole
 :title: For every negative α the denominator vanishes inside the interval
 :zh: α<0 时分母在区间内必有零点
@@ -305,6 +317,9 @@ CLAIM(zero_alpha_collapses)
 
 #if RATIONAL
 /*
+The word restored (还原) can be misread.  The change of parameter leads from the Bézier curve to those weights only that are geometric, up to a
+common factor; three weights with another $I_1$ belong to another curve.
+
 :::{claim} unit_invariant_is_necessary
 :title: The quadratic with weights 1, 2, 1 does not come from its Bézier curve
 :zh: 权 1,2,1 的二次曲线不能由 Bézier 曲线换参得到

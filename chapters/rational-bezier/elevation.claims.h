@@ -76,6 +76,7 @@ CLAIM(bernstein_function_in_the_next_degree)
 #endif
     num left_share = div(add(k, one), next), right_share = div(fault(T, add(i, one), i), next);
     num left = mul(mul(left_share, lower), mul(u, sub(one, t))), right = mul(mul(right_share, upper), mul(u, t));
+    /* (n+1-i)/(n+1) B_i^{n+1} + (i+1)/(n+1) B_{i+1}^{n+1} = B_i^n */
     same(T, add(left, right), mul(c, u));
 }
 
@@ -108,11 +109,15 @@ CLAIM(elevation_keeps_rational_curve)
         }
     G(rational_point)(n, 1, R, w, t, &before);
     G(rational_point)(n + 1, 1, Re, we, t, &after);
+    /* Σ B_i^{n+1} ω̂_i R̂_i/Σ B_i^{n+1} ω̂_i = Σ B_i^n ω_i R_i/Σ B_i^n ω_i */
     same(T, after, before);
 }
 
 #if RATIONAL
 /*
+The weights of the next degree are means of neighbouring weights.  Where these have opposite signs a mean may be $0$, and then there is no
+vertex, though the homogeneous point is there and the curve is as before.
+
 :::{claim} elevated_vertex_may_be_at_infinity
 :title: With weights of both signs an elevated vertex need not exist
 :zh: 权因子变号时升阶顶点可不存在
@@ -185,6 +190,9 @@ static void G(printed_elevation)(num share, num w_before, num w, num R_before, n
 }
 
 /*
+What is programmed is not (3.2.9): the kernel raises the homogeneous points $(\omega_iR_i,\omega_i)$ and divides at the end.  The printed
+fractions say what comes out of this for the points themselves.
+
 :::{claim} elevated_points_as_printed
 :title: The kernels of elevation compute the printed weights and points
 :zh: 升阶程序即所印公式
@@ -230,6 +238,9 @@ CLAIM(elevated_points_as_printed)
 }
 
 /*
+That the curve stays the same does not determine the new weights and points, for numerator and denominator may be multiplied by any
+common linear factor.  If both are to stay as polynomials, the new coefficients are determined, and these are they.
+
 :::{claim} elevation_through_the_power_basis
 :title: Elevation of the coefficients leaves the polynomial as it is
 :zh: 系数升阶不改变多项式
@@ -291,6 +302,8 @@ CLAIM(numbers_outside_the_polygon_do_not_matter)
 /*
 ## Corners are cut
 
+(3.2.9) has two factors with the sum $1$.  If they are positive, the new vertex is on the edge between two old ones, and everything that is said
+about cutting corners follows from this.
 The new vertex $\hat R_i$ divides the edge $R_{i-1}R_i$, and the new edge from $\hat R_i$ to $\hat R_{i+1}$ cuts off the
 corner $R_i$.
 
@@ -385,6 +398,9 @@ Of the weights only the quotient of the two at the ends of the edge matters.  Th
 exactly those edges whose two weights are equal.
 :::
 
+For a polynomial curve the ratio on the edge $R_{i-1}R_i$ is $\frac i{n+1}$ and knows the number of the edge only.  A large weight $\omega_{i-1}$
+draws the new vertex towards $R_{i-1}$; how far, the following difference says.
+
 :::{claim} cutting_ratio_depends_on_edge_and_weights
 :title: How the ratio of cutting depends on the edge and on the weights
 :zh: 割角系数与边序号及权因子的关系
@@ -410,6 +426,7 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
     num v = positive(T, "v", 0), w = positive(T, "w", 0), d = positive(T, "d", 0);
     num a = G(cutting_ratio)(i, k, v, w), difference = fault(T, sub(v, w), sub(w, v));
     about(T, "difference from the polynomial ratio");
+    /* a - i/(n+1) = ik (ω' - ω)/((n+1)(iω' + kω)) */
     same(T, sub(a, div(i, count)), div(mul(mul(i, k), difference), mul(count, add(mul(i, v), mul(k, w)))));
     about(T, "a larger weight before");
     nonnegative(T, sub(G(cutting_ratio)(i, k, add(v, d), w), a));
@@ -432,6 +449,9 @@ Positive weights stay positive, since every new one is a mean of two old ones.  
 $(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ the degrees $3$ and $4$ have
 points at infinity and from degree $5$ on there are none.
 :::
+
+All steps together have a closed form.  Its coefficients are those of drawing without replacement: if $i$ things are taken out of $n+m$, of which
+$n$ are marked, then $\binom nj\binom m{i-j}/\binom{n+m}i$ is the probability that $j$ of them are.
 
 :::{claim} repeated_elevation_in_one_formula
 :title: All elevations at once
@@ -456,6 +476,7 @@ CLAIM(repeated_elevation_in_one_formula)
     num up = positive(T, "b", 0), down = positive(T, "c", 0); /* C(m,p) and C(N,i) */
 
     about(T, "inside the range, 0 < p < m + 1");
+    /* (1 - i/(N+1)) C(m,p)/C(N,i) + i/(N+1) C(m,p-1)/C(N,i-1) = C(m+1,p)/C(N+1,i) */
     num up_before = div(mul(up, p), sub(add(m, one), p));         /* C(m, p-1)   */
     num down_before = div(mul(down, i), add(sub(N, i), one));     /* C(N, i-1)   */
     num up_next = div(mul(up, add(m, one)), sub(add(m, one), p)); /* C(m+1, p) */
@@ -532,6 +553,8 @@ $x(1-x)/(N-1)$ with $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `el
 If $\omega(t)>0$ on $[0,1]$ but some weights are not positive, then the bound for the denominator makes all weights
 positive from some degree on, and the polygons converge from there; see `mixed_weights_become_positive`.
 :::
+
+First the coefficients of a power of $t$ in degree $N$.  They are written down and proved by raising them once more.
 
 :::{claim} powers_in_every_degree
 :title: The Bernstein coefficients of a power of t in every degree
@@ -622,6 +645,9 @@ CLAIM(elevated_polygons_converge)
 }
 
 /*
+An upper bound may be too large.  For the parabola nothing has to be estimated, and the error is of the order of the bound; so no
+better power of $N$ can be had in general.
+
 :::{claim} elevated_parabola_misses_by_one_over_degree
 :title: The order 1/N is not better for the parabola
 :zh: 抛物线的升阶误差恰为 1/N 阶
@@ -638,6 +664,7 @@ CLAIM(elevated_parabola_misses_by_one_over_degree)
     num one = from_int(1), i = whole(T, "i", 0, 9);
     num N = add(add(i, whole(T, "r", 0, 9)), from_int(2)), x = div(i, N);
     num y = div(mul(i, sub(i, one)), mul(N, sub(N, one)));
+    /* x² - y_i = x (1 - x)/(N-1) */
     same(T, sub(mul(x, x), y), div(mul(x, sub(one, x)), fault(T, sub(N, one), N)));
 }
 
@@ -647,13 +674,16 @@ CLAIM(elevated_parabola_misses_by_one_over_degree)
 :title: Computed elevations stay within the bound
 :zh: 升阶误差的实际界
 :kind: decision
-:given: quadratics and cubics of the plane with weights $(1,1,2)$, $(1,3,1)$, $(1,100,1)$, $(1,\frac1{100},1)$, $(1,5,\frac15,1)$,
-  $(\frac1{50},1,50,\frac13)$; all degrees $N$ up to $32$
+:data: R (1) = (1,0) (1,1) (0,1); ω (1) = 1 1 2; R (2) = (-1,0) (0,1) (1,0); ω (2) = 1 3 1; R (3) = (0,0) (3,1) (1,4); ω (3) = 1 100 1;
+  R (4) = (0,0) (3,1) (1,4); ω (4) = 1 1/100 1; R (5) = (0,0) (0,3) (3,3) (3,0); ω (5) = 1 5 1/5 1; R (6) = (0,0) (5,1) (-4,2) (1,3);
+  ω (6) = 1/50 1 50 1/3; N = 32
+:given: four quadratics and two cubics of the plane with points $R$ and positive weights $\omega$, which are about equal, large or small in the
+  middle, and mixed; all degrees from $n+1$ to $N$
 :then: every vertex is within the bound of `elevated_polygons_converge`
-:method: The curves are elevated step by step with rational numbers; every vertex of every degree is compared with $R(i/N)$.
-  For $(1,3,1)$ the largest error is shown, multiplied by $N$: it tends to a number that is not $0$.
+:method: The curves are elevated step by step with rational numbers; every vertex of every degree $N$ is compared with $R(i/N)$.
+  For the second curve the largest error is shown, multiplied by $N$: it tends to a number that is not $0$.
 :scope: the six curves, degrees up to 32
-:control: the bound divided by $10(N-n+1)$, as if the error were of order $1/N^2$
+:control: the bound divided by $N-n+1$ once more, as if the error were of order $1/N^2$
 :::
 */
 static num_q magnitude(num_q a) { return sign_q(a) < 0 ? neg_q(a) : a; }
@@ -671,22 +701,22 @@ static num_q curving(int n, const num_q b[])
 
 CLAIM(elevated_polygons_within_their_bound)
 {
-    enum { LAST = 32, CURVES = 6 };
-    static const struct {
-        int n;
-        long w[4], common, R[8];
-    } curve[CURVES] = {
-        {2, {1, 1, 2}, 1, {1, 0, 1, 1, 0, 1}},           {2, {1, 3, 1}, 1, {-1, 0, 0, 1, 1, 0}},
-        {2, {1, 100, 1}, 1, {0, 0, 3, 1, 1, 4}},         {2, {100, 1, 100}, 100, {0, 0, 3, 1, 1, 4}},
-        {3, {5, 25, 1, 5}, 5, {0, 0, 0, 3, 3, 3, 3, 0}}, {3, {3, 150, 7500, 50}, 150, {0, 0, 5, 1, -4, 2, 1, 3}}};
+    enum { MOST = 32, CURVES = 6 };
+    static const int degree[CURVES] = {2, 2, 2, 2, 3, 3};
+    int last = given_whole(T, "N");
     for (int example = 0; example < CURVES; example++) {
-        int n = curve[example].n;
-        num w[4], R[8], we[LAST + 1], Re[2 * (LAST + 1)], wn[LAST + 1], Rn[2 * (LAST + 1)], K[3], least;
+        int n = degree[example];
+        char name[16];
+        num w[4], R[8], we[MOST + 1], Re[2 * (MOST + 1)], wn[MOST + 1], Rn[2 * (MOST + 1)], K[3], least;
+        snprintf(name, sizeof name, "R (%d)", example + 1);
+        given_points(T, name, n + 1, 2, R);
+        snprintf(name, sizeof name, "ω (%d)", example + 1);
+        given_points(T, name, n + 1, 1, w);
         for (int i = 0; i <= n; i++) {
-            w[i] = we[i] = from_ratio(curve[example].w[i], curve[example].common);
+            we[i] = w[i];
             least = i == 0 || compare_q(w[i], least) < 0 ? w[i] : least;
             for (int c = 0; c < 2; c++)
-                R[2 * i + c] = Re[2 * i + c] = from_int(curve[example].R[2 * i + c]);
+                Re[2 * i + c] = R[2 * i + c];
         }
         for (int c = 0; c < 3; c++) {
             num b[4];
@@ -694,7 +724,7 @@ CLAIM(elevated_polygons_within_their_bound)
                 b[i] = c < 2 ? mul(w[i], R[2 * i + c]) : w[i];
             K[c] = curving(n, b);
         }
-        for (int N = n + 1; N <= LAST; N++) {
+        for (int N = n + 1; N <= last && last <= MOST; N++) {
             G(rational_elevate)(N - 1, 2, Re, we, Rn, wn);
             num worst = from_int(0);
             for (int i = 0; i <= N; i++) {
@@ -704,8 +734,9 @@ CLAIM(elevated_polygons_within_their_bound)
                 for (int c = 0; c < 2; c++) {
                     Re[2 * i + c] = Rn[2 * i + c];
                     num error = magnitude(sub(Re[2 * i + c], P[c]));
+                    /* |R̂_i - R(i/N)| <= (K_{ωR} + |R(i/N)| K_ω)/((N-n+1) min ω_j) */
                     num bound = div(add(K[c], mul(magnitude(P[c]), K[2])), mul(from_int(N - n + 1), least));
-                    bound = fault(T, bound, div(bound, from_int(10 * (N - n + 1))));
+                    bound = fault(T, bound, div(bound, from_int(N - n + 1)));
                     agree(T, compare_q(error, bound) <= 0);
                     worst = larger(worst, error);
                 }
@@ -730,6 +761,9 @@ static void raised_weights(int n, const num_q w[], int N, num_q out[])
 }
 
 /*
+What if some weights are not positive?  The weights of degree $N$ are near the values $\omega(i/N)$, by the estimate above with $\omega$ for $f$.  A
+denominator that is positive on $[0,1]$ so has positive weights in the end, whatever happens on the way.
+
 :::{claim} mixed_weights_become_positive
 :title: A positive denominator has positive weights in high degrees
 :zh: 正分母的权因子在高次时皆正
@@ -765,6 +799,9 @@ CLAIM(mixed_weights_become_positive)
 }
 
 /*
+A denominator with a zero gives no such hope.  For $\omega(t)=1-2t$ the weights of degree $N$ are exactly the values $1-2i/N$, and in every even degree
+one of them stands at the zero.
+
 :::{claim} elevation_fails_at_a_pole
 :title: If the denominator vanishes, every second polygon lacks a vertex
 :zh: 分母有零点时, 升阶多边形不存在

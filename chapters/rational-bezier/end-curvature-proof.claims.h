@@ -1,7 +1,8 @@
 /*
 # The proof of the end formulas (端点曲率与挠率的证明)
 
-The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves for the derivatives of $R$, and puts $t=0$.
+The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves for the derivatives of $R$, and puts $t=0$.  Then the edges come
+in, and of the many terms only three are needed.
 */
 #include "chapters/rational-bezier/free-curve.h"
 #include "chapters/rational-bezier/taylor.h"
@@ -10,6 +11,11 @@ The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves f
 
 /*
 ## Derivatives of a quotient
+
+$P=\omega R$ differentiated twice is $P''=\omega''R+2\omega'R'+\omega R''$, and once more $P'''=\omega'''R+3\omega''R'+3\omega'R''+\omega R'''$.
+In every term the orders of the two factors have the same sum.  A reader who counts them finds both misprints of the source without
+any computation.  Moving the origin is a second test: if $c$ is added to $R$, then $\omega c$ is added to $P$, and $R''$ must stay as it is.  It
+finds the first misprint, but not the second, whose wrong term contains derivatives of $R$ only.
 
 :::{statement} wang-ch3:prop-3.2.4-step-1
 :title: First derivative of the quotient
@@ -56,6 +62,7 @@ CLAIM(derivatives_of_a_quotient)
         R[k] = div(G(series_div)(p, w).c[k], taylor[k]);
 #endif
     num two = from_int(2), three = from_int(3);
+    /* ω'R; ω''R + 2ω'R'; ω'''R + 3ω''R' + 3ω'R'' */
     num first = mul(W[1], R[0]), second = add(mul(fault(T, W[2], W[1]), R[0]), mul(two, mul(W[1], R[1])));
     num third = add(mul(W[3], R[0]), mul(three, add(mul(W[2], R[1]), mul(W[1], R[2]))));
     same(T, R[0], div(P[0], W[0]));
@@ -95,6 +102,8 @@ static void G(derivatives_at_zero)(int n, const num R[], const num w[], int r, n
 }
 
 /*
+For the missing prime a segment is enough: there $\omega''=0$, so that the term with $\omega''R$ should not be there at all, and the printed one is.
+
 :::{claim} printed_second_derivative_of_quotient_is_wrong
 :title: The printed R'' of the segment from 1 to 2 with weights 1, 2
 :zh: 线段 1→2（权 1, 2）的 R″ 与所印不符
@@ -138,6 +147,8 @@ CLAIM(printed_second_derivative_of_quotient_is_wrong)
 A prime too many: the orders in $\omega''\mathbf R''$ have the sum $4$.
 :::
 
+The second slip needs $\omega''\ne0$, hence degree $2$.  With $\omega'(0)=0$ nothing else is left of the formula but the term in question.
+
 :::{claim} printed_third_derivative_of_quotient_is_wrong
 :title: The printed R''' of (2t + 2t²)/(1 + t²)
 :zh: (2t + 2t²)/(1 + t²) 的 R‴ 与所印不符
@@ -170,6 +181,11 @@ CLAIM(printed_third_derivative_of_quotient_is_wrong)
 
 /*
 ## The derivatives at the ends
+
+At $t=0$ the derivatives of $P$ and $\omega$ are differences of the first coefficients times $n$, $n(n-1)$, $n(n-1)(n-2)$; with $R_1=R_0+a_1$,
+$R_2=R_0+a_1+a_2$ and so on, $R_0$ drops out and the edges are left.  The source does not compute the numbers $f_1$, $g_1$, $g_2$ in front of the older
+edges, and the proof does not need them.  Here they are written out, so that the statement that they depend on $n$ and the weights only can be
+decided and not just believed.
 
 :::{statement} wang-ch3:prop-3.2.4-step-4
 :title: The first derivative at t = 0
@@ -213,7 +229,9 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 {
     num n1 = sub(n, from_int(1)), n2 = sub(n, from_int(2)), two = from_int(2), three = from_int(3);
     num second = mul(n, n1), third = mul(second, n2);
+    /* ω' = n (ω_1 - ω_0), ω'' = n(n-1)(ω_2 - 2ω_1 + ω_0) */
     num dw = mul(n, sub(w[1], w[0])), ddw = mul(second, add(sub(w[2], mul(two, w[1])), w[0]));
+    /* ω_0 f_1 = n(n-1)(ω_2 - 2ω_1) - 2n ω' ω_1/ω_0, and so on as above */
     num f1 = mul(second, sub(w[2], mul(from_int(factor), w[1])));
     f1 = div(sub(f1, div(mul(mul(two, n), mul(dw, w[1])), w[0])), w[0]);
     num g2 = mul(third, sub(w[3], mul(three, w[2])));
@@ -265,6 +283,7 @@ CLAIM(end_derivative_vectors_in_every_degree)
     }
     G(series) curve = G(series_div)(P, W);
     G(end_vectors)(n, w, a, fault(T, 2, 1), D);
+    /* R(0) = R_0, and k! times the coefficient of t^k is R^(k)(0) */
     same(T, curve.c[0], R[0]);
     same(T, curve.c[1], D[1]);
     same(T, mul(from_int(2), curve.c[2]), D[2]);
@@ -272,6 +291,9 @@ CLAIM(end_derivative_vectors_in_every_degree)
 }
 
 /*
+At $t=1$ the same expressions hold for the polygon in reversed order, whose curve is $R(1-t)$; the derivatives of odd order change their sign, and
+so do the edges.  That leaves a sign in $R''(1)$ only, which is easily forgotten.
+
 :::{claim} end_derivative_vectors_at_both_ends
 :title: The first three derivatives at both ends in terms of the edges
 :zh: 两端前三阶导矢用边矢表示
@@ -311,6 +333,8 @@ CLAIM(end_derivative_vectors_at_both_ends)
 }
 
 /*
+Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
+
 :::{statement} wang-ch3:prop-3.2.4-step-8
 :title: Substitution gives the curvature and the torsion at t = 0
 :zh: 代入曲率与挠率公式
@@ -357,9 +381,11 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
     num area = G(norm_squared)(3, x), g = G(norm_squared)(3, a[0]);
     num factor = mul(div(n1, n), div(mul(w[0], w[2]), mul(w[1], w[1])));
     about(T, "curvature squared, in space");
+    /* κ² = ((n-1)/n ω_0 ω_2/ω_1²)² |a_1 × a_2|²/|a_1|⁶ */
     same(T, G(curvature_squared)(3, D[0], D[1]), mul(mul(factor, factor), div(area, mul(g, mul(g, g)))));
     about(T, "torsion");
     num other = mul(div(fault(T, n2, n1), n), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    /* τ = (n-2)/n ω_0 ω_3/(ω_1 ω_2) (a_1, a_2, a_3)/|a_1 × a_2|² */
     same(T, G(torsion)(D[0], D[1], D[2]), mul(other, div(G(det3)(a[0], a[1], a[2]), area)));
 
     /* p = a_1.a_1, q = a_1.a_2, r = a_2.a_2 */

@@ -3,7 +3,7 @@
 
 At $t=0$ the derivatives of order $1$, $2$, $3$ are combinations of the first edges $a_1$, $a_2$, $a_3$ of the polygon.  Curvature and torsion
 see only the newest edge in each of them, so the complicated coefficients drop out, and what is left are two short formulas.  The formulas are
-right; of the three lines on which the proof rests, two are printed wrongly.
+right.  Their proof, of whose three lines on quotients two are printed wrongly, has the next section to itself.
 
 We write $a_i=R_i-R_{i-1}$, and start with what curvature and torsion are.  The source writes $k$ for $\kappa$ from this section on; here $k$
 stays a number of points.
@@ -86,6 +86,9 @@ CLAIM(curvature_and_torsion_belong_to_arc_length)
 }
 
 /*
+Three kinds of products occur in these formulas.  In the plane $a\times b$ is a number, in space a vector; either way its size is the area of
+the parallelogram of $a$ and $b$, which Gram's determinant gives from scalar products alone, and so in any dimension.
+
 :::{claim} vector_products_are_determinants
 :title: Scalar, cross and mixed products and Gram's determinant
 :zh: 数量积、向量积、混合积与 Gram 行列式
@@ -141,6 +144,9 @@ CLAIM(vector_products_are_determinants)
 }
 
 /*
+In the plane the curvature can be given a sign, positive where the curve turns to the left.  The source means the absolute value, as the norms in
+(3.2.5) show.
+
 :::{claim} signed_curvature_is_the_turning_of_the_tangent
 :title: The signed curvature of a plane curve is the turning of its tangent by arc length
 :zh: 平面曲线的带号曲率是切线转角对弧长的导数
@@ -169,6 +175,9 @@ CLAIM(signed_curvature_is_the_turning_of_the_tangent)
 }
 
 /*
+For a rational curve only the division by $\omega(t)$ is added.  The kernels differentiate numerator and denominator and solve for $R'$, $R''$,
+$R'''$; here both polynomials are expanded at $t$ and divided as power series, so that a slip in the one way cannot hide in the other.
+
 :::{claim} rational_curvature_and_torsion_belong_to_arc_length
 :title: Curvature and torsion of a rational Bézier curve, at any parameter
 :zh: 有理 Bézier 曲线任意参数处的曲率与挠率
@@ -225,6 +234,13 @@ CLAIM(rational_curvature_and_torsion_belong_to_arc_length)
 
 /*
 ## The two formulas
+
+$R'(0)$ is a multiple of $a_1$; $R''(0)$ is a multiple of $a_2$ and something along $a_1$; $R'''(0)$ is a multiple of $a_3$ and something in the
+plane of $a_1$ and $a_2$.  In $R'\times R''$ and in $(R',R'',R''')$ what is added drops out.  So the numbers in (3.2.5) and (3.2.6) can be
+read off the multiples $n\frac{\omega_1}{\omega_0}$, $n(n-1)\frac{\omega_2}{\omega_0}$, $n(n-1)(n-2)\frac{\omega_3}{\omega_0}$: in
+$\kappa=|R'\times R''|/|R'|^3$ they are $\frac{n\cdot n(n-1)}{n^3}=\frac{n-1}n$ and
+$\frac{\omega_1\omega_2}{\omega_0^2}\cdot\frac{\omega_0^3}{\omega_1^3}=\frac{\omega_0\omega_2}{\omega_1^2}$, and in the torsion
+$(R',R'',R''')/|R'\times R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 
 :::{statement} wang-ch3:prop-3.2.4
 :title: Curvature and torsion at the ends, for control points without repetition
@@ -302,6 +318,7 @@ static inline void G(compare_curvature)(trial *T, int n, int dim, const num R[],
         area = G(norm_squared)(3, x);
     }
     about(T, "curvature squared");
+    /* κ² = factor² |a × b|²/|a|⁶ */
     same(T, G(rational_curvature_squared)(n, dim, R, w, t), mul(mul(factor, factor), div(area, cube)));
     about(T, "1/factor");
     nonnegative(T, div(from_int(1), factor));
@@ -314,6 +331,9 @@ static inline void G(compare_curvature)(trial *T, int n, int dim, const num R[],
 }
 
 /*
+Curvatures are compared by their squares, because a field of rational functions has no square roots.  For the sign it is shown in
+addition that the factor in front is positive, and this is the place where positive weights are used.
+
 :::{claim} end_curvature_at_zero
 :title: The curvature at t = 0 is the printed one
 :zh: t=0 处曲率公式成立
@@ -385,6 +405,7 @@ CLAIM(end_torsion_at_zero)
         G(edge)(3, R, i + 1, a[i]);
     G(cross3)(a[0], a[1], x);
     num factor = mul(from_ratio(fault(T, n - 2, n - 1), n), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    /* τ(0) = (n-2)/n ω_0 ω_3/(ω_1 ω_2) (a_1, a_2, a_3)/|a_1 × a_2|² */
     same(T, G(rational_torsion)(n, R, w, from_int(0)),
          mul(factor, div(G(det3)(a[0], a[1], a[2]), G(norm_squared)(3, x))));
 }
@@ -410,6 +431,7 @@ CLAIM(end_torsion_at_one)
     G(cross3)(a[1], a[2], x);
     num factor = mul(from_ratio(n - 2, n), div(mul(w[n - 3], w[n]), mul(w[n - 2], w[n - 1])));
     num volume = fault(T, G(det3)(a[0], a[1], a[2]), G(det3)(a[2], a[1], a[0]));
+    /* τ(1) = (n-2)/n ω_{n-3} ω_n/(ω_{n-2} ω_{n-1}) (a_{n-2}, a_{n-1}, a_n)/|a_{n-1} × a_n|² */
     same(T, G(rational_torsion)(n, R, w, from_int(1)), mul(factor, div(volume, G(norm_squared)(3, x))));
 }
 
@@ -427,6 +449,10 @@ $k$ is a number of points; here it stays that.
 
 ### What the formulas need
 
+The formulas divide by $|a_1|$ and by $|a_1\times a_2|$.  The hypothesis of the source, that no two points coincide, is more than the first
+formula asks, since points may be repeated elsewhere, and less than the second one asks, since three different points may be on a line.  In the two
+examples below the curvature and the torsion have limits at the end, and these are not $0$: it is the formula that fails there, not the
+curve.  A factor $n-1$ or $n-2$, on the other hand, makes good sense where the points that it stands for do not exist.
 :::{claim} missing_points_have_the_factor_zero
 :title: Segments have end curvature 0, and quadratics end torsion 0
 :zh: 线段曲率为零，二次曲线挠率为零
@@ -531,6 +557,9 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
 
 #if RATIONAL
 /*
+If one of the weights $\omega_0$ and $\omega_2$ is negative, the factor is negative, and the right side of (3.2.5) with it, while a curvature is not.
+The curve itself may be quite regular.
+
 :::{claim} negative_weight_makes_printed_curvature_negative
 :title: With a negative weight the printed curvature is negative
 :zh: 权为负时所印曲率为负

@@ -73,6 +73,9 @@ CLAIM(fractional_change_runs_once)
 #endif
 
 /*
+One might ask why the new parameter has just this form.  Rational curves of degree $n$ stay of degree $n$ under the projective maps of the parameter line,
+and of these the ones that fix both ends of the interval have one number at choice, $a/b$.
+
 :::{claim} projective_change_of_unit_interval_is_fractional
 :title: A projective change of parameter that fixes 0 and 1 is of the printed form
 :zh: 保持 0 与 1 的射影参数变换必为所印形式
@@ -105,6 +108,9 @@ An identity: $a$ and $b$ may be any numbers, as long as the denominators do not 
 */
 
 /*
+Put into $B_i^n(t)$, the powers of $t$ bring $(au)^i$ and those of $1-t$ bring $(b(1-u))^{n-i}$, over the common denominator $D^n$, which cancels in the
+quotient.  So the points stay, and the whole change is in the weights.
+
 :::{claim} fractional_change_keeps_curve
 :title: Weights multiplied by powers of a and b give the same curve in the new parameter
 :zh: 权乘以 a^i b^{n-i} 后曲线不变
@@ -126,9 +132,9 @@ CLAIM(fractional_change_keeps_curve)
     G(free_curve)(T, n, 1, R, w);
     num D = add(mul(a, u), mul(b, sub(from_int(1), u))), t = G(old_parameter)(a, b, u);
     G(rational_reparametrize)(n, w, fault(T, a, b), fault(T, b, a), v);
-    about(T, "the denominators");
+    about(T, "the denominators: ω'(u) = D^n ω(t)");
     same(T, G(rational_weight)(n, v, u), mul(G(power)(D, n), G(rational_weight)(n, w, t)));
-    about(T, "the points");
+    about(T, "the points: R'(u) = R(t)");
     G(rational_point)(n, 1, R, v, u, &after);
     G(rational_point)(n, 1, R, w, t, &before);
     same(T, after, before);
@@ -163,7 +169,7 @@ CLAIM(fractional_change_term_by_term)
 #if !FIELD
     about(T, "the next binomial coefficient");
     same(T, mul(choose, from_int(binomial(degree, index))), from_int(binomial(degree, index + 1)));
-    about(T, "D^n B_i^n(t)");
+    about(T, "D^n B_i^n(t) = a^i b^(n-i) B_i^n(u)");
     G(bernstein_basis)(degree, t, old);
     G(bernstein_basis)(degree, u, new);
     num factor = mul(G(power)(fault(T, a, b), index), G(power)(fault(T, b, a), degree - index));
@@ -188,6 +194,9 @@ CLAIM(fractional_change_term_by_term)
 
 For $n=1$ there is no condition.
 :::
+
+The weight $\omega_i$ is multiplied by $a^ib^{n-i}$, a geometric sequence.  A square divided by the product of its two neighbours does not
+see such a factor, and this is how the quotients $I_i$ are found.
 
 :::{claim} invariants_by_definition
 :title: The computed quotients are those of the formula
@@ -224,6 +233,9 @@ CLAIM(invariants_by_definition)
 
 #if RATIONAL
 /*
+Formula (3.2.11) takes two $n$-th roots.  For positive weights they are taken of positive numbers.  But weights with a common negative sign
+give the same curve, and then, for even $n$, there is no root to take.
+
 :::{claim} negated_weights_have_no_real_factors
 :title: In even degree the roots need not be real, though the curve is the same
 :zh: 偶次时异号权无实因子
@@ -286,6 +298,9 @@ CLAIM(negated_weights_have_no_real_factors)
 :holds-by: equal_invariants_give_same_curve
 :::
 
+There are $n+1$ weights and $n-1$ quotients; the two missing numbers are $a$ and $b$.  So weights with given quotients are found by choosing two of
+them and computing the others, one after the other, and for all these the curve must be one.
+
 :::{claim} equal_invariants_give_same_curve
 :title: Weights with the same quotients give the same curve at another speed
 :zh: 不变量相等则曲线相同
@@ -321,6 +336,9 @@ CLAIM(equal_invariants_give_same_curve)
 
 #if RATIONAL
 /*
+In the quotient $\omega_1$ stands squared.  This is enough to make the property false for weights of both signs: the quadratic with $-\omega_1$ for
+$\omega_1$ runs through the other arc of its conic.
+
 :::{claim} equal_invariants_reach_the_other_arc
 :title: The square in the quotient forgets the sign of the middle weight
 :zh: 中间权变号:比值相同而曲线不同
@@ -362,6 +380,8 @@ CLAIM(equal_invariants_reach_the_other_arc)
 }
 
 /*
+For $n=1$ there is no quotient, so that any two pairs of weights would have to give one segment.
+
 :::{claim} linear_curve_with_opposite_ratios_has_a_pole
 :title: In degree 1 a negative weight sends the curve to infinity
 :zh: 一次时异号权使曲线无界
@@ -428,6 +448,7 @@ CLAIM(equal_invariants_mean_geometric_ratios)
     G(rational_invariants)(2, w, I);
     G(rational_invariants)(2, v, J);
     num square = fault(T, mul(r[1], r[1]), r[1]);
+    /* I*_i r_{i-1} r_{i+1} = I_i r_i² */
     same(T, mul(J[0], mul(r[0], r[2])), mul(I[0], square));
 }
 
@@ -439,6 +460,8 @@ CLAIM(equal_invariants_mean_geometric_ratios)
 :holds-by: equal_powers_of_positive_numbers
 :needs: quotient_is_lost_up_to_sign | positive weights; otherwise for even $n$ only $q=\pm a/b$
 :::
+
+From $q^n=(a/b)^n$ the source concludes $q=a/b$.  That is a statement on positive numbers, and for even $n$ on no others.
 
 :::{claim} equal_powers_of_positive_numbers
 :title: Positive numbers with equal n-th powers are equal
@@ -460,6 +483,7 @@ CLAIM(equal_powers_of_positive_numbers)
         num term = mul(G(power)(q, n - 1 - k), G(power)(p, k));
         S = fault(T, add(S, term), k % 2 == 1 ? sub(S, term) : add(S, term));
     }
+    /* (q - p) Σ q^{n-1-k} p^k = q^n - p^n */
     same(T, mul(sub(q, p), S), sub(G(power)(q, n), G(power)(p, n)));
     nonnegative(T, sub(S, G(power)(q, n - 1)));
 }
@@ -587,6 +611,8 @@ CLAIM(standard_form_has_unit_ends)
 They are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
 :::
 
+Of the definition this much is sure: the numbers belong to points and weights up to a change of the parameter.
+
 :::{claim} invariants_survive_fractional_change
 :title: The change of parameter does not change the quotients
 :zh: 参数变换不改变不变量
@@ -665,6 +691,9 @@ static int G(given_maps_agree)(trial *T, int n, int dim, num I[], num J[])
 }
 
 /*
+That they belong to the curve is more.  If numerator and denominator have a common factor, the curve does not show it, but points and weights
+do.  The simplest case is a segment, written as a quadratic in two ways.
+
 :::{claim} same_map_on_a_line_has_two_invariants
 :title: One map, two sets of quotients: the segment as a quadratic
 :zh: 同一映射的两组不变量:二次线段
@@ -687,6 +716,9 @@ CLAIM(same_map_on_a_line_has_two_invariants)
 }
 
 /*
+One might think that only curves on a line are so undetermined.  But a regular arc of a parabola, raised from degree $2$ to $3$ in two ways, once as it is
+and once multiplied by $1+t$, has two sets of quotients as well.
+
 :::{claim} same_parabola_has_two_invariant_sets
 :title: One map, two sets of quotients: an arc of a parabola as a cubic
 :zh: 同一映射的两组不变量:三次形式的抛物线弧
@@ -712,6 +744,8 @@ CLAIM(same_parabola_has_two_invariant_sets)
 #endif
 
 /*
+And the point set does not know in which direction it is run through.
+
 :::{claim} reversal_exchanges_invariants
 :title: Run backwards, the curve has the quotients in reverse order
 :zh: 反向后不变量次序颠倒
@@ -751,6 +785,8 @@ CLAIM(reversal_exchanges_invariants)
 What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $1/I_1$.
 :::
 
+For $n=2$ the source refers to a ratio that is measured on the triangle.  Its product $g_1g_2$ is $1/I_1$ and not $I_1$.
+
 :::{claim} first_invariant_is_the_tangent_ratio
 :title: Every tangent cuts the legs of the triangle in ratios with one product, the reciprocal of the invariant
 :zh: 切线在两边上截得比之积等于 1/I_1
@@ -773,6 +809,7 @@ CLAIM(first_invariant_is_the_tangent_ratio)
     num A = sub(D[0], mul(D[1], div(D[2], D[3]))), B = sub(D[1], mul(D[0], div(D[3], D[2])));
     num product = mul(div(A, sub(one, A)), div(B, sub(one, B)));
     G(rational_invariants)(2, w, I);
+    /* R_1A/AR_0 · R_1B/BR_2 = 1/I_1 */
     same(T, product, fault(T, div(one, I[0]), I[0]));
 }
 

@@ -65,6 +65,10 @@ torsions suffices.  What is true in every degree stands after definition 3.2.2.
 */
 
 /*
+By property 3.2.4 the curvature at $t=0$ contains the weights as $\frac{\omega_0\omega_2}{\omega_1^2}=\frac1{I_1}$ and the torsion as
+$\frac{\omega_0\omega_3}{\omega_1\omega_2}=\frac1{I_1I_2}$.  So each end gives two invariants, if the geometric factors beside them are not $0$, and both
+ends give four: just enough for $n=5$.
+
 :::{claim} end_curvature_contains_one_invariant
 :title: The curvature at an end contains exactly the first invariant
 :zh: 端点曲率只含一个不变量
@@ -92,6 +96,7 @@ CLAIM(end_curvature_contains_one_invariant)
         num g = G(norm_squared)(3, a), J = I[end ? n - 2 : 0];
         J = fault(T, J, n == 2 ? add(J, J) : I[end ? n - 3 : 1]);
         about(T, end ? "at t = 1" : "at t = 0");
+        /* κ² I² |a|⁶ = ((n-1)/n)² |a × b|² */
         same(T, mul(mul(square, mul(J, J)), mul(g, mul(g, g))), mul(factor, G(gram)(3, a, b)));
     }
 }
@@ -126,11 +131,15 @@ CLAIM(end_torsion_contains_two_invariants)
         num area = end ? G(gram)(3, b, c) : G(gram)(3, a, b);
         num J = fault(T, mul(end ? I[n - 2] : I[0], end ? I[n - 3] : I[1]), end ? I[n - 2] : I[0]);
         about(T, end ? "at t = 1" : "at t = 0");
+        /* τ I I' |a × b|² = (n-2)/n (a, b, c); at t = 1, |b × c|² */
         same(T, mul(torsion, mul(J, area)), mul(from_ratio(n - 2, n), G(det3)(a, b, c)));
     }
 }
 
 /*
+Before curvatures at $t=0$ are compared it must be known that both curves start at the same end of the point set.  The source takes this for granted.  It is
+true up to degree $5$, and the reason is that a curve over a polygon which closes up so smoothly has no room for independent first edges.
+
 :::{claim} backward_run_flattens_the_first_edges
 :title: For n at most 5 the curve cannot be the other one run backwards
 :zh: n≤5 时两曲线不可能反向重合
@@ -173,6 +182,8 @@ CLAIM(backward_run_flattens_the_first_edges)
 /*
 ## Without the hypotheses
 
+How much of the hypotheses is needed?  For $n=3$ the curvatures alone give both invariants, and the condition on three edges can go.
+
 :::{claim} plane_cubic_cannot_run_backwards
 :title: A cubic with three points not collinear at its start is not the other one run backwards
 :zh: 三次曲线:首三点不共线即不可能反向重合
@@ -200,6 +211,9 @@ CLAIM(plane_cubic_cannot_run_backwards)
 }
 
 /*
+For $n=5$ it cannot.  A quintic over the polygon $P_0,P_1,P_2,P_0,P_1,P_2$ of a triangle run through twice can be a quadratic in disguise, with weights
+in which a number $c$ is free.
+
 :::{claim} common_factor_hides_the_weights
 :title: One map for every c, though the invariants depend on c
 :zh: 公因子掩盖权:同一映射而不变量不同
@@ -265,6 +279,9 @@ static int G(found_invariants_differ)(trial *T, int n, const num w[], const num 
 }
 
 /*
+On a line even the quadratic is undetermined, without any common factor: different weights run through one segment, at speeds that no change of
+parameter (3.2.10) carries into each other.
+
 :::{claim} segment_has_two_invariants
 :title: On a line the point set does not determine the invariant
 :zh: 共线时点集不能确定不变量
@@ -301,6 +318,9 @@ CLAIM(segment_has_two_invariants)
 }
 
 /*
+Over a polygon that reads the same backwards the direction gets lost.  If the weights do not read the same, their reversal has other invariants
+and the same point set.
+
 :::{claim} palindromes_of_degree_four
 :title: A plane quartic over a palindromic polygon, run backwards, has other invariants
 :zh: 四次平面回文多边形:反向后不变量不同
@@ -339,6 +359,8 @@ static num G(edges_det)(const num R[], int i, int j, int k)
 }
 
 /*
+In space such a polygon can have independent first edges if it is long enough: out and back it takes three edges each way, hence degree $6$.
+
 :::{claim} space_palindromes_beyond_degree_five
 :title: From degree 6 on the point set does not determine the invariants
 :zh: 六次起点集不能确定不变量
@@ -382,6 +404,8 @@ CLAIM(space_palindromes_beyond_degree_five)
 }
 
 /*
+The last examples are about the word shape.  If it meant the map $t\mapsto R(t)$, equal invariants would not be enough.
+
 :::{claim} equal_invariants_other_speed
 :title: Equal invariants do not mean the same map of the parameter
 :zh: 不变量相等时参数分布可以不同
@@ -428,6 +452,9 @@ static int G(is_half_turn_backwards)(int n, const num R[], const num w[], const 
 }
 
 /*
+If it meant congruent curves, equal shape would not be enough: a motion that carries the polygon into itself in reverse order carries the curve of the weights
+$\omega$ into that of the reversed weights.
+
 :::{claim} congruent_cubics_with_other_invariants
 :title: Two congruent cubics over one polygon with different invariants
 :zh: 同一控制多边形上全等而不变量不同的三次曲线
@@ -491,6 +518,8 @@ CLAIM(congruent_curves_beyond_cubics)
 /*
 ## The printed proof
 
+The source proves the case $n=5$.  It compares curvature and torsion at the start, gets $I_1$ and $I_2$, and leaves the other end to symmetry.
+
 :::{statement} wang-ch3:thm-3.2.1-sufficiency
 :title: One direction is property 3.2.10
 :zh: 充分性即性质 3.2.10
@@ -516,6 +545,8 @@ The source has "curvature or torsion"; what is used is curvature and torsion.
 
 #if RATIONAL
 /*
+The curvatures at the ends contain $I_1$ and $I_{n-1}$.  From $n=4$ on an invariant lies between, which only the torsions see.
+
 :::{claim} curvatures_alone_miss_the_middle_invariant
 :title: The curvatures at both ends do not determine the middle invariant
 :zh: 仅端点曲率不能确定中间的不变量
@@ -575,6 +606,8 @@ and of the torsions, without their left sides; as the difference of the torsions
 the second is wrong.  The proof does not suffer: when the curves have the same shape both are zero, with the wrong
 denominator too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$.
 :::
+
+To see the wrong index, the first three edges are taken at right angles, with $|a_2|\ne|a_3|$.
 
 :::{claim} printed_torsion_denominator_is_wrong
 :title: The torsion has the first two edges in its denominator, not the first and the third
@@ -648,6 +681,7 @@ CLAIM(product_is_the_inverse_second_invariant)
         w[i] = unknown(T, "w", i);
     G(rational_invariants)(3, w, I);
     num product = mul(I[0], div(mul(w[0], w[3]), mul(w[1], w[2])));
+    /* I_1 ω_0 ω_3/(ω_1 ω_2) = ω_1 ω_3/ω_2² = 1/I_2 */
     same(T, product, div(mul(w[1], w[3]), mul(w[2], w[2])));
     same(T, product, fault(T, div(from_int(1), I[1]), I[1]));
 }

@@ -7,7 +7,9 @@ $$I(\mathbf R,L)\le Z\Bigl[\sum B_i^n\omega_iy_i\Bigr]=Z\Bigl[(1-t)^n\sum\binom 
 =Z\Bigl[\sum\binom ni\omega_iy_is^i\Bigr]\le V\Bigl[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\Bigr]=V[y_0,\dots,y_n]
 =I(\mathbf B,L)$$
 
-with $\tau=t/(1-t)$ taken as the new variable $s$, the roots being counted for $0<t<1$ and for $0<s<\infty$.
+with $\tau=t/(1-t)$ taken as the new variable $s$, the roots being counted for $0<t<1$ and for $0<s<\infty$.  The first inequality passes from
+crossings to roots, the second is Descartes' rule, and everything else is to make that rule fit: it speaks of powers and of positive
+$s$, while the curve is written in Bernstein functions over $[0,1]$.
 */
 #include "chapters/rational-bezier/crossings.h"
 
@@ -51,6 +53,7 @@ CLAIM(line_form_of_the_curve)
     }
     G(rational_point)(n, 2, R, w, t, P);
     G(rational_point)(n, 1, value, w, t, &on_curve);
+    /* a x(t) + b y(t) + c = Σ B_i^n(t) ω_i (a x_i + b y_i + c)/ω(t) */
     same(T, add(add(mul(a, P[0]), mul(b, P[1])), c), on_curve);
 }
 
@@ -67,6 +70,9 @@ CLAIM(line_form_of_the_curve)
 
 Where $y(t)$ changes its sign the numerator does, and a polynomial that does so has a root between.
 :::
+
+The first inequality loses something: at a root where $y(t)$ keeps its sign the line is touched and not crossed.  It also needs the
+denominator to be positive, for where $\omega(t)$ changes its sign so does $y(t)$, without any root.
 
 :::{claim} sign_of_the_curve_is_that_of_the_numerator
 :title: For positive weights y(t) has the sign of its numerator
@@ -97,7 +103,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
 #if FIELD
     agree(T, !is_zero_f(weight));
 #endif
-    same(T, mul(point, weight), numerator);
+    same(T, mul(point, weight), numerator); /* y(t) ω(t) = Σ B_i^n(t) ω_i y_i */
 }
 
 #if RATIONAL
@@ -145,6 +151,8 @@ static struct cagd_curve_meets_line given_segment(trial *T, num_q y[2], poly *nu
 }
 
 /*
+Roots are counted in the open interval.  That is right for crossings and wrong for common points, of which an end can be one.
+
 :::{claim} end_on_the_line_is_no_interior_root
 :title: An end on the line is a common point and no root in (0,1)
 :zh: 端点在直线上不计入内部根
@@ -216,6 +224,8 @@ CLAIM(numerator_in_powers_of_the_ratio)
 
 A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
+
+The new variable $s$ runs through the positive numbers while $t$ runs from $0$ to $1$, once and without turning.  So no root is lost and none counted twice.
 
 :::{claim} ratio_is_an_increasing_bijection
 :title: s = t/(1-t) runs once through the positive numbers
@@ -306,6 +316,8 @@ Both are slips of the type or of its capture, nothing more; the meaning is not i
 The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
 :::
 
+What the letter would mean, if it were one, is seen at a line that the curve crosses late.
+
 :::{claim} roots_must_be_counted_up_to_one
 :title: With an l below 1 the first step is false
 :zh: 若 l<1 则第一步不成立
@@ -348,6 +360,10 @@ The rule is about the number of positive roots of a polynomial, each as often as
 away one change of sign after the other.
 :::
 
+Descartes' rule itself is short.  Between two positive roots of a function its derivative has one.  Let $q$ first be multiplied by $s^{-\alpha}$, with
+$\alpha$ between the two exponents at the first change of sign: then differentiating multiplies the coefficients before this change by
+negative numbers and those behind it by positive ones, and removes just this change.
+
 :::{claim} descartes_rule_by_sign_patterns
 :title: Descartes' rule of signs
 :zh: Descartes 符号法则
@@ -380,6 +396,8 @@ CLAIM(descartes_rule_by_sign_patterns)
 }
 
 /*
+The rule is about a polynomial that is not $0$.  A curve inside the line has nothing but roots, and its polygon no change of sign.
+
 :::{claim} curve_inside_the_line_has_too_many_roots
 :title: A curve inside the line has more roots than changes of sign
 :zh: 曲线落在直线上时根数无界
@@ -418,6 +436,8 @@ CLAIM(curve_inside_the_line_has_too_many_roots)
 :needs: mixed_weights_change_sign_changes | positive weights
 :figure: line_crossings
 :::
+
+The way back to the polygon is a matter of signs: positive binomial coefficients and positive weights do not touch them.
 
 :::{claim} positive_factors_keep_sign_changes
 :title: Binomial coefficients and positive weights keep the changes of sign
@@ -531,6 +551,8 @@ CLAIM(sign_changes_are_polygon_crossings)
 }
 
 /*
+Here as at the beginning crossings are meant.  A polygon that only touches the line has a point there and no change of sign.
+
 :::{claim} touching_polygon_has_no_sign_change
 :title: A polygon that touches the line has a common point and no change of sign
 :zh: 多边形与直线相切时变号数为零

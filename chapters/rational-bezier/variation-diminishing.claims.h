@@ -81,6 +81,10 @@ static poly designed_curve(int n, int family, const int y[], num_q R[], num_q w[
 }
 
 /*
+Before it is proved the property is tried where it is most in danger: with vertices and whole edges on the line, where crossings and common points part
+ways, and with weights that differ by many powers of ten, which press the curve against single vertices.  Signs are all that matters, so a few
+heights will do.
+
 :::{claim} designed_curves_cross_no_more
 :title: Crossings of curves and polygons, counted exactly
 :zh: 跨越次数的精确计数
@@ -159,6 +163,8 @@ CLAIM(designed_curves_meet_no_more)
 }
 
 /*
+Nor is the polygon's number too large: in each degree there is a curve that crosses as often as its polygon.
+
 :::{claim} crossings_reach_their_bound
 :title: In every degree a curve crosses as often as its polygon
 :zh: 上界可以达到
@@ -192,6 +198,9 @@ CLAIM(crossings_reach_their_bound)
 }
 
 /*
+The number is counted along the curve and along the polygon.  If one counted points of the plane instead, a polygon that
+crosses itself on the line would count once where the curve meets the line twice.
+
 :::{claim} self_crossing_polygon_meets_the_line_once
 :title: Counted as points of the plane, the curve meets the line more often than the polygon
 :zh: 若按平面点计数, 自交多边形给出反例
@@ -228,6 +237,9 @@ CLAIM(self_crossing_polygon_meets_the_line_once)
 }
 
 /*
+Nothing of this is left for weights of both signs.  The middle vertex, with its negative weight, pushes the curve through a line from which the
+polygon keeps away.
+
 :::{claim} mixed_weights_cross_more
 :title: With weights of both signs the curve crosses a line that the polygon does not meet
 :zh: 权因子变号时变差缩减性不成立
@@ -278,6 +290,9 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 */
 
 /*
+Of the two proofs given after the property the first one, for every degree, is elementary.  Its only step is that means of neighbours do not
+change their sign more often than the numbers of which they are means; and for this the numbers do not matter, only their signs.
+
 :::{claim} corner_cutting_adds_no_sign_change
 :title: Means of neighbours change sign no more often
 :zh: 相邻项的凸组合不增加变号数
