@@ -68,6 +68,7 @@ CLAIM(bernstein_coefficients_and_g)
     G(marsden_matrix)(k - 1, S.t, S.r, g);
     for (int i = 0; i < k; i++) {
         about(T, "omega");
+        /* ω_i,k(x) = x^(k-1-i) (x - 1)^i */
         same(T, w[i], mul(G(power)(x, k - 1 - i), G(power)(sub(x, from_int(1)), i)));
         about(T, "G");
         for (int j = 0; j < k; j++) {

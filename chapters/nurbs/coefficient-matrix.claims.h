@@ -111,6 +111,7 @@ CLAIM(matrix_holds_the_powers_of_the_basis)
         int shift = fault(T, 0, k > 1 && S.group[S.r - 1] != S.group[S.r]);
         G(bspline_matrix)(k - 1, S.t, S.r - shift, A);
         for (int i = 0; i < k; i++)
+            /* Σ_j a_ji u^j = N_i,k(t_r + u (t_r+1 - t_r)) */
             same(T, G(column_value)(k, A, i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
     }
 }
@@ -576,6 +577,7 @@ CLAIM(truncated_power_gives_the_basis)
                 }
             num N = G(basis_value)(&S, 0, k, t);
             about(T, "by the table");
+            /* (t_i+k - t_i) [t_i, ..., t_i+k] (x - t)_+^(k-1) = N_i,k(t) */
             same(T, mul(length, G(divided_difference)(n.d, n.l, n.tau, data)), N);
             about(T, "by the weights");
             G(divided_weights)(n.d, n.l, n.tau, alpha);
@@ -761,6 +763,7 @@ CLAIM(powers_expand_in_the_parameter)
         num sum = from_int(0);
         for (int j = 0; j <= k - mu - 1; j++) {
             num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
+            /* (k-1)!/(k-1-μ)! C(k-1-μ, j) = (k-1)!/(j! (k-1-μ-j)!) */
             same(T, factor, div(G(factorial)(k - 1), mul(G(factorial)(j), G(factorial)(k - 1 - mu - j))));
             num term = mul(G(power)(sub(tau, t[0]), k - 1 - mu - j), mul(G(power)(step, j), G(power)(u, j)));
             sum = add(sum, mul(factor, term));

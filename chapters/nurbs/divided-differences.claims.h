@@ -93,6 +93,7 @@ CLAIM(osculation_is_divisibility)
                 vanishes(T, substitute_f(D, t, tau[i]));
             about(T, "the first that does not");
             if (!T->faulty)
+                /* l_i! (s_0 + s_1 τ_i) times the product of (τ_i - τ_m)^l_m over m ≠ i */
                 same(T, substitute_f(D, t, tau[i]), mul(G(factorial)(l[i]), first));
         }
     }
@@ -543,6 +544,7 @@ CLAIM(cramers_rule_gives_divided_difference)
         num below = G(determinant)(k + 1, H);
         for (int row = 0; row <= k; row++)
             H[row * (k + 1) + fault(T, k, 0)] = f[row];
+        /* det H(T; 1, ..., t^k-1, f) / det H(T; 1, ..., t^k) = [t_0, ..., t_k]f */
         same(T, div(G(determinant)(k + 1, H), below), G(divided_difference)(d, l, tau, f));
     }
 }
@@ -613,6 +615,7 @@ CLAIM(printed_weights_give_divided_difference)
             sum = add(sum, mul(alpha[b], f[b]));
         }
         about(T, "their sum and the divided difference");
+        /* Σ α_ij f^(j)(τ_i) = [t_0, ..., t_k]f */
         same(T, sum, G(divided_difference)(d, l, tau, f));
     }
 }

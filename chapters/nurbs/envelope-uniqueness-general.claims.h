@@ -85,6 +85,7 @@ CLAIM(family_steps_along_the_tangent)
             G(sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q);
             G(derivative_sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q1);
             for (int c = 0; c < 2; c++)
+                /* P[r] = P[r-1] + (τ - t)/(k-r) ∂_t P[r-1] */
                 same(T, S[c], add(Q[c], mul(step, Q1[c])));
         }
     }
@@ -126,6 +127,7 @@ CLAIM(derivative_by_tau_is_that_of_the_level_before)
             }
             G(bezier_derivatives)(r, 1, b, local, 1, E);
             G(bspline_span_derivatives)(p - r + 1, 1, u, mu, d, t, 1, D);
+            /* ∂_τ P[r] = r/(k-r) ∂_t P[r-1] */
             same(T, div(E[1], length), mul(from_ratio(r, fault(T, k - r, k - r + 1)), D[1]));
             G(bspline_deboor_level)(p, 1, u, mu, r, d, tau);
         }
@@ -173,6 +175,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
     G(cross3)(R + 3, R + 6, right);
     num factor = div(mul(mul(r, e), v3), mul(fault(T, mul(m, m), m), mul(V2, P[3])));
     for (int c = 0; c < 3; c++)
+        /* X_τ × X_t = r (τ - t) v³/(m² V³) R' × R'' */
         same(T, left[c], mul(factor, right[c]));
 }
 
@@ -249,6 +252,7 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
                 num first = mul(sub(fault(T, tau, t), fault(T, t, tau)), sub(a1[m + 1], a1[m]));
                 num second = mul(sub(t, u[i]), sub(a1[m + 1], b1[m + 1])),
                     third = mul(sub(u[far], t), sub(a1[m], b1[m]));
+                /* (t_i+k-r - t_i)(w_i[r](τ) - w_i[r](t)) = the three printed terms */
                 same(T, mul(sub(u[far], u[i]), sub(a[m], b[m])), add(first, add(second, third)));
             }
         }
@@ -685,6 +689,7 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
             G(bspline_span_derivatives)(m, 3, u, mu, d, t, 2, Q);
             about(T, "the determinant of Q, Q', Q''");
             num cube = mul(length, mul(length, length));
+            /* (b - a)³ det(Q, Q', Q'') = m²(m-1) Σ M_ilh det(P_i, P_l, P_h) */
             same(T, mul(cube, G(det3)(Q, Q + 3, Q + 6)), mul(from_int((long)m * m * (m - 1)), sum));
             G(bspline_deboor_level)(p, 3, u, mu, r, d, tau);
         }

@@ -89,6 +89,7 @@ CLAIM(common_normal_makes_points_coplanar)
     num volume = G(det3)(a, b, c), na = G(dot)(3, n, a), nb = G(dot)(3, n, b), nc = G(dot)(3, n, c);
     for (int m = 0; m < 3; m++) {
         num right = add(add(mul(na, bc[m]), mul(nb, ca[m])), mul(nc, ab[m]));
+        /* (a, b, c) n = (n·a) b × c + (n·b) c × a + (n·c) a × b */
         same(T, mul(volume, n[fault(T, m, m > 0 ? 3 - m : m)]), right);
     }
 }
@@ -242,6 +243,7 @@ CLAIM(family_moves_with_its_points)
                 static const char *const what[] = {"the point", "the derivative by t", "the derivative by τ"};
                 num value = add(mul(l[0], D[2 * d]), mul(l[1], D[2 * d + 1]));
                 about(T, what[d]);
+                /* the member of the l(r_i) is l of the member, l(x,y) = a x + b y + c; its derivatives are those under a x + b y */
                 same(T, E[d], d == 0 ? add(value, l[2]) : value);
             }
         }
@@ -315,6 +317,7 @@ CLAIM(slope_is_constant_where_nothing_turns)
         f2[c] = derivative_f(f1[c], t);
     }
     num a = mul(f1[0], f2[1]), b = mul(f2[0], f1[1]);
+    /* (y'/x')' = (x' y'' - x'' y')/x'² */
     same(T, derivative_f(div(f1[1], f1[0]), t), div(fault(T, sub(a, b), add(a, b)), mul(f1[0], f1[0])));
 }
 #endif

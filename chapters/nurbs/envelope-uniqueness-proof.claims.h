@@ -193,6 +193,7 @@ CLAIM(weighted_points_follow_the_recursion)
                 num left = mul(ws[m], G(det3)(Rs + 3 * m, a, b));
                 num right = mul(ws[m + 1], G(det3)(Rs + 3 * m + 3, a, b));
                 num mean = add(mul(fault(T, beta, alpha), left), mul(fault(T, alpha, beta), right));
+                /* (w_i r_i, a, b)[r-1] = (1-α) (w_i-1 r_i-1, a, b)[r-2] + α (w_i r_i, a, b)[r-2] */
                 same(T, mul(wr[m], G(det3)(Rr + 3 * m, a, b)), mean);
             }
         }

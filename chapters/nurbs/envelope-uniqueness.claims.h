@@ -85,6 +85,7 @@ CLAIM(touching_curve_satisfies_the_condition)
     G(cross3)(along, Xt, left);
     G(cross3)(Xs, Xt, right);
     for (int c = 0; c < 3; c++)
+        /* (t' X_t + τ' X_τ) × X_t = τ' X_τ × X_t */
         same(T, left[c], mul(fault(T, ds, dt), right[c]));
 }
 
@@ -150,6 +151,7 @@ CLAIM(differences_of_span_give_the_derivative)
             num length = fault(T, sub(u[i + p], u[i]), mul(from_int(2), sub(u[i + p], u[i])));
             sum = add(sum, mul(N[m], div(sub(c[m + 1], c[m]), length)));
         }
+        /* (k-1) Σ N_i,k-1 (c_i - c_i-1)/(t_i+k-1 - t_i) = Σ N'_i,k c_i */
         same(T, mul(from_int(p), sum), S[0]);
     }
 }
@@ -190,6 +192,7 @@ CLAIM(first_level_follows_the_tangent)
         G(sums)(p, 1, u, mu, R, w, t, P);
         G(derivative_sums)(p, 1, u, mu, R, w, t, P1);
         for (int c = 0; c < 2; c++)
+            /* Σ N_i,k-1(t) w_i[1](τ) = w(t) + (τ - t)/(k-1) w'(t), and the same with p */
             same(T, S[c], add(P[c], mul(step, P1[c])));
     }
 }
@@ -248,9 +251,11 @@ CLAIM(derivatives_of_the_first_member)
     num X = div(F[0], F[1]), front = mul(sub(k, one), mul(F[1], F[1]));
     num tangent = mul(mul(f[1], f[1]), derivative_f(div(f[0], f[1]), t));
     about(T, "the derivative by τ");
+    /* (k-1) W² X_τ = w² r' */
     same(T, mul(front, derivative_f(X, tau)), tangent);
     num rest = mul(sub(tau, t), sub(mul(F[1], f2[0]), mul(f2[1], F[0])));
     about(T, "the derivative by t");
+    /* (k-1) W² X_t = (τ - t)(W p'' - w'' A) + (k-2) w² r' */
     same(T, mul(front, derivative_f(X, t)), add(rest, mul(sub(k, fault(T, two, one)), tangent)));
 }
 #endif
@@ -341,6 +346,7 @@ CLAIM(first_level_condition_as_printed)
     G(cross3)(J.by_tau, J.by_t, left);
     G(bracket)(&J, fault(T, 0, 1), right);
     for (int c = 0; c < 3; c++)
+        /* (k-1)² W⁴ X_τ × X_t = w² (τ - t) (W r' × p'' - w'' r' × A) */
         same(T, mul(front, left[c]), mul(mul(mul(J.w, J.w), J.e), right[c]));
 }
 
@@ -369,8 +375,10 @@ CLAIM(first_level_condition_factors)
     G(cross3)(J.r1, J.r2, turn);
     for (int c = 0; c < 3; c++) {
         about(T, "the bracket");
+        /* W r' × p'' - w'' r' × A = W w r' × r'' */
         same(T, B[c], mul(mul(J.W, J.w), turn[c]));
         about(T, "the condition");
+        /* (k-1)² W³ X_τ × X_t = (τ - t) w³ r' × r'' */
         same(T, mul(front, left[c]), mul(mul(J.e, power), turn[c]));
     }
 }
@@ -396,6 +404,7 @@ CLAIM(extra_points_run_along_the_tangent)
     G(jet) J = G(free_jet)(T);
     num factor = div(J.e, mul(sub(J.k, from_int(1)), J.W));
     factor = fault(T, mul(factor, J.w), factor);
+    /* X(t_0,τ) - r(t_0) = (τ - t_0) w / ((k-1) W) r'(t_0) */
     same(T, sub(div(J.A[0], J.W), J.r[0]), mul(factor, J.r1[0]));
 }
 
@@ -431,6 +440,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
     G(jet) J = G(free_jet)(T);
     num B[3], triple = neg(G(det3)(J.r1, J.A, J.p2));
     G(bracket)(&J, 0, B);
+    /* (W r' × p'' - w'' r' × A) · p'' = -w'' (r', A, p'') */
     same(T, G(dot)(3, B, J.p2), fault(T, mul(J.w2, triple), triple));
 }
 
@@ -450,6 +460,7 @@ CLAIM(product_with_the_numerator_gives_the_triple_product)
     G(jet) J = G(free_jet)(T);
     num B[3];
     G(bracket)(&J, 0, B);
+    /* (W r' × p'' - w'' r' × A) · A = -W (r', A, p'') */
     same(T, G(dot)(3, B, J.A), neg(mul(fault(T, J.W, J.w), G(det3)(J.r1, J.A, J.p2))));
 }
 
@@ -532,6 +543,7 @@ CLAIM(triple_product_is_that_of_the_point)
     G(jet) J = G(free_jet)(T);
     num product = mul(J.W, G(det3)(J.p, J.r1, J.r2));
     about(T, "the triple products");
+    /* (r', A, p'') = -W (p, r', r'') */
     same(T, G(det3)(J.r1, J.A, J.p2), fault(T, neg(product), product));
     for (int p = 1; p <= 3; p++) {
         num u[MOST_KNOTS], R[3 * 4], w[4], S[4], N[4], t = parameter(T, "t"), sum = from_int(0);
@@ -543,6 +555,7 @@ CLAIM(triple_product_is_that_of_the_point)
         for (int i = 0; i <= p; i++)
             sum = add(sum, mul(mul(N[i], w[i]), G(det3)(R + 3 * i, J.r1, J.r2)));
         about(T, "the sum over the points");
+        /* Σ N_i,k w_i (r_i, r', r'') = (p, r', r'') */
         same(T, sum, G(det3)(S, J.r1, J.r2));
     }
 }

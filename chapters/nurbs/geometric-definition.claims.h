@@ -102,6 +102,7 @@ CLAIM(legs_are_run_through)
     num lambda = div(mul(x, w), add(v, mul(x, w))), later = div(mul(more, w), add(v, mul(more, w)));
     num share = fault(T, lambda, div(x, add(one, x)));
     about(T, "the leg");
+    /* leg = r_j-1 + λ (r_j - r_j-1) */
     same(T, leg, add(a, mul(share, sub(b, a))));
     about(T, "the growth of λ");
     nonnegative(T, sub(later, lambda));
@@ -305,6 +306,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
             num sum = from_int(0);
             for (int i = p - 1; i < n; i++)
                 sum = add(sum, mul(h[c][i], G(cox_de_boor)(1, u, place, i, interval, t)));
+            /* Σ N_i,2(t) w_i[k-2](τ) (r_i[k-2](τ), 1) = P_j(τ) + (t - τ)/(k-1) P_j'(τ) */
             same(T, sum, add(D[c], mul(step, D[2 + c])));
         }
     }
@@ -451,6 +453,7 @@ CLAIM(quadratic_legs_have_one_envelope)
     }
     num lengths = mul(mul(sub(u[3], u[1]), sub(u[4], u[2])), sub(u[3], u[2]));
     num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b));
+    /* det(P, P', P'') = 4 w_j-2 w_j-1 w_j (r_j-1 - r_j-2) × (r_j - r_j-2) / ((t_j+1 - t_j-1)(t_j+2 - t_j)(t_j+1 - t_j)) */
     same(T, G(det3)(D, D + 3, D + 6), mul(from_int(fault(T, 4, 2)), div(turn, lengths)));
 }
 

@@ -59,6 +59,7 @@ CLAIM(marsden_matrix_holds_derivatives)
             for (int m = 0; m < fault(T, k - 1 - mu, mu); m++)
                 D = derivative_f(D, x);
             D = mul(div(G(factorial)(mu), G(factorial)(k - 1)), substitute_f(D, x, from_int(0)));
+            /* g_μi = (-1)^μ μ!/(k-1)! ω_i,k^(k-1-μ)(0) */
             same(T, g[mu * k + i], G(signed_by)(mu, D));
         }
 }
@@ -519,6 +520,7 @@ CLAIM(cofactors_give_powers_of_t)
             num star = fault(T, G(cofactor)(k, g, mu, i), G(cofactor)(k, g, i, mu));
             sum = add(sum, mul(star, G(power)(t, mu)));
         }
+        /* det G N_i,k(t) = Σ_μ g*_μi t^μ */
         same(T, sum, mul(det, G(basis_value)(&S, i, k, t)));
     }
 }
@@ -555,6 +557,7 @@ CLAIM(power_of_t_in_powers_of_u)
             num factor = mul(G(power)(sub(t[b], t[a]), j), G(power)(t[a], mu - j));
             sum = add(sum, mul(G(choose)(mu, j), mul(factor, G(power)(u, j))));
         }
+        /* t^μ = Σ_j C(μ, j) (t_r+1 - t_r)^j t_r^(μ-j) u^j */
         same(T, G(power)(at, mu), sum);
     }
 }

@@ -68,6 +68,7 @@ CLAIM(marsden_coefficients_vanish_at_inner_knots)
             num term = mul(G(symmetric_sum)(k - 1, fault(T, S.t + i + 1, S.t + i), j), G(power)(x, k - 1 - j));
             sum = add(sum, G(signed_by)(j, term));
         }
+        /* ω_i,k(x) = Σ_j (-1)^j Sym_j(t_i+1, ..., t_i+k-1) x^(k-1-j) */
         same(T, w[i], sum);
     }
 }
@@ -140,6 +141,7 @@ CLAIM(marsden_identity)
     num x = unknown(T, "x", 0), t = parameter(T, "t"), sum = from_int(0);
     for (int i = fault(T, 0, 1); i < k; i++)
         sum = add(sum, mul(G(omega)(&S, i, k, x), G(basis_value)(&S, i, k, t)));
+    /* Σ ω_i,k(x) N_i,k(t) = (x - t)^(k-1) */
     same(T, sum, G(power)(sub(x, t), k - 1));
 }
 
@@ -334,6 +336,7 @@ CLAIM(one_level_takes_off_a_factor)
     for (int i = 0; i < k; i++)
         W[i] = G(omega)(&S, i, k, x);
     for (int i = S.r - k + 2; i <= S.r; i++)
+        /* the level of ω_i,k and ω_i-1,k at t is (x - t) ω_i,k-1 */
         same(T, G(level_of_coefficients)(&S, i, k, W, t, 0),
              mul(sub(x, t), G(omega)(&S, i + fault(T, 0, k > 2), k - 1, x)));
 }
@@ -358,6 +361,7 @@ CLAIM(every_link_of_the_chain)
         num sum = from_int(0);
         for (int i = fault(T, S.r - m + 1, S.r - m + 2); i <= S.r; i++)
             sum = add(sum, mul(G(omega)(&S, i, m, x), G(basis_value)(&S, i, m, t)));
+        /* (x - t)^(k-m) Σ ω_i,m(x) N_i,m(t) = (x - t)^(k-1) */
         same(T, mul(G(power)(sub(x, t), k - m), sum), G(power)(sub(x, t), k - 1));
     }
 }
@@ -489,6 +493,7 @@ CLAIM(powers_of_t_from_derivatives)
         for (int i = 0; i < k; i++)
             sum = add(sum, mul(G(omega_derivative)(&S, i, k - 1 - mu), N[i]));
         sum = mul(div(G(factorial)(mu), G(factorial)(k - 1)), sum);
+        /* t^μ = (-1)^μ μ!/(k-1)! Σ ω_i,k^(k-1-μ)(0) N_i,k(t) */
         same(T, G(power)(t, mu), G(signed_by)(fault(T, mu, 0), sum));
     }
 }
@@ -533,6 +538,7 @@ CLAIM(powers_of_t_from_symmetric_functions)
             num sum = from_int(0);
             for (int i = 0; i < k; i++)
                 sum = add(sum, mul(G(symmetric_sum)(k - 1, fault(T, S.t + i + 1, S.t + i), j), N[i]));
+            /* t^j = Σ Sym_j(t_i+1, ..., t_i+k-1) N_i,k(t) / C(k-1, j) */
             same(T, G(power)(t, j), div(sum, G(choose)(k - 1, j)));
         }
     }
@@ -581,6 +587,7 @@ CLAIM(derivatives_of_omega_are_symmetric)
     for (int i = 0; i < k; i++)
         for (int j = 0; j < k; j++) {
             num size = mul(G(factorial)(k - 1 - j), G(symmetric_sum)(k - 1, S.t + i + 1, j));
+            /* ω_i,k^(k-1-j)(0) = (-1)^j (k-1-j)! Sym_j */
             same(T, G(omega_derivative)(&S, i, k - 1 - j), G(signed_by)(fault(T, j, 0), size));
         }
 }

@@ -166,6 +166,7 @@ CLAIM(lines_of_the_family_by_two_points)
         G(sums)(1, 1, u, mu, Rr, wr, t, S);
         num up = sub(t, u[mu]), down = sub(u[mu + 1], t);
         num left = mul(fault(T, down, up), wr[0]), right = mul(fault(T, up, down), wr[1]);
+        /* ((t_j+1 - t) w_j-1 r_j-1 + (t - t_j) w_j r_j) / ((t_j+1 - t) w_j-1 + (t - t_j) w_j), all at level k-2 */
         same(T, div(S[0], S[1]), div(add(mul(left, Rr[0]), mul(right, Rr[1])), add(left, right)));
     }
 }
@@ -209,7 +210,9 @@ CLAIM(span_derivatives_are_parallel)
                 G(bspline_deboor_level)(p, 2, u, mu, r, d, t);
             G(bspline_span_derivatives)(p - r, 2, u, mu, d, t, p - r, E);
             for (int m = 0; m < 2 * (p - r + 1); m++) {
-                long a = fault(T, G(falling_factorial)(p, m / 2), 1), b = fault(T, G(falling_factorial)(p - r, m / 2), 1);
+                long a = fault(T, G(falling_factorial)(p, m / 2), 1),
+                     b = fault(T, G(falling_factorial)(p - r, m / 2), 1);
+                /* n!/(n-i)! ∂_t^i P[r](t,t) = m!/(m-i)! P^(i)(t), n = k-1, m = n-r */
                 same(T, mul(from_int(a), E[m]), mul(from_int(b), D[m]));
             }
         }
@@ -250,9 +253,11 @@ CLAIM(curvatures_have_a_fixed_ratio)
         G(rational_quotient_derivatives)(2, D, 2, R[j]);
     }
     about(T, "the first derivatives");
+    /* r_m' = m/n r' */
     same(T, R[1][2], mul(first, R[0][2]));
     num ratio = fault(T, mul(first, second), second);
     about(T, "the determinants of the derivatives");
+    /* r_m' × r_m'' = m²(m-1)/(n²(n-1)) r' × r'' */
     same(T, G(cross2)(R[1] + 2, R[1] + 4), mul(ratio, G(cross2)(R[0] + 2, R[0] + 4)));
 }
 
@@ -287,6 +292,7 @@ CLAIM(curvature_of_the_span_member)
                 G(level_of_curve)(p, dim, u, mu, R, w, r, t, Rr, wr);
                 G(curve_derivatives)(p - r, dim, u, mu, Rr, wr, t, 2, E);
                 int a = fault(T, k - r - 1, 1) * (k - 2), b = fault(T, k - 1, 1) * (k - r - 2);
+                /* ((k-r-1)(k-2))² κ²_k-r = ((k-1)(k-r-2))² κ² */
                 same(T, mul(from_int((long)a * a), G(curvature_squared)(dim, E + dim, E + 2 * dim)),
                      mul(from_int((long)b * b), G(curvature_squared)(dim, D + dim, D + 2 * dim)));
             }

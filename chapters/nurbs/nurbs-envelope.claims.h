@@ -68,6 +68,7 @@ CLAIM(segment_needs_the_points_of_its_span)
             for (int m = 0; m <= p; m++)
                 kept[m] = m < skip ? from_int(0) : w[low + m];
             G(sums)(p, 1, u, mu, R + low, kept, t, S);
+            /* Σ over the span = Σ over all i, for N_i,k(t) w_i r_i and for N_i,k(t) w_i */
             same(T, S[0], G(spline_value)(n, p, 1, u, place, H, 0, interval, t));
             same(T, S[1], G(spline_value)(n, p, 1, u, place, w, 0, interval, t));
         }
@@ -124,6 +125,7 @@ CLAIM(member_of_span_is_polar)
             for (int k = 0; k < p; k++)
                 x[k] = k < r - fault(T, 0, r > 0) ? tau : t;
             G(bspline_span_blossom)(p, 2, u, mu, H, x, f);
+            /* Σ N_i,k-r(t) w_i[r](τ) (r_i[r](τ), 1) = f[τ, ..., τ, t, ..., t] */
             same(T, S[0], f[0]);
             same(T, S[1], f[1]);
         }
@@ -334,8 +336,10 @@ CLAIM(levels_shrink_the_derivative)
             G(derivative_sums)(p - r, 1, u, mu, Rr, wr, t, S);
             for (int c = 0; c < 2; c++) {
                 about(T, "the level before");
+                /* Σ N'_i,k-r w_i[r] = (k-r-1)/(k-r) Σ N'_i,k-r+1 w_i[r-1] */
                 same(T, S[c], mul(step, before[c]));
                 about(T, "the derivatives of numerator and denominator");
+                /* Σ N'_i,k-r w_i[r] = (k-r-1)/(k-1) w' */
                 same(T, S[c], mul(from_ratio(k - r - 1, k - 1), first[c]));
                 before[c] = S[c];
             }
@@ -424,6 +428,7 @@ CLAIM(member_of_span_touches_curve)
             about(T, "the common point");
             same(T, E[0], D[0]);
             about(T, "the derivatives");
+            /* ∂_t r[k-r] = (k-r-1)/(k-1) (w p' - w' p)/w² = (k-r-1)/(k-1) r' */
             same(T, E[1], mul(factor, middle));
             same(T, E[1], mul(factor, D[1]));
         }
@@ -532,8 +537,10 @@ CLAIM(envelope_condition_holds_on_the_diagonal)
             num E[3];
             G(family_derivatives)(p, 1, u, mu, R, w, r, t, t, E);
             about(T, "the derivative by t");
+            /* ∂_t r[k-r] = (k-r-1)/(k-1) r' */
             same(T, E[1], mul(from_ratio(more ? r + 1 : k - r - 1, k - 1), D[1]));
             about(T, "the derivative by τ");
+            /* ∂_τ r[k-r] = r/(k-1) r' */
             same(T, E[2], mul(from_ratio(more ? k - r : r, k - 1), D[1]));
         }
     }

@@ -506,6 +506,7 @@ CLAIM(line_form_of_a_nurbs_curve)
         G(nurbs_point)(p, 2, u, p + interval, R, w, x, P);
         num form = add(add(mul(line[0], P[0]), mul(line[1], P[1])), line[2]);
         num above = G(spline_value)(n, p, 1, u, place, h, 0, interval, x);
+        /* a x(t) + b y(t) + c = Σ N_i,k(t) w_i (a x_i + b y_i + c) / Σ N_i,k(t) w_i */
         same(T, form, div(above, G(spline_value)(n, p, 1, u, place, w, 0, interval, x)));
     }
 }

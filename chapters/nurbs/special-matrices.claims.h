@@ -102,6 +102,7 @@ CLAIM(simple_difference_has_factors_of_both_orders)
         sum = add(sum, div(f[i], G(product_of_differences)(t, 0, k, i, 0)));
         printed = add(printed, div(f[i], G(product_of_differences)(t, 0, k, i, 1)));
     }
+    /* [t_0, ..., t_k]f = Σ f(t_l) / Π (t_l - t_j) */
     same(T, G(divided_difference)(k + 1, l, t, f), sum);
     same(T, printed, G(signed_by)(fault(T, k, k + 1), sum));
 }
@@ -174,6 +175,7 @@ CLAIM(simple_basis_from_weights)
         G(divided_weights)(k + 1, l, S.t + i, alpha);
         for (int m = fault(T, S.r + 1, S.r); m <= i + k; m++)
             sum = add(sum, mul(alpha[m - i], G(power)(sub(S.t[m], t), k - 1)));
+        /* (t_i+k - t_i) Σ_{l > r} α_l (t_l - t)^(k-1) = N_i,k(t) */
         same(T, mul(sub(S.t[i + k], S.t[i]), sum), G(basis_value)(&S, i, k, t));
     }
 }
@@ -280,6 +282,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
     G(bspline_matrix)(k - 1, S.t, S.r, A);
     for (int j = 0; j < k; j++)
         for (int i = 0; i < k; i++)
+            /* the printed entry is (-1)^k a_ji */
             same(T, G(printed_entry)(&S, i, j, 0, 1), G(signed_by)(fault(T, k, k + 1), A[j * k + i]));
 }
 
