@@ -23,6 +23,20 @@ static inline num_f polynomial_of_terms(int terms, const num_f term[])
     return sum;
 }
 
+/* The total degree of F in x and y. */
+static inline int total_degree(num_f F, num_f x, num_f y)
+{
+    num_f s = variable_f("scale"), sx = mul(s, x), sy = mul(s, y), sum = from_int(0);
+    int n = degree_f(F, x);
+    for (int k = n; k >= 0; k--) {
+        num_f c = coefficient_f(F, x, k), row = from_int(0);
+        for (int j = degree_f(c, y); j >= 0; j--)
+            row = add(mul(row, sy), coefficient_f(c, y, j));
+        sum = add(mul(sum, sx), row);
+    }
+    return degree_f(sum, s);
+}
+
 /* The polynomial of so many terms, at most MOST_TERMS, that stands under the name in the data of the claim. */
 static inline num_f given_polynomial(trial *T, const char *name, int terms)
 {

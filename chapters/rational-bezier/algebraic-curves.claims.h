@@ -1,0 +1,160 @@
+/*
+# Algebraic curves (代数曲线)
+
+A plane algebraic curve is what a polynomial equation $F(x,y)=0$ describes.  With the implicit equation every
+rational curve has become one.  Before the converse can be asked, it has to be said what the degree of such a curve is: of
+the printed definition the words and the formula disagree.
+*/
+#include "exact/record/resultant.h"
+
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/plane-polynomials.h"
+
+/*
+:::{statement} wang-ch3:def-3.4.1
+:title: A plane algebraic curve of degree n
+:zh: 平面 n 次代数曲线的定义
+:printed: the points whose coordinates satisfy the algebraic equation of degree $n$,
+  $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane algebraic curve of degree $n$
+:definition: yes
+:checked-by: total_degree_survives_affine_maps
+:reading: total_degree_survives_affine_maps | "an equation of degree $n$" has its usual meaning, the total degree, and
+  the sum only names coefficients, those with $i+j>n$ being 0: this is how the section uses it
+:reading: hyperbola_has_the_printed_form_for_degree_one | the sum itself says what an equation of degree $n$ is
+:corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
+:corrected-by: total_degree_survives_affine_maps
+:figure: degree_of_a_hyperbola
+
+The printed words and the printed sum disagree: the sum has terms up to $x^ny^n$, of degree $2n$.  The words decide;
+the degree of theorem 3.4.2 is the total degree, and every polynomial of total degree $n$ is such a sum.  Taken by the
+sum alone a hyperbola would have degree 1 in one system of coordinates and not in another, and theorem 3.4.3, whose $n$
+this is, would be false at once (`printed_degree_spoils_the_genus`).  Better is the sum over $i+j\le n$.
+:::
+*/
+
+#if FIELD
+/*
+:::{claim} hyperbola_has_the_printed_form_for_degree_one
+:title: The hyperbola xy = 1 is of the form printed for n = 1
+:zh: xy=1 符合所印一次形式
+:kind: counterexample
+:types: field
+:data: α, i, j = (1,1,1) (-1,0,0)
+:instead: α, i, j = (1,1,0) (-1,0,0)
+:result: F = "x*y-1"; degrees in x, y = 1 1; F(p+q, p-q) = "p^2-q^2-1"; degree = 2
+:given: the hyperbola $F=0$ by its terms $\alpha x^iy^j$, of the printed form with $n=1$: no exponent is above 1
+:then: its degree is 2; in the coordinates $p$, $q$ with $x=p+q$, $y=p-q$ it is not even of the printed form with $n=1$
+:method: The degree in $s$ of $F(sx,sy)$ is compared with $n=1$.
+:control: a line
+:::
+*/
+CLAIM(hyperbola_has_the_printed_form_for_degree_one)
+{
+    num x = variable_f("x"), y = variable_f("y"), p = variable_f("p"), q = variable_f("q");
+    num F = given_polynomial(T, "α, i, j", 2), degrees[2] = {from_int(degree_f(F, x)), from_int(degree_f(F, y))};
+    int degree = total_degree(F, x, y);
+    found_text(T, "F", to_string_f(F));
+    found_points(T, "degrees in x, y", 2, 1, degrees);
+    found_text(T, "F(p+q, p-q)", to_string_f(substitute_f(substitute_f(F, x, add(p, q)), y, sub(p, q))));
+    found_whole(T, "degree", degree);
+    about(T, "F of the printed form with n = 1 has degree at most 1");
+    if (degree_f(F, x) <= 1 && degree_f(F, y) <= 1)
+        agree(T, degree <= 1);
+}
+
+/*
+:::{claim} total_degree_survives_affine_maps
+:title: The total degree does not depend on the affine coordinates
+:zh: 总次数是仿射不变的
+:kind: decision
+:types: field
+:given: the general polynomial of total degree $n$ with variable coefficients, and the general affine map
+:then: after the map its total degree is again $n$
+:method: The degree in $s$ of $F(sx,sy)$ before and after $x\mapsto a_0x+b_0y+e_0$, $y\mapsto a_1x+b_1y+e_1$, with all
+  coefficients variables.  So it never grows; that it does not fall for an invertible map follows by the inverse map.
+:degrees: 1..3
+:control: the sum taken over $i,j\le n$
+:::
+*/
+CLAIM(total_degree_survives_affine_maps)
+{
+    int n = T->degree, m = 0;
+    num x = variable_f("x"), y = variable_f("y"), F = from_int(0), image = from_int(0), u[2];
+    for (int k = 0; k < 2; k++)
+        u[k] = add(add(mul(unknown(T, "a", k), x), mul(unknown(T, "b", k), y)), unknown(T, "e", k));
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= fault(T, n - i, n); j++) {
+            num before = unknown(T, "c", m++), after = before;
+            for (int k = 0; k < i; k++) {
+                before = mul(before, x);
+                after = mul(after, u[0]);
+            }
+            for (int k = 0; k < j; k++) {
+                before = mul(before, y);
+                after = mul(after, u[1]);
+            }
+            F = add(F, before);
+            image = add(image, after);
+        }
+    about(T, "the degree before and after the map");
+    agree(T, total_degree(F, x, y) == n && total_degree(image, x, y) == n);
+}
+
+/*
+:::{statement} wang-ch3:sec-3.4.2-algebraic
+:title: A rational Bézier curve of degree n is an algebraic curve of degree n
+:zh: n 次有理曲线是 n 次代数曲线
+:printed: theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$
+:holds-by: equation_vanishes_on_the_curve top_form_is_a_resultant
+:hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less
+  than $n$
+:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors: false, as $F$ is a
+  power unless the parametrisation is proper, one parameter for almost every point; the source does not ask for a proper parametrisation
+:reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve: false, it is an arc of it
+:figure: arc_of_a_line
+
+Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is proved.  That $F$ is
+irreducible when the parametrisation is proper is cited.
+:::
+
+:::{claim} doubled_parameter_halves_the_degree
+:title: A quadratic that runs to and fro on a line
+:zh: 非正常参数化使次数降低
+:kind: counterexample
+:types: field
+:data: R = (0,0) (0,0) (1,1); ω = 1 1 1
+:instead: R = (0,0) (0,1) (1,0)
+:result: F = "x^2-2*x*y+y^2"; Res_x(F, F_x) = "0"
+:given: $n=2$, the points $R$ of the curve $(t^2,t^2)$, and equal weights: a curve without base point
+:then: $F$ is the square of a linear form, so the curve is on an algebraic curve of degree 1
+:method: The discriminant $\operatorname{Res}_x(F,F_x)$ is 0 exactly if $F$, which is not 0, has a repeated factor
+  (containing $x$); that it is not 0 is what is compared.
+:control: a middle point, and a last one, that are not on the line
+:::
+*/
+CLAIM(doubled_parameter_halves_the_degree)
+{
+    num x = variable_f("x"), y = variable_f("y"), R[6], w[3];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num F = implicit_value_f(2, R, w, x, y), discriminant = resultant_by_f(F, derivative_f(F, x), x);
+    found_text(T, "F", to_string_f(F));
+    found_text(T, "Res_x(F, F_x)", to_string_f(discriminant));
+    about(T, "F has no repeated factor");
+    if (!is_zero_f(F)) /* no base point */
+        refute(T, is_zero_f(discriminant));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:sec-3.4.2-converse
+:title: Not every algebraic curve of degree n is a rational Bézier curve
+:zh: 反之未必成立
+:printed: the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
+  need not hold
+:holds-by: smooth_cubic_has_two_separate_parts
+:figure: smooth_cubic
+:::
+*/
+
+#include "chapters/judge/claims_off.h"

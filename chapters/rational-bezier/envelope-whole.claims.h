@@ -1,0 +1,517 @@
+/*
+# The whole envelope (整个包络)
+
+A point $X(t,c)$ of the member is a point of the envelope, in the sense of the differential geometry of plane
+families, when the two derivatives $X_t$ and $X_c$ are parallel.  In homogeneous coordinates this says
+$\det(P,P_t,P_c)=0$.  With $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, what is left of the polar form, it factors for every $n$
+and $r$:
+
+$$\det(P,P_t,P_c)=r(n-r)\,(t-c)\;w_r(c,t),\qquad w_r(c,t)=\det\bigl(q(0,0),q(0,\delta),q(\delta,\delta)\bigr).$$
+
+The factor $t-c$ is the curve itself.  The other factor, when it has zeros, gives further envelopes.
+*/
+#include "exact/record/resultant.h"
+#include "exact/record/sign.h"
+
+#include "chapters/rational-bezier/free-curve.h"
+#include "chapters/rational-bezier/polar-form.h"
+
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/plane-polynomials.h"
+
+/*
+:::{statement} wang-ch3:thm-3.3.2
+:title: The curve is the envelope of the family
+:zh: 曲线是族的包络
+:printed: \mathbf R(t)=\operatorname{env}\{\mathbf R^{[n-r]}(t,c)\mid a\le c\le b\},\quad r=1,\dots,n-1,\ n\ge2
+:reading: member_touches_curve | "an envelope", a curve that in each of its points is touched by a member: true,
+  wherever $\mathbf R'\ne0$
+:reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the
+  equality sign says: false, already for the cubic $(\tau,\tau^3)$
+:reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections: false from
+  $n=4$ on
+:corrected: the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
+  $\mathbf R$ alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$
+  and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
+:corrected-by: envelope_condition_factors envelope_condition_of_points polar_derivatives
+  convex_polygon_has_one_envelope inflections_give_the_other_envelopes triangle_has_one_envelope
+:figure: envelope_extra
+
+When all points lie on a line the condition holds everywhere and the envelope loses its meaning
+(`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent at
+a $\tau$ where $R'\times R''=0$ and $R'\ne0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this tangent.  Such a
+$\tau$ is mostly an inflection; but a curve may be flat there and not change its side (`flat_point_has_another_envelope`).
+:::
+
+:::{claim} envelope_condition_of_points
+:title: The points satisfy the envelope condition when three homogeneous vectors are dependent
+:zh: 包络条件的齐次形式
+:given: a plane family $X=(P_1,P_2)/P_3$ and the values $P$, $P_t$, $P_c$ of its homogeneous vector and of the two
+  derivatives
+:then: $\det(X_t,X_c)=\det(P,P_t,P_c)/P_3^3$
+:method: The quotient rule gives $X_t$ and $X_c$; nine variables stand for the three vectors.
+:control: the power $P_3^2$
+:::
+*/
+CLAIM(envelope_condition_of_points)
+{
+    num P[3], Pt[3], Pc[3], Xt[2], Xc[2];
+    for (int k = 0; k < 3; k++) {
+        P[k] = positive(T, "P", k);
+        Pt[k] = unknown(T, "Pt", k);
+        Pc[k] = unknown(T, "Pc", k);
+    }
+    num square = mul(P[2], P[2]);
+    for (int k = 0; k < 2; k++) {
+        Xt[k] = div(sub(mul(Pt[k], P[2]), mul(P[k], Pt[2])), square);
+        Xc[k] = div(sub(mul(Pc[k], P[2]), mul(P[k], Pc[2])), square);
+    }
+    same(T, G(cross2)(Xt, Xc), div(G(det3)(P, Pt, Pc), fault(T, mul(square, P[2]), square)));
+}
+
+/*
+:::{claim} polar_derivatives
+:title: The derivatives of the member by t and by c are polar forms with the direction δ
+:zh: 族曲线对 t, c 的偏导
+:given: points $H_0,\dots,H_n$ (any homogeneous coordinate), $n\ge2$, every $r=1,\dots,n-1$
+:then: for $P=p(c^r,t^{n-r})$: $P_t=(n-r)\,p(c^r,t^{n-r-1},\delta)$ and $P_c=r\,p(c^{r-1},t^{n-r},\delta)$
+:method: In the field the left sides are formal derivatives; in the other numbers they are the derivatives of the
+  Bézier curves that $P$ is in $t$ and in $c$.  For every $n$ it is the product rule for a form that is symmetric and
+  of degree one in each argument.
+:degrees: 2..6 sampled 12
+:control: the factor $r$ in the place of $n-r$
+:::
+*/
+CLAIM(polar_derivatives)
+{
+    int n = T->degree;
+    num H[MAX_DEGREE + 1], c = parameter(T, "c"), t = parameter(T, "t"), zero = from_int(0), one = from_int(1);
+    for (int i = 0; i <= n; i++)
+        H[i] = unknown(T, "H", i);
+    for (int r = 1; r < n; r++) {
+        int m = n - r;
+        num in_t[MAX_DEGREE + 1], in_c[MAX_DEGREE + 1], u[MAX_DEGREE], D[2], E[2], up, down;
+        for (int i = 0; i <= m; i++) { /* the Bézier points of P as a curve in t, and then in c */
+            for (int k = 0; k < n; k++)
+                u[k] = k < r ? c : k < r + i ? one : zero;
+            G(bezier_blossom)(n, 1, H, u, &in_t[i]);
+        }
+        for (int i = 0; i <= r; i++) {
+            for (int k = 0; k < n; k++)
+                u[k] = k < m ? t : k < m + i ? one : zero;
+            G(bezier_blossom)(n, 1, H, u, &in_c[i]);
+        }
+        G(bezier_derivatives)(m, 1, in_t, t, 1, D);
+        G(bezier_derivatives)(r, 1, in_c, c, 1, E);
+#if FIELD
+        D[1] = derivative_f(D[0], t);
+        E[1] = derivative_f(E[0], c);
+#endif
+        about(T, "the derivative by t");
+        G(polar)(n, 1, H, r, c, m - 1, t, one, one, &up);
+        G(polar)(n, 1, H, r, c, m - 1, t, zero, zero, &down);
+        same(T, D[1], mul(from_int(fault(T, m, r)), sub(up, down)));
+        about(T, "the derivative by c");
+        G(polar)(n, 1, H, r - 1, c, m, t, one, one, &up);
+        G(polar)(n, 1, H, r - 1, c, m, t, zero, zero, &down);
+        same(T, E[1], mul(from_int(r), sub(up, down)));
+    }
+}
+
+/*
+:::{claim} envelope_condition_factors
+:title: The envelope condition is r(n-r)(t-c) times a second factor
+:zh: 包络条件的因式分解
+:given: the three vectors $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ of a form $q(x,y)$ that is symmetric and of
+  degree one in each argument, so $q(x,y)=q(0,0)+(x+y)q(0,\delta)+xy\,q(\delta,\delta)$; any $n$, $r$, $c$, $t$
+:then: $\det(q(c,t),(n-r)q(c,\delta),r\,q(t,\delta))=r(n-r)(t-c)\det(q(0,0),q(0,\delta),q(\delta,\delta))$
+:method: An identity between polynomials in 13 variables, $n$ and $r$ among them.  With the derivatives of the member
+  in the place of the three columns it is the factorization of the envelope condition.
+:degrees: all
+:control: $t+c$ in the place of $t-c$
+:::
+*/
+CLAIM(envelope_condition_factors)
+{
+    num q[3][3], column[3][3], n = parameter(T, "n"), r = parameter(T, "r"), c = parameter(T, "c"),
+                               t = parameter(T, "t");
+    num m = sub(n, r);
+    for (int k = 0; k < 3; k++) {
+        q[0][k] = unknown(T, "a", k);
+        q[1][k] = unknown(T, "b", k);
+        q[2][k] = unknown(T, "d", k);
+        column[0][k] = add(q[0][k], add(mul(add(c, t), q[1][k]), mul(mul(c, t), q[2][k])));
+        column[1][k] = mul(m, add(q[1][k], mul(c, q[2][k])));
+        column[2][k] = mul(r, add(q[1][k], mul(t, q[2][k])));
+    }
+    num factor = mul(mul(r, m), fault(T, sub(t, c), add(t, c)));
+    same(T, G(det3)(column[0], column[1], column[2]), mul(factor, G(det3)(q[0], q[1], q[2])));
+}
+
+#if RATIONAL
+/* The point D[0..1] of the member c of level r, its derivatives by t, D[2..3], and by c, D[4..5]; weights 1. */
+static void G(member_derivatives)(int n, const num R[], int r, num c, num t, num D[])
+{
+    num w[MAX_DEGREE + 1], Rr[2 * MAX_DEGREE + 2], wr[MAX_DEGREE + 1], in_c[2 * MAX_DEGREE + 2], u[MAX_DEGREE], E[4];
+    for (int i = 0; i <= n; i++)
+        w[i] = from_int(1);
+    G(rational_casteljau)(n, 2, R, w, c, r, Rr, wr);
+    G(rational_derivatives)(n - r, 2, Rr, wr, t, 1, D);
+    for (int i = 0; i <= r; i++) {
+        for (int k = 0; k < n; k++)
+            u[k] = k < n - r ? t : from_int(k < n - r + i);
+        G(bezier_blossom)(n, 2, R, u, in_c + 2 * i);
+    }
+    G(bezier_derivatives)(r, 2, in_c, c, 1, E);
+    D[4] = E[2];
+    D[5] = E[3];
+}
+
+/* For the data r, c and t of the claim: compares with 0 the polynomial F of the curve (R, 1) at the point of the member c at
+ * t, if that point satisfies the envelope condition. */
+static void G(envelope_point_on_curve)(trial *T, int n, const num R[])
+{
+    num w[MAX_DEGREE + 1], D[6];
+    int r = given_whole(T, "r");
+    num c = given(T, "c"), t = given(T, "t");
+    for (int i = 0; i <= n; i++)
+        w[i] = from_int(1);
+    G(member_derivatives)(n, R, r, c, t, D);
+    num F = G(implicit_value)(n, R, w, D[0], D[1]);
+    found_points(T, "point of the member", 1, 2, D);
+    found_points(T, "X_t, X_c", 2, 2, D + 2);
+    found(T, "F at the point", F);
+    if (!is_zero_q(G(cross2)(D + 2, D + 4)))
+        return;
+    about(T, "F at the point, which is 0 on the curve");
+    vanishes(T, F);
+}
+
+/*
+Two families show the other factor at work.
+
+:::{claim} cubic_family_has_another_envelope
+:title: The family of the cubic (τ, τ³) has the axis y = 0 as a second envelope
+:zh: 三次曲线 (τ,τ³) 的族以 y=0 为另一包络
+:kind: counterexample
+:data: R = (-1,-1) (-1/3,1) (1/3,-1) (1,1); r = 1; c = 3/4; t = 1/2
+:instead: t = 3/4
+:result: point of the member = (1/6,0); X_t, X_c = (4/3,0) (2/3,0); F at the point = -64/27
+:given: the points $R$ of $(\tau,\tau^3)$, $-1\le\tau\le1$, with equal weights; the member $c$ of level $r$, and its point at
+  the parameter $t$ of the inflection, both counted in $[0,1]$
+:then: there the envelope condition $\det(X_t,X_c)=0$ is satisfied at a point that is not on the curve
+:method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$.  The
+  condition is checked first; compared is the value at the point of the polynomial $F$ of (3.4.1), which vanishes on the
+  curve.
+:control: the same member at $t=c$
+:::
+*/
+CLAIM(cubic_family_has_another_envelope)
+{
+    num R[8];
+    given_points(T, "R", 4, 2, R);
+    G(envelope_point_on_curve)(T, 3, R);
+}
+
+/* The sign of R' x R'' on [0,1] for the polynomial curve R of degree n. */
+static enum cagd_sign_pattern G(turning)(int n, const num R[])
+{
+    num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++) {
+        x[i] = R[2 * i];
+        y[i] = R[2 * i + 1];
+    }
+    poly x1 = poly_derivative(poly_from_bernstein(n, x)), y1 = poly_derivative(poly_from_bernstein(n, y));
+    poly turn = poly_sub(poly_mul(x1, poly_derivative(y1)), poly_mul(y1, poly_derivative(x1)));
+    return sign_on(turn, from_int(0), from_int(1), CLOSED);
+}
+
+/*
+:::{claim} convex_quartic_has_another_envelope
+:title: A convex curve without inflections whose family has a parabola as a second envelope
+:zh: 无拐点的凸四次曲线，其族另有抛物线为包络
+:kind: counterexample
+:data: R = (-1,5/2) (-1/2,-1) (0,1/2) (1/2,-1) (1,5/2); r = 2; c = 3/4; t = 1/4
+:instead: t = 3/4
+:result: point of the member = (0,-1/16); X_t, X_c = (1,0) (1,0); F at the point = 4096
+:given: the points $R$ of a quartic, equal weights; the member $c$ of level $r$, and its point at $t=1-c$, both counted in
+  $[0,1]$; the equation of the quartic is given in `second_envelopes_by_elimination`
+:then: there the envelope condition is satisfied at a point that is not on the curve; the curve's curvature is positive
+  throughout
+:method: As for the cubic; that $R'\times R''$ is positive on the closed interval is decided first, by its sign as a
+  polynomial.
+:control: the same member at $t=c$
+:::
+*/
+CLAIM(convex_quartic_has_another_envelope)
+{
+    num R[10];
+    given_points(T, "R", 5, 2, R);
+    if (G(turning)(4, R) == SIGN_POSITIVE)
+        G(envelope_point_on_curve)(T, 4, R);
+}
+
+/*
+:::{claim} flat_point_has_another_envelope
+:title: The family of (τ, τ⁴), which is flat at 0 and bends to one side, has the axis y = 0 as a second envelope
+:zh: 曲线 (τ,τ⁴) 无拐点而在 0 处平坦，其族以 y=0 为另一包络
+:kind: counterexample
+:data: R = (-1,1) (-1/2,-1) (0,1) (1/2,-1) (1,1); r = 1; c = 3/4; t = 1/2
+:instead: t = 3/4
+:result: point of the member = (1/8,0); X_t, X_c = (3/2,0) (1/2,0); F at the point = 16
+:given: the points $R$ of $(\tau,\tau^4)$, $-1\le\tau\le1$, with equal weights; the member $c$ of level $r$, and its point at the
+  parameter $t$ of the flat point, both counted in $[0,1]$
+:then: there the envelope condition is satisfied at a point that is not on the curve; $R'\times R''\ge0$ throughout
+:method: As for the cubic; that $R'\times R''$ is nowhere negative is decided first, by its sign as a polynomial.
+:control: the same member at $t=c$
+:::
+*/
+CLAIM(flat_point_has_another_envelope)
+{
+    num R[10];
+    given_points(T, "R", 5, 2, R);
+    if (G(turning)(4, R) == SIGN_NONNEGATIVE)
+        G(envelope_point_on_curve)(T, 4, R);
+}
+#endif
+
+#if FIELD
+/*
+These are not stray points: the whole second envelopes are found by eliminating $c$.
+
+:::{claim} second_envelopes_by_elimination
+:title: Eliminating c gives the curve and the second envelope
+:zh: 消去 c 得到曲线与另一包络
+:types: field
+:data: R of the cubic = (-1,-1) (-1/3,1) (1/3,-1) (1,1); the cubic's level = 1; the cubic's curve = (1,3,0) (-1,0,1); the cubic's envelope = (1,0,1);
+  R of the quartic = (-1,5/2) (-1/2,-1) (0,1/2) (1/2,-1) (1,5/2); the quartic's level = 2;
+  the quartic's curve = (2,4,0) (3,2,0) (-2,0,1); the quartic's envelope = (16,2,0) (-16,0,1) (-1,0,0)
+:instead: the cubic's curve = (1,3,0) (1,0,1); the quartic's envelope = (16,2,0) (-16,0,1) (1,0,0)
+:given: the families of the cubic and of the quartic above, by points and level; for each two polynomials in $x$ and $y$ by their terms $(\alpha,i,j)$, $\alpha x^iy^j$: that of the curve, and that of the
+  envelope, $y$ for the cubic, a parabola for the quartic; the member $c$ written as $f(x,y,c)=0$
+:then: $\operatorname{Res}_c(f,f_c)$ is, up to a constant factor, the product of the two polynomials for the cubic, and for the
+  quartic the product of the curve's and the square of the envelope's
+:method: The member's equation is the determinant (3.4.1) of its control polygon, as a polynomial in $x$, $y$, $c$;
+  the resultant by $c$ is a polynomial in $x$ and $y$, divided by the one stated.  The quotient is a constant.  The
+  determinant has a factor in $c$ alone, the leading coefficient of $y$ in $t$, because $x$ is of lower degree in $t$; it is
+  divided out first.
+:control: another sign in each of the two products
+:::
+*/
+/* Does Res_c(f, f_c) equal a constant times `product`?  f is the member (3.4.1) of level n-2 of the curve (R, 1), of degree
+ * 2, divided by the leading coefficient of y in t, which the determinant has as a factor. */
+static int eliminates_to(int n, const num_f R[], int r, num_f product)
+{
+    num_f w[MAX_DEGREE + 1], Rr[2 * MAX_DEGREE + 2], wr[MAX_DEGREE + 1], c = variable_f("c");
+    for (int i = 0; i <= n; i++)
+        w[i] = from_int(1);
+    rational_casteljau_f(n, 2, R, w, c, r, Rr, wr);
+    num_f leading = add(sub(Rr[1], add(Rr[3], Rr[3])), Rr[5]); /* y_0 - 2 y_1 + y_2 */
+    num_f f = div(implicit_value_f(n - r, Rr, wr, variable_f("x"), variable_f("y")), leading);
+    num_f quotient = div(resultant_by_f(f, derivative_f(f, c), c), product);
+    return is_constant_f(quotient, NULL) && !is_zero_f(quotient);
+}
+
+CLAIM(second_envelopes_by_elimination)
+{
+    num R[8], S[10];
+    given_points(T, "R of the cubic", 4, 2, R);
+    int level = given_whole(T, "the cubic's level");
+    num curve = given_polynomial(T, "the cubic's curve", 2), envelope = given_polynomial(T, "the cubic's envelope", 1);
+    about(T, "the envelopes of the cubic's family");
+    agree(T, eliminates_to(3, R, level, mul(envelope, curve)));
+    given_points(T, "R of the quartic", 5, 2, S);
+    level = given_whole(T, "the quartic's level");
+    curve = given_polynomial(T, "the quartic's curve", 3);
+    envelope = given_polynomial(T, "the quartic's envelope", 3);
+    about(T, "the envelopes of the quartic's family");
+    agree(T, eliminates_to(4, S, level, mul(mul(envelope, envelope), curve)));
+}
+#endif
+
+#if RATIONAL
+/*
+:::{claim} flat_polygon_has_no_envelope
+:title: With all points on a line every point of every member satisfies the envelope condition
+:zh: 顶点共线时包络条件恒成立
+:kind: counterexample
+:data: R = (0,0) (1,1) (4,4); ω = 1 2 1
+:instead: R = (0,0) (1,2) (4,4)
+:result: w_1 = 0
+:given: $n=2$, three points $R$ on a line with positive weights, $r=1$, any $c\ne t$
+:then: the determinant $w_1$ of $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ is 0 although $t\ne c$
+:method: For $n=2$ the determinant is that of the three homogeneous points and does not depend on $c$ and $t$.  For collinear
+  points they lie in the plane of $R^3$ over that line, so that it vanishes for all $c$ and $t$ and singles out nothing.
+:control: the middle point moved off the line
+:::
+*/
+CLAIM(flat_polygon_has_no_envelope)
+{
+    num R[6], w[3], H[9];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    G(rational_homogenize)(2, 2, R, w, H);
+    num determinant = G(det3)(H, H + 3, H + 6);
+    found(T, "w_1", determinant);
+    about(T, "the determinant w_1 differs from 0");
+    refute(T, is_zero_q(determinant));
+}
+#endif
+
+/*
+When does $w_r$ have no zero?  For $n=2$ it is a constant.  For $r=1$ it depends on $t$ alone, for $r=n-1$ on $c$ alone,
+and its zeros are those of $R'\times R''$, such as inflections and cusps.  In between inflections do not decide, but the control polygon does: write
+$\beta_i$ for the coefficients of $(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$; then
+
+$$w_r(c,t)=\sum_{i<j<k}\begin{vmatrix}\beta_i&\beta_j&\beta_k\\\beta_{i-1}&\beta_{j-1}&\beta_{k-1}\\
+\beta_{i-2}&\beta_{j-2}&\beta_{k-2}\end{vmatrix}\det(P_i,P_j,P_k),$$
+
+and all the minors are nonnegative: the $\beta_i$ come from a polynomial with negative roots only.
+
+:::{claim} triangle_has_one_envelope
+:title: For n = 2 the second factor is a constant, 0 only for points on a line
+:zh: n=2 时另一因子为常数
+:given: weights $\omega_0,\omega_1,\omega_2$, points of the plane, $n=2$, $r=1$
+:then: $w_1(c,t)=\omega_0\omega_1\omega_2\,(R_1-R_0)\times(R_2-R_0)$
+:method: Both sides in the field, with all weights and coordinates variables.  With weights that are not 0 the right
+  side vanishes only for three points on a line.
+:control: the weight $\omega_1$ left out
+:::
+*/
+CLAIM(triangle_has_one_envelope)
+{
+    num R[6], w[3], H[9], q[9], a[2], b[2], zero = from_int(0), one = from_int(1);
+    G(free_curve)(T, 2, 2, R, w);
+    G(rational_homogenize)(2, 2, R, w, H);
+    G(polar)(2, 3, H, 0, zero, 0, zero, zero, zero, q);
+    G(polar)(2, 3, H, 0, zero, 0, zero, zero, one, q + 3);
+    G(polar)(2, 3, H, 0, zero, 0, zero, one, one, q + 6);
+    for (int k = 0; k < 2; k++) {
+        a[k] = sub(R[2 + k], R[k]);
+        b[k] = sub(R[4 + k], R[k]);
+    }
+    num weights = mul(w[0], fault(T, mul(w[1], w[2]), w[2]));
+    same(T, G(det3)(q, q + 3, q + 6), mul(weights, G(cross2)(a, b)));
+}
+
+/*
+:::{claim} inflections_give_the_other_envelopes
+:title: For r = 1 and r = n-1 the second factor is the Wronskian of the curve
+:zh: r=1 与 r=n-1 时另一因子即曲线的 Wronski 行列式
+:given: the homogeneous points of a plane curve, $n\ge2$, any $t$; $r=1$, so $q(x,y)=p(t^{n-2},x,y)$
+:then: $P=q(t,t)$, $P'=n\,q(t,\delta)$, $P''=n(n-1)\,q(\delta,\delta)$,
+  $\det(q(t,t),q(t,\delta),q(\delta,\delta))=w_1$ and $\det(P,P',P'')=\omega^3\,R'\times R''$, so that
+  $n^2(n-1)\,w_1(t)=\omega(t)^3\,(R'\times R'')(t)$
+:method: Four identities in the field; the first needs one coordinate.  So for $\omega>0$ the zeros of $w_1$ are the
+  points where $R'\times R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
+:degrees: 2..6 sampled 12
+:control: the factor $n^2$ in the place of $n(n-1)$
+:::
+*/
+CLAIM(inflections_give_the_other_envelopes)
+{
+    int n = T->degree;
+    num H[MAX_DEGREE + 1], D[3], q[3], t = parameter(T, "t"), zero = from_int(0), one = from_int(1);
+    for (int i = 0; i <= n; i++)
+        H[i] = unknown(T, "H", i);
+    G(polar)(n, 1, H, 0, t, n - 2, t, zero, zero, &q[0]);
+    G(polar)(n, 1, H, 0, t, n - 2, t, zero, one, &q[1]);
+    G(polar)(n, 1, H, 0, t, n - 2, t, one, one, &q[2]);
+    num q1 = sub(q[1], q[0]), q2 = add(sub(q[2], add(q[1], q[1])), q[0]); /* q(0,δ), q(δ,δ) */
+    num slope = add(q1, mul(t, q2));                                      /* q(t,δ)          */
+    G(bezier_derivatives)(n, 1, H, t, 2, D);
+    about(T, "P, P', P'' by the polar form");
+    same(T, D[0], add(add(q[0], mul(mul(from_int(2), t), q1)), mul(mul(t, t), q2)));
+    same(T, D[1], mul(from_int(n), slope));
+    same(T, D[2], mul(from_int(n * fault(T, n - 1, n)), q2));
+
+    num a[3], b[3], d[3], P[3], P1[3];
+    for (int k = 0; k < 3; k++) {
+        a[k] = unknown(T, "a", k);
+        b[k] = unknown(T, "b", k);
+        d[k] = unknown(T, "d", k);
+        P1[k] = add(b[k], mul(t, d[k]));
+        P[k] = add(add(a[k], mul(mul(from_int(2), t), b[k])), mul(mul(t, t), d[k]));
+    }
+    about(T, "the determinant of q(t,t), q(t,δ), q(δ,δ)");
+    same(T, G(det3)(P, P1, d), G(det3)(a, b, d));
+
+    num w = positive(T, "w", 0), R1[2], R2[2], V[3], V1[3], V2[3];
+    for (int k = 0; k < 2; k++) { /* V = (wR, w): R' = (V' - w'R)/w, R'' = (V'' - w''R - 2w'R')/w */
+        num R = div(a[k], w);
+        R1[k] = div(sub(b[k], mul(b[2], R)), w);
+        R2[k] = div(sub(sub(d[k], mul(d[2], R)), mul(mul(from_int(2), b[2]), R1[k])), w);
+    }
+    for (int k = 0; k < 3; k++) {
+        V[k] = k < 2 ? a[k] : w;
+        V1[k] = b[k];
+        V2[k] = d[k];
+    }
+    about(T, "the determinant of P, P', P''");
+    same(T, G(det3)(V, V1, V2), mul(mul(w, mul(w, w)), G(cross2)(R1, R2)));
+}
+
+/*
+:::{claim} convex_polygon_has_one_envelope
+:title: A convex polygon with positive weights has the curve as its only envelope, for every r
+:zh: 凸控制多边形且权为正时包络只有曲线本身
+:given: homogeneous points $P_i$, $n\ge2$, every $r=1,\dots,n-1$; $c,t$ of $(0,1)$ for the signs
+:let: $\beta$ as above
+:then: the displayed sum for $w_r$, and every $3\times3$ minor in it is nonnegative
+:method: The sum is Cauchy-Binet; it is computed in the field.  With $c=s/(1+s)$, $t=v/(1+v)$ the minors have no
+  negative coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$.  There $\beta\ne0$, its three
+  shifted rows are independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon
+  in this order and the weights are positive, all
+  $\det(P_i,P_j,P_k)=\omega_i\omega_j\omega_k(R_j-R_i)\times(R_k-R_i)$, $i<j<k$, have one strict sign, hence
+  $w_r\ne0$.  For every $n$ the minors are Schur polynomials by Jacobi and Trudi, which have no negative
+  coefficient.
+:degrees: 2..6 sampled 9
+:control: $\beta$ from $(1-c-cz)^{r-1}(1-t-tz)^{n-r-1}$
+:::
+*/
+/* b[0..n]: the coefficients of the powers of z in (1-c+cz)^(r-1) (1-t+tz)^(m-1), 0 beyond; with minus the signs
+ * of the z are changed. */
+static void G(coefficients_of_the_rest)(int n, int r, num c, num t, int minus, num b[])
+{
+    for (int i = 0; i <= n; i++)
+        b[i] = from_int(i == 0);
+    for (int k = 0; k < n - 2; k++) {
+        num x = k < r - 1 ? c : t, low = sub(from_int(1), x), high = minus ? neg(x) : x;
+        for (int i = n; i >= 0; i--)
+            b[i] = i > 0 ? add(mul(low, b[i]), mul(high, b[i - 1])) : mul(low, b[i]);
+    }
+}
+
+CLAIM(convex_polygon_has_one_envelope)
+{
+    int n = T->degree;
+    num H[3 * MAX_DEGREE + 3], c = inside(T, "s"), t = inside(T, "v"), zero = from_int(0), one = from_int(1);
+    for (int i = 0; i <= n; i++)
+        for (int k = 0; k < 3; k++)
+            H[3 * i + k] = unknown(T, k == 0 ? "x" : k == 1 ? "y" : "w", i);
+    for (int r = 1; r < n; r++) {
+        num b[MAX_DEGREE + 1], q[9], sum = zero;
+        G(coefficients_of_the_rest)(n, r, c, t, fault(T, 0, 1), b);
+        G(polar)(n, 3, H, r - 1, c, n - r - 1, t, zero, zero, q);
+        G(polar)(n, 3, H, r - 1, c, n - r - 1, t, zero, one, q + 3);
+        G(polar)(n, 3, H, r - 1, c, n - r - 1, t, one, one, q + 6);
+        for (int i = 0; i <= n; i++)
+            for (int j = i + 1; j <= n; j++)
+                for (int k = j + 1; k <= n; k++) {
+                    num M[9];
+                    for (int row = 0; row < 3; row++) {
+                        M[3 * row] = i >= row ? b[i - row] : zero;
+                        M[3 * row + 1] = j >= row ? b[j - row] : zero;
+                        M[3 * row + 2] = k >= row ? b[k - row] : zero;
+                    }
+                    num minor = G(det3)(M, M + 3, M + 6);
+                    about(T, "a minor of the matrix of the β");
+                    nonnegative(T, minor);
+                    sum = add(sum, mul(minor, G(det3)(H + 3 * i, H + 3 * j, H + 3 * k)));
+                }
+        about(T, "the factor w_r as a sum over the triangles of control points");
+        same(T, G(det3)(q, q + 3, q + 6), sum);
+    }
+}
+
+#include "chapters/judge/claims_off.h"

@@ -1,0 +1,357 @@
+/*
+# The degree of the implicit equation (隐式方程的次数)
+
+The determinant (3.4.1) has $2n$ rows, and $x$ and $y$ stand in every one of them; by this alone $F$ could have the degree
+$2n$.  It has at most the degree $n$, the degree of the curve.  Bézout's matrix shows it at a glance, as it has $n$ rows and
+entries of degree one; the source takes another way, by operations on columns, and this way is followed afterwards.
+*/
+#include "exact/record/resultant.h"
+
+#include "chapters/rational-bezier/free-curve.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} wang-ch3:thm-3.4.2
+:title: F is a polynomial of degree at most n
+:zh: F 的次数不高于 n
+:printed: the polynomial $F(x,y)$ of (3.4.1) has degree at most $n$ in the two variables
+:holds-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
+:figure: implicit_degree
+
+That the two determinants are one is run for the degrees of the scope and argued for every other $n$, in
+`bezout_matrix_comes_from_the_blocks`; the rest is for every $n$.  The source's own proof divides by $\omega_0$; for
+$\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
+:::
+
+:::{claim} bezout_entries_are_linear
+:title: The entries of Bézout's matrix are of degree one in x and y
+:zh: Bézout 矩阵的元素是一次的
+:given: any numbers $p,q$ in the place of $\binom ni\omega_i$, $\binom nj\omega_j$, any $x_i,y_i,x_j,y_j$
+:then: $a_ib_j-a_jb_i=pq\,\bigl(x_iy_j-x_jy_i-(x_i-x_j)y+(y_i-y_j)x\bigr)$
+:method: The terms with $xy$ cancel.  The entries of Bézout's matrix are sums of such differences, the matrix has
+  $n$ rows, so its determinant has degree at most $n$; for every $n$ and all weights.
+:scope: any two pairs of entries, in every degree
+:control: $a_ib_j+a_jb_i$
+:::
+*/
+CLAIM(bezout_entries_are_linear)
+{
+    num p = unknown(T, "p", 0), q = unknown(T, "q", 0), x = parameter(T, "x"), y = parameter(T, "y");
+    num x0 = unknown(T, "x", 0), y0 = unknown(T, "y", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1);
+    num a0 = mul(p, sub(x0, x)), b0 = mul(p, sub(y0, y)), a1 = mul(q, sub(x1, x)), b1 = mul(q, sub(y1, y));
+    num left = fault(T, sub(mul(a0, b1), mul(a1, b0)), add(mul(a0, b1), mul(a1, b0)));
+    num constant = sub(mul(x0, y1), mul(x1, y0)), linear = sub(mul(sub(y0, y1), x), mul(sub(x0, x1), y));
+    same(T, left, mul(mul(p, q), add(constant, linear)));
+}
+
+/*
+:::{claim} bezout_matrix_comes_from_the_blocks
+:title: Bézout's matrix comes from the four blocks of Sylvester's
+:zh: Bézout 矩阵与 Sylvester 矩阵的分块
+:given: polynomials $a$ and $b$ of degree $n$; $A_1,A_2$ over $B_1,B_2$, the $n\times n$ blocks of Sylvester's matrix
+:then: $A_1B_1=B_1A_1$, and $A_1B_2-B_1A_2$ is Bézout's matrix with its rows in reverse order
+:method: All $2n+2$ coefficients are variables.  Multiplied from the left by the blocks $I,0$ over $-B_1,A_1$
+  Sylvester's matrix becomes $A_1,A_2$ over $0,A_1B_2-B_1A_2$; as $\det A_1=a_0^n$ is not the zero polynomial, the two
+  determinants are equal up to the sign $(-1)^{n(n-1)/2}$ of the reversal.
+:degrees: 1..6 sampled 12
+:scope: larger $n$ by argument: both sides have the entries $\sum_{m\le n-1-i}(a_mb_{n+j-i-m}-b_ma_{n+j-i-m})$
+:control: $A_2$ and $B_2$ exchanged
+:::
+*/
+CLAIM(bezout_matrix_comes_from_the_blocks)
+{
+    int n = T->degree, second = fault(T, 0, n); /* the rows of the block that stands for A_2 */
+    num a[MAX_ORDER + 1], b[MAX_ORDER + 1], S[MAX_ORDER * MAX_ORDER], M[MAX_ORDER * MAX_ORDER];
+    for (int i = 0; i <= n; i++) {
+        a[i] = unknown(T, "a", i);
+        b[i] = unknown(T, "b", i);
+    }
+    G(sylvester)(n, a, n, b, S);
+    G(bezout)(n, a, b, M);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            num commutator = from_int(0), entry = from_int(0);
+            for (int k = 0; k < n; k++) {
+                num A1 = S[i * 2 * n + k], B1 = S[(n + i) * 2 * n + k];
+                commutator = add(commutator, mul(A1, S[(n + k) * 2 * n + j]));
+                commutator = sub(commutator, mul(B1, S[k * 2 * n + j]));
+                entry = add(entry, mul(A1, S[(n - second + k) * 2 * n + n + j]));
+                entry = sub(entry, mul(B1, S[(second + k) * 2 * n + n + j]));
+            }
+            about(T, "the first two blocks commute");
+            vanishes(T, commutator);
+            about(T, "Bézout's matrix");
+            same(T, entry, M[(n - 1 - i) * n + j]);
+        }
+}
+
+/*
+:::{claim} sylvester_and_bezout_give_one_equation
+:title: The 2n × 2n determinant and Bézout's n × n determinant are the same F
+:zh: 两种行列式给出同一 F
+:given: weights and points, any $x,y$
+:then: the determinant (3.4.1) is $(-1)^{n(n-1)/2}$ times the determinant of Bézout's matrix
+:method: Both determinants without division, all numbers variables.
+:degrees: 1..4 sampled 8
+:scope: larger $n$ by the argument of `bezout_matrix_comes_from_the_blocks`
+:control: the sign $(-1)^{n(n+1)/2}$
+:::
+*/
+CLAIM(sylvester_and_bezout_give_one_equation)
+{
+    int n = T->degree;
+    num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER];
+    num x = parameter(T, "x"), y = parameter(T, "y");
+    G(free_curve)(T, n, 2, R, w);
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    G(bezout)(n, a, b, M);
+    num det = G(determinant)(n, M);
+    int half = fault(T, n * (n - 1) / 2, n * (n + 1) / 2);
+    same(T, G(resultant)(n, a, n, b), half % 2 == 0 ? det : neg(det));
+}
+
+/*
+The source proves the bound by column operations.  Write $f$ for $a$ or $b$, and
+$\Omega_i=\binom ni\omega_i/\omega_0$. The operations are described in words, then as a recursion for the entries,
+then as the resulting determinant.  Words and recursion do not agree.
+
+:::{statement} wang-ch3:3.4.6
+:title: The entries before the first step
+:zh: 初始元素
+:printed: f_i^{[0]}=f_i\ (i=0,\dots,n),\qquad f_i^{[0]}=0\ (i\ge n+1)
+:definition: yes
+:checked-by: column_operations_give_the_corrected_recursion
+:::
+*/
+
+/* Omega_i, i = 0, ..., n. */
+static void G(omegas)(int n, const num w[], num O[])
+{
+    for (int i = 0; i <= n; i++)
+        O[i] = mul(from_int(binomial(n, i)), div(w[i], w[0]));
+}
+
+/* f[r][i] = f_i^{[r]}, i < 2n, by (3.4.6) and (3.4.7): with Omega_{i-r+1}, or as printed. */
+static void G(reduced_entries)(int n, const num O[], const num f[], int printed, num out[][2 * MAX_ORDER])
+{
+    for (int i = 0; i < 2 * n; i++)
+        out[0][i] = i <= n ? f[i] : from_int(0);
+    for (int r = 1; r <= n; r++)
+        for (int i = r; i < 2 * n; i++) {
+            int k = printed ? i : i - r + 1;
+            num change = i < r + n && k <= n ? mul(O[k], out[r - 1][r - 1]) : from_int(0);
+            out[r][i] = sub(out[r - 1][i], change);
+        }
+}
+
+/* The matrix of (3.4.1) after the first `steps` steps of column operations. */
+static void G(operate)(int n, const num O[], const num a[], const num b[], int steps, num M[])
+{
+    G(sylvester)(n, a, n, b, M);
+    for (int r = 1; r <= steps; r++)
+        for (int i = 1; i <= n; i++)
+            for (int row = 0; row < 2 * n; row++) {
+                num *entry = &M[row * 2 * n + (i + r - 1)];
+                *entry = sub(*entry, mul(O[i], M[row * 2 * n + (r - 1)]));
+            }
+}
+
+/*
+:::{claim} column_operations_give_the_corrected_recursion
+:title: The column operations, done one by one, give the recursion with Ω_{i-r+1} and do not change F
+:zh: 逐列变换与更正后的递推一致
+:given: weights with $\omega_0\ne0$ and points, $n\ge1$, any $x,y$
+:then: after the operations row $k$ of the $a$ is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$, from column $k$ on,
+  with the corrected recursion, and so for the $b$
+:method: The operations are carried out on the matrix of (3.4.1), the recursion on the entries; all entries are
+  compared. An operation of this kind does not change a determinant.
+:degrees: 1..6 sampled 8
+:control: $\Omega_i$ as printed, 0 beyond $n$
+:::
+*/
+CLAIM(column_operations_give_the_corrected_recursion)
+{
+    int n = T->degree;
+    num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], f[2][MAX_ORDER + 1], O[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER];
+    num level[MAX_ORDER / 2 + 1][2 * MAX_ORDER];
+    G(free_curve)(T, n, 2, R, w);
+    G(implicit_coefficients)(n, R, w, 0, parameter(T, "x"), f[0]);
+    G(implicit_coefficients)(n, R, w, 1, parameter(T, "y"), f[1]);
+    G(omegas)(n, w, O);
+    G(operate)(n, O, f[0], f[1], n, M);
+    for (int half = 0; half < 2; half++) {
+        G(reduced_entries)(n, O, f[half], fault(T, 0, 1), level);
+        for (int k = 0; k < n; k++) /* row k+1 of the source */
+            for (int column = 0; column < 2 * n; column++) {
+                int j = column - k, r = j < n - k ? j : n - k;
+                same(T, M[(half * n + k) * 2 * n + column], j < 0 ? from_int(0) : level[r][j]);
+            }
+    }
+}
+
+/*
+:::{statement} wang-ch3:3.4.7
+:title: The recursion of the column operations
+:zh: 列变换的递推式
+:printed: f_i^{[r]}=f_i^{[r-1]}-\Omega_i\,f_{r-1}^{[r-1]},\ \Omega_i=\binom ni\frac{\omega_i}{\omega_0},\
+  i=r,\dots,r+n-1; \qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n
+:class: misprint
+:refuted-by: printed_recursion_is_not_the_operations
+:corrected: f_i^{[r]}=f_i^{[r-1]}-\Omega_{i-r+1}\,f_{r-1}^{[r-1]},\ i=r,\dots,r+n-1;\qquad f_i^{[r]}=f_i^{[r-1]},\
+  i\ge r+n
+:corrected-by: column_operations_give_the_corrected_recursion
+:figure: implicit_recursion
+
+For $r=1$ the two agree.  From $r=2$ on the printed index runs beyond $n$, where there is no $\omega_i$; even with
+$\Omega_i=0$ there, the determinant changes.
+:::
+*/
+
+#if FIELD
+/*
+:::{claim} printed_recursion_is_not_the_operations
+:title: With the printed index the determinant is another polynomial
+:zh: 按所印下标行列式改变
+:kind: counterexample
+:types: field
+:data: R = (0,0) (1,0) (1,1); ω = 1 1 1
+:result: determinant by the recursion = "x^2-y^2-4*y"; F(x, y) = "x^2+2*x*y+y^2-4*y"
+:given: $n=2$, the points $R$ of a parabola and equal weights; in the printed recursion $\Omega_3=0$
+:then: the determinant of the staircase is another polynomial than $F$
+:method: The staircase with the printed recursion is filled in and its determinant taken, with $x$ and $y$ variables.
+:control: the index $i-r+1$
+:::
+*/
+CLAIM(printed_recursion_is_not_the_operations)
+{
+    enum { n = 2 };
+    num R[2 * n + 2], w[n + 1], O[n + 1], f[2][n + 1], M[4 * n * n];
+    num level[MAX_ORDER / 2 + 1][2 * MAX_ORDER], x = variable_f("x"), y = variable_f("y");
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    omegas_f(n, w, O);
+    implicit_coefficients_f(n, R, w, 0, x, f[0]);
+    implicit_coefficients_f(n, R, w, 1, y, f[1]);
+    for (int half = 0; half < 2; half++) {
+        reduced_entries_f(n, O, f[half], fault(T, 0, 1), level);
+        for (int k = 0; k < n; k++)
+            for (int column = 0; column < 2 * n; column++) {
+                int j = column - k, r = j < n - k ? j : n - k;
+                M[(half * n + k) * 2 * n + column] = j < 0 ? from_int(0) : level[r][j];
+            }
+    }
+    num staircase = determinant_f(2 * n, M), F = implicit_value_f(n, R, w, x, y);
+    found_text(T, "determinant by the recursion", to_string_f(staircase));
+    found_text(T, "F(x, y)", to_string_f(F));
+    about(T, "the determinant, left with the recursion, right (3.4.1)");
+    same(T, staircase, F);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:thm-3.4.2-step-columns
+:title: Step r subtracts Ω_i times column r from column i+r
+:zh: 列初等变换
+:printed: from column $i+1$ subtract $\Omega_i$ times column 1, $i=1,\dots,n$; then from column $i+2$ subtract
+  $\Omega_i$ times column 2; at last from column $i+n$ subtract $\Omega_i$ times column $n$
+:holds-by: column_operations_give_the_corrected_recursion
+:needs: end_weight_zero_gives_no_equation | $\omega_0\ne0$, for $\Omega_i$ divides by it; with $\omega_0=0$ the
+  determinant is 0 anyway
+
+The columns $i+r\le2n$ exist, and the determinant does not change.
+:::
+
+:::{statement} wang-ch3:3.4.8
+:title: The determinant after the operations
+:zh: 变换后的行列式
+:printed: a staircase of the entries $a_j^{[r]}$ over one of the $b_j^{[r]}$ whose first row begins
+  $a_0,\ a_1^{[1]},\ \cdots$; the upper indices of the later entries are not legible in the text at hand, which gives
+  among others $a_{n-1}^{[n]}$, $a_n^{[n-1]}$ and $a_n^{[n]}$
+:reading: column_operations_give_the_corrected_recursion | what the operations give: row $k$, beginning in column
+  $k$, is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$; so the first row is
+  $a_0,a_1^{[1]},\dots,a_n^{[n]},a_{n+1}^{[n]},\dots,a_{2n-1}^{[n]}$ and the last of the $a$ is
+  $a_0,a_1^{[1]},\dots,a_n^{[1]}$
+:reading: an entry $a_{n-1}^{[n]}$, if it is printed: not defined by (3.4.7), which has $i\ge r$
+:::
+
+:::{statement} wang-ch3:thm-3.4.2-step-constants
+:title: All entries changed at least once are constants; only a_0 and b_0 contain x and y
+:zh: 变换后的元素为常数
+:printed: $a_i^{[r]},b_i^{[r]}$ ($r=1,\dots,n$, $i\ge r$) are constants, hence in (3.4.8) only $a_0$ contains $x$
+  and only $b_0$ contains $y$
+:holds-by: changed_entries_are_constants variables_stay_in_the_first_columns
+:::
+
+:::{statement} wang-ch3:thm-3.4.2-step-same-columns
+:title: a_0 and b_0 stand in the same columns, hence the degree is at most n
+:zh: a_0 与 b_0 同列
+:printed: $a_0$ and $b_0$ stand in the same columns of (3.4.8), hence the conclusion
+:holds-by: variables_stay_in_the_first_columns
+
+The variables stand in $n$ columns, in degree one: a product of one entry from every column has degree at most $n$.
+:::
+
+:::{claim} changed_entries_are_constants
+:title: The entries of level r ≥ 1 do not depend on x
+:zh: r≥1 层的元素与 x 无关
+:given: weights with $\omega_0\ne0$, one coordinate of the points, $n\ge1$, two values $x$ and $x'$
+:then: $f_i^{[r]}$, $1\le r\le n$, $r\le i<2n$, is the same for both, with the corrected and with the printed recursion
+:method: The recursion is run for both values.  $f_i^{[1]}=\binom ni\omega_i(x_i-x_0)$, and later levels are
+  combinations of such numbers.
+:degrees: 1..6 sampled 10
+:control: level 0 included
+:::
+*/
+CLAIM(changed_entries_are_constants)
+{
+    int n = T->degree;
+    num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], O[MAX_ORDER + 1], f[MAX_ORDER + 1], g[MAX_ORDER + 1];
+    num one[MAX_ORDER / 2 + 1][2 * MAX_ORDER], other[MAX_ORDER / 2 + 1][2 * MAX_ORDER];
+    G(free_curve)(T, n, 2, R, w);
+    G(omegas)(n, w, O);
+    G(implicit_coefficients)(n, R, w, 0, parameter(T, "x"), f);
+    G(implicit_coefficients)(n, R, w, 0, parameter(T, "x'"), g);
+    for (int printed = 0; printed < 2; printed++) {
+        G(reduced_entries)(n, O, f, printed, one);
+        G(reduced_entries)(n, O, g, printed, other);
+        for (int r = fault(T, 1, 0); r <= n; r++)
+            for (int i = r; i < 2 * n; i++)
+                same(T, one[r][i], other[r][i]);
+    }
+}
+
+/*
+:::{claim} variables_stay_in_the_first_columns
+:title: After the operations x and y stand only in entry (k,k) and entry (n+k,k), k = 1, ..., n
+:zh: 变换后变量只在前 n 列
+:given: weights with $\omega_0\ne0$ and points, $n\ge1$, two points $(x,y)$ and $(x',y')$
+:then: the two matrices after the operations differ only in the entries $(k,k)$ and $(n+k,k)$, which are $a_0$ and $b_0$
+:method: The operations are carried out on both matrices; all other entries are compared.
+:degrees: 1..6 sampled 8
+:control: the last of the $n$ steps left out
+:::
+*/
+CLAIM(variables_stay_in_the_first_columns)
+{
+    int n = T->degree, steps = fault(T, n, n - 1);
+    num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], O[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
+    num M[MAX_ORDER * MAX_ORDER], N[MAX_ORDER * MAX_ORDER];
+    G(free_curve)(T, n, 2, R, w);
+    G(omegas)(n, w, O);
+    G(implicit_coefficients)(n, R, w, 0, parameter(T, "x"), a);
+    G(implicit_coefficients)(n, R, w, 1, parameter(T, "y"), b);
+    G(operate)(n, O, a, b, steps, M);
+    G(implicit_coefficients)(n, R, w, 0, parameter(T, "x'"), a);
+    G(implicit_coefficients)(n, R, w, 1, parameter(T, "y'"), b);
+    G(operate)(n, O, a, b, steps, N);
+    for (int row = 0; row < 2 * n; row++)
+        for (int column = 0; column < 2 * n; column++)
+            if (column != row % n)
+                same(T, M[row * 2 * n + column], N[row * 2 * n + column]);
+            else
+                same(T, N[row * 2 * n + column], row < n ? a[0] : b[0]);
+}
+
+#include "chapters/judge/claims_off.h"
