@@ -3,14 +3,14 @@
 
 FIGURE(knot_removal_defect)
 {
-    enum { p = 3, n = 6, r = 4 };
+    enum { p = 3, n = 6, removed = 4 };
     static const int knot[n + p + 1] = {0, 0, 0, 0, 2, 4, 6, 6, 6, 6};
     static const int point[2 * n] = {0, 0, 1, 6, 5, 9, 10, 8, 13, 3, 11, -1};
     num_q u[n + p + 1], v[n + p + 1], w[n + p + 1], c[2 * n], b[2 * n], d[2 * n], defect[2];
     integers(n + p + 1, knot, u);
     integers(2 * n, point, c);
-    bspline_remove_q(&(struct spline_q){p, n, 2, u, c, NULL}, r, 1, v, b, defect);
-    bspline_insert_q(&(struct spline_q){p, n - 1, 2, v, b, NULL}, r - 1, u[r], w, d);
+    bspline_remove_q(&(struct spline_q){p, n, 2, u, c, NULL}, removed, 1, v, b, defect);
+    bspline_insert_q(&(struct spline_q){p, n - 1, 2, v, b, NULL}, removed - 1, u[removed], w, d);
     svg *s = svg_new("knot_removal_defect", "Removal of a knot and its defect",
                      "A cubic curve and the curve without the knot 2; inserting the knot again gives back all points "
                      "but one, which is "
