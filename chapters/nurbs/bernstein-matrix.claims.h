@@ -123,6 +123,7 @@ coefficients are divided and not multiplied.  To mend one of them is not enough.
 :::
 */
 
+/* B_i^n(t) = C(n,i) (1-t)^{n-i} t^i */
 static num G(bernstein_value)(int n, int i, num t)
 {
     return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
@@ -284,11 +285,12 @@ claims above stop at small orders; at the greatest one the kernels are compared 
 :title: At the greatest order of the kernels their matrices agree
 :zh: 各算法在最高阶处一致
 :kind: decision
-:given: $k=23$, the greatest order that the kernels take; the knots $0,1,\dots,45$; $k$ knots 0 and $k$ knots 1; double
+:given: the greatest order $k$ that the kernels take; the knots $0,1,\dots,2k-1$; $k$ knots 0 and $k$ knots 1; double
   knots left of the span and triple ones right of it
 :then: `bspline_matrix_by_differences` gives the matrix of `bspline_matrix` for all three, `bspline_matrix_simple` and
   `bspline_matrix_uniform` for the first, `bernstein_matrix` for the second; `marsden_determinant` is the determinant of
   `marsden_matrix`
+:result: k = 23
 :method: All entries are compared.
 :scope: the stated knots
 :control: the entries in the opposite order
@@ -297,6 +299,7 @@ claims above stop at small orders; at the greatest one the kernels are compared 
 CLAIM(matrices_agree_at_the_greatest_order)
 {
     enum { p = MAX_ORDER - 2, k = p + 1 };
+    found_whole(T, "k", k);
     for (int kind = 0; kind < 3; kind++) {
         num u[2 * k], A[k * k], B[k * k], others[3][k * k];
         int group[2 * k], count = 0;

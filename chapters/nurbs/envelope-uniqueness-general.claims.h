@@ -482,9 +482,11 @@ CLAIM(twisted_sextic_has_second_envelope)
 {
     num u[14], R[21], w[7], a[21], X[3], at[9], t = given(T, "t"), tau = given(T, "τ");
     int r = given_whole(T, "r");
-    G(given_curve_of_powers)(T, 6, 3, u, R, w);
-    poly f[3][4]; /* the three coordinates and their derivatives */
+    given_points(T, "t_i", 14, 1, u);
     given_points(T, "a", 7, 3, a);
+    G(curve_of_powers)(6, 3, u, a, R, w);
+    found_points(T, "r_i", 7, 3, R);
+    poly f[3][4]; /* the three coordinates and their derivatives */
     for (int c = 0; c < 3; c++) {
         num power[7];
         for (int m = 0; m < 7; m++)

@@ -265,8 +265,9 @@ CLAIM(both_explicit_matrices_agree)
 :title: The three matrices agree for every pattern of knots up to order 5, at rational knots
 :zh: 五阶以内一切重数下三矩阵一致
 :kind: decision
-:given: orders 1 to 5, all $4^{k-1}$ patterns of the 2k knots around a span, one increasing sequence of rational knots for
-  each; order 8 with 6 patterns, from simple knots to $k$-fold ones
+:given: the orders up to $K$, all $2^{2k-2}$ patterns of the $2k$ knots around a span, one increasing sequence of
+  rational knots for each; the order $L$ with $m$ patterns, from simple knots to $k$-fold ones
+:data: K = 5; L = 8; m = 6
 :then: the three kernels give the same matrix
 :method: All entries are compared.
 :scope: the stated knots
@@ -276,10 +277,11 @@ CLAIM(both_explicit_matrices_agree)
 CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
 {
     num x[2 * LARGEST_ORDER], A[CELLS], B[CELLS], C[CELLS];
-    for (int k = 1; k <= 8; k += k == 5 ? 3 : 1) {
-        int all = G(patterns)(k), count = k <= 5 ? all : 6;
+    int highest = given_whole(T, "K"), large = given_whole(T, "L"), chosen = given_whole(T, "m");
+    for (int k = 1; k <= large && k <= LARGEST_ORDER; k = k == highest ? large : k + 1) {
+        int all = G(patterns)(k), count = k <= highest ? all : chosen;
         for (int n = 0; n < count; n++) {
-            int m = k <= 5 ? n : (int)((long)n * (all - 1) / (count - 1));
+            int m = k <= highest ? n : (int)((long)n * (all - 1) / (count - 1));
             for (int a = 0; a < 2 * k; a++)
                 x[a] = a == 0 ? from_ratio(pick(T, -9, 9), 2) : add(x[a - 1], from_ratio(pick(T, 1, 7), 2));
             struct G(span) S = G(span_of_pattern)(k, m, x);

@@ -237,7 +237,9 @@ CLAIM(designed_splines_meet_no_more) { for_designed(T, meets_no_more); }
 /* The curve of a block: its order k, its n points r_i with weights w_i, and the n+k knots t_i. */
 static struct graph given_graph(trial *T)
 {
-    struct graph g = {.n = given_whole(T, "n"), .k = given_whole(T, "k")};
+    struct graph g;
+    g.k = given_whole(T, "k");
+    g.n = given_whole(T, "n");
     given_points(T, "t_i", g.n + g.k, 1, g.t + 1);
     given_points(T, "r_i", g.n, 2, g.r + 2);
     given_points(T, "w_i", g.n, 1, g.w + 1);
@@ -378,14 +380,17 @@ for polygons of every length.
 :title: A cut corner has no more in common with a line than the corner
 :zh: 割角不增加与直线的公共点
 :kind: decision
-:given: heights $\dots,p,a,b,s,\dots$ above a line; $c=(1-\lambda)a+\lambda b$, $0\le\lambda\le1$; intersections are the groups of
-  neighbouring vertices on the line and the edges from one side to the other
+:given: heights $\dots,p,a,b,s,\dots$ above a line; $c=(1-\lambda)a+\lambda b$, $0\le\lambda\le1$; intersections are
+  the groups of neighbouring vertices on the line and the edges from one side to the other
+:data: λ = 0 1/4 1/2 3/4 1
+:instead: λ = 0 1/4 1/2 3/4 2
 :then: $c$ put between $a$ and $b$ does not change their number, and taking $a$ out does not raise it
-:method: Only signs matter, and only those of neighbours: $81$ cases for $p,a,b,s\in\{-1,0,1\}$, and
-  $\lambda=0,\frac14,\frac12,\frac34,1$ give $c$ every sign it can have.  Where $p$ or $s$ is not there, nothing is taken out next
-  to the end, since an insertion keeps both ends.
+:result: cases = 81
+:method: Only signs matter, and only those of neighbours: all cases of $p,a,b,s\in\{-1,0,1\}$, and the given $\lambda$
+  give $c$ every sign it can have.  Where $p$ or $s$ is not there, nothing is taken out next to the end, since an
+  insertion keeps both ends.
 :scope: polygons of every length, means with every $\lambda$ from 0 to 1
-:control: $\lambda=2$ as well
+:control: a $\lambda$ greater than 1
 :::
 */
 /* Groups of neighbouring zeros, and neighbours of different sign. */
@@ -399,11 +404,14 @@ static int intersections(int count, const int y[])
 
 CLAIM(cut_corners_meet_a_line_no_more)
 {
-    for (int pattern = 0; pattern < 81; pattern++) {
-        int p = 4 * (pattern % 3 - 1), a = 4 * (pattern / 3 % 3 - 1), b = 4 * (pattern / 9 % 3 - 1);
-        int s = 4 * (pattern / 27 - 1), before[] = {p, a, b, s}, shorter[] = {p, b, s};
-        for (int quarter = 0; quarter <= fault(T, 4, 8); quarter++) {
-            int c = a + quarter * (b - a) / 4, after[] = {p, a, c, b, s};
+    enum { MEANS = 5, PATTERNS = 3 * 3 * 3 * 3 };
+    num lambda[MEANS];
+    given_points(T, "λ", MEANS, 1, lambda);
+    for (int pattern = 0; pattern < PATTERNS; pattern++) {
+        int p = pattern % 3 - 1, a = pattern / 3 % 3 - 1, b = pattern / 9 % 3 - 1;
+        int s = pattern / 27 - 1, before[] = {p, a, b, s}, shorter[] = {p, b, s};
+        for (int m = 0; m < MEANS; m++) {
+            int c = sign_q(add(from_int(a), mul(lambda[m], from_int(b - a)))), after[] = {p, a, c, b, s};
             agree(T, intersections(5, after) == intersections(4, before));
             for (int missing = 0; missing < 4; missing++) /* at an end */
                 agree(T, intersections(5 - missing % 2 - missing / 2, after + missing % 2) ==
@@ -412,6 +420,7 @@ CLAIM(cut_corners_meet_a_line_no_more)
         agree(T, intersections(3, shorter) <= intersections(4, before));
         agree(T, intersections(2, shorter) <= intersections(3, before));
     }
+    found_whole(T, "cases", PATTERNS);
 }
 
 /*

@@ -515,7 +515,9 @@ struct indices {
 };
 static struct indices given_indices(trial *T)
 {
-    struct indices at = {.k = given_whole(T, "k"), .r = given_whole(T, "r")};
+    struct indices at;
+    at.k = given_whole(T, "k");
+    at.r = given_whole(T, "r");
     at.i = given_whole(T, "i");
     at.j = given_whole(T, "j");
     return at;
