@@ -267,8 +267,28 @@ is one level of de Boor's algorithm for the coefficients.
 (2.1.1) is not in the text at hand; it is read as the recursion together with the functions of order 1 from which it begins.  As the
 step of the recursion alone it does not suffice: then the supports are used as well.
 :::
+
+:::{statement} wang-ch4:thm-4.4.2-order-1
+:title: For k = 1 the identity is obvious
+:zh: k=1 时恒等式显然
+:printed: k=1:\quad(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)
+:holds-by: marsden_identity
+:::
+
+:::{statement} wang-ch4:formula-4.4.15
+:title: One level of the recursion, moved to the coefficients
+:zh: 递推转移到系数
+:printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
+  W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
+:holds-by: one_level_moves_to_the_coefficients
+:needs: one_level_needs_the_span | the functions at the ends, $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish on the span
+:figure: marsden_identity
+
+The denominators that occur are differences of knots on the two sides of the span.
+:::
 */
 
+/* W_i^1 of (4.4.15) from W_i^0 and W_{i-1}^0, with the two fractions exchanged if asked for. */
 static num G(level_of_coefficients)(const struct G(span) * S, int i, int k, const num W[], num t, int exchanged)
 {
     num length = sub(S->t[i + k - 1], S->t[i]);
@@ -313,59 +333,6 @@ CLAIM(one_level_moves_to_the_coefficients)
     }
 }
 
-/*
-For the products $\omega_{i,k}$ one such step takes $x-t$ out: two neighbouring products have all factors in common
-but one, and the mean of the two different factors, with the weights of the recursion, is $x-t$.
-
-:::{claim} one_level_takes_off_a_factor
-:title: The level applied to the products
-:zh: 对 ω 施行一层递推
-:given: orders $k\ge2$, knots, $x$ and $t$ variables
-:then: $\frac{t-t_i}{t_{i+k-1}-t_i}\omega_{i,k}(x)+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}\omega_{i-1,k}(x)=(x-t)\,
-  \omega_{i,k-1}(x)$ for $i=r-k+2,\dots,r$
-:method: Both sides are products and a sum of two products.
-:degrees: 1..6 sampled 8
-:control: $\omega_{i+1,k-1}$ on the right
-:::
-*/
-CLAIM(one_level_takes_off_a_factor)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num x = unknown(T, "x", 0), t = parameter(T, "t"), W[LARGEST_ORDER];
-    for (int i = 0; i < k; i++)
-        W[i] = G(omega)(&S, i, k, x);
-    for (int i = S.r - k + 2; i <= S.r; i++)
-        /* the level of ω_i,k and ω_i-1,k at t is (x - t) ω_i,k-1 */
-        same(T, G(level_of_coefficients)(&S, i, k, W, t, 0),
-             mul(sub(x, t), G(omega)(&S, i + fault(T, 0, k > 2), k - 1, x)));
-}
-
-/*
-:::{claim} every_link_of_the_chain
-:title: Every link of the chain
-:zh: 等式链逐环成立
-:given: orders $k=p+1$, simple knots, $x$ and $t$ variables
-:then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
-:method: Each sum by itself, from the definitions.
-:degrees: 0..5 sampled 7
-:control: the sums begin at $i=r-m+2$
-:::
-*/
-CLAIM(every_link_of_the_chain)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num x = unknown(T, "x", 0), t = parameter(T, "t");
-    for (int m = k; m >= 1; m--) {
-        num sum = from_int(0);
-        for (int i = fault(T, S.r - m + 1, S.r - m + 2); i <= S.r; i++)
-            sum = add(sum, mul(G(omega)(&S, i, m, x), G(basis_value)(&S, i, m, t)));
-        /* (x - t)^(k-m) Σ ω_i,m(x) N_i,m(t) = (x - t)^(k-1) */
-        same(T, mul(G(power)(sub(x, t), k - m), sum), G(power)(sub(x, t), k - 1));
-    }
-}
-
 #if RATIONAL
 /*
 :::{claim} one_level_needs_the_span
@@ -400,25 +367,6 @@ CLAIM(one_level_needs_the_span)
 #endif
 
 /*
-:::{statement} wang-ch4:thm-4.4.2-order-1
-:title: For k = 1 the identity is obvious
-:zh: k=1 时恒等式显然
-:printed: k=1:\quad(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)
-:holds-by: marsden_identity
-:::
-
-:::{statement} wang-ch4:formula-4.4.15
-:title: One level of the recursion, moved to the coefficients
-:zh: 递推转移到系数
-:printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
-  W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
-:holds-by: one_level_moves_to_the_coefficients
-:needs: one_level_needs_the_span | the functions at the ends, $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish on the span
-:figure: marsden_identity
-
-The denominators that occur are differences of knots on the two sides of the span.
-:::
-
 :::{statement} wang-ch4:thm-4.4.2-step-omega
 :title: For the coefficients of the identity one level takes off a factor
 :zh: ω 经一层递推降一阶
@@ -430,6 +378,34 @@ The second index of $\omega$ is an iota in the source; the order $k$ is meant: w
 constant 1.
 :::
 
+For the products $\omega_{i,k}$ one such step takes $x-t$ out: two neighbouring products have all factors in common
+but one, and the mean of the two different factors, with the weights of the recursion, is $x-t$.
+
+:::{claim} one_level_takes_off_a_factor
+:title: The level applied to the products
+:zh: 对 ω 施行一层递推
+:given: orders $k\ge2$, knots, $x$ and $t$ variables
+:then: $\frac{t-t_i}{t_{i+k-1}-t_i}\omega_{i,k}(x)+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}\omega_{i-1,k}(x)=(x-t)\,
+  \omega_{i,k-1}(x)$ for $i=r-k+2,\dots,r$
+:method: Both sides are products and a sum of two products.
+:degrees: 1..6 sampled 8
+:control: $\omega_{i+1,k-1}$ on the right
+:::
+*/
+CLAIM(one_level_takes_off_a_factor)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num x = unknown(T, "x", 0), t = parameter(T, "t"), W[LARGEST_ORDER];
+    for (int i = 0; i < k; i++)
+        W[i] = G(omega)(&S, i, k, x);
+    for (int i = S.r - k + 2; i <= S.r; i++)
+        /* the level of ω_i,k and ω_i-1,k at t is (x - t) ω_i,k-1 */
+        same(T, G(level_of_coefficients)(&S, i, k, W, t, 0),
+             mul(sub(x, t), G(omega)(&S, i + fault(T, 0, k > 2), k - 1, x)));
+}
+
+/*
 :::{statement} wang-ch4:thm-4.4.2-step-chain
 :title: The chain of the proof
 :zh: 逐层递推的等式链
@@ -439,6 +415,33 @@ constant 1.
 :figure: marsden_identity
 :::
 
+So each step lowers the order by 1 and leaves a factor behind, until one function is left, which is 1 on the span.
+
+:::{claim} every_link_of_the_chain
+:title: Every link of the chain
+:zh: 等式链逐环成立
+:given: orders $k=p+1$, simple knots, $x$ and $t$ variables
+:then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
+:method: Each sum by itself, from the definitions.
+:degrees: 0..5 sampled 7
+:control: the sums begin at $i=r-m+2$
+:::
+*/
+CLAIM(every_link_of_the_chain)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num x = unknown(T, "x", 0), t = parameter(T, "t");
+    for (int m = k; m >= 1; m--) {
+        num sum = from_int(0);
+        for (int i = fault(T, S.r - m + 1, S.r - m + 2); i <= S.r; i++)
+            sum = add(sum, mul(G(omega)(&S, i, m, x), G(basis_value)(&S, i, m, t)));
+        /* (x - t)^(k-m) Σ ω_i,m(x) N_i,m(t) = (x - t)^(k-1) */
+        same(T, mul(G(power)(sub(x, t), k - m), sum), G(power)(sub(x, t), k - 1));
+    }
+}
+
+/*
 ## The powers of t
 
 Comparing the coefficients of the powers of $x$ on both sides gives the powers of $t$ as combinations of B-splines.
