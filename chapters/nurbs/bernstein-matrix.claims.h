@@ -1,9 +1,9 @@
 /*
 # The matrix of the Bernstein basis (Bernstein 基的系数矩阵)
 
-Between two knots of multiplicity $k$ the B-splines are the Bernstein polynomials, whose matrix every student can write
-down by expanding $(1-t)^{k-1-i}$.  The source obtains it from its general formulas, by way of the coefficients $\omega_{i,k}$ of
-Marsden's identity; the printed result has its indices exchanged and a quotient for a product.
+Between two knots of multiplicity $k$ the B-splines are the Bernstein polynomials, whose matrix every student can
+write down by expanding $(1-t)^{k-1-i}$.  The source obtains it from its general formulas, by way of the coefficients
+$\omega_{i,k}$ of Marsden's identity; the printed result has its indices exchanged and a quotient for a product.
 */
 #include "chapters/nurbs/spans.h"
 

@@ -2,8 +2,9 @@
 # The coefficient matrix of a span (系数矩阵)
 
 On one span a B-spline curve is a polynomial curve, and a polynomial can be written in powers.  The matrix that leads
-from the control points to the coefficients of the powers is the coefficient matrix of the span.  It depends on the knots
-only.  This section defines it, and decides the first of the two explicit formulas for it: that by divided differences.
+from the control points to the coefficients of the powers is the coefficient matrix of the span.  It depends on the
+knots only.  This section defines it, and decides the first of the two explicit formulas for it: that by divided
+differences.
 
 In this and the next sections the order is $k$, the span $[t_r,t_{r+1})$ is not empty, the functions on it are
 $N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a claim names is $k-1$.
@@ -94,8 +95,8 @@ pattern of coincident knots.
 :given: every pattern of the 2k knots around a span up to the order 4, the different knots variables; for greater
   orders in the field the two extreme patterns, and random patterns in the other number types
 :then: $\sum_ja_{ji}u^j=N_{i,k}(t_r+u(t_{r+1}-t_r))$ with the matrix of `bspline_matrix`, for all $i$ and any $u$
-:method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with the
-  rule $0/0=0$ decided by the pattern.
+:method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with
+  the rule $0/0=0$ decided by the pattern.
 :degrees: 0..5 sampled 7
 :defines: bspline_matrix
 :control: the matrix of the span before
@@ -164,8 +165,8 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :title: The matrix applied to homogeneous points gives the homogeneous curve
 :zh: 齐次坐标下的矩阵表示
 :given: orders $k=p+1$, simple knots, points and weights variables, $u$ variable
-:then: $(1,\dots,u^p)A\,(\tilde r_{r-p},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$, and the
-  quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
+:then: $(1,\dots,u^p)A\,(\tilde r_{r-p},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$,
+  and the quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
 :method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
   is any coordinate, so one suffices.  Both sides are linear in $w_ir_i$ and in $w_i$, so that degree 5 is contained in
   `matrix_holds_the_powers_of_the_basis`.
@@ -476,8 +477,8 @@ CLAIM(column_by_differences_is_the_function)
 :holds-by: summation_orders_agree printed_double_sum_gives_the_basis
 :figure: both_matrices
 
-For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and their
-bases are positive.
+For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and
+their bases are positive.
 :::
 
 :::{statement} wang-ch4:thm-4.4.1-curve
@@ -528,8 +529,8 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}
   \left.\frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\right|_{x=\tau_\lambda}
 :holds-by: truncated_power_gives_the_basis
-:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at such
-  a knot the derivative of order $k-1$ of the truncated power does not exist
+:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at
+  such a knot the derivative of order $k-1$ of the truncated power does not exist
 :figure: zero_power_at_a_knot
 :::
 */
@@ -549,10 +550,10 @@ left and those of an ordinary power at the nodes on the right; that is all that 
 :zh: 截断幂的差商即 B 样条基
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $t$ variables;
   random patterns for greater $k$
-:then: $(t_{i+k}-t_i)[t_i,\dots,t_{i+k}](x-t)_+^{k-1}=N_{i,k}(t)$ on the span, by the table of divided differences and by
-  the sum with the weights $\alpha$
-:method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$ right
-  of the span and 0 left of it.
+:then: $(t_{i+k}-t_i)[t_i,\dots,t_{i+k}](x-t)_+^{k-1}=N_{i,k}(t)$ on the span, by the table of divided differences and
+  by the sum with the weights $\alpha$
+:method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$
+  right of the span and 0 left of it.
 :degrees: 0..4 sampled 7
 :control: the data right and left of the span exchanged
 :::
@@ -778,8 +779,8 @@ CLAIM(powers_expand_in_the_parameter)
 :zh: 整理和式
 :printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
 :holds-by: summation_orders_agree powers_expand_in_the_parameter
-:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is put
-  back
+:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is
+  put back
 :figure: full_powers
 :::
 */

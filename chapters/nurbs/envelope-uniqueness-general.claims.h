@@ -37,8 +37,8 @@ vanishing curvature or torsion, and its members have them.
 :reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
   meant: false for $k=6$, $r=3$, with an inflection
 :reading: curvatures_have_a_fixed_ratio | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
-  closed span and $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through it needs
-  $\mathbf r'\times\mathbf r''=0$ there
+  closed span and $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through
+  it needs $\mathbf r'\times\mathbf r''=0$ there
 :corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
   $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
@@ -48,8 +48,8 @@ vanishing curvature or torsion, and its members have them.
 
 For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
 $\mathbf r'\times\mathbf r''=0$ at $\tau$.  As $f[\tau^r,t^{k-1-r}]$ says, $r$ and $k-1-r$ have the same solutions
-with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have to be fulfilled, so as a rule single pairs are left and no curve; for
-$k=7$ there can be a curve.
+with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have to be fulfilled, so as a rule single
+pairs are left and no curve; for $k=7$ there can be a curve.
 :::
 
 Two remarks on the polar form carry the section.  To replace one argument $t$ by $\tau$ is a step along the tangent of
@@ -636,14 +636,13 @@ corners arise.
   nonnegative
 :method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
   right side is Cauchy-Binet.  The minors have no negative coefficient in the gaps and in $x$, $y$ with
-  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$, and at the ends of the span they are nonnegative as limits; for $k>5$ they are
-  sampled, and nonnegative because $M$ is a product of
-  matrices with nonnegative entries on two neighbouring diagonals, one for each inserted knot.  The rows of $M$ are
-  independent, as $q$ may be any polynomial of degree 2: to put in one argument $\tau$ maps the polynomials of degree $m$
-  onto those of degree $m-1$, since only the multiples of $(\cdot-\tau)^m$ go to 0.
-  So one
-  minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the corners of a strictly convex polygon in this order,
-  all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have one sign, and $\det(Q,Q',Q'')\ne0$.
+  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$, and at the ends of the span they are nonnegative as limits; for $k>5$ they
+  are sampled, and nonnegative because $M$ is a product of matrices with nonnegative entries on two neighbouring
+  diagonals, one for each inserted knot.  The rows of $M$ are independent, as $q$ may be any polynomial of degree 2:
+  to put in one argument $\tau$ maps the polynomials of degree $m$ onto those of degree $m-1$, since only the
+  multiples of $(\cdot-\tau)^m$ go to 0. So one minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the
+  corners of a strictly convex polygon in this order, all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have
+  one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5
 :scope: the gaps of the knots variables for $k\le4$, the numbers 1, 2, … above; the points, $t$ and $\tau$ variables
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged

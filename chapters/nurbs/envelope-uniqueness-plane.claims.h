@@ -1,10 +1,10 @@
 /*
 # The proof for the first level: from the triple product to the plane (r = 1 的证明: 由混合积到平面)
 
-The proof of uniqueness for $r=1$ has replaced the condition of the envelope by one equation, a triple product.  Now it
-concludes that the control points of the span are coplanar, and settles the plane case with the determinant
-$x'y''-x''y'$.  Two of its steps are of one kind: an equation that was found at one pair $(t,\tau)$ is used as if it held for all
-$t$ of the span.  If it does hold for all of them both conclusions are right; at one $t$ neither is.
+The proof of uniqueness for $r=1$ has replaced the condition of the envelope by one equation, a triple product.  Now
+it concludes that the control points of the span are coplanar, and settles the plane case with the determinant
+$x'y''-x''y'$.  Two of its steps are of one kind: an equation that was found at one pair $(t,\tau)$ is used as if it
+held for all $t$ of the span.  If it does hold for all of them both conclusions are right; at one $t$ neither is.
 */
 #include "chapters/nurbs/family.h"
 
@@ -139,13 +139,14 @@ CLAIM(osculating_plane_meets_the_origin_once)
 :zh: 控制顶点共面
 :printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$ means that these
   $\mathbf r_i$ are coplanar, so that the family is one of plane curves
-:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
+:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
+  points_are_polar_values_of_the_segment
 :needs: vanishing_curvature_says_nothing_about_the_points | for all $t$ of the span; at one $t$, which is what the
   alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf r''=0$ there
 :figure: points_off_the_plane
 
-If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$,
-the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its points are on a line.
+If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all
+$t$, the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its points are on a line.
 :::
 
 :::{claim} vanishing_curvature_says_nothing_about_the_points
@@ -196,9 +197,9 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :holds-by: family_moves_with_its_points
 :figure: nurbs_second_line
 
-What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not depend on the coordinates.  (4.3.12) does
-depend on them: it refers to the origin, and a motion keeps the origin only if it turns about it.  As the plane passes through the
-origin, by the step before, such a rotation suffices.
+What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not depend on the coordinates.  (4.3.12)
+does depend on them: it refers to the origin, and a motion keeps the origin only if it turns about it.  As the plane
+passes through the origin, by the step before, such a rotation suffices.
 :::
 
 To turn the plane of the points into $z=0$ one has to know that the construction does not depend on coordinates.  The
@@ -208,12 +209,12 @@ and their derivatives its linear part.
 :::{claim} family_moves_with_its_points
 :title: Under an affine map of the points the members are mapped, and their derivatives by its linear part
 :zh: 顶点经仿射变换,族曲线随之变换
-:given: $k=p+1$; simple knots, or the ends of the span $p$-fold, or its left end double; weights and points, any $t$ and $\tau$,
-  $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
-:then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by $t$ and by $\tau$ are
-  those of $\mathbf r^{[k-r]}$ under $ax+by$
-:method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the second does.  A linear
-  map that can be inverted keeps parallel vectors parallel, and makes none so.
+:given: $k=p+1$; simple knots, or the ends of the span $p$-fold, or its left end double; weights and points, any $t$
+  and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
+:then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by
+  $t$ and by $\tau$ are those of $\mathbf r^{[k-r]}$ under $ax+by$
+:method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the
+  second does.  A linear map that can be inverted keeps parallel vectors parallel, and makes none so.
 :degrees: 2..4 sampled 6
 :scope: the knots numbers in the field
 :control: $c$ left out at the last point

@@ -1,10 +1,10 @@
 /*
 # The printed proof for every level (任意 r 的证明)
 
-The theorem is refuted, so its proof must have a gap; this section finds the places.  The proof follows that of $r=1$ with
-the member of the level before in the place of the curve, takes a sum of triple products apart into its terms, and
-descends from level to level to the control points.  Its steps are true for other reasons, or for all pairs $(t,\tau)$ together,
-and not for the single pair at hand.
+The theorem is refuted, so its proof must have a gap; this section finds the places.  The proof follows that of $r=1$
+with the member of the level before in the place of the curve, takes a sum of triple products apart into its terms,
+and descends from level to level to the control points.  Its steps are true for other reasons, or for all pairs
+$(t,\tau)$ together, and not for the single pair at hand.
 */
 #include "chapters/nurbs/family.h"
 
@@ -25,9 +25,9 @@ and not for the single pair at hand.
 :corrected-by: general_condition_is_that_of_the_level_before
 :figure: order_and_level
 
-Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined; and by
-(4.3.3) the superscript of $\mathbf r^{[r-1]}(t,\tau)$ is an order, while those of (4.3.17) count levels.  Put right, the
-alternative is true for a stronger reason: for $\tau\ne t$ the vector product of the last two factors is 0.
+Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined; and
+by (4.3.3) the superscript of $\mathbf r^{[r-1]}(t,\tau)$ is an order, while those of (4.3.17) count levels.  Put
+right, the alternative is true for a stronger reason: for $\tau\ne t$ the vector product of the last two factors is 0.
 :::
 */
 
@@ -50,8 +50,8 @@ vanish.
 :result: r_i = (-6,-174,12154/15) (-4,-36,754/15) (-2,6,-326/15) (0,0,274/15) (2,-6,-326/15) (4,36,754/15)
   (6,174,12154/15); point of the member = (1/12,0,1); its derivatives by t and τ = (1/6,0,0) (5/6,0,0); point and two
   derivatives of the curve of order r-1 = (1/4,1/160,1) (1/2,3/80,0) (0,3/20,0); the sum = 3/40
-:method: The condition is found to be satisfied; then the sum of the triple products with the points of level $r-1$ and the
-  member of order $r-1$ is compared with 0.
+:method: The condition is found to be satisfied; then the sum of the triple products with the points of level $r-1$
+  and the member of order $r-1$ is compared with 0.
 :control: the member of level $r-1$, of order $k-r+1$
 :::
 */
@@ -259,14 +259,15 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :zh: 控制顶点共面
 :printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 for $t_j\le t,\tau<t_{j+1}$
   means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
-:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
-:needs: twisted_sextic_has_products_zero | for all pairs of the square; at one pair where (4.3.15) holds with $\tau\ne t$
-  the products are 0 because of their last two factors, and the points need not be coplanar
+:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
+  points_are_polar_values_of_the_segment
+:needs: twisted_sextic_has_products_zero | for all pairs of the square; at one pair where (4.3.15) holds with $\tau\ne
+  t$ the products are 0 because of their last two factors, and the points need not be coplanar
 :figure: nurbs_envelope_space
 
-As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points, or
-every member is straight, and with them, at $\tau=t$, the segment.  But (4.3.15) gives the products at single pairs only;
-here the proof loses the curves of space.
+As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points,
+or every member is straight, and with them, at $\tau=t$, the segment.  But (4.3.15) gives the products at single pairs
+only; here the proof loses the curves of space.
 :::
 
 What is left is the conclusion from vanishing products to coplanar points.  At a pair with another solution the member

@@ -96,8 +96,8 @@ CLAIM(touching_curve_satisfies_the_condition)
 :printed: \tau=\tau(t)
 :reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it cannot be false,
   but then a line $t=t_0$ of the square is left out of the envelope by agreement
-:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: false, the lines $t=t_0$
-  with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
+:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: false, the lines
+  $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
 :corrected-by: first_level_condition_factors
@@ -450,7 +450,8 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :zh: 与族曲线分子的数量积给出混合积
 :given: the same
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
-:method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product is 0.
+:method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
+  is 0.
 :degrees: all
 :control: the factor $w$ in the place of $W$
 :::

@@ -42,8 +42,8 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :::{claim} polygon_is_the_curve_of_order_two
 :title: The sum over all points is the printed leg on every span
 :zh: 二阶曲线的每一段
-:given: $n=5$ points with weights; seven simple knots, and double knots inside, at one end, at the other and at both; every span
-  that is not empty; any $t$
+:given: $n=5$ points with weights; seven simple knots, and double knots inside, at one end, at the other and at both;
+  every span that is not empty; any $t$
 :then: $\sum_{i=1}^nN_{i,2}(t)w_ir_i/\sum_{i=1}^nN_{i,2}(t)w_i$ is the printed quotient, $j=2,\dots,n$
 :method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
   variable.
@@ -157,8 +157,8 @@ CLAIM(double_knot_skips_a_leg)
 :zh: 多边形的统一表示
 :printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
 :holds-by: polygon_is_the_curve_of_order_two
-:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$: by the
-  letter the sum is $0/0$ there, and the polygon lacks $\mathbf r_n$
+:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
+  $t_{n+1}=t_{n+2}$: by the letter the sum is $0/0$ there, and the polygon lacks $\mathbf r_n$
 :figure: nurbs_polygons
 :::
 
@@ -253,9 +253,10 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 :checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
 :hypothesis: lower_level_lacks_a_point | nor any $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$, whose $N_{i,2}$
-  is 0, are left out
-:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with
+  $t_i=t_{i+2}$, whose $N_{i,2}$ is 0, are left out
+:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
+  $t_{n+1}=t_{n+2}$
 :figure: nurbs_polygons
 :::
 
@@ -432,7 +433,9 @@ of knots.
 :title: For k = 3 a segment turns unless three neighbouring points are on a line
 :zh: k=3 时仅当三点共线包络条件才处处成立
 :given: $k=3$; a span of simple knots; three points of the plane with weights; any $\tau$
-:then: $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$, a constant
+:then:
+  $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$,
+  a constant
 :method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
   span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
   zero.

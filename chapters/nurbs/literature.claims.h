@@ -1,10 +1,10 @@
 /*
 # Labels and references (公式编号与文献)
 
-A text can be checked against itself: whether a number that is cited is printed somewhere, whether the key of a reference
-has the year of the reference, whether the volumes of a journal go up by one a year.  The data of the claims are what the
-source prints, in the digital copy at hand: a label that stands twice, or a letter $l$ for the digit 1, may be a fault of
-this copy and not of the book.
+A text can be checked against itself: whether a number that is cited is printed somewhere, whether the key of a
+reference has the year of the reference, whether the volumes of a journal go up by one a year.  The data of the claims
+are what the source prints, in the digital copy at hand: a label that stands twice, or a letter $l$ for the digit 1,
+may be a fault of this copy and not of the book.
 */
 #include <string.h>
 
@@ -190,8 +190,8 @@ CLAIM(keys_have_the_years_of_their_entries)
 :printed: the references 1 to 19
 :holds-by: numbered_references_are_all_cited
 
-Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 spells SIGGRAPH without its
-P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.
+Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 spells SIGGRAPH without
+its P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.
 :::
 
 :::{claim} numbered_references_are_all_cited

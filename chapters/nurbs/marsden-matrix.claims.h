@@ -74,8 +74,8 @@ column replaced.
 :title: The cofactors of a column are what expands the determinant by it
 :zh: 代数余子式
 :given: all entries of an $n\times n$ matrix, variables
-:then: the cofactor of a place is the determinant, as a sum over permutations, of the matrix with that column replaced by
-  the unit vector of the row
+:then: the cofactor of a place is the determinant, as a sum over permutations, of the matrix with that column replaced
+  by the unit vector of the row
 :method: `cofactor` leaves out row and column; the other side keeps all $n$ rows.
 :degrees: 1..4 sampled 6
 :defines: cofactor
@@ -116,8 +116,8 @@ CLAIM(cofactor_is_signed_minor)
 :needs: empty_span_makes_g_singular | the span is not empty
 :figure: both_matrices
 
-For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$; where the source says so, both have lost
-the index $i$.
+For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$; where the source says so, both have
+lost the index $i$.
 :::
 */
 
@@ -144,11 +144,12 @@ of $u$.  The formula is computed as it stands, with determinants over all permut
 :::{claim} printed_cofactor_formula_gives_the_basis
 :title: The printed coefficients are those of the B-spline
 :zh: (4.4.17) 给出 B 样条基
-:given: every pattern of the 2k knots around a span up to the order 3, orders 4 and 5 with simple knots and those of Bernstein; the different knots
-  and $u$ variables; random patterns in the other number types
-:then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ as printed, and `bspline_matrix_by_marsden` has these entries
-:method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the B-splines
-  by their definition.
+:given: every pattern of the 2k knots around a span up to the order 3, orders 4 and 5 with simple knots and those of
+  Bernstein; the different knots and $u$ variables; random patterns in the other number types
+:then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ as printed, and `bspline_matrix_by_marsden` has these
+  entries
+:method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the
+  B-splines by their definition.
 :degrees: 0..4 sampled 4
 :defines: bspline_matrix_by_marsden
 :control: the cofactors transposed
@@ -223,12 +224,12 @@ representation in powers.
 :::{claim} both_explicit_matrices_agree
 :title: The matrices by divided differences, by Marsden's identity and by Cox and de Boor agree
 :zh: 两种显式矩阵与 Cox–de Boor 展开一致
-:given: every pattern of the 2k knots around a span up to the order 5, the knots variables; random patterns in the other number
-  types
+:given: every pattern of the 2k knots around a span up to the order 5, the knots variables; random patterns in the
+  other number types
 :then: `bspline_matrix_by_differences`, `bspline_matrix_by_marsden` and `bspline_matrix` give the same matrix
-:method: Entry by entry.  `bspline_matrix` and `bspline_matrix_by_marsden` divide by differences of knots on the two sides of the
-  span only, so where they agree for simple variable knots they agree for coincident ones as well; the case distinctions of
-  the other kernel are settled column by column in the section before.
+:method: Entry by entry.  `bspline_matrix` and `bspline_matrix_by_marsden` divide by differences of knots on the two
+  sides of the span only, so where they agree for simple variable knots they agree for coincident ones as well; the
+  case distinctions of the other kernel are settled column by column in the section before.
 :degrees: 0..4 sampled 6
 :scope: every multiplicity
 :control: the knot $t_{r+2}$ is moved for the second matrix
@@ -324,7 +325,8 @@ does.
 :given: orders $k=p+1$, knots variables
 :then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
   computes it
-:method: The determinant of the matrix of symmetric functions: over all permutations up to $k=4$, by Bird's algorithm above.
+:method: The determinant of the matrix of symmetric functions: over all permutations up to $k=4$, by Bird's algorithm
+  above.
 :degrees: 0..4 sampled 7
 :defines: marsden_determinant
 :control: the pairs with $b-a\le k$
@@ -473,7 +475,8 @@ CLAIM(singular_g_makes_powers_dependent)
 :instead: M = (1,1) (0,1)
 :then: $(f_0,f_1)=(N_{r-1},N_r)M^T$ with $\det M=0$
 :result: det M = 0
-:method: The same shape as (4.4.21), without independent functions on the left.  That the determinant is not 0 is compared.
+:method: The same shape as (4.4.21), without independent functions on the left.  That the determinant is not 0 is
+  compared.
 :control: $f_1=t$
 :::
 */

@@ -2,8 +2,8 @@
 # Marsden's identity (Marsden 恒等式)
 
 A power $(x-t)^{k-1}$ is a combination of the $k$ B-splines of a span, with coefficients that are products of linear
-factors: the knots inside the support of the function, put into $x-t$ one by one.  Everything that a basis has to be able
-to do follows from it: it reproduces the powers of $t$, hence all polynomials.
+factors: the knots inside the support of the function, put into $x-t$ one by one.  Everything that a basis has to be
+able to do follows from it: it reproduces the powers of $t$, hence all polynomials.
 */
 #include "chapters/nurbs/spans.h"
 
@@ -48,8 +48,8 @@ powers it has the elementary symmetric functions of these knots as coefficients.
 :title: The kernel's coefficients are the products of x minus the inner knots
 :zh: ω 的系数与零点
 :given: orders $k=p+1$, the 2k knots and $x$ variables
-:then: `marsden_coefficients` gives $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with $\mathrm{Sym}_j$ the
-  sum over all subsets of $j$ knots
+:then: `marsden_coefficients` gives $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with
+  $\mathrm{Sym}_j$ the sum over all subsets of $j$ knots
 :method: The product of the kernel against the sum over the $2^{k-1}$ subsets of the inner knots.
 :degrees: 0..6 sampled 8
 :defines: marsden_coefficients
@@ -225,8 +225,8 @@ With the polynomials of the span in the places of the $N_{i,k}$ it holds for all
 :::{claim} marsden_identity_up_to_order_eight
 :title: Marsden's identity for greater orders
 :zh: 高阶 Marsden 恒等式
-:given: orders $k=p+1$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all equal on
-  each side
+:given: orders $k=p+1$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all
+  equal on each side
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines from the kernel of the basis, at a variable $t$.
 :degrees: 0..7 sampled 12
@@ -252,20 +252,20 @@ CLAIM(marsden_identity_up_to_order_eight)
 /*
 ## The proof (证明)
 
-The proof takes the recursion of Cox and de Boor from the functions to the coefficients: one level less for the functions
-is one level of de Boor's algorithm for the coefficients.
+The proof takes the recursion of Cox and de Boor from the functions to the coefficients: one level less for the
+functions is one level of de Boor's algorithm for the coefficients.
 
 :::{statement} wang-ch4:thm-4.4.2-proof
 :title: The proof needs nothing but the recursion of de Boor
 :zh: 证明只用 deBoor 递推公式
 :printed: a short new proof is given, which needs only de Boor's formula (2.1.1)
 :holds-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
-:needs: one_level_needs_the_span | that $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span, which (2.1.1) says with the functions of
-  order 1, by induction
+:needs: one_level_needs_the_span | that $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span, which (2.1.1) says with
+  the functions of order 1, by induction
 :figure: marsden_identity
 
-(2.1.1) is not in the text at hand; it is read as the recursion together with the functions of order 1 from which it begins.  As the
-step of the recursion alone it does not suffice: then the supports are used as well.
+(2.1.1) is not in the text at hand; it is read as the recursion together with the functions of order 1 from which it
+begins.  As the step of the recursion alone it does not suffice: then the supports are used as well.
 :::
 
 :::{statement} wang-ch4:thm-4.4.2-order-1
@@ -374,8 +374,8 @@ CLAIM(one_level_needs_the_span)
 :holds-by: one_level_takes_off_a_factor
 :figure: marsden_identity
 
-The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is the
-constant 1.
+The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is
+the constant 1.
 :::
 
 For the products $\omega_{i,k}$ one such step takes $x-t$ out: two neighbouring products have all factors in common
@@ -477,7 +477,8 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 :title: The powers of t from the derivatives of omega at 0
 :zh: 由 ω 的导数得幂函数
 :given: orders $k=p+1$, simple knots and $t$ variables
-:then: (4.4.20) for every $\mu$; its right sides are the entries of $(N_{r-k+1,k},\dots,N_{r,k})\,G^T$ with $G=(g_{\mu i})$
+:then: (4.4.20) for every $\mu$; its right sides are the entries of $(N_{r-k+1,k},\dots,N_{r,k})\,G^T$ with $G=(g_{\mu
+  i})$
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
 :types: field
 :degrees: 0..5

@@ -17,23 +17,25 @@ span; what has to be asked is whether the members exist.
 :printed: for the whole curve put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), take $[t_k,t_{n+1}]$ as the domain
   in (4.3.2) and (4.3.3) and let the sums of (4.3.3) run from $r+1$ to $n$; the same holds
 :holds-by: whole_member_is_polar_on_every_span member_of_span_touches_curve
-:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$, $\rho=r$; outside its
-  own span the recursion extrapolates, and a point of the member may not exist although all weights are positive
-:hypothesis: lower_level_lacks_a_point | and for the levels $\rho=1,\dots,r-1$ as well, since (4.1.4) asks for their points; or the
-  products $w_i^{[\rho]}\mathbf r_i^{[\rho]}$ are computed by (4.1.3)
+:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$, $\rho=r$;
+  outside its own span the recursion extrapolates, and a point of the member may not exist although all weights are
+  positive
+:hypothesis: lower_level_lacks_a_point | and for the levels $\rho=1,\dots,r-1$ as well, since (4.1.4) asks for their
+  points; or the products $w_i^{[\rho]}\mathbf r_i^{[\rho]}$ are computed by (4.1.3)
 :hypothesis: extrapolated_member_has_a_pole | no denominator of a member vanishes; with a negative $w_i^{[r]}(\tau)$
   it may
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with $t_i=t_{i+k-r}$,
-  whose $N_{i,k-r}$ is 0, are left out; else (4.1.3) divides by 0
-:hypothesis: whole_member_ends_in_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=\dots=t_{n+k-r}$:
-  otherwise (4.3.3) is $0/0$ there
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with
+  $t_i=t_{i+k-r}$, whose $N_{i,k-r}$ is 0, are left out; else (4.1.3) divides by 0
+:hypothesis: whole_member_ends_in_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
+  $t_{n+1}=\dots=t_{n+k-r}$: otherwise (4.3.3) is $0/0$ there
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
 :figure: nurbs_envelope_whole
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
 the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first three
-hypotheses are fulfilled: all $w_i^{[r]}$ are equal.  What is left out is not asked for elsewhere: if $t_i=t_{i+k-r+1}$, then
-$t_i=t_{i+k-r}$ and $t_{i+1}=t_{i+1+k-r}$, and the points of the next level that would need $i$ are left out too.
+hypotheses are fulfilled: all $w_i^{[r]}$ are equal.  What is left out is not asked for elsewhere: if
+$t_i=t_{i+k-r+1}$, then $t_i=t_{i+k-r}$ and $t_{i+1}=t_{i+1+k-r}$, and the points of the next level that would need
+$i$ are left out too.
 :::
 */
 
@@ -64,8 +66,9 @@ shared by the pieces of the member, and where an index has $t_i=t_{i+k-r}$ no pi
   $k$-fold; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
 :then: $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$ with the polar form $f$
   of the segment that contains $t$
-:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates, without the $i$ with
-  $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
+:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates, without the
+  $i$ with $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor and Cox as it is defined; the right
+  side by the kernel.
 :degrees: 2..6 sampled 6
 :scope: the distinct knots variables for $p\le4$, numbers above
 :control: the polar form of the first segment for every span
@@ -154,7 +157,8 @@ CLAIM(extrapolated_weight_vanishes)
 :then: no weight of level 2 is 0, but $w_5^{[1]}(\tau)=0$: $\mathbf r_5^{[1]}(\tau)$ is not defined, and $\mathbf
   r_5^{[2]}(\tau)$ is a mean of it and $\mathbf r_4^{[1]}(\tau)$
 :result: weights of level 1 = 1 1 1 0; weights of level 2 = 1 1 3/2
-:method: (4.1.3) for all indices, exactly; that with the weights of level 2 those of level 1 are not 0 is what is compared.
+:method: (4.1.3) for all indices, exactly; that with the weights of level 2 those of level 1 are not 0 is what is
+  compared.
 :control: a smaller last weight
 :::
 */

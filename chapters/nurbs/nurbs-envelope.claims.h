@@ -36,8 +36,8 @@ quotients $0/0$.
 :::{claim} segment_needs_the_points_of_its_span
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
-:given: $k=p+1$; $p+3$ points and weights over knots of these patterns: an inner knot of every multiplicity $1,\dots,k$ among
-  simple ones, and $k$-fold ends with two simple knots between; every span; any $t$
+:given: $k=p+1$; $p+3$ points and weights over knots of these patterns: an inner knot of every multiplicity
+  $1,\dots,k$ among simple ones, and $k$-fold ends with two simple knots between; every span; any $t$
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.

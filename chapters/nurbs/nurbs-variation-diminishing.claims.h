@@ -1,15 +1,16 @@
 /*
 # A line meets a NURBS curve (变差缩减性)
 
-The second property that corner cutting gives: a line has no more to do with the curve than with its polygon.  The proof is
-that an insertion of a knot puts points on the edges, which changes nothing, and then takes the old vertices away, which
-replaces two sides of a triangle by the third; and that by insertion every point of the curve becomes a vertex.
+The second property that corner cutting gives: a line has no more to do with the curve than with its polygon.  The
+proof is that an insertion of a knot puts points on the edges, which changes nothing, and then takes the old vertices
+away, which replaces two sides of a triangle by the third; and that by insertion every point of the curve becomes a
+vertex.
 
 What is counted decides whether it is true.  The source says *number of points of intersection* and nothing more.
-Counted along the curve and along the polygon it is true: for crossings, which are changes of side, and for common points
-too, if an edge or a piece of curve on the line counts as one intersection.  As points
-of the plane, each counted once however often the polygon runs through it, it is false; and it is false if an edge on the line is
-not counted, or, for insertion, if it counts as infinitely many points.
+Counted along the curve and along the polygon it is true: for crossings, which are changes of side, and for common
+points too, if an edge or a piece of curve on the line counts as one intersection.  As points of the plane, each
+counted once however often the polygon runs through it, it is false; and it is false if an edge on the line is not
+counted, or, for insertion, if it counts as infinitely many points.
 */
 #include "chapters/nurbs/corner-cutting.h"
 #include "chapters/nurbs/definition.h"
@@ -38,10 +39,10 @@ not counted, or, for insertion, if it counts as infinitely many points.
 :reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many
 :figure: what_must_be_counted
 
-With the first two meanings the statements below are true; with the third and the fourth the lemma and the theorem are false; with the
-last the lemma is false, and the step that uses it, while the theorem is true: over a piece of the curve on the line an edge lies there.
-Points of the plane will do, an edge or piece on the line counting once, for a polygon that does not meet itself on the line.  The source's chapter on Bézier curves means
-crossings, and says so.
+With the first two meanings the statements below are true; with the third and the fourth the lemma and the theorem are
+false; with the last the lemma is false, and the step that uses it, while the theorem is true: over a piece of the
+curve on the line an edge lies there. Points of the plane will do, an edge or piece on the line counting once, for a
+polygon that does not meet itself on the line.  The source's chapter on Bézier curves means crossings, and says so.
 :::
 */
 
@@ -189,11 +190,13 @@ Between curve and polygon stands a third count, that of the polygon after an ins
 :title: Designed splines cross a line no more often than their polygons
 :zh: 设计算例的跨越次数
 :kind: decision
-:given: orders $2,3,4$, $4$ to $7$ points: simple knots, ends of multiplicity $k$, inner knots of multiplicity $1$, $k-1$ and $k$;
-  all $y_i\in\{-1,0,1\}$; weights $1$, $1000$ and $1$ in turn
-:then: crossings of the curve $\le$ crossings of the polygon with the middles of all intervals inserted $\le$ crossings of the polygon
-:method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the sides on which one
-  interval ends and the next one begins; jumps are counted.  Polygons by `exact/decide/crossings.h`.
+:given: orders $2,3,4$, $4$ to $7$ points: simple knots, ends of multiplicity $k$, inner knots of multiplicity $1$,
+  $k-1$ and $k$; all $y_i\in\{-1,0,1\}$; weights $1$, $1000$ and $1$ in turn
+:then: crossings of the curve $\le$ crossings of the polygon with the middles of all intervals inserted $\le$
+  crossings of the polygon
+:method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the
+  sides on which one interval ends and the next one begins; jumps are counted.  Polygons by
+  `exact/decide/crossings.h`.
 :degrees: 2..4
 :scope: n stands for the order k; the stated curves
 :control: the polygon taken without its first vertex
@@ -215,8 +218,8 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :zh: 设计算例的公共点
 :kind: decision
 :given: the curves of `designed_splines_cross_no_more`
-:then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the polygon with knots
-  inserted $\le$ those of the polygon
+:then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the
+  polygon with knots inserted $\le$ those of the polygon
 :method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
 :degrees: 2..4
 :scope: n stands for the order k; the stated curves
@@ -359,16 +362,18 @@ change can arise.
   $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges knots_outside_the_domain_cut_corners
-:hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
+:hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
+  of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | and counts as one intersection, not as infinitely many points
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when
+  $t_1=t_k$
 :needs: insertion_with_mixed_weights_crosses_more | positive weights
 :reading: averages_between_neighbours_keep_sign_changes | crossings
 :reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
-:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the knots have to be in
-  the domain
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the
+  knots have to be in the domain
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
 :figure: line_and_cut_corners
 
@@ -464,18 +469,19 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :printed: $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
-:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and polygon, not as
-  points of the plane
+:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
+  polygon, not as points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
 :needs: mixed_weights_cross_more | positive weights
 :reading: designed_splines_cross_no_more | crossings
 :reading: designed_splines_meet_no_more | common points, a piece on the line counting once
 :figure: line_and_cut_corners
 
-A proof for every order with the first reading: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$ where it is
-on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$ times, so the old
-one does.  With the second reading take one parameter of each intersection and one, off the line, between any two.
-No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the polygon crosses with it.
+A proof for every order with the first reading: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$
+where it is on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$
+times, so the old one does.  With the second reading take one parameter of each intersection and one, off the line,
+between any two. No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the
+polygon crosses with it.
 :::
 
 To pass from the polygon to the curve one has to know the sign of the form $ax+by+c$ on the curve.  It is a quotient
@@ -485,10 +491,11 @@ heights matter.
 :::{claim} line_form_of_a_nurbs_curve
 :title: The form of a line, on the curve, has the weights of the curve
 :zh: 曲线上的直线式仍以原权因子表示
-:given: orders $k$, ends of multiplicity $k$ and a simple knot between; weights $w_i$, points $(x_i,y_i)$; a line $ax+by+c=0$
+:given: orders $k$, ends of multiplicity $k$ and a simple knot between; weights $w_i$, points $(x_i,y_i)$; a line
+  $ax+by+c=0$
 :then: $a\,x(t)+b\,y(t)+c=\sum_iN_{i,k}(t)w_i(ax_i+by_i+c)\big/\sum_iN_{i,k}(t)w_i$ on both intervals
-:method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line may be taken as
-  the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
+:method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line
+  may be taken as the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
 :degrees: 1..6 sampled 7
 :scope: n stands for the order k
 :control: the constant $c$ left out at the last vertex
@@ -568,8 +575,8 @@ point.
   so there are at least $N+1$ intersections of the curve with $\boldsymbol L_0$; let $t_i'$, $i=1,2,\dots,N+1$, be the parameters of
   these points
 :holds-by: polygon_through_the_crossings_crosses_as_often designed_splines_meet_no_more
-:hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are not counted; a
-  jump has no point on the line
+:hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are
+  not counted; a jump has no point on the line
 :figure: points_of_the_line_as_vertices
 
 The theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line one of its
@@ -686,15 +693,15 @@ CLAIM(jump_crosses_the_line_without_a_point)
 :printed: with $T'=\{t_1'\}^{k-1}\oplus\{t_2'\}^{k-1}\oplus\cdots\oplus\{t_{N+1}'\}^{k-1}$ by (4.1.9) every point of intersection
   $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
 :holds-by: inserted_parameters_become_vertices
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing can be inserted
-  by the printed formula, and need not be, since $r_k(t_k)$ is the vertex $r_1$
-:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$: then $r(t'_i)$ is a vertex, too, though not the
-  one with the index of (4.1.9)
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing
+  can be inserted by the printed formula, and need not be, since $r_k(t_k)$ is the vertex $r_1$
+:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$: then $r(t'_i)$ is a vertex, too,
+  though not the one with the index of (4.1.9)
 :figure: points_of_the_line_as_vertices
 
-In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index $\mu_i+(i-1)(k-1)$.  A
-parameter that is a knot of multiplicity $m$ already becomes one of multiplicity $m+k-1$, which may be more than $k$; then
-some vertices are repeated and nothing else happens.
+In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
+$\mu_i+(i-1)(k-1)$.  A parameter that is a knot of multiplicity $m$ already becomes one of multiplicity $m+k-1$, which
+may be more than $k$; then some vertices are repeated and nothing else happens.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-meet
@@ -706,10 +713,10 @@ some vertices are repeated and nothing else happens.
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
 :figure: points_of_the_line_as_vertices
 
-As common points this is obvious, for different points of the plane; two parameters with one point are two vertices with one
-point, and count twice along curve and polygon.  For crossings there is something to say: next to a parameter $t'$ of
-multiplicity $k-1$ the curve is on the side of the nearest vertex that is not on the line, so the polygon changes sides where
-the curve does.
+As common points this is obvious, for different points of the plane; two parameters with one point are two vertices
+with one point, and count twice along curve and polygon.  For crossings there is something to say: next to a parameter
+$t'$ of multiplicity $k-1$ the curve is on the side of the nearest vertex that is not on the line, so the polygon
+changes sides where the curve does.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-contradiction
@@ -717,8 +724,8 @@ the curve does.
 :zh: 与引理矛盾
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-:hypothesis: self_crossing_polygon_gains_points_on_a_line | counted along the polygon; as points of the plane there is no
-  contradiction, and there cannot be
+:hypothesis: self_crossing_polygon_gains_points_on_a_line | counted along the polygon; as points of the plane there is
+  no contradiction, and there cannot be
 :hypothesis: cut_corner_lies_on_the_line | an edge on the line counts as one intersection
 :figure: what_must_be_counted
 :::
@@ -727,9 +734,10 @@ the curve does.
 :title: The earlier properties are special cases
 :zh: 性质 1.3.10、3.2.7 与定理 2.11.2
 :printed: properties 1.3.10, 3.2.7 and theorem 2.11.2 are obviously direct corollaries of these theorems
-:holds-by: bezier_curves_are_nurbs_curves averages_between_neighbours_keep_sign_changes inserted_parameters_become_vertices
-:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted in the theorem as in the corollary;
-  property 3.2.7 counts crossings, and does not follow from a count of points
+:holds-by: bezier_curves_are_nurbs_curves averages_between_neighbours_keep_sign_changes
+  inserted_parameters_become_vertices
+:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted in the theorem as
+  in the corollary; property 3.2.7 counts crossings, and does not follow from a count of points
 :figure: what_must_be_counted
 
 A rational Bézier curve is the case $n=k$ with two knots of multiplicity $k$; equal weights give B-spline and Bézier
@@ -740,8 +748,8 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :title: With two knots of multiplicity k, a NURBS curve is a rational Bézier curve
 :zh: 有理 Bézier 曲线是 NURBS 曲线的特例
 :given: order $k=n$, knots $x_0$ and $x_1$ of multiplicity $k$; any weights and points
-:then: the curve is the rational Bézier curve of degree $k-1$ of the same points and weights in $(t-x_0)/(x_1-x_0)$; with equal weights
-  it is $\sum N_{i,k}r_i$
+:then: the curve is the rational Bézier curve of degree $k-1$ of the same points and weights in $(t-x_0)/(x_1-x_0)$;
+  with equal weights it is $\sum N_{i,k}r_i$
 :method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
 :degrees: 1..6 sampled 7
 :scope: n stands for the order k

@@ -2,9 +2,9 @@
 # Special coefficient matrices (特殊系数矩阵)
 
 Three kinds of knots have formulas of their own: knots that are all different, equidistant knots, and the knots of a
-single Bézier segment.  The source derives the first two from the divided differences, which is what this section is about, the
-third from Marsden's identity.  A formula with alternating signs and factorials is easily misprinted; so each sum is computed by
-its letter and compared with the matrix that the recursion gives.
+single Bézier segment.  The source derives the first two from the divided differences, which is what this section is
+about, the third from Marsden's identity.  A formula with alternating signs and factorials is easily misprinted; so
+each sum is computed by its letter and compared with the matrix that the recursion gives.
 */
 #include "chapters/nurbs/spans.h"
 
@@ -144,8 +144,8 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}
 :reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$; so
   read it is true
-:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$; so read
-  it is $-N_{i,k}$ for odd $k$
+:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$; so
+  read it is $-N_{i,k}$ for odd $k$
 :corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
 :corrected-by: simple_basis_from_weights
 :figure: simple_knots_sign
@@ -662,7 +662,8 @@ The last $l$ is a new one: it is $r+1+s$ minus the old.
 :holds-by: uniform_matrix_is_the_matrix
 :figure: uniform_matrices
 
-Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in this place, with a $t$ for the order $k$.
+Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in this place, with a $t$ for the order
+$k$.
 :::
 
 :::{statement} wang-ch4:uniform-matrix-independent
