@@ -276,7 +276,7 @@ CLAIM(bsplines_are_bernstein_polynomials)
 ## The greatest order (最高阶)
 
 The kernels have workspaces of a fixed size, so there is a greatest order, far beyond what a formula is used for.  The
-claims above stop at small orders; at the greatest one the kernels are compared with each other.
+claims of these sections stop at small orders; at the greatest one the kernels are compared with each other.
 */
 
 #if RATIONAL

@@ -60,7 +60,8 @@ recursions.
 :::{claim} family_steps_along_the_tangent
 :title: A member is reached from that of the level before by a step along its tangent
 :zh: 由上一层沿切线得到下一层
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, every $r=1,\dots,k-1$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+  points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
 :degrees: 1..6 sampled 7
@@ -95,8 +96,8 @@ CLAIM(family_steps_along_the_tangent)
 :::{claim} derivative_by_tau_is_that_of_the_level_before
 :title: The derivative by τ is, up to a factor, the derivative by t of the level before
 :zh: 对 τ 的偏导与上一层对 t 的偏导成比例
-:given: $k=p+1$; knots of these three shapes; any homogeneous coordinate of the points, any $t$ and $\tau$, every
-  $r=1,\dots,k-1$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; any homogeneous
+  coordinate of the points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
 :method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
   right side by the levels of de Boor's triangle and the derivatives of a segment.
@@ -277,7 +278,8 @@ includes, the values are limits from the left.
 :::{claim} level_by_sums_over_the_level_before
 :title: The three steps of the display
 :zh: 所印等式链
-:given: $k=p+1$; knots of these three shapes; weights, any $t$ and $\tau$, every $r=1,\dots,k-2$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights, any $t$
+  and $\tau$, every $r=1,\dots,k-2$
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
 :method: Every expression by its letter, term by term.
 :degrees: 2..6 sampled 7

@@ -169,7 +169,8 @@ CLAIM(differences_of_span_give_the_derivative)
 :::{claim} first_level_follows_the_tangent
 :title: Numerator and denominator of the member are the first two terms of Taylor's expansion
 :zh: 第一层族曲线的分子分母
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+  points, any $t$ and $\tau$
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
@@ -354,7 +355,7 @@ CLAIM(first_level_condition_as_printed)
 :::{claim} first_level_condition_factors
 :title: The condition of the envelope is (τ-t) r' x r'' up to a positive factor
 :zh: 包络条件等价于 (τ-t) r'×r''=0
-:given: the same
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
 :then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
 :method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
@@ -391,7 +392,7 @@ inflection is touched by all.
 :::{claim} extra_points_run_along_the_tangent
 :title: The points of a line t = t₀ of the square are a segment of the tangent
 :zh: 直线 t=t₀ 上的点构成切线段
-:given: the same
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
 :then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
 :method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
@@ -428,7 +429,7 @@ is one equation in the place of three: what is lost is what decides, $\mathbf r'
 :::{claim} product_with_second_derivative_loses_the_left_side
 :title: The scalar product of the condition with p'' is w'' times a triple product
 :zh: 与 p'' 的数量积只留下 w'' 倍的混合积
-:given: the same
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
 :method: Everything a variable.
 :degrees: all
@@ -448,7 +449,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :::{claim} product_with_the_numerator_gives_the_triple_product
 :title: The scalar product of the condition with the numerator of the member is the triple product
 :zh: 与族曲线分子的数量积给出混合积
-:given: the same
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
 :method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
   is 0.
@@ -531,7 +532,8 @@ osculating plane passes through it, and is therefore weaker than (4.3.9), which 
 :::{claim} triple_product_is_that_of_the_point
 :title: The triple product is, up to a positive factor, that of p, r', r''
 :zh: 混合积与 (p, r', r'') 只差正因子
-:given: the same; and for $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give; and for
+  $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
 :then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
 :method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
   product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,

@@ -137,7 +137,8 @@ CLAIM(member_of_span_is_polar)
 :::{claim} extrapolated_members_keep_positive_weights_inside
 :title: On its own span every weight of every level and every denominator of a member is positive
 :zh: 在本段内各层权及族曲线分母恒正
-:given: $k=p+1$; knots of these three shapes; positive weights; $t$ and $\tau$ inside the span
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; positive
+  weights; $t$ and $\tau$ inside the span
 :then: $w_i^{[r]}(\tau)>0$ for all $r=1,\dots,k-2$ and $i=j-k+r+1,\dots,j$, and $\sum N_{i,k-r}(t)w_i^{[r]}(\tau)>0$
 :method: With $t=(t_j+t_{j+1}x)/(1+x)$, $\tau$ likewise with $y$, and the gaps of the knots, the weights, $x$ and $y$
   as variables, numerators and denominators have positive coefficients only.  At $t=t_j$ and $\tau=t_j$, that is
@@ -195,7 +196,8 @@ it.
 :::{claim} member_of_extreme_levels
 :title: Level 0 gives the curve for every τ, level k-1 its point
 :zh: 第 0 层即曲线,第 k-1 层即曲线上的点
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+  points, any $t$ and $\tau$
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
 :degrees: 1..6 sampled 7
@@ -251,7 +253,8 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :::{claim} levels_keep_weight_and_point
 :title: At τ = t every level sums up to the same weight and the same point
 :zh: τ=t 时各层之和相同
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+  points, any $t$, every $r=1,\dots,k-2$
 :then: both sums of level $r$ over $N_{i,k-r}(t)$ are those of level $r-1$ over $N_{i,k-r+1}(t)$ and those of level 0,
   $w(t)$ and $p(t)$
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
@@ -310,7 +313,8 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :::{claim} levels_shrink_the_derivative
 :title: The derivative of the basis alone gives (k-r-1)/(k-r) of the level before and (k-r-1)/(k-1) of the curve
 :zh: 仅对基函数求导所得的比例
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+  points, any $t$, every $r=1,\dots,k-2$
 :then: the displays (4.3.6) and (4.3.7), each equality
 :method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
 :degrees: 2..6 sampled 7
@@ -397,7 +401,8 @@ the display is compared too.
 :::{claim} member_of_span_touches_curve
 :title: At τ = t the member has the point of the curve and (k-r-1)/(k-1) of its derivative
 :zh: τ=t 处族曲线与曲线同点,导矢之比为 (k-r-1)/(k-1)
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+  points, any $t$, every $r=1,\dots,k-2$
 :then: $r^{[k-r]}(t,t)=r(t)$ and
   $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
@@ -513,7 +518,8 @@ to look out for.
 :::{claim} envelope_condition_holds_on_the_diagonal
 :title: On the diagonal the derivatives of the member by t and by τ are parallel
 :zh: 对角线上族曲线对 t, τ 的偏导矢平行
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+  points, any $t$, every $r=1,\dots,k-2$
 :then: at $\tau=t$: $\partial_\tau r^{[k-r]}=\frac r{k-1}r'$ and $\partial_tr^{[k-r]}=\frac{k-r-1}{k-1}r'$, so that
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
