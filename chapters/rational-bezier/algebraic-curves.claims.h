@@ -101,6 +101,10 @@ CLAIM(total_degree_survives_affine_maps)
 }
 
 /*
+With the total degree the passage from rational to algebraic curves can be stated.  Theorem 3.4.2 gives an upper bound
+for the degree of $F$, and two things may make the degree of the curve less: $F$ may be 0, or $F$ may be a power of
+the equation.
+
 :::{statement} wang-ch3:sec-3.4.2-algebraic
 :title: A rational Bézier curve of degree n is an algebraic curve of degree n
 :zh: n 次有理曲线是 n 次代数曲线
@@ -147,6 +151,8 @@ CLAIM(doubled_parameter_halves_the_degree)
 #endif
 
 /*
+For the converse one curve suffices that no rational curve can follow.
+
 :::{statement} wang-ch3:sec-3.4.2-converse
 :title: Not every algebraic curve of degree n is a rational Bézier curve
 :zh: 反之未必成立

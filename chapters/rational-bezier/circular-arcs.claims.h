@@ -161,6 +161,10 @@ CLAIM(standard_weights_of_the_arc)
 }
 
 /*
+The two tangents from a point to a circle are equally long, so the triangle of an arc is isosceles.  Its weight is
+then no longer free: of all conics that touch the two equal sides at their ends one is a circle, and the cosine of the
+base angle picks it out.
+
 :::{statement} wang-ch3:3.5-circle-conditions
 :title: The same in terms of the triangle and the weight
 :zh: 等价的几何条件
@@ -264,6 +268,9 @@ CLAIM(arcs_satisfy_the_three_equations)
 }
 
 /*
+The equations (3.5.5) and (3.5.6) are consequences of being an arc.  The theorem takes them for conditions, and there
+a quantity has been lost: none of them says how high the triangle is.
+
 :::{statement} wang-ch3:thm-3.5.2
 :title: When the rational quadratic curve is a circular arc
 :zh: 定理 3.5.2：圆弧的充要条件

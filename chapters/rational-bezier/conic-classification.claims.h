@@ -109,6 +109,10 @@ CLAIM(determinant_needs_the_middle_weight) { equation_expected(T); }
 #endif
 
 /*
+In special coordinates the determinant is short enough to be written out, and the source does so.  To test a display
+of this kind one puts in a point at which most entries vanish; the origin shows that the determinant and the
+polynomial behind the sign of equality are not the same, though both are 0 on the same curve.
+
 :::{statement} wang-ch3:3.5.3
 :title: The determinant of the curve in standard form
 :zh: 标准形的隐式行列式
@@ -240,6 +244,10 @@ CLAIM(printed_coefficients_are_the_conic_of_the_curve)
 
 /*
 ## The classification
+
+For the kind of a conic that has real points and is not degenerate only the quadratic part $Ax^2+2Bxy+Cy^2$ counts:
+the directions in which it vanishes are those in which the conic goes to infinity, and $AC-B^2$ says how many there
+are.  The weights enter this number by the sign of $1-\omega^2$.
 
 :::{statement} wang-ch3:3.5-discriminant
 :title: The discriminant in special coordinates
@@ -415,6 +423,9 @@ CLAIM(weight_zero_is_a_segment) { ellipse_expected(T); }
 #endif
 
 /*
+The theorem says the same by the invariant, so that the weights need not be brought to standard form first.  Each of
+its hypotheses is needed, and an example without it stands beside.
+
 :::{statement} wang-ch3:thm-3.5.1
 :title: Classification of rational quadratic curves
 :zh: 定理 3.5.1：有理二次曲线的分类

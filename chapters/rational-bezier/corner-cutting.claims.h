@@ -98,6 +98,12 @@ CLAIM(triangle_ends_on_the_curve)
 }
 
 /*
+The new point divides its edge in the ratio $\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$.  While both weights
+have one sign it lies between the old points, drawn towards the heavier one.  The new weight is itself a mean of the
+two old ones; so positive weights stay positive through all levels, and looking at $\omega_0,\dots,\omega_n$ once
+answers for the whole triangle.  With a negative weight one step is enough to leave the edge, and the curve need not
+have a pole for that.
+
 :::{statement} wang-ch3:rem-3.3.1-convex
 :title: Each new point is a convex combination of two old ones
 :zh: 凸线性组合
@@ -177,6 +183,11 @@ CLAIM(negative_weight_breaks_convexity)
 }
 
 /*
+For a polynomial curve one ratio is marked on a strip of paper and copied to all edges of all levels.  Here the strip
+would have to be marked anew for each edge.  One triangle with three weights shows that level, edge and weights matter
+each by itself: the coefficients that are compared differ in one of the three only.  There are weights for which the
+strip still serves, and they are found by asking when two neighbouring edges are cut alike: the geometric sequences.
+
 :::{statement} wang-ch3:rem-3.3.1-coefficients
 :title: The cut depends on level, edge and weights, not on the parameter alone
 :zh: 割角系数的依赖关系

@@ -72,6 +72,11 @@ CLAIM(second_differences_shrink_quadratically)
 }
 
 /*
+Second differences, in turn, bound the distance.  When they are all 0 the points lie evenly on the chord.  In general
+summation by parts, done with a function $g$ that is straight but for one corner at $k$, gives the distance of the
+point $b_k$ from the chord as a sum of second differences with coefficients of one sign.  The degree enters as a
+variable, so one computation serves every $n$.
+
 :::{claim} polygon_and_curve_are_near_the_chord
 :title: A polygon is as near to its chord as its second differences are small
 :zh: 控制多边形与弦之距由二阶差分界定
@@ -132,6 +137,9 @@ CLAIM(polygon_and_curve_are_near_the_chord)
 }
 
 /*
+So far the distances are those of homogeneous points, the weight being one of the coordinates.  The last step goes
+down to the points of space.
+
 :::{claim} near_homogeneous_points_are_near
 :title: Homogeneous points that are near, with weights kept from 0, have near images
 :zh: 齐次点相近则投影点相近
@@ -152,6 +160,9 @@ CLAIM(near_homogeneous_points_are_near)
 
 #if RATIONAL
 /*
+That the order $h^2$ cannot be improved is seen on the circle, where the errors of the vertices are rational numbers
+and can be followed exactly.
+
 :::{claim} quarter_circle_error_is_quartered
 :title: The polygons of a quarter circle, cut in the middle: each cut divides the error by 4
 :zh: 四分之一圆反复中点离散:误差恰为 4^{-k}
@@ -201,6 +212,9 @@ CLAIM(quarter_circle_error_is_quartered)
 #endif
 
 /*
+Two hypotheses stand behind the printed sentence without being said.  The pieces have to become short: that each step
+cuts every piece is not enough, if the ratios may change.  And the weights have to stay away from 0.
+
 :::{claim} crowded_cuts_do_not_converge
 :title: Cuts that crowd one end leave a piece of length above 1/2 for ever
 :zh: 分割点聚于一端时多边形不收敛

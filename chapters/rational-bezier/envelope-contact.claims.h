@@ -196,6 +196,12 @@ CLAIM(curvature_of_the_member)
 #endif
 
 /*
+Where may the order $n-r$ come from?  Up to the derivatives of that order member and curve do have much in common:
+their homogeneous derivatives are parallel, and with equal weights so are the derivatives themselves.  But for contact
+a change of parameter has to make them equal, and it multiplies the second derivative, up to multiples of the first,
+by the square of the factor of the first.  Here the factors are $\frac{n-r}n$ and $\frac{(n-r)(n-r-1)}{n(n-1)}$, of
+which the second is smaller than the square.
+
 :::{claim} unweighted_derivatives_are_parallel
 :title: With equal weights the derivatives of member and curve are parallel in every order
 :zh: 权相等时各阶导矢平行
@@ -261,6 +267,8 @@ CLAIM(osculating_flats_agree)
 
 #if RATIONAL
 /*
+Each way to understand contact of order $n-r$ now gets its example.
+
 :::{claim} cubic_member_has_other_curvature
 :title: The cubic and its quadratic member do not osculate
 :zh: 三次曲线与其二次族曲线不密切

@@ -43,6 +43,11 @@ a $\tau$ where $R'\times R''=0$ and $R'\ne0$, run through by $p(c,\tau^{n-1})$; 
 $\tau$ is mostly an inflection; but a curve may be flat there and not change its side (`flat_point_has_another_envelope`).
 :::
 
+The factorization takes three steps.  The condition is first brought from points to homogeneous vectors, where it is a
+determinant.  Then the derivatives by $t$ and by $c$ turn out to be polar forms too, with $\delta$ in the place of one
+argument.  Then all three columns are linear combinations of the same three vectors, and the determinant of the
+coefficients comes out as a factor.
+
 :::{claim} envelope_condition_of_points
 :title: The points satisfy the envelope condition when three homogeneous vectors are dependent
 :zh: 包络条件的齐次形式

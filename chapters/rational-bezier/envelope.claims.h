@@ -67,6 +67,9 @@ CLAIM(member_is_a_polar_curve)
 }
 
 /*
+Who evaluates a point throws the middle of the triangle away.  It is worth keeping: each level, with its weights, is a
+control polygon, and the polar form says of which curve.
+
 :::{statement} wang-ch3:thm-3.3.2-vertices
 :title: What the points of an intermediate level mean
 :zh: 离散中间层顶点的几何意义
@@ -158,6 +161,9 @@ CLAIM(member_touches_curve)
 
 #if RATIONAL
 /*
+The factor $(n-r)/n$ does not turn a direction, but it presupposes one.  At a cusp of the curve $R'$ is 0 and nothing
+is left to agree in.
+
 :::{claim} member_shrinks_at_a_cusp
 :title: Where the derivative of the curve vanishes the line of the family may be a point
 :zh: 尖点处的族直线退化为点

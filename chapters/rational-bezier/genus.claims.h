@@ -63,6 +63,11 @@ $\frac{(n-1)(n-2)}2-\sum_P\delta_P=0$, the sum over all singular points of the c
 they are all nodes and ordinary cusps.  `curves_that_fit_the_theorem` and the counterexamples agree with it.
 :::
 
+That a curve is rational is shown by giving the parametrisation.  A line through a point of multiplicity $n-1$ meets
+the curve in one further point, which is therefore a rational function of the slope.  This settles conics and singular
+cubics.  For a quartic with three double points lines do not suffice; the quadratic map $(x:y:z)\mapsto(yz:zx:xy)$
+makes a conic of it.  For cubics the other direction is within reach as well.
+
 :::{claim} curve_with_a_large_point_is_rational
 :title: A curve of degree n with a point of multiplicity n-1 is rational
 :zh: 含 n-1 重点的 n 次曲线是有理的
@@ -403,6 +408,11 @@ static int genus_count(int n, int points) { return (n - 1) * (n - 2) / 2 - point
 static int is_rational_cubic(struct census c) { return c.nodes + c.cusps + c.others == 1; }
 
 /*
+Now the theorem as it is printed is tried.  A reducible curve and one without real points have the count 0 and are not
+rational; a point of higher multiplicity or a higher cusp is counted too low, so that a rational curve has a positive
+count.  Then the readings follow: points at infinity, the cusp counted twice, another meaning of $n$.  In each example
+the list of singular points is found by elimination and not taken on trust.
+
 :::{claim} reducible_curve_with_count_zero
 :title: A cubic and a line together: the count gives 0, and there is no parametrisation
 :zh: 可约曲线的计数为零而无参数表示

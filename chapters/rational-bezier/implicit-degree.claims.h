@@ -276,6 +276,10 @@ The columns $i+r\le2n$ exist, and the determinant does not change.
 :reading: an entry $a_{n-1}^{[n]}$, if it is printed: not defined by (3.4.7), which has $i\ge r$
 :::
 
+What the operations are good for is seen in the first one: $a_i-\Omega_ia_0=\binom ni\omega_i(x_i-x_0)$ is free of
+$x$, and no later operation brings $x$ back.  So the variables stay only where no operation has been, in the entries
+$a_0$ and $b_0$; and of these there is one pair in each of the first $n$ columns.
+
 :::{statement} wang-ch3:thm-3.4.2-step-constants
 :title: All entries changed at least once are constants; only a_0 and b_0 contain x and y
 :zh: 变换后的元素为常数

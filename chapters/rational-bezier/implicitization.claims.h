@@ -76,6 +76,11 @@ CLAIM(implicit_value_is_the_printed_determinant)
 }
 
 /*
+A resultant asks for powers, and the curve is given in Bernstein polynomials.  The substitution $u=(b-t)/(t-a)$
+changes the one into the other: $B_i^n$ becomes $\binom niu^{n-i}$ over $(1+u)^n$, and the common denominator cancels
+in the quotient.  The interval becomes the half line $u\ge0$, with $t=a$ at infinity.  Both should be kept in mind,
+the half line and its end: what goes wrong further on goes wrong there.
+
 :::{statement} wang-ch3:3.4.3
 :title: The change of parameter and its inverse
 :zh: 参数变换及其逆
@@ -299,6 +304,10 @@ elsewhere gives a point off the arc, or no point at all.
 
 Only the direction from the curve to the common root is used in the proof, and that one is right.
 :::
+
+The direction that the theorem needs asks nothing of the weights: at a point of the curve the powers of its parameter
+are a vector that the matrix maps to 0.  For the other direction two examples show what a common root can be besides a
+point of the arc.
 
 :::{claim} equation_vanishes_on_the_curve
 :title: The determinant vanishes at every point of the curve, whatever the weights
@@ -691,6 +700,10 @@ CLAIM(space_curve_and_its_shadow)
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::
+
+It remains to see why a base point spoils everything: its parameter is a common root of the two polynomials for every
+$x$ and $y$, so the same vector of powers is mapped to 0 everywhere.  Elevation makes such a parameter, $u=-1$,
+without anybody noticing, as it lies outside the half line.
 
 :::{claim} common_zero_makes_the_equation_vanish
 :title: A common zero of numerators and denominator makes F identically 0

@@ -74,6 +74,10 @@ CLAIM(sylvester_rows_are_shifted_polynomials)
 }
 
 /*
+In Sylvester's matrix a common root $z$ is seen at once: it makes all rows vanish on the vector of its powers.
+Bézout's matrix starts from another remark.  The polynomial $a(x)b(y)-a(y)b(x)$ is 0 for $x=y$, so $x-y$ divides it;
+the entries are the coefficients of the quotient.
+
 :::{claim} bezout_matrix_is_the_divided_difference
 :title: Bézout's matrix gives the divided difference of a and b
 :zh: Bézout 矩阵的定义式
@@ -103,6 +107,10 @@ CLAIM(bezout_matrix_is_the_divided_difference)
 }
 
 /*
+What the two determinants are worth is said by the roots.  From the product of the differences one reads that they
+vanish exactly for a common root, when the leading coefficients do not vanish, and how their degrees in the
+coefficients arise.
+
 :::{claim} resultant_is_the_product_of_differences
 :title: Both resultants are the product of the differences of the roots
 :zh: 结式等于根差之积

@@ -84,6 +84,10 @@ CLAIM(shoulder_point_at_infinity)
 #endif
 
 /*
+The point is a mean of $M$, the middle of the chord, and of the vertex $R_1$, with the weights 1 and $\omega$.  So it
+stands on the median, and the heavier vertex draws it up.  Which of the two parts of the median is the 1 and which the
+$\omega$ has to be said, and a print that does not say it can be read either way.
+
 :::{statement} wang-ch3:3.5-median
 :title: The curve divides the median in the ratio 1 to omega
 :zh: 曲线将中线分成 1:ω
@@ -195,6 +199,10 @@ CLAIM(median_from_the_base_is_the_other_way)
 #endif
 
 /*
+So a drawing tells the kind of the conic without any equation: one compares the two parts of the median.  For a
+parabola the shoulder point is in the middle, for an ellipse nearer to the chord, for a hyperbola nearer to the
+vertex.
+
 :::{statement} wang-ch3:cor-3.5.1
 :title: Classification by the shoulder point
 :zh: 推论 3.5.1：按肩点分类

@@ -58,6 +58,11 @@ CLAIM(special_coordinates_exist)
 }
 
 /*
+Three weights carry one essential number.  A common factor changes nothing; and a fractional linear change of the
+parameter that keeps 0 and 1 multiplies the weights by $1,\rho,\rho^2$, so that $\rho$ can be chosen to make the outer
+ones equal.  This also tells how the formula must look before it is read: $t$ has to be a quotient of linear functions
+of $u$, and $u$ can stand under no root.
+
 :::{statement} wang-ch3:3.5.1
 :title: The change of parameter that leads to the standard form
 :zh: 化为标准形的参数变换
@@ -187,6 +192,10 @@ CLAIM(negative_weights_lose_their_sign)
 #endif
 
 /*
+To change the sign of all three weights leaves the curve as it is, but (3.5.2) does not notice: the product
+$\omega_0\omega_2$ is the same, and $\omega_1$ has changed its sign.  Where the outer weights are negative all signs
+are to be changed first.
+
 :::{statement} wang-ch3:3.5-same-shape
 :title: The standard form has the same shape
 :zh: 标准形的形状不变

@@ -93,6 +93,10 @@ CLAIM(triangle_level_by_level)
 }
 
 /*
+In homogeneous coordinates the triangle is de Casteljau's own, and nothing in it can fail.  The points of space come
+from it by division by $\omega_i^r$, and this is where care is needed.  The recursion of the weights does not look at
+the points: run first, it tells where the division is not possible.
+
 :::{statement} wang-ch3:3.3.3
 :title: The points of the triangle
 :zh: 顶点的递推
@@ -152,6 +156,10 @@ CLAIM(intermediate_weight_can_vanish)
 
 /*
 ## The theorem
+
+Two sides of the triangle carry the two parts of the curve.  On the left side, $R_0^0,R_1^1,\dots,R_n^n$, both indices
+grow together; on the right side, $R_n^n,R_n^{n-1},\dots,R_n^0$, the lower index stays $n$ and the upper one falls.
+The two sides meet in $R_n^n$, the point of the curve at $c$.
 
 :::{statement} wang-ch3:thm-3.3.1
 :title: Any interior parameter cuts the curve into two of the same degree
@@ -336,6 +344,11 @@ CLAIM(numerator_and_denominator_are_cut_alike)
 }
 
 /*
+The source writes the result as one formula (3.3.1) with two branches, and the right one has suffered in print.  Two
+questions find such slips without any computing.  Does the argument of the basis run from 0 to 1 while $t$ runs
+through the part?  And are the weights of numerator and denominator the same list?  If not, a polygon whose points all
+coincide would not give that point.
+
 :::{statement} wang-ch3:3.3.1-left
 :title: The left part of the curve, over [a,c]
 :zh: 离散公式左段
