@@ -36,8 +36,8 @@ Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common n
 :::
 */
 
-/* C(n,i) t^i (1-t)^{n-i}. */
-static num G(share_without_weight)(int n, int i, num t)
+/* B_i^n(t) = C(n,i) t^i (1-t)^{n-i} */
+static num G(bernstein_function)(int n, int i, num t)
 {
     num product = from_int(binomial(n, i)), s = sub(from_int(1), t);
     for (int k = 0; k < n; k++)
@@ -74,7 +74,7 @@ CLAIM(curve_points_are_convex_combinations)
         num total = G(rational_weight)(n, w, at[k]), sum = from_int(0), mean = from_int(0), point;
         for (int i = 0; i <= n; i++) {
             num weight = fault(T, w[i], i == 1 ? neg(w[i]) : w[i]);
-            num share = div(mul(G(share_without_weight)(n, i, at[k]), weight), total);
+            num share = div(mul(G(bernstein_function)(n, i, at[k]), weight), total);
             nonnegative(T, share);
             sum = add(sum, share);
             mean = add(mean, mul(share, R[i]));
@@ -114,7 +114,7 @@ CLAIM(shares_sum_to_one)
     num total = G(rational_weight)(n, w, t);
     /* Σ B_i^n(t) ω_i/ω(t) */
     for (int i = 0; i <= fault(T, n, n - 1); i++)
-        sum = add(sum, div(mul(G(share_without_weight)(n, i, t), w[i]), total));
+        sum = add(sum, div(mul(G(bernstein_function)(n, i, t), w[i]), total));
     same(T, sum, from_int(1));
 }
 
@@ -185,12 +185,10 @@ CLAIM(curve_points_have_hull_certificates)
                 G(designed_polygon)(polygon, n, &dim, R);
                 G(designed_weights)(T, weighting, n, w);
                 G(rational_point)(n, dim, R, w, at[k], x);
-                if (T->faulty) {
-                    num total = G(rational_weight)(n, w, at[k]);
-                    num twice = add(total, mul(w[0], G(share_without_weight)(n, 0, at[k])));
-                    for (int c = 0; c < dim; c++)
-                        x[c] = mul(x[c], div(total, twice));
-                }
+                num total = G(rational_weight)(n, w, at[k]);
+                num first = mul(w[0], G(bernstein_function)(n, 0, at[k]));
+                for (int c = 0; c < dim; c++)
+                    x[c] = fault(T, x[c], mul(x[c], div(total, add(total, first))));
                 struct cagd_hull_certificate found = hull_membership(dim, n + 1, R, x);
                 agree(T, found.inside && hull_certificate_holds(dim, n + 1, R, x, found));
             }
@@ -259,7 +257,7 @@ CLAIM(share_with_negative_weight_is_negative)
     num w[3];
     given_points(T, "ω", 3, 1, w);
     num t = given(T, "t"), total = G(rational_weight)(2, w, t);
-    num share = div(mul(G(share_without_weight)(2, 1, t), w[1]), total);
+    num share = div(mul(G(bernstein_function)(2, 1, t), w[1]), total);
     found(T, "ω(t)", total);
     found(T, "share of R_1", share);
     about(T, "the share of R_1 is not negative");

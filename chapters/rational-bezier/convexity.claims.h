@@ -27,6 +27,7 @@ When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 #include "exact/record/sturm.h"
 #endif
 
+#include "chapters/judge/elementary.h"
 #include "chapters/rational-bezier/free-curve.h"
 
 #include "chapters/judge/claims_on.h"
@@ -208,8 +209,7 @@ CLAIM(curve_turns_like_its_triangles)
         num *row = M + fault(T, l, l < 2 ? 1 - l : l) * (n + 1);
         G(bernstein_basis)(n, div(s, add(one, s)), row);
         for (int m = 0; m <= n; m++)
-            for (int k = 0; k < n; k++)
-                row[m] = mul(row[m], add(one, s));
+            row[m] = mul(row[m], G(power)(add(one, s), n));
     }
     for (int k = 2; k <= n; k++)
         for (int j = 1; j < k; j++)
@@ -488,9 +488,7 @@ CLAIM(subdivided_polygon_turns_like_its_triangles)
     enum { SIZE = 5, ROWS = 2 * SIZE - 1 };
     int n = T->degree;
     num row[ROWS][SIZE], unit[SIZE], left[SIZE], right[SIZE], s = positive(T, "s", 0);
-    num sum = add(from_int(1), s), lambda = div(s, sum), scale = from_int(1);
-    for (int k = 0; k < n; k++)
-        scale = mul(scale, sum);
+    num sum = add(from_int(1), s), lambda = div(s, sum), scale = G(power)(sum, n);
     for (int j = 0; j <= n; j++) {
         for (int i = 0; i <= n; i++)
             unit[i] = from_int(i == j);

@@ -14,9 +14,10 @@ static inline void sign_pattern_of(int code, int count, int sign[])
     for (int i = 0; i < count; i++, code /= 3)
         sign[i] = code % 3 - 1;
 }
+/* 3^count */
 static inline int patterns(int count) { return count == 0 ? 1 : 3 * patterns(count - 1); }
 
-/* The weights of the designed families. */
+/* The weight of number i, 0 <= i <= n <= 9, in the families: all 1; 1000 and 1 in turn; 10^i; 1 at the ends and 1/1000 inside. */
 enum { FAMILIES = 4 };
 static inline num_q designed_weight(int family, int n, int i)
 {
@@ -36,6 +37,7 @@ static inline void graph(int n, const num_q y[], num_q R[])
         R[2 * i + 1] = y[i];
     }
 }
+/* The same with the heights -1, 0, 1. */
 static inline void graph_of_signs(int n, const int sign[], num_q R[])
 {
     num_q y[MAX_DEGREE + 1];
@@ -43,11 +45,13 @@ static inline void graph_of_signs(int n, const int sign[], num_q R[])
         y[i] = from_int_q(sign[i]);
     graph(n, y, R);
 }
+/* The line y = 0. */
 static inline struct cagd_line horizontal_axis(void)
 {
     return (struct cagd_line){from_int_q(0), from_int_q(1), from_int_q(0)};
 }
 
+/* sign[i] = -1, 0, 1 as y_i < 0, = 0, > 0. */
 static inline void signs_of(int count, const num_q y[], int sign[])
 {
     for (int i = 0; i < count; i++)

@@ -102,11 +102,10 @@ CLAIM(elevation_keeps_rational_curve)
     num t = parameter(T, "t");
     G(free_curve)(T, n, 1, R, w);
     G(rational_elevate)(n, 1, R, w, Re, we);
-    if (T->faulty)
-        for (int i = 1; i <= n; i++) {
-            num a = from_ratio(i, n + 2);
-            we[i] = add(mul(sub(from_int(1), a), w[i]), mul(a, w[i - 1]));
-        }
+    for (int i = 1; i <= n; i++) {
+        num a = from_ratio(i, n + 2);
+        we[i] = fault(T, we[i], add(mul(sub(from_int(1), a), w[i]), mul(a, w[i - 1])));
+    }
     G(rational_point)(n, 1, R, w, t, &before);
     G(rational_point)(n + 1, 1, Re, we, t, &after);
     /* Σ B_i^{n+1} ω̂_i R̂_i/Σ B_i^{n+1} ω̂_i = Σ B_i^n ω_i R_i/Σ B_i^n ω_i */
