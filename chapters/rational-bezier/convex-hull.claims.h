@@ -46,9 +46,9 @@ static num G(bernstein_function)(int n, int i, num t)
 }
 
 /*
-To see the sign of a share for all $t$ at once, $t$ is written $s/(1+s)$: between $0$ and $1$ the new parameter $s$ is any positive number, and the
-share becomes a quotient of polynomials in $s$ and the weights, whose coefficients can be looked at.  The two ends, where $s$ is
-$0$ or infinite, are taken by themselves.
+To see the sign of a share for all $t$ at once, $t$ is written $s/(1+s)$: between $0$ and $1$ the new parameter $s$ is
+any positive number, and the share becomes a quotient of polynomials in $s$ and the weights, whose coefficients can be
+looked at.  The two ends, where $s$ is $0$ or infinite, are taken by themselves.
 
 :::{claim} curve_points_are_convex_combinations
 :title: Every point of the curve is a convex combination of the control points
@@ -121,9 +121,10 @@ CLAIM(shares_sum_to_one)
 /*
 ## Decided by certificates
 
-The same without the formula of the shares: whether a point is in the hull of others is a linear problem, and its answer comes with
-a certificate, either a convex combination or a line (plane) that separates the point from all the others.  What has to be looked out for are
-polygons whose hull has no inner points, and weights so large, so small or $0$ that a point of the curve nearly is, or is, on the border.
+The same without the formula of the shares: whether a point is in the hull of others is a linear problem, and its
+answer comes with a certificate, either a convex combination or a line (plane) that separates the point from all the
+others.  What has to be looked out for are polygons whose hull has no inner points, and weights so large, so small or
+$0$ that a point of the curve nearly is, or is, on the border.
 */
 
 #if RATIONAL
@@ -198,9 +199,9 @@ CLAIM(curve_points_have_hull_certificates)
 /*
 ## Without positive weights, and outside [0,1]
 
-The shares have the sum $1$ whatever the weights are.  What a negative weight spoils is their sign: a point with a negative
-share does not attract the curve but repels it, and the curve passes on the other side of the remaining points.  That $\omega(t)$ has no
-zero is not enough; it only keeps the curve finite.
+The shares have the sum $1$ whatever the weights are.  What a negative weight spoils is their sign: a point with a
+negative share does not attract the curve but repels it, and the curve may pass on the other side of the other
+points.  That $\omega(t)$ has no zero is not enough; it only keeps the curve finite.
 */
 
 #if RATIONAL
@@ -294,8 +295,9 @@ CLAIM(curve_leaves_hull_outside_the_interval)
 #endif
 
 /*
-These examples are about certain polygons.  For given weights one may ask whether the curve stays in the hull whatever the points are.  If two weights
-have opposite signs the answer is no, and the polygon that shows it is a simple one: one point at $1$, all the others at $0$.
+These examples are about certain polygons.  For given weights one may ask whether the curve stays in the hull whatever
+the points are.  If two weights have opposite signs the answer is no, and the polygon that shows it is a simple one:
+one point at $1$, all the others at $0$.
 
 :::{claim} no_hull_property_with_weights_of_both_signs
 :title: With weights of both signs some polygon does not contain its curve

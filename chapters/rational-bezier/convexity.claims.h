@@ -33,9 +33,9 @@ When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 #include "chapters/judge/claims_on.h"
 
 /*
-The formula has two kinds of factors, and each has a claim of its own: the $D_{ijk}$ belong to the polygon and have one sign if it is convex; the determinants
-of Bernstein functions belong to the degree and are positive whatever the curve is.  The weights come in as products of three, so that positive ones
-cannot disturb a sign.
+The formula has two kinds of factors, and each has a claim of its own: the $D_{ijk}$ belong to the polygon and have
+one sign if it is convex; the determinants of Bernstein functions belong to the degree and are positive whatever the
+curve is.  The weights come in as products of three, so that positive ones cannot disturb a sign.
 
 :::{statement} wang-ch3:prop-3.2.8
 :title: A convex polygon has a convex curve
@@ -54,8 +54,9 @@ and Binet's for every $n$, and the Wronskian is computed for every $n$, so that 
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
 :::
 
-For the curvature the determinant is that of three Bernstein functions and their first two derivatives.  Divided by the functions themselves it
-is a determinant of Vandermonde's kind in $i$, $j$, $k$, which is why the degree can stay a variable.
+For the curvature the determinant is that of three Bernstein functions and their first two derivatives.  Divided by
+the functions themselves it is a determinant of Vandermonde's kind in $i$, $j$, $k$, which is why the degree can stay
+a variable.
 
 :::{claim} wronskian_of_three_bernstein_functions
 :title: The Wronskian of three Bernstein functions is positive
@@ -168,8 +169,8 @@ CLAIM(curvature_is_a_sum_over_triangles)
 }
 
 /*
-Curvature of one sign is a local matter: a spiral has it, too, and does not bound a convex region.  The formula for three separate parameters says
-more.
+Curvature of one sign is a local matter: a spiral has it, too, and does not bound a convex region.  The formula for
+three separate parameters says more.
 
 :::{claim} curve_turns_like_its_triangles
 :title: Three points of the curve turn as the triangles of the polygon do
@@ -230,8 +231,9 @@ static void points_from(int count, const long point[], num_q R[])
 }
 
 /*
-On the side of the polygon it has to be said which polygons have all $D_{ijk}\ge0$.  Those that are convex when closed do.  To turn left at every inner
-vertex is not enough for it: that is a condition on the triangles $R_{i-1}R_iR_{i+1}$ only.
+On the side of the polygon it has to be said which polygons have all $D_{ijk}\ge0$.  Those that are convex when closed
+do.  To turn left at every inner vertex is not enough for it: that is a condition on the triangles $R_{i-1}R_iR_{i+1}$
+only.
 
 :::{claim} convex_polygons_have_triangles_of_one_sign
 :title: All triangles of a convex polygon turn to one side
@@ -354,7 +356,8 @@ static void extreme_weights(int code, int n, num_q w[])
 }
 
 /*
-The property is also tried directly, with weights that differ by a factor of a million, which press the curve into one corner after the other.
+The property is also tried directly, with weights that differ by a factor of a million, which press the curve into one
+corner after the other.
 
 :::{claim} designed_convex_polygons_have_convex_curves
 :title: Curves of convex polygons, under extreme weights, have curvature of one sign
@@ -425,8 +428,8 @@ CLAIM(turns_of_one_sign_are_not_enough)
 }
 
 /*
-A negative weight makes products $\omega_i\omega_j\omega_k$ negative, and the sum over the triangles may have either sign although all $D_{ijk}$
-are positive.
+A negative weight makes products $\omega_i\omega_j\omega_k$ negative, and the sum over the triangles may have either
+sign although all $D_{ijk}$ are positive.
 
 :::{claim} mixed_weights_lose_convexity
 :title: With weights of both signs a square has a curve with inflections
@@ -516,8 +519,8 @@ CLAIM(subdivided_polygon_turns_like_its_triangles)
 
 #if RATIONAL
 /*
-Rows of this matrix are the new points as means of the old ones.  That all its minors of three rows are nonnegative is again a statement on the degree
-alone; for polygons and weights it is tried once more.
+Rows of this matrix are the new points as means of the old ones.  That all its minors of three rows are nonnegative is
+again a statement on the degree alone; for polygons and weights it is tried once more.
 
 :::{claim} subdivided_convex_polygons_are_convex
 :title: The polygon of the two halves of a convex polygon is convex

@@ -26,8 +26,8 @@ The vertices are in every plane that contains the curve: if the curve is a segme
 $n=2$ the word coplanar says nothing, for three points always are; that they are in the plane of the curve says something.
 :::
 
-First the equation of any plane, not only of $z=0$, is put into the curve.  It behaves as a coordinate does: the weights stay, and the value at the
-vertex takes the place of the coordinate.
+First the equation of any plane, not only of $z=0$, is put into the curve.  It behaves as a coordinate does: the
+weights stay, and the value at the vertex takes the place of the coordinate.
 
 :::{claim} plane_form_of_the_curve
 :title: The form of a plane, on the curve, has the weights of the curve

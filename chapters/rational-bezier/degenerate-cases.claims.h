@@ -103,8 +103,8 @@ static num G(alpha_parameter)(num alpha, num u)
 }
 
 /*
-If a change of parameter is allowed, the condition is on the quotients $I_i$ of the section before last.  They are $1$ for equal weights, and
-they do not notice the change.
+If a change of parameter is allowed, the condition is on the quotients $I_i$ of the section before last.  They are $1$
+for equal weights, and they do not notice the change.
 
 :::{claim} unit_invariants_give_polynomial_curve
 :title: Weights with all invariants 1 come from a polynomial curve
@@ -153,8 +153,8 @@ CLAIM(unit_invariants_give_polynomial_curve)
 It is (3.2.10) with $a=\alpha$, $b=1$.
 :::
 
-With $D=1-u+\alpha u$ one has $t=\alpha u/D$ and $1-t=(1-u)/D$: each factor $t$ brings an $\alpha$ and each factor $1-t$ none, so that $B_i^n$ gets
-$\alpha^i$.  The sum of all $B_i^n(t)$ is $1$, and so $D^n$ is the new denominator.
+With $D=1-u+\alpha u$ one has $t=\alpha u/D$ and $1-t=(1-u)/D$: each factor $t$ brings an $\alpha$ and each factor
+$1-t$ none, so that $B_i^n$ gets $\alpha^i$.  The sum of all $B_i^n(t)$ is $1$, and so $D^n$ is the new denominator.
 
 :::{claim} geometric_weights_reparametrize_bezier
 :title: A Bézier curve in the new parameter is the rational curve with geometric weights
@@ -249,8 +249,8 @@ CLAIM(alpha_runs_the_interval_once)
 #endif
 
 /*
-Nothing in this computation asks for the sign of $\alpha$.  But with a negative one the parameter $t$ does not run from $0$ to $1$ any more: it goes to infinity
-on the way.
+Nothing in this computation asks for the sign of $\alpha$.  But with a negative one the parameter $t$ does not run
+from $0$ to $1$ any more: it goes to infinity on the way.
 
 :::{claim} negative_alpha_has_a_pole
 :title: For every negative α the denominator vanishes inside the interval
@@ -317,8 +317,8 @@ CLAIM(zero_alpha_collapses)
 
 #if RATIONAL
 /*
-The word restored (还原) can be misread.  The change of parameter leads from the Bézier curve to those weights only that are geometric, up to a
-common factor; three weights with another $I_1$ belong to another curve.
+The word restored (还原) can be misread.  The change of parameter leads from the Bézier curve to those weights only that
+are geometric, up to a common factor; three weights with another $I_1$ belong to another curve.
 
 :::{claim} unit_invariant_is_necessary
 :title: The quadratic with weights 1, 2, 1 does not come from its Bézier curve

@@ -114,8 +114,8 @@ CLAIM(elevation_keeps_rational_curve)
 
 #if RATIONAL
 /*
-The weights of the next degree are means of neighbouring weights.  Where these have opposite signs a mean may be $0$, and then there is no
-vertex, though the homogeneous point is there and the curve is as before.
+The weights of the next degree are means of neighbouring weights.  Where these have opposite signs a mean may be $0$,
+and then there is no vertex, though the homogeneous point is there and the curve is as before.
 
 :::{claim} elevated_vertex_may_be_at_infinity
 :title: With weights of both signs an elevated vertex need not exist
@@ -189,8 +189,8 @@ static void G(printed_elevation)(num share, num w_before, num w, num R_before, n
 }
 
 /*
-What is programmed is not (3.2.9): the kernel raises the homogeneous points $(\omega_iR_i,\omega_i)$ and divides at the end.  The printed
-fractions say what comes out of this for the points themselves.
+What is programmed is not (3.2.9): the kernel raises the homogeneous points $(\omega_iR_i,\omega_i)$ and divides at
+the end.  The printed fractions say what comes out of this for the points themselves.
 
 :::{claim} elevated_points_as_printed
 :title: The kernels of elevation compute the printed weights and points
@@ -397,8 +397,8 @@ Of the weights only the quotient of the two at the ends of the edge matters.  Th
 exactly those edges whose two weights are equal.
 :::
 
-For a polynomial curve the ratio on the edge $R_{i-1}R_i$ is $\frac i{n+1}$ and knows the number of the edge only.  A large weight $\omega_{i-1}$
-draws the new vertex towards $R_{i-1}$; how far, the following difference says.
+For a polynomial curve the ratio on the edge $R_{i-1}R_i$ is $\frac i{n+1}$ and knows the number of the edge only.  A
+large weight $\omega_{i-1}$ draws the new vertex towards $R_{i-1}$; how far, the following difference says.
 
 :::{claim} cutting_ratio_depends_on_edge_and_weights
 :title: How the ratio of cutting depends on the edge and on the weights
@@ -449,8 +449,9 @@ $(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with w
 points at infinity and from degree $5$ on there are none.
 :::
 
-All steps together have a closed form.  Its coefficients are those of drawing without replacement: if $i$ things are taken out of $n+m$, of which
-$n$ are marked, then $\binom nj\binom m{i-j}/\binom{n+m}i$ is the probability that $j$ of them are.
+All steps together have a closed form.  Its coefficients are those of drawing without replacement: if $i$ things are
+taken out of $n+m$, of which $n$ are marked, then $\binom nj\binom m{i-j}/\binom{n+m}i$ is the probability that $j$ of
+them are.
 
 :::{claim} repeated_elevation_in_one_formula
 :title: All elevations at once
@@ -760,8 +761,9 @@ static void raised_weights(int n, const num_q w[], int N, num_q out[])
 }
 
 /*
-What if some weights are not positive?  The weights of degree $N$ are near the values $\omega(i/N)$, by the estimate above with $\omega$ for $f$.  A
-denominator that is positive on $[0,1]$ so has positive weights in the end, whatever happens on the way.
+What if some weights are not positive?  The weights of degree $N$ are near the values $\omega(i/N)$, by the estimate
+above with $\omega$ for $f$.  A denominator that is positive on $[0,1]$ so has positive weights in the end, whatever
+happens on the way.
 
 :::{claim} mixed_weights_become_positive
 :title: A positive denominator has positive weights in high degrees
@@ -798,8 +800,8 @@ CLAIM(mixed_weights_become_positive)
 }
 
 /*
-A denominator with a zero gives no such hope.  For $\omega(t)=1-2t$ the weights of degree $N$ are exactly the values $1-2i/N$, and in every even degree
-one of them stands at the zero.
+A denominator with a zero gives no such hope.  For $\omega(t)=1-2t$ the weights of degree $N$ are exactly the values
+$1-2i/N$, and in every even degree one of them stands at the zero.
 
 :::{claim} elevation_fails_at_a_pole
 :title: If the denominator vanishes, every second polygon lacks a vertex

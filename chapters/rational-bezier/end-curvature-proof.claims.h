@@ -1,8 +1,8 @@
 /*
 # The proof of the end formulas (端点曲率与挠率的证明)
 
-The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves for the derivatives of $R$, and puts $t=0$.  Then the edges come
-in, and of the many terms only three are needed.
+The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves for the derivatives of $R$, and puts
+$t=0$.  Then the edges come in, and of the many terms only three are needed.
 */
 #include "chapters/rational-bezier/free-curve.h"
 #include "chapters/rational-bezier/taylor.h"
@@ -13,9 +13,10 @@ in, and of the many terms only three are needed.
 ## Derivatives of a quotient
 
 $P=\omega R$ differentiated twice is $P''=\omega''R+2\omega'R'+\omega R''$, and once more $P'''=\omega'''R+3\omega''R'+3\omega'R''+\omega R'''$.
-In every term the orders of the two factors have the same sum.  A reader who counts them finds both misprints of the source without
-any computation.  Moving the origin is a second test: if $c$ is added to $R$, then $\omega c$ is added to $P$, and $R''$ must stay as it is.  It
-finds the first misprint, but not the second, whose wrong term contains derivatives of $R$ only.
+In every term the orders of the two factors have the same sum.  A reader who counts them finds both misprints of the
+source without any computation.  Moving the origin is a second test: if $c$ is added to $R$, then $\omega c$ is added
+to $P$, and $R''$ must stay as it is.  It finds the first misprint, but not the second, whose wrong term contains
+derivatives of $R$ only.
 
 :::{statement} wang-ch3:prop-3.2.4-step-1
 :title: First derivative of the quotient
@@ -102,7 +103,8 @@ static void G(derivatives_at_zero)(int n, const num R[], const num w[], int r, n
 }
 
 /*
-For the missing prime a segment is enough: there $\omega''=0$, so that the term with $\omega''R$ should not be there at all, and the printed one is.
+For the missing prime a segment is enough: there $\omega''=0$, so that the term with $\omega''R$ should not be there
+at all, and the printed one is.
 
 :::{claim} printed_second_derivative_of_quotient_is_wrong
 :title: The printed R'' of the segment from 1 to 2 with weights 1, 2
@@ -147,7 +149,8 @@ CLAIM(printed_second_derivative_of_quotient_is_wrong)
 A prime too many: the orders in $\omega''\mathbf R''$ have the sum $4$.
 :::
 
-The second slip needs $\omega''\ne0$, hence degree $2$.  With $\omega'(0)=0$ nothing else is left of the formula but the term in question.
+The second slip needs $\omega''\ne0$, hence degree $2$.  With $\omega'(0)=0$ nothing else is left of the formula but
+the term in question.
 
 :::{claim} printed_third_derivative_of_quotient_is_wrong
 :title: The printed R''' of (2t + 2t²)/(1 + t²)
@@ -182,10 +185,11 @@ CLAIM(printed_third_derivative_of_quotient_is_wrong)
 /*
 ## The derivatives at the ends
 
-At $t=0$ the derivatives of $P$ and $\omega$ are differences of the first coefficients times $n$, $n(n-1)$, $n(n-1)(n-2)$; with $R_1=R_0+a_1$,
-$R_2=R_0+a_1+a_2$ and so on, $R_0$ drops out and the edges are left.  The source does not compute the numbers $f_1$, $g_1$, $g_2$ in front of the older
-edges, and the proof does not need them.  Here they are written out, so that the statement that they depend on $n$ and the weights only can be
-decided and not just believed.
+At $t=0$ the derivatives of $P$ and $\omega$ are differences of the first coefficients times $n$, $n(n-1)$,
+$n(n-1)(n-2)$; with $R_1=R_0+a_1$, $R_2=R_0+a_1+a_2$ and so on, $R_0$ drops out and the edges are left.  The source
+does not compute the numbers $f_1$, $g_1$, $g_2$ in front of the older edges, and the proof does not need them.  Here
+they are written out, so that the statement that they depend on $n$ and the weights only can be decided and not just
+believed.
 
 :::{statement} wang-ch3:prop-3.2.4-step-4
 :title: The first derivative at t = 0
@@ -291,8 +295,8 @@ CLAIM(end_derivative_vectors_in_every_degree)
 }
 
 /*
-At $t=1$ the same expressions hold for the polygon in reversed order, whose curve is $R(1-t)$; the derivatives of odd order change their sign, and
-so do the edges.  That leaves a sign in $R''(1)$ only, which is easily forgotten.
+At $t=1$ the same expressions hold for the polygon in reversed order, whose curve is $R(1-t)$; the derivatives of odd
+order change their sign, and so do the edges.  That leaves a sign in $R''(1)$ only, which is easily forgotten.
 
 :::{claim} end_derivative_vectors_at_both_ends
 :title: The first three derivatives at both ends in terms of the edges

@@ -1,12 +1,13 @@
 /*
 # Curvature and torsion at the ends (端点曲率与挠率)
 
-At $t=0$ the derivatives of order $1$, $2$, $3$ are combinations of the first edges $a_1$, $a_2$, $a_3$ of the polygon.  Curvature and torsion
-see only the newest edge in each of them, so the complicated coefficients drop out, and what is left are two short formulas.  The formulas are
-right.  Their proof, of whose three lines on quotients two are printed wrongly, has the next section to itself.
+At $t=0$ the derivatives of order $1$, $2$, $3$ are combinations of the first edges $a_1$, $a_2$, $a_3$ of the
+polygon.  Curvature and torsion see only the newest edge in each of them, so the complicated coefficients drop out,
+and what is left are two short formulas.  The formulas are right.  Their proof, of whose three lines on quotients two
+are printed wrongly, has the next section to itself.
 
-We write $a_i=R_i-R_{i-1}$, and start with what curvature and torsion are.  The source writes $k$ for $\kappa$ from this section on; here $k$
-stays a number of points.
+We write $a_i=R_i-R_{i-1}$, and start with what curvature and torsion are.  The source writes $k$ for $\kappa$ from
+this section on; here $k$ stays a number of points.
 */
 #include "exact/record/roots.h"
 
@@ -18,9 +19,10 @@ stays a number of points.
 /*
 ## Curvature and torsion
 
-Both belong to the curve and not to its parameter: with the arc length $s$, $\kappa=|R_{ss}|$, and $\tau$ says how fast the plane of $R_s$ and
-$R_{ss}$ turns.  The kernels have the usual formulas in $R'$, $R''$, $R'''$.  They are compared with the definitions, which need no root
-because $\frac{d}{ds}=\frac1{\sqrt g}\frac{d}{dt}$, $g=|R'|^2$, gives $R_{ss}=\frac{R''}g-\frac{(R'\cdot R'')R'}{g^2}$.
+Both belong to the curve and not to its parameter: with the arc length $s$, $\kappa=|R_{ss}|$, and $\tau$ says how
+fast the plane of $R_s$ and $R_{ss}$ turns.  The kernels have the usual formulas in $R'$, $R''$, $R'''$.  They are
+compared with the definitions, which need no root because $\frac{d}{ds}=\frac1{\sqrt g}\frac{d}{dt}$, $g=|R'|^2$,
+gives $R_{ss}=\frac{R''}g-\frac{(R'\cdot R'')R'}{g^2}$.
 
 A function is here its Taylor polynomial of order 3 in $\varepsilon$ at $t$, four coefficients.
 */
@@ -86,8 +88,9 @@ CLAIM(curvature_and_torsion_belong_to_arc_length)
 }
 
 /*
-Three kinds of products occur in these formulas.  In the plane $a\times b$ is a number, in space a vector; either way its size is the area of
-the parallelogram of $a$ and $b$, which Gram's determinant gives from scalar products alone, and so in any dimension.
+Three kinds of products occur in these formulas.  In the plane $a\times b$ is a number, in space a vector; either way
+its size is the area of the parallelogram of $a$ and $b$, which Gram's determinant gives from scalar products alone,
+and so in any dimension.
 
 :::{claim} vector_products_are_determinants
 :title: Scalar, cross and mixed products and Gram's determinant
@@ -144,8 +147,8 @@ CLAIM(vector_products_are_determinants)
 }
 
 /*
-In the plane the curvature can be given a sign, positive where the curve turns to the left.  The source means the absolute value, as the norms in
-(3.2.5) show.
+In the plane the curvature can be given a sign, positive where the curve turns to the left.  The source means the
+absolute value, as the norms in (3.2.5) show.
 
 :::{claim} signed_curvature_is_the_turning_of_the_tangent
 :title: The signed curvature of a plane curve is the turning of its tangent by arc length
@@ -175,8 +178,9 @@ CLAIM(signed_curvature_is_the_turning_of_the_tangent)
 }
 
 /*
-For a rational curve only the division by $\omega(t)$ is added.  The kernels differentiate numerator and denominator and solve for $R'$, $R''$,
-$R'''$; here both polynomials are expanded at $t$ and divided as power series, so that a slip in the one way cannot hide in the other.
+For a rational curve only the division by $\omega(t)$ is added.  The kernels differentiate numerator and denominator
+and solve for $R'$, $R''$, $R'''$; here both polynomials are expanded at $t$ and divided as power series, so that a
+slip in the one way cannot hide in the other.
 
 :::{claim} rational_curvature_and_torsion_belong_to_arc_length
 :title: Curvature and torsion of a rational Bézier curve, at any parameter
@@ -236,11 +240,12 @@ CLAIM(rational_curvature_and_torsion_belong_to_arc_length)
 ## The two formulas
 
 $R'(0)$ is a multiple of $a_1$; $R''(0)$ is a multiple of $a_2$ and something along $a_1$; $R'''(0)$ is a multiple of $a_3$ and something in the
-plane of $a_1$ and $a_2$.  In $R'\times R''$ and in $(R',R'',R''')$ what is added drops out.  So the numbers in (3.2.5) and (3.2.6) can be
-read off the multiples $n\frac{\omega_1}{\omega_0}$, $n(n-1)\frac{\omega_2}{\omega_0}$, $n(n-1)(n-2)\frac{\omega_3}{\omega_0}$: in
-$\kappa=|R'\times R''|/|R'|^3$ they are $\frac{n\cdot n(n-1)}{n^3}=\frac{n-1}n$ and
-$\frac{\omega_1\omega_2}{\omega_0^2}\cdot\frac{\omega_0^3}{\omega_1^3}=\frac{\omega_0\omega_2}{\omega_1^2}$, and in the torsion
-$(R',R'',R''')/|R'\times R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
+plane of $a_1$ and $a_2$.  In $R'\times R''$ and in $(R',R'',R''')$ what is added drops out.  So the numbers in
+(3.2.5) and (3.2.6) can be read off the multiples $n\frac{\omega_1}{\omega_0}$, $n(n-1)\frac{\omega_2}{\omega_0}$,
+$n(n-1)(n-2)\frac{\omega_3}{\omega_0}$: in $\kappa=|R'\times R''|/|R'|^3$ they are
+$\frac{n\cdot n(n-1)}{n^3}=\frac{n-1}n$ and
+$\frac{\omega_1\omega_2}{\omega_0^2}\cdot\frac{\omega_0^3}{\omega_1^3}=\frac{\omega_0\omega_2}{\omega_1^2}$, and in the torsion $(R',R'',R''')/|R'\times
+R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 
 :::{statement} wang-ch3:prop-3.2.4
 :title: Curvature and torsion at the ends, for control points without repetition
@@ -449,10 +454,11 @@ $k$ is a number of points; here it stays that.
 
 ### What the formulas need
 
-The formulas divide by $|a_1|$ and by $|a_1\times a_2|$.  The hypothesis of the source, that no two points coincide, is more than the first
-formula asks, since points may be repeated elsewhere, and less than the second one asks, since three different points may be on a line.  In the two
-examples below the curvature and the torsion have limits at the end, and these are not $0$: it is the formula that fails there, not the
-curve.  A factor $n-1$ or $n-2$, on the other hand, makes good sense where the points that it stands for do not exist.
+The formulas divide by $|a_1|$ and by $|a_1\times a_2|$.  The hypothesis of the source, that no two points coincide,
+is more than the first formula asks, since points may be repeated elsewhere, and less than the second one asks, since
+three different points may be on a line.  In the two examples below the curvature and the torsion have limits at the
+end, and these are not $0$: it is the formula that fails there, not the curve.  A factor $n-1$ or $n-2$, on the other
+hand, makes good sense where the points that it stands for do not exist.
 :::{claim} missing_points_have_the_factor_zero
 :title: Segments have end curvature 0, and quadratics end torsion 0
 :zh: 线段曲率为零，二次曲线挠率为零
@@ -557,8 +563,8 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
 
 #if RATIONAL
 /*
-If one of the weights $\omega_0$ and $\omega_2$ is negative, the factor is negative, and the right side of (3.2.5) with it, while a curvature is not.
-The curve itself may be quite regular.
+If one of the weights $\omega_0$ and $\omega_2$ is negative, the factor is negative, and the right side of (3.2.5)
+with it, while a curvature is not.  The curve itself may be quite regular.
 
 :::{claim} negative_weight_makes_printed_curvature_negative
 :title: With a negative weight the printed curvature is negative

@@ -73,8 +73,9 @@ CLAIM(fractional_change_runs_once)
 #endif
 
 /*
-One might ask why the new parameter has just this form.  Rational curves of degree $n$ stay of degree $n$ under the projective maps of the parameter line,
-and of these the ones that fix both ends of the interval have one number at choice, $a/b$.
+One might ask why the new parameter has just this form.  Rational curves of degree $n$ stay of degree $n$ under the
+projective maps of the parameter line, and of these the ones that fix both ends of the interval have one number at
+choice, $a/b$.
 
 :::{claim} projective_change_of_unit_interval_is_fractional
 :title: A projective change of parameter that fixes 0 and 1 is of the printed form
@@ -108,8 +109,8 @@ An identity: $a$ and $b$ may be any numbers, as long as the denominators do not 
 */
 
 /*
-Put into $B_i^n(t)$, the powers of $t$ bring $(au)^i$ and those of $1-t$ bring $(b(1-u))^{n-i}$, over the common denominator $D^n$, which cancels in the
-quotient.  So the points stay, and the whole change is in the weights.
+Put into $B_i^n(t)$, the powers of $t$ bring $(au)^i$ and those of $1-t$ bring $(b(1-u))^{n-i}$, over the common
+denominator $D^n$, which cancels in the quotient.  So the points stay, and the whole change is in the weights.
 
 :::{claim} fractional_change_keeps_curve
 :title: Weights multiplied by powers of a and b give the same curve in the new parameter
@@ -195,8 +196,8 @@ CLAIM(fractional_change_term_by_term)
 For $n=1$ there is no condition.
 :::
 
-The weight $\omega_i$ is multiplied by $a^ib^{n-i}$, a geometric sequence.  A square divided by the product of its two neighbours does not
-see such a factor, and this is how the quotients $I_i$ are found.
+The weight $\omega_i$ is multiplied by $a^ib^{n-i}$, a geometric sequence.  A square divided by the product of its two
+neighbours does not see such a factor, and this is how the quotients $I_i$ are found.
 
 :::{claim} invariants_by_definition
 :title: The computed quotients are those of the formula
@@ -233,8 +234,8 @@ CLAIM(invariants_by_definition)
 
 #if RATIONAL
 /*
-Formula (3.2.11) takes two $n$-th roots.  For positive weights they are taken of positive numbers.  But weights with a common negative sign
-give the same curve, and then, for even $n$, there is no root to take.
+Formula (3.2.11) takes two $n$-th roots.  For positive weights they are taken of positive numbers.  But weights with a
+common negative sign give the same curve, and then, for even $n$, there is no root to take.
 
 :::{claim} negated_weights_have_no_real_factors
 :title: In even degree the roots need not be real, though the curve is the same
@@ -298,8 +299,9 @@ CLAIM(negated_weights_have_no_real_factors)
 :holds-by: equal_invariants_give_same_curve
 :::
 
-There are $n+1$ weights and $n-1$ quotients; the two missing numbers are $a$ and $b$.  So weights with given quotients are found by choosing two of
-them and computing the others, one after the other, and for all these the curve must be one.
+There are $n+1$ weights and $n-1$ quotients; the two missing numbers are $a$ and $b$.  So weights with given quotients
+are found by choosing two of them and computing the others, one after the other, and for all these the curve must be
+one.
 
 :::{claim} equal_invariants_give_same_curve
 :title: Weights with the same quotients give the same curve at another speed
@@ -336,8 +338,8 @@ CLAIM(equal_invariants_give_same_curve)
 
 #if RATIONAL
 /*
-In the quotient $\omega_1$ stands squared.  This is enough to make the property false for weights of both signs: the quadratic with $-\omega_1$ for
-$\omega_1$ runs through the other arc of its conic.
+In the quotient $\omega_1$ stands squared.  This is enough to make the property false for weights of both signs: the
+quadratic with $-\omega_1$ for $\omega_1$ runs through the other arc of its conic.
 
 :::{claim} equal_invariants_reach_the_other_arc
 :title: The square in the quotient forgets the sign of the middle weight
@@ -691,8 +693,8 @@ static int G(given_maps_agree)(trial *T, int n, int dim, num I[], num J[])
 }
 
 /*
-That they belong to the curve is more.  If numerator and denominator have a common factor, the curve does not show it, but points and weights
-do.  The simplest case is a segment, written as a quadratic in two ways.
+That they belong to the curve is more.  If numerator and denominator have a common factor, the curve does not show it,
+but points and weights do.  The simplest case is a segment, written as a quadratic in two ways.
 
 :::{claim} same_map_on_a_line_has_two_invariants
 :title: One map, two sets of quotients: the segment as a quadratic
@@ -716,8 +718,8 @@ CLAIM(same_map_on_a_line_has_two_invariants)
 }
 
 /*
-One might think that only curves on a line are so undetermined.  But a regular arc of a parabola, raised from degree $2$ to $3$ in two ways, once as it is
-and once multiplied by $1+t$, has two sets of quotients as well.
+One might think that only curves on a line are so undetermined.  But a regular arc of a parabola, raised from degree
+$2$ to $3$ in two ways, once as it is and once multiplied by $1+t$, has two sets of quotients as well.
 
 :::{claim} same_parabola_has_two_invariant_sets
 :title: One map, two sets of quotients: an arc of a parabola as a cubic

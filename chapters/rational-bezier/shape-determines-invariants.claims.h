@@ -65,9 +65,9 @@ torsions suffices.  What is true in every degree stands after definition 3.2.2.
 */
 
 /*
-By property 3.2.4 the curvature at $t=0$ contains the weights as $\frac{\omega_0\omega_2}{\omega_1^2}=\frac1{I_1}$ and the torsion as
-$\frac{\omega_0\omega_3}{\omega_1\omega_2}=\frac1{I_1I_2}$.  So each end gives two invariants, if the geometric factors beside them are not $0$, and both
-ends give four: just enough for $n=5$.
+By property 3.2.4 the curvature at $t=0$ contains the weights as $\frac{\omega_0\omega_2}{\omega_1^2}=\frac1{I_1}$ and
+the torsion as $\frac{\omega_0\omega_3}{\omega_1\omega_2}=\frac1{I_1I_2}$.  So each end gives two invariants, if the
+geometric factors beside them are not $0$, and both ends give four: just enough for $n=5$.
 
 :::{claim} end_curvature_contains_one_invariant
 :title: The curvature at an end contains exactly the first invariant
@@ -137,8 +137,9 @@ CLAIM(end_torsion_contains_two_invariants)
 }
 
 /*
-Before curvatures at $t=0$ are compared it must be known that both curves start at the same end of the point set.  The source takes this for granted.  It is
-true up to degree $5$, and the reason is that a curve over a polygon which closes up so smoothly has no room for independent first edges.
+Before curvatures at $t=0$ are compared it must be known that both curves start at the same end of the point set.  The
+source takes this for granted.  It is true up to degree $5$, and the reason is that a curve over a polygon which
+closes up so smoothly has no room for independent first edges.
 
 :::{claim} backward_run_flattens_the_first_edges
 :title: For n at most 5 the curve cannot be the other one run backwards
@@ -211,8 +212,8 @@ CLAIM(plane_cubic_cannot_run_backwards)
 }
 
 /*
-For $n=5$ it cannot.  A quintic over the polygon $P_0,P_1,P_2,P_0,P_1,P_2$ of a triangle run through twice can be a quadratic in disguise, with weights
-in which a number $c$ is free.
+For $n=5$ it cannot.  A quintic over the polygon $P_0,P_1,P_2,P_0,P_1,P_2$ of a triangle run through twice can be a
+quadratic in disguise, with weights in which a number $c$ is free.
 
 :::{claim} common_factor_hides_the_weights
 :title: One map for every c, though the invariants depend on c
@@ -279,8 +280,8 @@ static int G(found_invariants_differ)(trial *T, int n, const num w[], const num 
 }
 
 /*
-On a line even the quadratic is undetermined, without any common factor: different weights run through one segment, at speeds that no change of
-parameter (3.2.10) carries into each other.
+On a line even the quadratic is undetermined, without any common factor: different weights run through one segment, at
+speeds that no change of parameter (3.2.10) carries into each other.
 
 :::{claim} segment_has_two_invariants
 :title: On a line the point set does not determine the invariant
@@ -318,8 +319,8 @@ CLAIM(segment_has_two_invariants)
 }
 
 /*
-Over a polygon that reads the same backwards the direction gets lost.  If the weights do not read the same, their reversal has other invariants
-and the same point set.
+Over a polygon that reads the same backwards the direction gets lost.  If the weights do not read the same, their
+reversal has other invariants and the same point set.
 
 :::{claim} palindromes_of_degree_four
 :title: A plane quartic over a palindromic polygon, run backwards, has other invariants
@@ -359,7 +360,8 @@ static num G(edges_det)(const num R[], int i, int j, int k)
 }
 
 /*
-In space such a polygon can have independent first edges if it is long enough: out and back it takes three edges each way, hence degree $6$.
+In space such a polygon can have independent first edges if it is long enough: out and back it takes three edges each
+way, hence degree $6$.
 
 :::{claim} space_palindromes_beyond_degree_five
 :title: From degree 6 on the point set does not determine the invariants
@@ -452,8 +454,8 @@ static int G(is_half_turn_backwards)(int n, const num R[], const num w[], const 
 }
 
 /*
-If it meant congruent curves, equal shape would not be enough: a motion that carries the polygon into itself in reverse order carries the curve of the weights
-$\omega$ into that of the reversed weights.
+If it meant congruent curves, equal shape would not be enough: a motion that carries the polygon into itself in
+reverse order carries the curve of the weights $\omega$ into that of the reversed weights.
 
 :::{claim} congruent_cubics_with_other_invariants
 :title: Two congruent cubics over one polygon with different invariants
@@ -518,7 +520,8 @@ CLAIM(congruent_curves_beyond_cubics)
 /*
 ## The printed proof
 
-The source proves the case $n=5$.  It compares curvature and torsion at the start, gets $I_1$ and $I_2$, and leaves the other end to symmetry.
+The source proves the case $n=5$.  It compares curvature and torsion at the start, gets $I_1$ and $I_2$, and leaves
+the other end to symmetry.
 
 :::{statement} wang-ch3:thm-3.2.1-sufficiency
 :title: One direction is property 3.2.10

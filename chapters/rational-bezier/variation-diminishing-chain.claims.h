@@ -7,9 +7,9 @@ $$I(\mathbf R,L)\le Z\Bigl[\sum B_i^n\omega_iy_i\Bigr]=Z\Bigl[(1-t)^n\sum\binom 
 =Z\Bigl[\sum\binom ni\omega_iy_is^i\Bigr]\le V\Bigl[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\Bigr]=V[y_0,\dots,y_n]
 =I(\mathbf B,L)$$
 
-with $\tau=t/(1-t)$ taken as the new variable $s$, the roots being counted for $0<t<1$ and for $0<s<\infty$.  The first inequality passes from
-crossings to roots, the second is Descartes' rule, and everything else is to make that rule fit: it speaks of powers and of positive
-$s$, while the curve is written in Bernstein functions over $[0,1]$.
+with $\tau=t/(1-t)$ taken as the new variable $s$, the roots being counted for $0<t<1$ and for $0<s<\infty$.  The
+first inequality passes from crossings to roots, the second is Descartes' rule, and everything else is to make that
+rule fit: it speaks of powers and of positive $s$, while the curve is written in Bernstein functions over $[0,1]$.
 */
 #include "chapters/rational-bezier/crossings.h"
 
@@ -225,7 +225,8 @@ CLAIM(numerator_in_powers_of_the_ratio)
 A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
 
-The new variable $s$ runs through the positive numbers while $t$ runs from $0$ to $1$, once and without turning.  So no root is lost and none counted twice.
+The new variable $s$ runs through the positive numbers while $t$ runs from $0$ to $1$, once and without turning.  So
+no root is lost and none counted twice.
 
 :::{claim} ratio_is_an_increasing_bijection
 :title: s = t/(1-t) runs once through the positive numbers
@@ -360,9 +361,10 @@ The rule is about the number of positive roots of a polynomial, each as often as
 away one change of sign after the other.
 :::
 
-Descartes' rule itself is short.  Between two positive roots of a function its derivative has one.  Let $q$ first be multiplied by $s^{-\alpha}$, with
-$\alpha$ between the two exponents at the first change of sign: then differentiating multiplies the coefficients before this change by
-negative numbers and those behind it by positive ones, and removes just this change.
+Descartes' rule itself is short.  Between two positive roots of a function its derivative has one.  Let $q$ first be
+multiplied by $s^{-\alpha}$, with $\alpha$ between the two exponents at the first change of sign: then differentiating
+multiplies the coefficients before this change by negative numbers and those behind it by positive ones, and removes
+just this change.
 
 :::{claim} descartes_rule_by_sign_patterns
 :title: Descartes' rule of signs

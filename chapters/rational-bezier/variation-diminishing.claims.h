@@ -81,9 +81,9 @@ static poly designed_curve(int n, int family, const int y[], num_q R[], num_q w[
 }
 
 /*
-Before it is proved the property is tried where it is most in danger: with vertices and whole edges on the line, where crossings and common points part
-ways, and with weights that differ by many powers of ten, which press the curve against single vertices.  Signs are all that matters, so a few
-heights will do.
+Before it is proved the property is tried where it is most in danger: with vertices and whole edges on the line, where
+crossings and common points part ways, and with weights that differ by many powers of ten, which press the curve
+against single vertices.  Signs are all that matters, so a few heights will do.
 
 :::{claim} designed_curves_cross_no_more
 :title: Crossings of curves and polygons, counted exactly
@@ -237,8 +237,8 @@ CLAIM(self_crossing_polygon_meets_the_line_once)
 }
 
 /*
-Nothing of this is left for weights of both signs.  The middle vertex, with its negative weight, pushes the curve through a line from which the
-polygon keeps away.
+Nothing of this is left for weights of both signs.  The middle vertex, with its negative weight, pushes the curve
+through a line from which the polygon keeps away.
 
 :::{claim} mixed_weights_cross_more
 :title: With weights of both signs the curve crosses a line that the polygon does not meet
@@ -290,8 +290,9 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 */
 
 /*
-Of the two proofs given after the property the first one, for every degree, is elementary.  Its only step is that means of neighbours do not
-change their sign more often than the numbers of which they are means; and for this the numbers do not matter, only their signs.
+Of the two proofs given after the property the first one, for every degree, is elementary.  Its only step is that
+means of neighbours do not change their sign more often than the numbers of which they are means; and for this the
+numbers do not matter, only their signs.
 
 :::{claim} corner_cutting_adds_no_sign_change
 :title: Means of neighbours change sign no more often
