@@ -553,7 +553,8 @@ factors the condition; the drawings show what comes out.
 :title: The other factor of the condition, and the curves that it gives
 :zh: 包络条件的另一因子及所得曲线
 :types: field
-:given: the three families above, each curve by the vectors of its powers over uniform knots; $r=2$ for the quartic,
+:given: the families of `convex_quartic_of_span_has_second_envelope`, `twisted_sextic_has_second_envelope` and
+  `solution_over_the_whole_span`, each curve by the vectors of its powers over uniform knots; $r=2$ for the quartic,
   and an $r$ for the two others; any $t$ and $\tau$
 :data: t_i of the quartic = -9 -7 -5 -3 -1 1 3 5 7 9; quartic = (0,0) (1,0) (0,3) (0,0) (0,2); t_i of the sextic = -26
   -22 -18 -14 -10 -6 -2 2 6 10 14 18 22 26; sextic = (0,0,0) (1,0,0) (0,-15,0) (0,0,10) (0,0,0) (0,0,3) (0,1,0); t_i
