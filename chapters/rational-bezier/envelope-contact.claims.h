@@ -266,6 +266,20 @@ CLAIM(osculating_flats_agree)
 }
 
 #if RATIONAL
+/* The data R, ω and c of a claim on a plane curve of degree n <= 3, with points and weights of the member c of level 1. */
+struct G(contact) {
+    num R[8], w[4], c, member[6], v[3];
+};
+static struct G(contact) G(given_contact)(trial *T, int n)
+{
+    struct G(contact) k;
+    given_points(T, "R", n + 1, 2, k.R);
+    given_points(T, "ω", n + 1, 1, k.w);
+    k.c = given(T, "c");
+    G(rational_casteljau)(n, 2, k.R, k.w, k.c, 1, k.member, k.v);
+    return k;
+}
+
 /*
 Each way to understand contact of order $n-r$ now gets its example.
 
@@ -285,14 +299,11 @@ Each way to understand contact of order $n-r$ now gets its example.
 CLAIM(cubic_member_has_other_curvature)
 {
     enum { n = 3, r = 1 };
-    num R[8], w[4], Rr[6], wr[3];
-    given_points(T, "R", n + 1, 2, R);
-    given_points(T, "ω", n + 1, 1, w);
-    num c = given(T, "c"), ratio = fault(T, from_ratio((n - r) * (n - 1), n * (n - r - 1)), from_int(1));
-    G(rational_casteljau)(n, 2, R, w, c, r, Rr, wr);
-    num curve = G(rational_curvature_squared)(n, 2, R, w, c);
-    num member = G(rational_curvature_squared)(n - r, 2, Rr, wr, c);
-    found_points(T, "the member's points", n - r + 1, 2, Rr);
+    struct G(contact) k = G(given_contact)(T, n);
+    num ratio = fault(T, from_ratio((n - r) * (n - 1), n * (n - r - 1)), from_int(1));
+    num curve = G(rational_curvature_squared)(n, 2, k.R, k.w, k.c);
+    num member = G(rational_curvature_squared)(n - r, 2, k.member, k.v, k.c);
+    found_points(T, "the member's points", n - r + 1, 2, k.member);
     found(T, "κ² of the curve", curve);
     found(T, "κ² of the member", member);
     about(T, "the squared curvature, left of the curve, right of the member");
@@ -315,13 +326,10 @@ CLAIM(cubic_member_has_other_curvature)
 CLAIM(member_runs_slower_than_the_curve)
 {
     enum { n = 2, r = 1 };
-    num R[6], w[3], Rr[4], wr[2], D[4], E[4];
-    given_points(T, "R", n + 1, 2, R);
-    given_points(T, "ω", n + 1, 1, w);
-    num c = given(T, "c");
-    G(rational_casteljau)(n, 2, R, w, c, r, Rr, wr);
-    G(rational_derivatives)(n, 2, R, w, c, 1, D);
-    G(rational_derivatives)(n - r, 2, Rr, wr, c, 1, E);
+    struct G(contact) k = G(given_contact)(T, n);
+    num D[4], E[4];
+    G(rational_derivatives)(n, 2, k.R, k.w, k.c, 1, D);
+    G(rational_derivatives)(n - r, 2, k.member, k.v, k.c, 1, E);
     found_points(T, "R' of the curve", 1, 2, D + 2);
     found_points(T, "R' of the member", 1, 2, E + 2);
     about(T, "the first coordinates of the derivatives");
@@ -430,13 +438,10 @@ CLAIM(quartic_member_meets_the_curve_twice)
 CLAIM(weighted_member_has_other_directions)
 {
     enum { n = 3, r = 1 };
-    num R[8], w[4], Rr[6], wr[3], D[6], E[6];
-    given_points(T, "R", n + 1, 2, R);
-    given_points(T, "ω", n + 1, 1, w);
-    num c = given(T, "c");
-    G(rational_casteljau)(n, 2, R, w, c, r, Rr, wr);
-    G(rational_derivatives)(n, 2, R, w, c, 2, D);
-    G(rational_derivatives)(n - r, 2, Rr, wr, c, 2, E);
+    struct G(contact) k = G(given_contact)(T, n);
+    num D[6], E[6];
+    G(rational_derivatives)(n, 2, k.R, k.w, k.c, 2, D);
+    G(rational_derivatives)(n - r, 2, k.member, k.v, k.c, 2, E);
     num determinant = G(cross2)(D + 4, E + 4);
     found_points(T, "R'' of the curve", 1, 2, D + 4);
     found_points(T, "R'' of the member", 1, 2, E + 4);

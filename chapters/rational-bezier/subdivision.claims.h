@@ -192,6 +192,22 @@ static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, n
     }
 }
 
+/* Compares the curve over [a, b] with its part over [a, c], or on the right over [c, b], at a point t of the part. */
+static void G(compare_with_the_part)(trial *T, int right)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], P[2][MAX_DEGREE + 1], v[2][MAX_DEGREE + 1], curve, part;
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x");
+    G(free_curve)(T, n, 1, R, w);
+    num b = add(a, h), c = add(a, mul(lambda, h)), from = right ? c : a, length = right ? sub(b, c) : sub(c, a);
+    num t = add(from, mul(x, length)), whole = div(sub(t, a), sub(b, a));
+    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), P[0], v[0], P[1], v[1]);
+    G(rational_point)(n, 1, R, w, whole, &curve);
+    /* the argument of the part: (t - a)/(c - a), or (t - c)/(b - c) */
+    G(rational_point)(n, 1, P[right], v[right], fault(T, div(sub(t, from), length), whole), &part);
+    same(T, part, curve);
+}
+
 /*
 :::{claim} subdivision_left_half
 :title: The left side of the triangle carries the curve over [a,c]
@@ -204,21 +220,7 @@ static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, n
 :control: the basis argument $(t-a)/(b-a)$ on both sides
 :::
 */
-CLAIM(subdivision_left_half)
-{
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
-        wr[MAX_DEGREE + 1];
-    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
-        right;
-    G(free_curve)(T, n, 1, R, w);
-    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(a, mul(x, sub(c, a)));
-    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, a), sub(c, a));
-    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
-    G(rational_point)(n, 1, R, w, whole, &left);
-    G(rational_point)(n, 1, Rl, wl, fault(T, part, whole), &right);
-    same(T, right, left);
-}
+CLAIM(subdivision_left_half) { G(compare_with_the_part)(T, 0); }
 
 /*
 :::{claim} subdivision_right_half
@@ -232,21 +234,7 @@ CLAIM(subdivision_left_half)
 :control: the basis argument $(t-a)/(b-a)$ on both sides
 :::
 */
-CLAIM(subdivision_right_half)
-{
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
-        wr[MAX_DEGREE + 1];
-    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
-        right;
-    G(free_curve)(T, n, 1, R, w);
-    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(c, mul(x, sub(b, c)));
-    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, c), sub(b, c));
-    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
-    G(rational_point)(n, 1, R, w, whole, &left);
-    G(rational_point)(n, 1, Rr, wr, fault(T, part, whole), &right);
-    same(T, right, left);
-}
+CLAIM(subdivision_right_half) { G(compare_with_the_part)(T, 1); }
 
 /*
 :::{claim} cut_at_an_end_is_empty
