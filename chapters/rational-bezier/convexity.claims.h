@@ -130,6 +130,9 @@ static num G(sum_over_triangles)(int n, const num M[], const num w[], const num 
 }
 
 /*
+With the $D_{ijk}$ in front the Wronskians add up to the curvature, so that a polygon whose triangles all turn left
+has a curve that always turns left.
+
 :::{claim} curvature_is_a_sum_over_triangles
 :title: The sign of the curvature is that of a sum over the triangles of the polygon
 :zh: 曲率符号由控制三角形有向面积之和决定

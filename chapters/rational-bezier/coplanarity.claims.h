@@ -218,6 +218,8 @@ True for all weights with $\omega(t)\ne0$: a point of the curve is a combination
 Property 3.2.5, of the convex hull, gives it for positive weights.
 :::
 
+The converse needs neither independence nor signs: the form of the plane vanishes at every vertex, and so does its sum.
+
 :::{claim} coplanar_vertices_give_a_plane_curve
 :title: A curve with coplanar vertices is in their plane
 :zh: 顶点共面的曲线在该平面内

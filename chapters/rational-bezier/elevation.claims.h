@@ -670,6 +670,9 @@ CLAIM(elevated_parabola_misses_by_one_over_degree)
 
 #if RATIONAL
 /*
+Nor is the order better for other rational curves: of those that follow the second has an error that, multiplied by
+$N$, seems to settle at a number that is not $0$.
+
 :::{claim} elevated_polygons_within_their_bound
 :title: Computed elevations stay within the bound
 :zh: 升阶误差的实际界
@@ -801,7 +804,7 @@ CLAIM(mixed_weights_become_positive)
 
 /*
 A denominator with a zero gives no such hope.  For $\omega(t)=1-2t$ the weights of degree $N$ are exactly the values
-$1-2i/N$, and in every even degree one of them stands at the zero.
+$1-2i/N$, and in every even degree one of these is the value at the zero.
 
 :::{claim} elevation_fails_at_a_pole
 :title: If the denominator vanishes, every second polygon lacks a vertex

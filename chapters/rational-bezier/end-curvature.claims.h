@@ -563,7 +563,7 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
 
 #if RATIONAL
 /*
-If one of the weights $\omega_0$ and $\omega_2$ is negative, the factor is negative, and the right side of (3.2.5)
+If just one of the weights $\omega_0$ and $\omega_2$ is negative, the factor is negative, and the right side of (3.2.5)
 with it, while a curvature is not.  The curve itself may be quite regular.
 
 :::{claim} negative_weight_makes_printed_curvature_negative

@@ -138,7 +138,7 @@ CLAIM(end_torsion_contains_two_invariants)
 
 /*
 Before curvatures at $t=0$ are compared it must be known that both curves start at the same end of the point set.  The
-source takes this for granted.  It is true up to degree $5$, and the reason is that a curve over a polygon which
+source takes this for granted.  Under the hypotheses it is true up to degree $5$, and the reason is that a curve over a polygon which
 closes up so smoothly has no room for independent first edges.
 
 :::{claim} backward_run_flattens_the_first_edges
@@ -319,8 +319,8 @@ CLAIM(segment_has_two_invariants)
 }
 
 /*
-Over a polygon that reads the same backwards the direction gets lost.  If the weights do not read the same, their
-reversal has other invariants and the same point set.
+Over a polygon that reads the same backwards the direction gets lost.  If the invariants do not read the same, the
+reversed weights have other ones, and the same point set.
 
 :::{claim} palindromes_of_degree_four
 :title: A plane quartic over a palindromic polygon, run backwards, has other invariants

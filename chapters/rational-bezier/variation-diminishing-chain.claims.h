@@ -473,6 +473,8 @@ CLAIM(positive_factors_keep_sign_changes)
 }
 
 /*
+A single negative weight is enough to add two changes of sign.
+
 :::{claim} mixed_weights_change_sign_changes
 :title: A negative weight changes the changes of sign
 :zh: 负权改变变号数

@@ -5,8 +5,8 @@ A plane curve is nowhere more winding than its polygon: no line is crossed by th
 the polygon.  What is counted decides whether this is true.  A *crossing* is a change of side: a tangent
 has a point in common with the curve and crosses nothing, and neither does an end on the line.
 
-The source derives the property from Descartes' rule of signs.  Here every step of its chain is decided by
-itself, and the property is proved a second time without Descartes, from total positivity for the degrees
+The source derives the property from Descartes' rule of signs.  Every step of its chain is decided by
+itself in the next section.  Here the property is proved a second time without Descartes, from total positivity for the degrees
 computed, and a third time from the cutting of corners for every degree.
 */
 #include "chapters/rational-bezier/crossings.h"
