@@ -100,7 +100,8 @@ struct graph {
     num_q t[MOST_POINTS], r[2 * MOST_POINTS], w[MOST_POINTS];
 };
 
-static void graph_of(struct graph *g, int n, int k, const long knot[], const int y[], int family)
+/* Points (i, y_i), the weights of odd i heavy and the others 1. */
+static void graph_of(struct graph *g, int n, int k, const long knot[], const num_q y[], num_q heavy)
 {
     g->n = n;
     g->k = k;
@@ -108,8 +109,8 @@ static void graph_of(struct graph *g, int n, int k, const long knot[], const int
         g->t[i] = from_int_q(knot[i - 1]);
     for (int i = 1; i <= n; i++) {
         g->r[2 * i] = from_int_q(i);
-        g->r[2 * i + 1] = from_int_q(y[i - 1]);
-        g->w[i] = from_int_q(family == 1 && i % 2 == 1 ? 1000 : 1);
+        g->r[2 * i + 1] = y[i - 1];
+        g->w[i] = i % 2 == 1 ? heavy : from_int_q(1);
     }
 }
 
@@ -160,19 +161,23 @@ enum { DESIGNED = sizeof knots_of_designed / sizeof *knots_of_designed };
 
 static int sign_patterns(int n) { return n == 0 ? 1 : 3 * sign_patterns(n - 1); }
 
-/* Runs through the designed curves of order k up to the sign of y, and asks each whether it is as it should be. */
+/* Runs through the designed curves of order k up to the sign of y, with the ordinates y and the weight w of a block, and asks
+ * each whether it is as it should be. */
 static void for_designed(trial *T, int (*good)(const struct graph *g, int faulty))
 {
+    num ordinate[3], weight[2] = {from_int(1), from_int(1)};
+    given_points(T, "y", 3, 1, ordinate);
+    weight[1] = given(T, "w");
     for (int example = 0; example < DESIGNED; example++) {
         int n = knots_of_designed[example].n, k = knots_of_designed[example].k;
         for (int code = 0; code <= sign_patterns(n) / 2 && k == T->degree; code++) {
-            int y[MOST_POINTS];
+            num y[MOST_POINTS];
             for (int i = 0, rest = code; i < n; i++, rest /= 3)
-                y[i] = rest % 3 - 1;
+                y[i] = ordinate[rest % 3];
             for (int family = 0; family < 2; family++) {
                 struct graph g;
                 region_mark mark = region_open();
-                graph_of(&g, n, k, knots_of_designed[example].knot, y, family);
+                graph_of(&g, n, k, knots_of_designed[example].knot, y, weight[family]);
                 agree(T, good(&g, T->faulty));
                 region_drop(mark);
             }
@@ -190,8 +195,9 @@ Between curve and polygon stands a third count, that of the polygon after an ins
 :title: Designed splines cross a line no more often than their polygons
 :zh: 设计算例的跨越次数
 :kind: decision
-:given: orders $2,3,4$, $4$ to $7$ points: simple knots, ends of multiplicity $k$, inner knots of multiplicity $1$,
-  $k-1$ and $k$; all $y_i\in\{-1,0,1\}$; weights $1$, $1000$ and $1$ in turn
+:given: the designed curves of order $k$: simple knots, ends of multiplicity $k$, inner knots of multiplicity 1, $k-1$
+  and $k$; all ordinates among the $y$; the weights 1, and $w$ and 1 in turn
+:data: y = -1 0 1; w = 1000
 :then: crossings of the curve $\le$ crossings of the polygon with the middles of all intervals inserted $\le$
   crossings of the polygon
 :method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the
@@ -218,6 +224,7 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :zh: 设计算例的公共点
 :kind: decision
 :given: the curves of `designed_splines_cross_no_more`
+:data: y = -1 0 1; w = 1000
 :then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the
   polygon with knots inserted $\le$ those of the polygon
 :method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
