@@ -133,9 +133,10 @@ $0$ that a point of the curve nearly is, or is, on the border.
 :title: Points of the curve pass an independent test of membership in the hull
 :zh: 曲线点通过独立的凸包隶属检验
 :kind: decision
+:data: t = 0 1/3 1/2 1; ε = 0x1p-30
 :given: plane and space polygons that are convex, zigzag, folded on a line, one point, closed with repetitions, on the moment curve, in
   a plane of space; weights that are equal, of ratios $2^{40}$, one huge, one tiny, with zeros between the ends, mixed;
-  $t=0,\,2^{-30},\,\frac13,\,\frac12,\,1-2^{-30},\,1$
+  the four parameters $t$, and $\varepsilon$ and $1-\varepsilon$ near the ends
 :then: $R(t)$ is in the convex hull of the points
 :method: A convex combination is found by the simplex method over the rationals and checked by multiplying out; the formula of the shares
   is not used.
@@ -178,8 +179,10 @@ static void G(designed_weights)(trial *T, int kind, int n, num w[])
 CLAIM(curve_points_have_hull_certificates)
 {
     int n = T->degree, dim;
-    num R[(MAX_DEGREE + 1) * 3], w[MAX_DEGREE + 1], x[3], one = from_int(1), tiny = from_ratio(1, 1L << 30);
-    num at[] = {from_int(0), tiny, from_ratio(1, 3), from_ratio(1, 2), sub(one, tiny), one};
+    num R[(MAX_DEGREE + 1) * 3], w[MAX_DEGREE + 1], x[3], at[6];
+    given_points(T, "t", 4, 1, at);
+    at[4] = given(T, "ε");
+    at[5] = sub(from_int(1), at[4]);
     for (int polygon = 0; polygon < POLYGONS; polygon++)
         for (int weighting = 0; weighting < WEIGHTINGS; weighting++)
             for (int k = 0; k < 6; k++) {

@@ -130,8 +130,8 @@ static num G(sum_over_triangles)(int n, const num M[], const num w[], const num 
 }
 
 /*
-With the $D_{ijk}$ in front the Wronskians add up to the curvature, so that a polygon whose triangles all turn left
-has a curve that always turns left.
+With the $D_{ijk}$ and the weights as factors the Wronskians add up to the curvature, but for a positive factor.  So a
+polygon whose triangles all turn left has, with positive weights, a curve that always turns left.
 
 :::{claim} curvature_is_a_sum_over_triangles
 :title: The sign of the curvature is that of a sum over the triangles of the polygon
