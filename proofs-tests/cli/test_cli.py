@@ -1,6 +1,6 @@
 """The command as its users meet it: exit codes, formats, one clear line for every mistake.
 
-    python3 test_cli.py CAGD ROOT WHOLE_RUN
+    python3 test_cli.py CAGD ROOT WHOLE_RUN REGISTER.json
 
 WHOLE_RUN is the folder that whole_run.py wrote: a run over everything.
 """
@@ -18,8 +18,13 @@ import tempfile
 import unittest
 import xml.dom.minidom
 
+REGISTER_FILE = sys.argv.pop(4)
 WHOLE_RUN = pathlib.Path(sys.argv.pop(3)).resolve()
 ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
+sys.path.insert(0, str(ROOT / "proofs-tests/scripts"))
+from register import load  # noqa: E402
+
+REGISTER = load(REGISTER_FILE)
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
 VERDICTS = {"holds", "conditional", "fails", "undecided", "open", "definition"}
@@ -27,7 +32,7 @@ EVIDENCE = {"proved", "decided", "sampled", "enclosed", "measured", "none"}
 # The chapter that is decided anew where a part is enough: it is soon done, and has claims of every kind and type.
 CHAPTER = "foundations"
 PART = CHAPTER + ".*"
-CLASSES = {"misprint", "false", "missing-hypothesis", "invalid-proof"}
+CLASSES = set(REGISTER["lists"]["classes"])
 
 
 def run(*args, **options):
@@ -333,8 +338,7 @@ class Ledger(Case):
             self.assertNotIn("\\", page, row["id"])
 
     def test_show_names_the_book_and_the_literature(self):
-        text = (ROOT / "chapters/sources/index.md").read_text()
-        titles = dict(re.findall(r"^:::\{source\} (\S+)\n(?:.*\n)*?:zh: (.*)$", text, re.M))
+        titles = {source["key"]: source["has"]["zh"][0] for source in REGISTER["sources"] if "zh" in source["has"]}
         first = {}
         for row in self.rows:
             first.setdefault(row["id"].split(":")[0], row["id"])

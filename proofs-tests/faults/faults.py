@@ -23,6 +23,8 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "proofs-tests/scripts"))
+from register import USUAL, claims_of, load, words  # noqa: E402
 EQUIVALENT = pathlib.Path(__file__).with_name("equivalent.txt")
 
 
@@ -116,32 +118,24 @@ def equivalents():
     return found
 
 
-def definitional_claims(chapters):
+def definitional_claims(register, chapters):
     """For each kernel the claims of these chapters that define it; of all when there are none."""
     found = {}
-    for path in (ROOT / "chapters").glob("*/*.claims.h"):
-        if chapters and path.parent.name not in chapters:
-            continue
-        for claim, block in re.findall(r"^:::\{claim\} (\w+)\n(.*?)^:::$", path.read_text(), re.M | re.S):
-            for names in re.findall(r"^:defines:(.*?)(?=^:|\Z)", block, re.M | re.S):
-                for kernel in names.split():
-                    found.setdefault(kernel, []).append(claim)
+    for claim in register["claims"]:
+        if not chapters or claim["chapter"] in chapters:
+            for kernel in words(claim, "defines"):
+                found.setdefault(kernel, []).append(claim["name"])
     return found
 
 
-def with_what_they_name(chapters):
+def with_what_they_name(register, chapters):
     """These chapters, and those whose claims their statements name, which are built as well."""
-    texts = {}
-    for path in sorted((ROOT / "chapters").glob("*/*.claims.h")):
-        texts[path.parent.name] = texts.get(path.parent.name, "") + path.read_text()
-    home = {claim: chapter for chapter, text in texts.items() for claim in re.findall(r"^:::\{claim\} (\w+)", text, re.M)}
+    home = {claim["name"]: claim["chapter"] for claim in register["claims"]}
     needed, new = set(), set(chapters)
     while new:
         needed |= new
-        blocks = "".join(block for chapter in new for block in
-                         re.findall(r"^:::\{statement\}.*?^:::$", texts[chapter], re.M | re.S))
-        new = {home[word] for word in set(re.findall(r"\w+", blocks)) if word in home} - needed
-    return [chapter for chapter in texts if chapter in needed]
+        new = {home[name] for s in register["statements"] if s["chapter"] in new for name in claims_of(register, s)} - needed
+    return [chapter["name"] for chapter in register["chapters"] if chapter["name"] in needed]
 
 
 def batches(chosen):
@@ -210,11 +204,13 @@ def main():
     parser.add_argument("--file", action="append", help="only faults of this template; repeatable")
     parser.add_argument("--chapters", type=lambda text: text.split(","), default=[], help="such as bezier,nurbs")
     parser.add_argument("--types", type=lambda text: text.split(","), default=["FIELD", "RATIONAL", "INTERVAL", "DOUBLE"])
+    parser.add_argument("--register", default=USUAL, help="register.json of a build")
     parser.add_argument("--shard", help="K/N: only the K-th of N parts")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     a = parser.parse_args()
-    known, defining = equivalents(), definitional_claims(a.chapters)
+    register = load(a.register)
+    known, defining = equivalents(), definitional_claims(register, a.chapters)
     every = [f for f in faults() if a.file is None or f["file"] in a.file]
     chosen = [f for f in every if (f["kernel"], f["old"], f["new"]) not in known]
     if a.chapters:
@@ -230,7 +226,7 @@ def main():
         return 0
     compiled = by_definition = survivors = 0
     with tempfile.TemporaryDirectory() as folder:
-        copy = Copy(folder, a.jobs, with_what_they_name(a.chapters), a.types)
+        copy = Copy(folder, a.jobs, with_what_they_name(register, a.chapters), a.types)
         meaningful = []
         for f in chosen:
             if copy.compiles(f):

@@ -1,6 +1,6 @@
 """The house: which room may see which, what must stand beside what.
 
-    python3 test_house.py ROOT
+    python3 test_house.py ROOT REGISTER.json
 """
 import pathlib
 import re
@@ -8,6 +8,10 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
+sys.path.insert(0, str(ROOT / "proofs-tests/scripts"))
+from register import load, words  # noqa: E402
+
+REGISTER = load(sys.argv.pop(1))
 ROOMS = ["core", "exact", "figures", "chapters", "cli"]
 SOURCES = [p for room in ROOMS for p in sorted((ROOT / room).rglob("*")) if p.suffix in (".c", ".h", ".cpp")]
 
@@ -98,10 +102,7 @@ class Kernels(unittest.TestCase):
                 self.assertTrue(before.endswith("*/"), f"{path.name}: {name} has no comment above it")
 
     def test_every_kernel_has_a_definitional_claim(self):
-        defined = set()
-        for path in (ROOT / "chapters").rglob("*.claims.h"):
-            for names in re.findall(r"^:defines:((?:.|\n)*?)(?=^:|^$)", path.read_text(), re.M):
-                defined.update(names.split())
+        defined = {kernel for claim in REGISTER["claims"] for kernel in words(claim, "defines")}
         missing = [n for p in self.TEMPLATES for n in self.kernels(p) if n not in defined]
         self.assertEqual(missing, [], "kernels without a definitional claim")
         known = {n for p in self.TEMPLATES for n in self.kernels(p)}
@@ -123,9 +124,7 @@ class Contents(unittest.TestCase):
         self.rows = [line.strip("|").split("|") for line in re.findall(r"^\|.*\|$", text, re.M)][2:]
 
     def test_every_claim_exists(self):
-        claims = set()
-        for path in (ROOT / "chapters").rglob("*.claims.h"):
-            claims.update(re.findall(r"^:::\{claim\} (\S+)", path.read_text(), re.M))
+        claims = {claim["name"] for claim in REGISTER["claims"]}
         named = [name for row in self.rows for name in re.findall(r"`([^`]*)`", "|".join(row))]
         self.assertTrue(named)
         self.assertEqual([name for name in named if name not in claims], [], "names of no claim")
@@ -146,7 +145,7 @@ class Sources(unittest.TestCase):
     KEY = r"\b[a-z]+(?:-[a-z]+)*-(?:1[789]\d\d|20[012]\d)\b|\b(?:wang|slides)-ch\d\b"
 
     def setUp(self):
-        listed = re.findall(r"^:::\{source\} (\S+)", (ROOT / "chapters/sources/index.md").read_text(), re.M)
+        listed = [source["key"] for source in REGISTER["sources"]]
         self.assertEqual(len(listed), len(set(listed)))
         self.listed = set(listed)
         self.texts = {}

@@ -8,12 +8,14 @@ result, which the body asks for by name and compares with.  A number in prose th
 anybody noticing.  Not counted: 0, 1 and 2, indices and exponents, numbers of formulas, theorems and sections of the sources,
 and the bounds of :degrees:.  numbers-in-prose.txt lists what is left, each with the reason.
 """
-import json
 import pathlib
 import re
 import sys
 import unittest
 from fractions import Fraction
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
+from register import load  # noqa: E402
 
 ALLOWED = pathlib.Path(__file__).with_name("numbers-in-prose.txt")
 PROSE = ("title", "given", "let", "then", "method", "control")
@@ -82,7 +84,7 @@ def allowed():
     return found
 
 
-REGISTER = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))
+REGISTER = load(sys.argv[1])
 CLAIMS = [c for c in REGISTER["claims"] if c["kind"] == "counterexample" or c["data"]]
 
 
