@@ -112,8 +112,9 @@ the equation.
 :holds-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less
   than $n$
-:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors: false, as $F$ is a
-  power unless the parametrisation is proper, one parameter for almost every point; the source does not ask for a proper parametrisation
+:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors: false, as
+  $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
+  for a proper parametrisation
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve: false, it is an arc of it
 :figure: arc_of_a_line
 

@@ -53,12 +53,15 @@ CLAIM(circles_among_the_conics_of_the_curve)
     num oo = mul(omega, omega), ll = mul(l, l), yy = mul(y1, y1), sum = add(ll, yy);
     G(special_conic)(l, x1, y1, omega, S);
     about(T, "B");
+    /* B = -ω² y_1 x_1 */
     same(T, S[1], neg(mul(oo, mul(y1, x1))));
     G(special_conic)(l, from_int(0), y1, omega, S);
     about(T, "A - C");
+    /* A - C = (l² + y_1²)(ω² - l²/(l² + y_1²)) for x_1 = 0 */
     same(T, sub(S[0], S[2]), mul(sum, sub(oo, div(ll, fault(T, sum, sub(ll, yy))))));
     G(special_conic)(l, x1, from_int(0), omega, S);
     about(T, "A - C for points on a line");
+    /* C - A = ω² x_1² + (1 - ω²) l² for y_1 = 0 */
     same(T, sub(S[2], S[0]), add(mul(oo, mul(x1, x1)), mul(sub(from_int(1), oo), ll)));
 }
 
@@ -90,8 +93,8 @@ static num G(scalar)(const num o[], const num a[], const num b[])
   $r^2\sin^2\theta=l^2$, so $r=l\csc\theta$; $\cos\angle R_0CR_2=2\cos^2\theta-1$ and
   $\sin\angle R_0CR_2=2\sin\theta\cos\theta$; the arc lies on the side of $R_1$ and the centre on the other side
   of the chord, so the central angle of the arc is $2\theta<\pi$
-:method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  The sides of the
-  chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
+:method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  The
+  sides of the chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
 :defines: circular_arc_circle
 :control: $\omega_2$ doubled
 :::
@@ -203,6 +206,7 @@ CLAIM(base_angle_of_the_triangle)
         num product = G(scalar)(o, a, R + 4), squares = mul(G(scalar)(o, a, a), G(scalar)(o, R + 4, R + 4));
         num invariant = position == 0 ? G(circular_arc_invariant)(one, k) : G(circular_arc_invariant)(l, mul(k, l));
         about(T, "cos² of the base angle");
+        /* cos² ∠R_1R_0R_2 = ((R_1 - R_0)·(R_2 - R_0))²/(‖R_1 - R_0‖² ‖R_2 - R_0‖²) */
         same(T, invariant, div(mul(product, product), squares));
     }
     G(isosceles)(M, p, q, k, R);
@@ -234,13 +238,13 @@ CLAIM(base_angle_of_the_triangle)
 :::{claim} arcs_satisfy_the_three_equations
 :title: Every circular arc below a half circle satisfies the three equations
 :zh: 圆弧满足三式
-:given: a circle of radius $r>0$ about the origin and the arc from $-\theta$ to $\theta$ on it, $\cos\theta=\frac{1-m^2}{1+m^2}$,
-  $\sin\theta=\frac{2m}{1+m^2}$, $0<m<1$
+:given: a circle of radius $r>0$ about the origin and the arc from $-\theta$ to $\theta$ on it,
+  $\cos\theta=\frac{1-m^2}{1+m^2}$, $\sin\theta=\frac{2m}{1+m^2}$, $0<m<1$
 :let: $R_0=r(\cos\theta,-\sin\theta)$, $R_2=r(\cos\theta,\sin\theta)$; the end tangents meet in $R_1=(r\sec\theta,0)$; let
   $l=r\sin\theta$, and let $S$ be the conic of the curve with any weights $\omega_0,\omega_1,\omega_2$
-:then: $R_0R_1$ and $R_2R_1$ are tangents of the circle; $\|R_0R_1\|^2=\|R_2R_1\|^2=l^2\sec^2\theta$, $\|R_0R_2\|^2=4l^2$; and
-  $C-A=\frac{l^2}{\cos^2\theta}(\omega_1^2-\omega_0\omega_2\cos^2\theta)$ for $S$, so the curve lies on a circle only if
-  $I_1=\cos^2\theta$
+:then: $R_0R_1$ and $R_2R_1$ are tangents of the circle; $\|R_0R_1\|^2=\|R_2R_1\|^2=l^2\sec^2\theta$,
+  $\|R_0R_2\|^2=4l^2$; and $C-A=\frac{l^2}{\cos^2\theta}(\omega_1^2-\omega_0\omega_2\cos^2\theta)$ for $S$, so the
+  curve lies on a circle only if $I_1=\cos^2\theta$
 :method: A rational quadratic touches $R_0R_1$ and $R_1R_2$ in its ends (property 3.2.3), so the triangle of an arc is this
   one up to a motion.  Identities in $r$, $m$ and the weights.
 :control: $\cos\theta$ for $\cos^2\theta$ in the bracket
@@ -264,6 +268,7 @@ CLAIM(arcs_satisfy_the_three_equations)
     about(T, "C - A of the curve");
     G(conic_of_bezier)(R, w, S);
     num difference = sub(mul(w[1], w[1]), mul(mul(w[0], w[2]), fault(T, cc, cosine)));
+    /* C - A = l²/cos²θ (ω_1² - ω_0 ω_2 cos²θ) */
     same(T, sub(S[2], S[0]), mul(div(ll, cc), difference));
 }
 
@@ -304,9 +309,10 @@ $\omega^2=l^2/(l^2+y_1^2)$.
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = 1 3/5 1; l = 1; cos θ = 3/5; t = 1/2 1/3
 :instead: R = (-1,0) (0,4/3) (1,0)
-:result: |R_0R_1|², |R_2R_1|², |R_0R_2|² = 2 2 4; I_1 = 9/25; A, …, F = 9/25 0 16/25 0 9/25 -9/25; R(t) = (0,3/8) (-15/37,12/37)
-:given: the points $R$ of an isosceles triangle, standard weights, $l$ and $\cos\theta$, with an angle $\theta$ that is not the base
-  angle, and two parameters $t$, whose points are shown
+:result: |R_0R_1|², |R_2R_1|², |R_0R_2|² = 2 2 4; I_1 = 9/25; A, …, F = 9/25 0 16/25 0 9/25 -9/25; R(t) = (0,3/8)
+  (-15/37,12/37)
+:given: the points $R$ of an isosceles triangle, standard weights, $l$ and $\cos\theta$, with an angle $\theta$ that
+  is not the base angle, and two parameters $t$, whose points are shown
 :then: the three equations hold, but $A\ne C$: the curve lies on an ellipse that is no circle
 :method: The three equations are checked, and the conic of the curve is computed.
 :control: $R_1$ at the height for which the base angle is $\theta$
@@ -343,8 +349,8 @@ CLAIM(isosceles_triangle_with_another_angle)
 :data: R = (-1,0) (0,4/3) (1,0); ω = 1 -3/5 1; cos θ = 3/5; t = 1/2 1/3
 :instead: ω = 1 3/5 1
 :result: C = (0,-3/4); r² = 25/16; R(t) = (0,-2) (-15/13,-16/13); cos ∠R_0CR(t) = -3/5
-:given: the points $R$ of an isosceles triangle, the cosine of its base angle $\theta$, the weights with $\omega_1=-\cos\theta$, and two parameters $t$, the
-  first in the middle
+:given: the points $R$ of an isosceles triangle, the cosine of its base angle $\theta$, the weights with
+  $\omega_1=-\cos\theta$, and two parameters $t$, the first in the middle
 :then: the curve lies on the circle with the centre $C$ and the squared radius $r^2$, but its middle point $R(t)$ is seen
   from $C$ at an angle from $R_0$ with the cosine $-\cos\theta$: the central angle is $2\pi-2\theta$
 :method: The points are computed, and scalar products are taken.

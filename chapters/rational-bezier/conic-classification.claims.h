@@ -57,6 +57,7 @@ CLAIM(implicit_form_is_the_resultant)
     G(three_weights)(T, w);
     G(conic_of_bezier)(R, w, S);
     num factor = mul(from_int(fault(T, 4, 2)), mul(w[0], w[2]));
+    /* the determinant (3.4.1) is 4 ω_0 ω_2 S(x, y) */
     same(T, G(implicit_determinant)(R, w, x, y), mul(factor, G(form)(S, x, y)));
 }
 
@@ -172,6 +173,7 @@ CLAIM(determinant_is_four_times_the_form)
     G(special_position)(l, x1, y1, omega, R, w);
     G(printed_form)(l, x1, y1, omega, S);
     S[2] = fault(T, S[2], sub(S[2], mul(l, l)));
+    /* the determinant is 4 (A x² + 2B xy + C y² + 2D x + 2E y + F) */
     same(T, G(implicit_determinant)(R, w, x, y), mul(from_int(4), G(form)(S, x, y)));
 }
 
@@ -271,8 +273,10 @@ CLAIM(discriminant_in_special_coordinates)
     G(printed_form)(l, x1, y1, omega, S);
     num oo = mul(omega, omega), product = mul(oo, mul(mul(l, l), mul(y1, y1)));
     about(T, "AC - B²");
+    /* AC - B² = ω² l² y_1² (1 - ω²) */
     same(T, sub(mul(S[0], S[2]), mul(S[1], S[1])), mul(product, sub(from_int(1), fault(T, oo, omega))));
     about(T, "the determinant of the conic");
+    /* the 3×3 determinant is -ω⁴ l⁴ y_1⁴ */
     num matrix[9] = {S[0], S[1], S[3], S[1], S[2], S[4], S[3], S[4], S[5]};
     same(T, G(determinant)(3, matrix), neg(mul(product, product)));
 }
@@ -284,7 +288,8 @@ CLAIM(discriminant_in_special_coordinates)
 :printed: By analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
   $\omega>1$.
 :holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
-:needs: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line, as in the frame of (3.1.5): $l\ne0$, $y_1\ne0$.
+:needs: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line, as in the frame of (3.1.5): $l\ne0$,
+  $y_1\ne0$.
 :needs: weight_minus_one_is_a_parabola | The weights are positive, so $\omega>0$.
 :needs: weight_zero_is_a_segment | The weights are positive, so $\omega\ne0$.
 :figure: classification_by_weight
@@ -315,8 +320,10 @@ CLAIM(directions_at_infinity)
         S[0] = A, S[1] = fault(T, B, mul(from_ratio(1, 2), B)), S[2] = C, S[3] = S[4] = S[5] = zero;
         num left = mul(A, G(form)(S, p, q)), sum = add(mul(A, p), mul(B, q)), qq = mul(q, q), eq = mul(e, q);
         if (k == 0)
+            /* A f = (A p + B q)² + (AC - B²) q² */
             same(T, left, add(mul(sum, sum), mul(sub(mul(A, C), mul(B, B)), qq)));
         else
+            /* A f = (A p + B q - e q)(A p + B q + e q) */
             same(T, left, mul(sub(sum, eq), add(sum, eq)));
     }
 }
@@ -452,8 +459,9 @@ $\omega_0\omega_2-\omega_1^2$.
 :zh: 任意坐标下的判别式
 :given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2$
 :let: $d=(R_0-R_1)\times(R_2-R_1)$, twice the area of the triangle up to sign
-:then: the conic of the curve has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$ determinant
-  is $-\omega_0\omega_2\omega_1^4\frac{d^4}{16}$, which is not 0 for a true triangle and weights different from 0
+:then: the conic of the curve has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$
+  determinant is $-\omega_0\omega_2\omega_1^4\frac{d^4}{16}$, which is not 0 for a true triangle and weights different
+  from 0
 :method: Identities in the six coordinates and the weights.  The conic has real points, those of the curve, and is not
   degenerate; so by `directions_at_infinity` it is an ellipse, a parabola or a hyperbola when $AC-B^2$ is positive,
   zero or negative.
@@ -469,8 +477,10 @@ CLAIM(kind_in_any_coordinates)
     num half = mul(from_ratio(1, 2), G(area)(R + 2, R, R + 4)), hh = mul(half, half), outer = mul(w[0], w[2]);
     num ww = mul(w[1], w[1]), difference = sub(outer, fault(T, ww, w[1]));
     about(T, "AC - B²");
+    /* AC - B² = ω_1² (ω_0 ω_2 - ω_1²) d²/4 */
     same(T, G(conic_delta)(S), mul(mul(ww, difference), hh));
     about(T, "the determinant of the conic");
+    /* the 3×3 determinant is -ω_0 ω_2 ω_1⁴ d⁴/16 */
     same(T, G(conic_determinant)(S), neg(mul(outer, mul(mul(ww, ww), mul(hh, hh)))));
 }
 

@@ -94,6 +94,7 @@ CLAIM(triangle_ends_on_the_curve)
     }
     G(rational_casteljau)(n, 1, R, w, lambda, n, &P, &v);
     same(T, v, down);
+    /* R_n^n = Σ B_i^n(λ) ω_i R_i / Σ B_i^n(λ) ω_i */
     same(T, P, div(up, down));
 }
 
@@ -145,6 +146,7 @@ CLAIM(cut_coefficients_are_convex)
     nonnegative(T, first);
     nonnegative(T, second);
     same(T, add(first, second), from_int(1));
+    /* (v - p)(q - v) = λ (1-λ) (q - p)² */
     same(T, mul(sub(v, p), sub(q, v)), mul(mul(lambda, mu), mul(gap, gap)));
 }
 
@@ -159,7 +161,8 @@ CLAIM(cut_coefficients_are_convex)
 :result: real zeros of ω(t) = 0; coefficients of R_0, R_1 = 4/3 -1/3
 :given: three weights $\omega$, the middle one negative, and $\lambda$ in the middle
 :then: $\omega(t)>0$ for every real $t$, but in $R_1^1$ the point $R_1$ has a negative coefficient, and $R_0$ one above 1
-:method: The roots of $\omega(t)$ are counted exactly; the coefficients are $R_1^1$ for the points $1,0$ and $0,1$ of the line.
+:method: The roots of $\omega(t)$ are counted exactly; the coefficients are $R_1^1$ for the points $1,0$ and $0,1$ of
+  the line.
 :control: $\omega_1$ with the other sign
 :::
 */
@@ -271,15 +274,18 @@ CLAIM(geometric_weights_cut_evenly)
     num x = positive(T, "x", 0), q = positive(T, "q", 0), lambda = parameter(T, "lambda"), one = from_int(1);
     num v[] = {x, mul(x, q), mul(x, mul(q, q))};
     v[2] = fault(T, v[2], mul(v[2], q));
+    /* λ q/(1 - λ + λ q) */
     num expected = G(cut_coefficient)(one, q, lambda);
     same(T, G(cut_coefficient)(v[0], v[1], lambda), expected);
     same(T, G(cut_coefficient)(v[1], v[2], lambda), expected);
     G(bezier_casteljau_level)(2, 1, v, lambda);
+    /* the next level has the quotient q */
     same(T, div(v[1], v[0]), q);
 
     num y = positive(T, "y", 0), z = positive(T, "z", 0), any[] = {x, y, z};
     num gap = sub(G(cut_coefficient)(y, z, lambda), G(cut_coefficient)(x, y, lambda));
     G(bezier_casteljau_level)(2, 1, any, lambda);
+    /* the coefficients differ by λ (1-λ) (x z - y²) over the product of the new weights */
     same(T, mul(gap, mul(any[0], any[1])), mul(mul(lambda, sub(one, lambda)), sub(mul(x, z), mul(y, y))));
 }
 

@@ -67,6 +67,7 @@ CLAIM(second_differences_shrink_quadratically)
             sum = add(sum, mul(beta, d[j]));
         }
         same(T, total, from_int(1));
+        /* Δ²b_i over [u, v] is (v - u)² Σ_j β_ij Δ²b_j */
         same(T, add(sub(piece[i], add(piece[i + 1], piece[i + 1])), piece[i + 2]), mul(scale, sum));
     }
 }
@@ -111,6 +112,7 @@ CLAIM(polygon_and_curve_are_near_the_chord)
     about(T, "summation by parts");
     num bend_b = sub(add(b[4], b[6]), mul(two, b[5])), bend_g = sub(add(g[0], g[2]), mul(two, g[1]));
     num step = sub(sub(mul(g[1], b[6]), mul(g[2], b[5])), sub(mul(g[0], b[5]), mul(g[1], b[4])));
+    /* g_j Δ²b_{j-1} - b_j Δ²g_{j-1} = T_j - T_{j-1} */
     same(T, sub(mul(g[1], bend_b), mul(b[5], bend_g)), step);
     about(T, "the second differences beside the corner");
     for (int below = 0; below < 2; below++) {
@@ -120,19 +122,23 @@ CLAIM(polygon_and_curve_are_near_the_chord)
     about(T, "the two formulas and the second difference at the corner");
     num corner = G(green)(T, n, k, k, 1), low = G(green)(T, n, k, sub(k, one), 1);
     same(T, corner, G(green)(T, n, k, k, 0));
+    /* Δ²g_{k-1} = -1 */
     same(T, sub(add(low, G(green)(T, n, k, add(k, one), 0)), mul(two, corner)), neg(one));
     about(T, "the ends and the chord");
     num first = sub(mul(G(green)(T, n, k, zero, 1), b[1]), mul(G(green)(T, n, k, one, 1), b[0]));
     num last = sub(mul(G(green)(T, n, k, sub(n, one), 0), b[3]), mul(G(green)(T, n, k, n, 0), b[2]));
+    /* T_{n-1} - T_0 = ((n-k) b_0 + k b_n)/n */
     same(T, sub(last, first), div(add(mul(sub(n, k), b[0]), mul(k, b[3])), n));
     about(T, "the sum of g: its first and last value, of as many as there are, on each side of the corner");
     num rest = sub(n, k), half = from_ratio(1, 2);
     num below = mul(mul(half, k), add(G(green)(T, n, k, one, 1), corner));
     num above =
         mul(mul(half, sub(rest, one)), add(G(green)(T, n, k, add(k, one), 0), G(green)(T, n, k, sub(n, one), 0)));
+    /* Σ g_j = k (n-k)/2 */
     same(T, add(below, above), mul(half, mul(k, rest)));
     about(T, "the largest sum");
     num offset = sub(n, add(k, k));
+    /* n²/8 - k (n-k)/2 = (n - 2k)²/8 */
     same(T, sub(div(mul(n, n), from_int(8)), add(below, above)), div(mul(offset, offset), from_int(8)));
 }
 
@@ -155,6 +161,7 @@ CLAIM(near_homogeneous_points_are_near)
 {
     num P = unknown(T, "P", 0), Q = unknown(T, "Q", 0), w = positive(T, "w", 0), v = positive(T, "v", 0);
     num image = fault(T, div(Q, v), div(P, w));
+    /* P/w - Q/v = ((P - Q) - (Q/v)(w - v))/w */
     same(T, sub(div(P, w), div(Q, v)), div(sub(sub(P, Q), mul(image, sub(w, v))), w));
 }
 
@@ -234,6 +241,7 @@ CLAIM(crowded_cuts_do_not_converge)
     num one = from_int(1), half = from_ratio(1, 2), s = positive(T, "s", 0), y = div(one, add(from_int(4), s));
     num factor = fault(T, sub(one, mul(half, y)), half);
     num margin = sub(mul(add(half, y), factor), add(half, mul(half, y)));
+    /* (1/2 + y)(1 - y/2) - (1/2 + y/2) = y (1 - 2y)/4 */
     same(T, margin, div(mul(y, sub(one, add(y, y))), from_int(4)));
     show(T, "y", y);
     show(T, "new length less 1/2 + y/2, at least", margin);
@@ -243,6 +251,7 @@ CLAIM(crowded_cuts_do_not_converge)
     num zero = from_int(0), P[] = {zero, zero, half, zero, one, one}, piece[6];
     num u = parameter(T, "u"), h = parameter(T, "h");
     G(bezier_on_interval)(2, 2, P, u, add(u, h), piece);
+    /* the parabola is h²/4 above the middle vertex: x_1² - y_1 = h²/4 */
     same(T, sub(mul(piece[2], piece[2]), piece[3]), div(mul(h, h), from_int(4)));
 }
 

@@ -29,8 +29,8 @@ binomial coefficients.
 :reading: cubic_member_has_other_curvature | equal derivatives after a change of parameter, the usual meaning: fails
   whenever $n-r\ge2$ and $\kappa\ne0$
 :reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections: fails, there are two
-:reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count: fails, there are two for $n-r=3$
-  and for $n-r=1$ as well
+:reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count: fails, there are two
+  for $n-r=3$ and for $n-r=1$ as well
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$: true for equal weights
   (`unweighted_derivatives_are_parallel`), false for others
 :reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$: true for all weights,
@@ -74,6 +74,7 @@ CLAIM(expansion_about_the_contact)
             power = mul(power, h);
             falling = mul(falling, from_int(n - k));
         }
+        /* p(c^r, (c+h)^{n-r}) = Σ C(n-r,k) h^k p_k, where p_k = P^{(k)}(c) (n-k)!/n! */
         same(T, left, right);
     }
 }
@@ -109,8 +110,10 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
     num a = div(m, n), b = div(mul(m, sub(m, one)), mul(n, sub(n, one)));
     num mu = mul(div(mul(two, w[1]), w[0]), sub(div(mul(m, sub(m, one)), sub(n, one)), div(mul(m, m), n)));
     about(T, "the first derivatives");
+    /* R_m' = m/n R' */
     same(T, R1[1], mul(a, R1[0]));
     about(T, "the second derivatives");
+    /* R_m'' = m (m-1)/(n (n-1)) R'' + μ R' */
     same(T, R2[1], add(mul(b, R2[0]), mul(mu, R1[0])));
 
     num ratio = fault(T, mul(div(n, m), div(sub(m, one), sub(n, one))), div(sub(m, one), sub(n, one)));
@@ -123,6 +126,7 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
             bY[k] = add(mul(b, Y[k]), mul(nu, X[k]));
         }
         about(T, "the squares of the curvatures");
+        /* κ_m/κ = n (m-1)/(m (n-1)) */
         same(T, G(curvature_squared)(dim, aX, bY), mul(mul(ratio, ratio), G(curvature_squared)(dim, X, Y)));
     }
 }
@@ -156,10 +160,12 @@ CLAIM(member_is_flatter_in_every_order)
             power = mul(power, n);
         }
         about(T, "C(n,k)/n^k as a product");
+        /* C(n,k)/n^k = 1/k! (1 - 1/n) ... (1 - (k-1)/n) */
         same(T, div(choose, power), product);
     }
     num j = positive(T, "j", 0), gap = div(mul(j, r), mul(m, n));
     about(T, "one factor of the products");
+    /* (1 - j/n) - (1 - j/m) = j r/(m n) */
     same(T, sub(sub(one, div(j, n)), sub(one, div(j, m))), gap);
     nonnegative(T, gap);
 }
@@ -289,8 +295,8 @@ Each way to understand contact of order $n-r$ now gets its example.
 :kind: counterexample
 :data: R = (0,0) (1/3,0) (2/3,0) (1,1); ω = 1 1 1 1; c = 1
 :result: the member's points = (1/3,0) (2/3,0) (1,1); κ² of the curve = 9/250; κ² of the member = 81/4000
-:given: the points $R$ of the cubic $(\tau,\tau^3)$ on $[0,1]$, equal weights, and the end $c$; $r=1$, so that the member is a
-  quadratic, $n-r=2$
+:given: the points $R$ of the cubic $(\tau,\tau^3)$ on $[0,1]$, equal weights, and the end $c$; $r=1$, so that the
+  member is a quadratic, $n-r=2$
 :then: $\kappa^2$ of the curve and of the member differ, so that the contact is not of order 2
 :method: The curvatures at the common point are computed exactly.
 :control: the curvature of the member multiplied by $\frac{(n-r)(n-1)}{n(n-r-1)}$

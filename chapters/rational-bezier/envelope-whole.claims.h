@@ -38,9 +38,10 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :figure: envelope_extra
 
 When all points lie on a line the condition holds everywhere and the envelope loses its meaning
-(`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent at
-a $\tau$ where $R'\times R''=0$ and $R'\ne0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this tangent.  Such a
-$\tau$ is mostly an inflection; but a curve may be flat there and not change its side (`flat_point_has_another_envelope`).
+(`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent
+at a $\tau$ where $R'\times R''=0$ and $R'\ne0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this
+tangent.  Such a $\tau$ is mostly an inflection; but a curve may be flat there and not change its side
+(`flat_point_has_another_envelope`).
 :::
 
 The factorization takes three steps.  The condition is first brought from points to homogeneous vectors, where it is a
@@ -71,6 +72,7 @@ CLAIM(envelope_condition_of_points)
         Xt[k] = div(sub(mul(Pt[k], P[2]), mul(P[k], Pt[2])), square);
         Xc[k] = div(sub(mul(Pc[k], P[2]), mul(P[k], Pc[2])), square);
     }
+    /* det(X_t, X_c) = det(P, P_t, P_c)/P_3³ */
     same(T, G(cross2)(Xt, Xc), div(G(det3)(P, Pt, Pc), fault(T, mul(square, P[2]), square)));
 }
 
@@ -115,10 +117,12 @@ CLAIM(polar_derivatives)
         about(T, "the derivative by t");
         G(polar)(n, 1, H, r, c, m - 1, t, one, one, &up);
         G(polar)(n, 1, H, r, c, m - 1, t, zero, zero, &down);
+        /* P_t = (n-r) p(c^r, t^{n-r-1}, δ) */
         same(T, D[1], mul(from_int(fault(T, m, r)), sub(up, down)));
         about(T, "the derivative by c");
         G(polar)(n, 1, H, r - 1, c, m, t, one, one, &up);
         G(polar)(n, 1, H, r - 1, c, m, t, zero, zero, &down);
+        /* P_c = r p(c^{r-1}, t^{n-r}, δ) */
         same(T, E[1], mul(from_int(r), sub(up, down)));
     }
 }
@@ -150,6 +154,7 @@ CLAIM(envelope_condition_factors)
         column[2][k] = mul(r, add(q[1][k], mul(t, q[2][k])));
     }
     num factor = mul(mul(r, m), fault(T, sub(t, c), add(t, c)));
+    /* det(P, P_t, P_c) = r (n-r) (t-c) det(q(0,0), q(0,δ), q(δ,δ)) */
     same(T, G(det3)(column[0], column[1], column[2]), mul(factor, G(det3)(q[0], q[1], q[2])));
 }
 
@@ -202,8 +207,8 @@ Two families show the other factor at work.
 :data: R = (-1,-1) (-1/3,1) (1/3,-1) (1,1); r = 1; c = 3/4; t = 1/2
 :instead: t = 3/4
 :result: point of the member = (1/6,0); X_t, X_c = (4/3,0) (2/3,0); F at the point = -64/27
-:given: the points $R$ of $(\tau,\tau^3)$, $-1\le\tau\le1$, with equal weights; the member $c$ of level $r$, and its point at
-  the parameter $t$ of the inflection, both counted in $[0,1]$
+:given: the points $R$ of $(\tau,\tau^3)$, $-1\le\tau\le1$, with equal weights; the member $c$ of level $r$, and its
+  point at the parameter $t$ of the inflection, both counted in $[0,1]$
 :then: there the envelope condition $\det(X_t,X_c)=0$ is satisfied at a point that is not on the curve
 :method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$.  The
   condition is checked first; compared is the value at the point of the polynomial $F$ of (3.4.1), which vanishes on the
@@ -264,8 +269,8 @@ CLAIM(convex_quartic_has_another_envelope)
 :data: R = (-1,1) (-1/2,-1) (0,1) (1/2,-1) (1,1); r = 1; c = 3/4; t = 1/2
 :instead: t = 3/4
 :result: point of the member = (1/8,0); X_t, X_c = (3/2,0) (1/2,0); F at the point = 16
-:given: the points $R$ of $(\tau,\tau^4)$, $-1\le\tau\le1$, with equal weights; the member $c$ of level $r$, and its point at the
-  parameter $t$ of the flat point, both counted in $[0,1]$
+:given: the points $R$ of $(\tau,\tau^4)$, $-1\le\tau\le1$, with equal weights; the member $c$ of level $r$, and its
+  point at the parameter $t$ of the flat point, both counted in $[0,1]$
 :then: there the envelope condition is satisfied at a point that is not on the curve; $R'\times R''\ge0$ throughout
 :method: As for the cubic; that $R'\times R''$ is nowhere negative is decided first, by its sign as a polynomial.
 :control: the same member at $t=c$
@@ -288,14 +293,15 @@ These are not stray points: the whole second envelopes are found by eliminating 
 :title: Eliminating c gives the curve and the second envelope
 :zh: 消去 c 得到曲线与另一包络
 :types: field
-:data: R of the cubic = (-1,-1) (-1/3,1) (1/3,-1) (1,1); the cubic's level = 1; the cubic's curve = (1,3,0) (-1,0,1); the cubic's envelope = (1,0,1);
-  R of the quartic = (-1,5/2) (-1/2,-1) (0,1/2) (1/2,-1) (1,5/2); the quartic's level = 2;
-  the quartic's curve = (2,4,0) (3,2,0) (-2,0,1); the quartic's envelope = (16,2,0) (-16,0,1) (-1,0,0)
+:data: R of the cubic = (-1,-1) (-1/3,1) (1/3,-1) (1,1); the cubic's level = 1; the cubic's curve = (1,3,0) (-1,0,1);
+  the cubic's envelope = (1,0,1); R of the quartic = (-1,5/2) (-1/2,-1) (0,1/2) (1/2,-1) (1,5/2); the quartic's level
+  = 2; the quartic's curve = (2,4,0) (3,2,0) (-2,0,1); the quartic's envelope = (16,2,0) (-16,0,1) (-1,0,0)
 :instead: the cubic's curve = (1,3,0) (1,0,1); the quartic's envelope = (16,2,0) (-16,0,1) (1,0,0)
-:given: the families of the cubic and of the quartic above, by points and level; for each two polynomials in $x$ and $y$ by their terms $(\alpha,i,j)$, $\alpha x^iy^j$: that of the curve, and that of the
-  envelope, $y$ for the cubic, a parabola for the quartic; the member $c$ written as $f(x,y,c)=0$
-:then: $\operatorname{Res}_c(f,f_c)$ is, up to a constant factor, the product of the two polynomials for the cubic, and for the
-  quartic the product of the curve's and the square of the envelope's
+:given: the families of the cubic and of the quartic above, by points and level; for each two polynomials in $x$ and
+  $y$ by their terms $(\alpha,i,j)$, $\alpha x^iy^j$: that of the curve, and that of the envelope, $y$ for the cubic,
+  a parabola for the quartic; the member $c$ written as $f(x,y,c)=0$
+:then: $\operatorname{Res}_c(f,f_c)$ is, up to a constant factor, the product of the two polynomials for the cubic,
+  and for the quartic the product of the curve's and the square of the envelope's
 :method: The member's equation is the determinant (3.4.1) of its control polygon, as a polynomial in $x$, $y$, $c$;
   the resultant by $c$ is a polynomial in $x$ and $y$, divided by the one stated.  The quotient is a constant.  The
   determinant has a factor in $c$ alone, the leading coefficient of $y$ in $t$, because $x$ is of lower degree in $t$; it is
@@ -345,8 +351,9 @@ CLAIM(second_envelopes_by_elimination)
 :result: w_1 = 0
 :given: $n=2$, three points $R$ on a line with positive weights, $r=1$, any $c\ne t$
 :then: the determinant $w_1$ of $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ is 0 although $t\ne c$
-:method: For $n=2$ the determinant is that of the three homogeneous points and does not depend on $c$ and $t$.  For collinear
-  points they lie in the plane of $R^3$ over that line, so that it vanishes for all $c$ and $t$ and singles out nothing.
+:method: For $n=2$ the determinant is that of the three homogeneous points and does not depend on $c$ and $t$.  For
+  collinear points they lie in the plane of $R^3$ over that line, so that it vanishes for all $c$ and $t$ and singles
+  out nothing.
 :control: the middle point moved off the line
 :::
 */
@@ -364,9 +371,9 @@ CLAIM(flat_polygon_has_no_envelope)
 #endif
 
 /*
-When does $w_r$ have no zero?  For $n=2$ it is a constant.  For $r=1$ it depends on $t$ alone, for $r=n-1$ on $c$ alone,
-and its zeros are those of $R'\times R''$, such as inflections and cusps.  In between inflections do not decide, but the control polygon does: write
-$\beta_i$ for the coefficients of $(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$; then
+When does $w_r$ have no zero?  For $n=2$ it is a constant.  For $r=1$ it depends on $t$ alone, for $r=n-1$ on $c$
+alone, and its zeros are those of $R'\times R''$, such as inflections and cusps.  In between inflections do not
+decide, but the control polygon does: write $\beta_i$ for the coefficients of $(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$; then
 
 $$w_r(c,t)=\sum_{i<j<k}\begin{vmatrix}\beta_i&\beta_j&\beta_k\\\beta_{i-1}&\beta_{j-1}&\beta_{k-1}\\
 \beta_{i-2}&\beta_{j-2}&\beta_{k-2}\end{vmatrix}\det(P_i,P_j,P_k),$$
@@ -396,6 +403,7 @@ CLAIM(triangle_has_one_envelope)
         b[k] = sub(R[4 + k], R[k]);
     }
     num weights = mul(w[0], fault(T, mul(w[1], w[2]), w[2]));
+    /* w_1 = ω_0 ω_1 ω_2 (R_1 - R_0) × (R_2 - R_0) */
     same(T, G(det3)(q, q + 3, q + 6), mul(weights, G(cross2)(a, b)));
 }
 
@@ -426,6 +434,7 @@ CLAIM(inflections_give_the_other_envelopes)
     num slope = add(q1, mul(t, q2));                                      /* q(t,δ)          */
     G(bezier_derivatives)(n, 1, H, t, 2, D);
     about(T, "P, P', P'' by the polar form");
+    /* P = q(t,t), P' = n q(t,δ), P'' = n (n-1) q(δ,δ) */
     same(T, D[0], add(add(q[0], mul(mul(from_int(2), t), q1)), mul(mul(t, t), q2)));
     same(T, D[1], mul(from_int(n), slope));
     same(T, D[2], mul(from_int(n * fault(T, n - 1, n)), q2));
@@ -453,6 +462,7 @@ CLAIM(inflections_give_the_other_envelopes)
         V2[k] = d[k];
     }
     about(T, "the determinant of P, P', P''");
+    /* det(P, P', P'') = ω³ R' × R'' */
     same(T, G(det3)(V, V1, V2), mul(mul(w, mul(w, w)), G(cross2)(R1, R2)));
 }
 

@@ -91,10 +91,11 @@ control polygon, and the polar form says of which curve.
 :data: ω = 1 -1/2 1; c = 2/3
 :instead: ω = 1 1/2 1
 :result: real zeros of ω(t) = 0; ω_1^1, ω_2^1 = 0 1/2
-:given: $n=2$, three weights $\omega$, the middle one negative, whose $\omega(t)$ has no real zero; $r=1$ and a parameter $c$
+:given: $n=2$, three weights $\omega$, the middle one negative, whose $\omega(t)$ has no real zero; $r=1$ and a
+  parameter $c$
 :then: $\omega_1^1(c)=0$, so that $R_1^1(c)$ is not defined although the curve is regular everywhere
-:method: The zeros of $\omega(t)$ are counted, and the weights of level 1 are computed exactly; that they are not 0 is what is
-  compared.
+:method: The zeros of $\omega(t)$ are counted, and the weights of level 1 are computed exactly; that they are not 0 is
+  what is compared.
 :control: the middle weight with the other sign
 :::
 */
@@ -155,6 +156,7 @@ CLAIM(member_touches_curve)
         about(T, "the common point");
         same(T, E[0], D[0]);
         about(T, "the derivatives at t = c");
+        /* ∂R^{[n-r]}/∂t = (n-r)/n R'(c) */
         same(T, E[1], fault(T, mul(from_ratio(n - r, n), D[1]), D[1]));
     }
 }
@@ -171,8 +173,8 @@ is left to agree in.
 :data: R = (1,-1) (-1/3,1) (-1/3,-1) (1,1); ω = 1 1 1 1; r = 2; c = 1/2
 :instead: c = 3/4
 :result: R'(c) = (0,0); the member's points = (0,0) (0,0)
-:given: the points $R$ of the cubic $(\tau^2,\tau^3)$, $-1\le\tau\le1$, equal weights, the last level $r<n$, and the parameter
-  $c$ of the cusp
+:given: the points $R$ of the cubic $(\tau^2,\tau^3)$, $-1\le\tau\le1$, equal weights, the last level $r<n$, and the
+  parameter $c$ of the cusp
 :then: the member, of degree 1, is a point: it has no tangent that could be common
 :method: The two control points of the member are computed exactly; that they differ is what is compared.
 :control: a parameter beside the cusp

@@ -142,6 +142,7 @@ CLAIM(quartic_with_three_double_points_is_rational)
             if (allowed)
                 Q = add(Q, mul(c, mul(G(power)(x, 2 - i), mul(G(power)(y, 2 - j), G(power)(z, 2 - k)))));
         }
+    /* F(yz, zx, xy) = x² y² z² Q(x, y, z) */
     same(T, image, mul(G(power)(mul(x, yz), 2), Q));
 }
 
@@ -421,8 +422,8 @@ the list of singular points is found by elimination and not taken on trust.
 :data: cubic = (1,0,2) (-1,3,0) (1,1,0); line = (1,0,1); P = (-1,0,1) (0,0,1) (1,0,1); x = 2
 :instead: line = (1,0,0)
 :result: parts over x = 2; n = 4; F = "-x^3*y+x*y+y^3"; nodes, cusps, others = 3 0 0; g = 0; rational = "no"
-:given: a smooth cubic and a line by their terms $(\alpha,i,j)$, $\alpha x^iy^j$, and $F$, the product of the two; three points
-  $P$ in homogeneous coordinates, and an abscissa $x$
+:given: a smooth cubic and a line by their terms $(\alpha,i,j)$, $\alpha x^iy^j$, and $F$, the product of the two;
+  three points $P$ in homogeneous coordinates, and an abscissa $x$
 :then: the singular points are exactly the three nodes $P$, so $g=0$; but a rational curve lies on one of the two factors
 :method: The singular points as above.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
   one factor vanishes on it; the other has points of its own, such as those over $x$, which are looked at.  Compared
@@ -503,12 +504,12 @@ CLAIM(conic_without_real_points)
 :types: field
 :data: α, i, j = (1,0,3) (-3,2,1) (1,4,0); P = (0,0,1); R = (0,0) (3/4,0) (3/2,1/2) (2,3/2) (2,2); ω = 1 1 1 1 1
 :result: real tangents = 3; n = 4; F = "x^4-3*x^2*y+y^3"; nodes, cusps, others = 0 0 1; g = 3; rational = "yes"
-:given: the quartic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and the points $R$ of the curve
-  $(3t-t^3,3t^2-t^4)$ with equal weights
+:given: the quartic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and the points $R$
+  of the curve $(3t-t^3,3t^2-t^4)$ with equal weights
 :then: the only singular point is $P$, where three real tangents differ, so $d=s=0$ and $g=3$; yet the curve is a
   polynomial Bézier curve of degree $n$
-:method: The singular points as above; the tangents are the zeros of the terms of lowest degree; the equation is the determinant
-  (3.4.1) of the Bézier points of the curve.  Compared is: $g=0$ exactly if the curve is rational.
+:method: The singular points as above; the tangents are the zeros of the terms of lowest degree; the equation is the
+  determinant (3.4.1) of the Bézier points of the curve.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the triple point counted as three double points
 :::
 */
@@ -535,9 +536,10 @@ CLAIM(rational_quartic_with_a_triple_point)
 :kind: counterexample
 :types: field
 :data: α, i, j = (1,0,2) (-2,2,1) (1,4,0) (-1,1,3); P = (0,0,1); R = (0,0) (0,0) (1/6,0) (2/5,0) (1/2,1/2); ω = 4 4 4 5 8
-:result: orders of x, y-x² in t = 2 7; δ = 3; n = 4; F = "x^4-2*x^2*y-x*y^3+y^2"; nodes, cusps, others = 0 0 1; g = 2; rational = "yes"
-:given: the quartic $F=(y-x^2)^2-xy^3=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and points $R$ and
-  weights $\omega$ of the curve $(\frac{t^2}{1+t^3},\frac{t^4}{1+t^3})$
+:result: orders of x, y-x² in t = 2 7; δ = 3; n = 4; F = "x^4-2*x^2*y-x*y^3+y^2"; nodes, cusps, others = 0 0 1; g = 2;
+  rational = "yes"
+:given: the quartic $F=(y-x^2)^2-xy^3=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and
+  points $R$ and weights $\omega$ of the curve $(\frac{t^2}{1+t^3},\frac{t^4}{1+t^3})$
 :then: the only singular point is $P$, a double point, neither a node nor an ordinary cusp; counted once it
   gives $g=2$; yet the curve is a rational Bézier curve of degree $n$
 :method: As for the triple point.  From the orders $p$ of $x$ and $q$ of $y-x^2$ in $t$ on the curve follows
@@ -589,8 +591,8 @@ CLAIM(rational_quartic_with_a_higher_cusp)
 :types: field
 :data: α, i, j = (1,0,1) (-1,3,0); P = (0,1,0); R = (0,0) (1/3,0) (2/3,0) (1,1); ω = 1 1 1 1
 :result: finite singular points = 0; n = 3; F = "-x^3+y"; nodes, cusps, others = 0 1 0; g = 1; rational = "yes"
-:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ at infinity, and the points $R$ of the curve $(t,t^3)$ with equal
-  weights
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ at infinity, and the points $R$ of the curve
+  $(t,t^3)$ with equal weights
 :then: no finite point is singular, so the finite points give $g=1$; yet it is a polynomial Bézier curve
 :method: The only singular point is $P$, a cusp.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the point at infinity counted
@@ -618,8 +620,8 @@ CLAIM(cuspidal_cubic_at_infinity)
 :data: α, i, j = (1,0,2) (-1,3,0); P = (0,0,1); R = (0,0) (0,0) (1/3,0) (1,1); ω = 1 1 1 1; d = 1
 :instead: d = 0
 :result: n = 3; F = "-x^3+y^2"; nodes, cusps, others = 0 1 0; g = -1; rational = "yes"
-:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, with one singular point $P$, a cusp, which is counted in $s$ and, with $d$
-  double points, once more; and the points $R$ of the curve $(t^2,t^3)$ with equal weights
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, with one singular point $P$, a cusp, which is counted in $s$
+  and, with $d$ double points, once more; and the points $R$ of the curve $(t^2,t^3)$ with equal weights
 :then: $g=-1$, although the curve is rational
 :method: The singular points as above.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the cusp counted in $s$ alone
@@ -691,11 +693,12 @@ has only one finite double point.  A point of higher multiplicity counts for sev
   R, cardioid = (0,0) (0,0) (1/2,0) (1,1) (0,2); ω, cardioid = 3 3 4 6 12
 :result: nodes and cusps, nodal cubic = 1 0; nodes and cusps, cuspidal cubic = 0 1; nodes and cusps, lemniscate = 3 0;
   nodes and cusps, cardioid = 0 3
-:given: a nodal and a cuspidal cubic, the lemniscate and the cardioid, each by its terms $(\alpha,i,j)$, $\alpha x^iy^j$, with points $R$
-  and weights $\omega$
+:given: a nodal and a cuspidal cubic, the lemniscate and the cardioid, each by its terms $(\alpha,i,j)$, $\alpha
+  x^iy^j$, with points $R$ and weights $\omega$
 :then: the cubics have one node and one cusp; the lemniscate has three nodes, two of them the imaginary points
-  $(1:\pm\mathrm i:0)$ at infinity; the cardioid three cusps, two of them these same points; there are no other singular points, so
-  $g=0$; and they are the curves of the points $R$ and weights $\omega$, whose determinant (3.4.1) is a constant times their equation
+  $(1:\pm\mathrm i:0)$ at infinity; the cardioid three cusps, two of them these same points; there are no other
+  singular points, so $g=0$; and they are the curves of the points $R$ and weights $\omega$, whose determinant (3.4.1)
+  is a constant times their equation
 :method: The singular points are counted by elimination and verified one by one, the imaginary ones modulo
   $\theta^2+1$.  The determinant is computed from the Bézier points and divided by the equation.
 :control: the imaginary points left out

@@ -21,7 +21,8 @@ entries of degree one; the source takes another way, by operations on columns, a
 
 That the two determinants are one is run for the degrees of the scope and argued for every other $n$, in
 `bezout_matrix_comes_from_the_blocks`; the rest is for every $n$.  The source's own proof divides by $\omega_0$; for
-$\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
+$\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by `top_form_is_a_resultant`: the degree
+is exactly $n$, or $F$ is 0 everywhere.
 :::
 
 :::{claim} bezout_entries_are_linear
@@ -42,6 +43,7 @@ CLAIM(bezout_entries_are_linear)
     num a0 = mul(p, sub(x0, x)), b0 = mul(p, sub(y0, y)), a1 = mul(q, sub(x1, x)), b1 = mul(q, sub(y1, y));
     num left = fault(T, sub(mul(a0, b1), mul(a1, b0)), add(mul(a0, b1), mul(a1, b0)));
     num constant = sub(mul(x0, y1), mul(x1, y0)), linear = sub(mul(sub(y0, y1), x), mul(sub(x0, x1), y));
+    /* a_i b_j - a_j b_i = p q (x_i y_j - x_j y_i - (x_i - x_j) y + (y_i - y_j) x) */
     same(T, left, mul(mul(p, q), add(constant, linear)));
 }
 

@@ -107,6 +107,7 @@ CLAIM(parameter_change_and_its_inverse)
     num b = add(a, l), one = from_int(1), u1 = add(u, one);
     num t = fault(T, div(add(mul(a, u), b), u1), div(add(mul(b, u), a), u1));
     about(T, "t - a and b - t");
+    /* t - a = (b-a)/(u+1), b - t = u (b-a)/(u+1) */
     same(T, sub(t, a), div(l, u1));
     same(T, sub(b, t), div(mul(u, l), u1));
     nonnegative(T, div(l, u1));
@@ -241,6 +242,7 @@ CLAIM(equations_of_a_point)
         a[i] = fault(T, a[i], mul(w[i], sub(P[i], x)));
     G(rational_point)(n, 1, P, w, div(from_int(1), add(from_int(1), u)), &point);
     about(T, "the left side of the first equation");
+    /* Σ a_i u^{n-i} = W(u) (X(u) - x) */
     same(T, G(horner)(n, a, u), mul(G(in_u)(n, w, u), sub(point, x)));
     about(T, "W(u) - ω_n");
     nonnegative(T, sub(G(in_u)(n, w, u), w[n]));
@@ -470,9 +472,9 @@ CLAIM(common_root_of_an_isolated_point) { compare_with_the_arc(T, 3); }
   nodal cubic = (0,0,1) (9,8,1) (-5,8,1) (4,0,1); cubic with an isolated point = (0,0,1) (0,1/3,1) (1/3,2/3,1) (1,2,1);
   t = -2 -1/2 0 1/3 1/2 1 3/2 3; offset = 1/7; P = (-1,0)
 :result: points on the arcs = 32; points off the arcs = 87
-:given: seven curves, each by its points and weights $(x_i,y_i,\omega_i)$, the weights positive; for each curve the points of the
-  parameters $t$ of its line of parameters, each of them moved off by the offset in the direction of the first axis, and
-  the isolated point $P$ of the last curve
+:given: seven curves, each by its points and weights $(x_i,y_i,\omega_i)$, the weights positive; for each curve the
+  points of the parameters $t$ of its line of parameters, each of them moved off by the offset in the direction of the
+  first axis, and the isolated point $P$ of the last curve
 :then: the criterion with roots $u\ge0$ agrees with membership in the arc
 :method: As above; the roots are counted in two ways.  For all curves with positive weights it follows from the
   bijection $u=(b-t)/(t-a)$ of $(a,b]$ and $[0,\infty)$ and from $\sum a_iu^{n-i}=W(u)(X(u)-x)$, $W(u)>0$.
@@ -547,8 +549,9 @@ determinant is identically 0.
 :figure: implicit_elevation
 
 That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
-`elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: the determinant is then a power of the
-equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.  The curve of space is drawn in `implicit_shadow`.
+`elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: the
+determinant is then a power of the equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.  The curve of space
+is drawn in `implicit_shadow`.
 :::
 
 :::{claim} top_form_is_a_resultant
@@ -583,6 +586,7 @@ CLAIM(top_form_is_a_resultant)
     }
     num xn = G(power)(x, n), zn = G(power)(z, n);
     about(T, "F made homogeneous");
+    /* x^n Res(zA - xW, zB - yW) = z^n Res(zA - xW, xB - yA) */
     same(T, mul(xn, G(bezout_resultant)(n, p, q)), mul(zn, G(bezout_resultant)(n, p, s)));
     for (int i = 0; i <= n; i++) {
         p[i] = neg(mul(x, W[i]));
@@ -590,6 +594,7 @@ CLAIM(top_form_is_a_resultant)
         q[i] = neg(s[i]);
     }
     about(T, "the part of degree n");
+    /* Res(-xW, xB - yA) = x^n Res(W, yA - xB) */
     same(T, G(bezout_resultant)(n, p, s), mul(xn, G(bezout_resultant)(n, W, q)));
 }
 
@@ -663,8 +668,8 @@ CLAIM(end_weight_zero_gives_no_equation)
 :data: R = (0,0,0) (1/3,0,1/3) (2/3,1/3,2/3) (1,1,2); ω = 1 1 1 1; t = 1/2; P = (1/2,0,5/8)
 :instead: P = (1/2,1/4,5/8)
 :result: F(x, z) at P = 0; R(t) = (1/2,1/4,5/8)
-:given: the points $R$ of the space cubic $(t,t^2,t^3+t)$, equal weights, the determinant formed from $x$ and $z$, a parameter
-  $t$, and a point $P$ of space with the $x$ and the $z$ of $R(t)$
+:given: the points $R$ of the space cubic $(t,t^2,t^3+t)$, equal weights, the determinant formed from $x$ and $z$, a
+  parameter $t$, and a point $P$ of space with the $x$ and the $z$ of $R(t)$
 :then: $F=0$ at $P$, but the only point of the curve with that $x$ is $R(t)$, which has another $y$
 :method: $F$ and the curve at $t$ are computed; that the point is the curve's whenever $F=0$ is what is compared.
 :control: the point $R(t)$ for $P$
@@ -775,6 +780,7 @@ CLAIM(elevation_multiplies_by_one_plus_u)
     G(rational_elevate)(n, 1, R, w, Re, we);
     num factor = fault(T, add(from_int(1), u), sub(from_int(1), u));
     about(T, "the denominator");
+    /* W of the elevated curve is (1+u) W(u) */
     same(T, G(in_u)(n + 1, we, u), mul(factor, G(in_u)(n, w, u)));
     for (int i = 0; i <= n; i++)
         R[i] = mul(w[i], R[i]);

@@ -1,10 +1,11 @@
 /*
 # Determinants and resultants (行列式与结式)
 
-To find the equation of a curve its parameter is eliminated from two polynomials, and the tool for this is their resultant
-(结式): a determinant of the coefficients, which is 0 when the polynomials have a common root.  Two matrices serve the
-purpose.  Sylvester's has $m+n$ rows, and each entry is a coefficient or 0; Bézout's has only $n$, and each entry is a sum of
-products.  This section holds the determinants that the next one computes with against their definitions.
+To find the equation of a curve its parameter is eliminated from two polynomials, and the tool for this is their
+resultant (结式): a determinant of the coefficients, which is 0 when the polynomials have a common root.  Two matrices
+serve the purpose.  Sylvester's has $m+n$ rows, and each entry is a coefficient or 0; Bézout's has only $n$, and each
+entry is a sum of products.  This section holds the determinants that the next one computes with against their
+definitions.
 
 A determinant of numbers may be found by elimination.  Here the entries are polynomials in $x$ and $y$, so the kernel uses
 an algorithm without division, and the other side of its comparison is the sum over all permutations.
@@ -103,6 +104,7 @@ CLAIM(bezout_matrix_is_the_divided_difference)
         for (int j = 0; j < n; j++)
             sum = add(sum, mul(M[i * n + j], mul(G(power)(x, n - 1 - i), G(power)(y, n - 1 - j))));
     num right = sub(mul(G(horner)(n, a, x), G(horner)(n, b, y)), mul(G(horner)(n, a, y), G(horner)(n, b, x)));
+    /* (x - y) Σ M_ij x^{n-1-i} y^{n-1-j} = a(x) b(y) - a(y) b(x) */
     same(T, mul(fault(T, sub(x, y), add(x, y)), sum), right);
 }
 
@@ -146,6 +148,7 @@ CLAIM(resultant_is_the_product_of_differences)
     G(from_roots)(n, b0, beta, b);
     for (int m = 1; m <= n; m++) {
         G(from_roots)(m, a0, alpha, a);
+        /* a_0^n b_0^m Π (α_i - β_j) */
         num product = mul(G(power)(a0, fault(T, n, m)), G(power)(b0, m));
         for (int i = 0; i < m; i++)
             for (int j = 0; j < n; j++)

@@ -52,6 +52,7 @@ CLAIM(shoulder_point_of_the_curve)
         about(T, "the shoulder point and R(t)");
         same(T, shoulder[k], Q[k]);
         about(T, "the shoulder point as printed");
+        /* (R_0 + R_2)/2/(1 + ω) + ω/(1 + ω) R_1 */
         num middle = div(mul(half, add(R[k], R[4 + k])), total);
         same(T, shoulder[k], add(middle, mul(div(omega, total), R[2 + k])));
     }
@@ -124,12 +125,15 @@ CLAIM(curve_divides_the_median)
         M[c] = fault(T, div(add(R[c], R[4 + c]), two), div(add(add(R[c], R[c]), R[4 + c]), from_int(3)));
         num median = sub(R[2 + c], M[c]);
         about(T, "R_s - M");
+        /* R_s - M = ω/(1 + ω) (R_1 - M) */
         same(T, sub(shoulder[c], M[c]), mul(div(omega, total), median));
         about(T, "R_1 - R_s");
+        /* R_1 - R_s = (R_1 - M)/(1 + ω) */
         same(T, sub(R[2 + c], shoulder[c]), div(median, total));
     }
     about(T, "the side of the median on which R*(u) lies");
     num weight = G(rational_weight)(2, w, u);
+    /* w(u) (R_1 - M) × (R*(u) - M) = (1 - 2u) (R_1 - M) × (R_0 - M) */
     same(T, mul(weight, G(area)(M, R + 2, P)), mul(sub(one, mul(two, u)), G(area)(M, R + 2, R)));
 }
 
@@ -241,6 +245,7 @@ CLAIM(shoulder_ratio_is_the_root_of_the_invariant)
         base = add(base, mul(down, down));
         vertex = add(vertex, mul(up, up));
     }
+    /* ‖R_sM‖² = I_1 ‖R_1R_s‖² */
     same(T, base, fault(T, mul(I[0], vertex), div(vertex, I[0])));
 }
 

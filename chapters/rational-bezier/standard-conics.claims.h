@@ -53,6 +53,7 @@ CLAIM(special_coordinates_exist)
     about(T, "l² times a squared distance");
     same(T, add(mul(dX, dX), mul(dY, dY)), mul(ll, add(mul(dx, dx), mul(dy, dy))));
     about(T, "l² times a determinant of differences");
+    /* (X_Q - X_P)(Y_2 - Y_P) - (Y_Q - Y_P)(X_2 - X_P) */
     num here = sub(mul(dX, sub(Y[1], Y[2])), mul(dY, sub(X[1], X[2])));
     same(T, here, mul(ll, sub(mul(dx, sub(R[3], P[1])), mul(dy, sub(R[2], P[0])))));
 }
@@ -77,9 +78,9 @@ of $u$, and $u$ can stand under no root.
 :corrected-by: standard_form_by_a_change_of_parameter
 :figure: standard_parameter
 
-The roots belong over the weights alone; in the text at hand they cover $u$ and $1-u$ too.  With the printed roots the three terms are as
-$1-u:2\omega\sqrt{u(1-u)}:u$, which is no rational quadratic in $u$.  Both ends, and $t=\frac12$ for equal weights, are
-the same, so that the slip is easily overlooked.
+The roots belong over the weights alone; in the text at hand they cover $u$ and $1-u$ too.  With the printed roots the
+three terms are as $1-u:2\omega\sqrt{u(1-u)}:u$, which is no rational quadratic in $u$.  Both ends, and $t=\frac12$
+for equal weights, are the same, so that the slip is easily overlooked.
 :::
 */
 
@@ -169,7 +170,8 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :data: R = (-1,0) (0,1) (1,0); ω = -1 1/2 -1; u = 1/2
 :instead: ω = 1 1/2 1
 :result: standard weights = 1 1/2 1; R(u) = (0,-1); R*(u) = (0,1/3)
-:given: the points $R$ and weights $\omega$ whose outer ones are negative, the middle one positive; the parameter $u$ in the middle
+:given: the points $R$ and weights $\omega$ whose outer ones are negative, the middle one positive; the parameter $u$
+  in the middle
 :then: the standard weight is positive, and the curve of the standard weights has at $u$ another point than the curve itself
 :method: Both points are computed.
 :control: all weights positive

@@ -53,6 +53,7 @@ CLAIM(triangle_in_closed_form)
                 weight = add(weight, mul(B[k], w[i - r + k]));
                 point = add(point, mul(B[k], mul(w[i - r + k], R[i - r + k])));
             }
+            /* ω_i^r = Σ B_k^r(λ) ω_{i-r+k}, and the same with the points */
             same(T, wr[i - r], weight);
             same(T, mul(wr[i - r], Rr[i - r]), point);
         }
@@ -85,8 +86,11 @@ CLAIM(triangle_level_by_level)
         for (int i = r; i <= n; i++) {
             int j = i - r; /* where index i of level r, and index i-1 of level r-1, are stored */
             num left = mul(behind, v[j]), right = mul(ahead, v[j + 1]);
+            /* ω_i^r = (1-λ) ω_{i-1}^{r-1} + λ ω_i^{r-1} */
             same(T, wr[j], add(left, right));
+            /* ω_i^r R_i^r = (1-λ) ω_{i-1}^{r-1} R_{i-1}^{r-1} + λ ω_i^{r-1} R_i^{r-1} */
             same(T, Rr[j], add(mul(div(left, wr[j]), P[j]), mul(div(right, wr[j]), P[j + 1])));
+            /* (R_i^r - R_{i-1}^{r-1}) : (R_i^{r-1} - R_i^r) = λ ω_i^{r-1} : (1-λ) ω_{i-1}^{r-1} */
             same(T, mul(sub(Rr[j], P[j]), left), mul(sub(P[j + 1], Rr[j]), right));
         }
     }
@@ -124,10 +128,10 @@ the denominators.
 :instead: λ = 1/2 1/2
 :result: ω(t) = "3*t^2 - 3*t + 1"; real zeros of ω(t) = 0; ω_1^1 at the first λ, ω_2^1 at the second = 0 0
 :given: three weights $\omega$, the middle one negative, and two parameters $\lambda$
-:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$ for the first $\lambda$, so that $R_1^1$, a point of the left part,
-  does not exist; and $\omega_2^1=0$ for the second, so that $R_2^1$, one of the right part, does not
-:method: The real zeros of $\omega(t)$ are counted exactly, and it is positive at $0$; the two weights are computed by one step
-  of the recursion.
+:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$ for the first $\lambda$, so that $R_1^1$, a point of the
+  left part, does not exist; and $\omega_2^1=0$ for the second, so that $R_2^1$, one of the right part, does not
+:method: The real zeros of $\omega(t)$ are counted exactly, and it is positive at $0$; the two weights are computed by
+  one step of the recursion.
 :control: $\lambda$ in the middle
 :::
 */
@@ -412,8 +416,8 @@ CLAIM(printed_right_half_has_the_wrong_argument)
 :result: ω_1^1, ω_2^1 = 3/2 5/2; R(t) = 33/40; printed quotient = 133/200
 :given: three points of the line, their weights, $[a,b]=[0,1]$, the cut $c$ and a parameter $t$ of the right part; in the
   numerator the argument is taken as it should be, and for $i=0$ the weight too, since $\omega_0^2$ is not defined
-:then: $\omega_1^1$, the printed weight of $R_2^1$ in the numerator, is not $\omega_2^1$, the one in the denominator, and the
-  printed quotient is not $R(t)$
+:then: $\omega_1^1$, the printed weight of $R_2^1$ in the numerator, is not $\omega_2^1$, the one in the denominator,
+  and the printed quotient is not $R(t)$
 :method: Both sides are computed exactly, the weights from the recursion (3.3.2).
 :control: $\omega_2^1$ in the numerator too
 :::
