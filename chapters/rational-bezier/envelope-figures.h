@@ -19,14 +19,15 @@ static inline void put_family(svg *s, int n, const num_q R[], const num_q w[], i
 }
 
 /* One member, in a role, with its control polygon. */
-static inline void put_member(svg *s, int n, const num_q R[], const num_q w[], int level, num_q c, enum svg_role role)
+static inline void put_member(svg *s, int n, const num_q R[], const num_q w[], int level, num_q c,
+                              enum svg_role drawn_as)
 {
     num_q Rr[2 * MAX_DEGREE + 2], wr[MAX_DEGREE + 1];
     rational_casteljau_q(n, 2, R, w, c, level, Rr, wr);
     if (n - level == 1)
-        svg_segment(s, svg_pair(Rr), svg_pair(Rr + 2), role);
+        svg_segment(s, svg_pair(Rr), svg_pair(Rr + 2), drawn_as);
     else
-        svg_rational(s, n - level, Rr, wr, role);
+        svg_rational(s, n - level, Rr, wr, drawn_as);
 }
 
 static inline void ones(int n, num_q w[])

@@ -297,9 +297,10 @@ These are not stray points: the whole second envelopes are found by eliminating 
   the cubic's envelope = (1,0,1); R of the quartic = (-1,5/2) (-1/2,-1) (0,1/2) (1/2,-1) (1,5/2); the quartic's level
   = 2; the quartic's curve = (2,4,0) (3,2,0) (-2,0,1); the quartic's envelope = (16,2,0) (-16,0,1) (-1,0,0)
 :instead: the cubic's curve = (1,3,0) (1,0,1); the quartic's envelope = (16,2,0) (-16,0,1) (1,0,0)
-:given: the families of the cubic and of the quartic above, by points and level; for each two polynomials in $x$ and
-  $y$ by their terms $(\alpha,i,j)$, $\alpha x^iy^j$: that of the curve, and that of the envelope, $y$ for the cubic,
-  a parabola for the quartic; the member $c$ written as $f(x,y,c)=0$
+:given: the families of the cubic $(\tau,\tau^3)$ and of a convex quartic, each by its points and the level of its
+  members; for each two polynomials in $x$ and $y$ by their terms $(\alpha,i,j)$, $\alpha x^iy^j$: one is 0 on the
+  curve, the other on the further envelope, an axis for the cubic and a parabola for the quartic; the member $c$
+  written as $f(x,y,c)=0$
 :then: $\operatorname{Res}_c(f,f_c)$ is, up to a constant factor, the product of the two polynomials for the cubic,
   and for the quartic the product of the curve's and the square of the envelope's
 :method: The member's equation is the determinant (3.4.1) of its control polygon, as a polynomial in $x$, $y$, $c$;

@@ -1,3 +1,4 @@
+#include "chapters/judge/figure_data.h"
 #include "chapters/rational-bezier/envelope-figures.h"
 
 FIGURE(envelope_extra)
@@ -7,9 +8,8 @@ FIGURE(envelope_extra)
                 "Left the quadratic members of the cubic (τ, τ³): they touch the cubic and also the axis y = 0.  Right "
                 "the quadratic members of the convex quartic (τ, τ⁴ + 3τ²/2): many of them touch the parabola y = x² - "
                 "1/16 below it.");
-    static const int cubic[8] = {-3, -3, -1, 3, 1, -3, 3, 3}, quartic[10] = {-2, 5, -1, -2, 0, 1, 1, -2, 2, 5};
     num_q R[10], w[5];
-    fractions(8, cubic, 3, R);
+    data_of("cubic_family_has_another_envelope", "R", 4, 2, R);
     ones(4, w);
     svg_panel(s, window(r(-3, 5), r(-1, 6), r(3, 5), r(1, 6)), 380, 285,
               "$n=3$, $r=1$: the cubic $(τ,τ^3)$ has an inflection\n($y$ stretched)");
@@ -19,7 +19,7 @@ FIGURE(envelope_extra)
     svg_mark(s, at(r(1, 6), q(0)), SVG_WRONG, SVG_USUAL);
     svg_label(s, at(r(1, 6), q(0)), SVG_S, SVG_WRONG, "(1/6,0)");
     svg_frame(s);
-    fractions(10, quartic, 2, R);
+    data_of("convex_quartic_has_another_envelope", "R", 5, 2, R);
     svg_panel(s, window(r(-3, 5), r(-3, 20), r(3, 5), r(3, 4)), 380, 0,
               "$n=4$, $r=2$: the quartic $(τ,τ^4+3τ^2/2)$ is convex");
     put_family(s, 4, R, w, 2, 24);

@@ -473,8 +473,8 @@ CLAIM(common_root_of_an_isolated_point) { compare_with_the_arc(T, 3); }
   t = -2 -1/2 0 1/3 1/2 1 3/2 3; offset = 1/7; P = (-1,0)
 :result: points on the arcs = 32; points off the arcs = 87
 :given: seven curves, each by its points and weights $(x_i,y_i,\omega_i)$, the weights positive; for each curve the
-  points of the parameters $t$ of its line of parameters, each of them moved off by the offset in the direction of the
-  first axis, and the isolated point $P$ of the last curve
+  points of the parameters $t$, inside and outside of $[0,1]$, the same moved off by the offset in the direction of
+  the first axis, and the point $P$, isolated on the last curve
 :then: the criterion with roots $u\ge0$ agrees with membership in the arc
 :method: As above; the roots are counted in two ways.  For all curves with positive weights it follows from the
   bijection $u=(b-t)/(t-a)$ of $(a,b]$ and $[0,\infty)$ and from $\sum a_iu^{n-i}=W(u)(X(u)-x)$, $W(u)>0$.

@@ -1,3 +1,4 @@
+#include "chapters/judge/figure_data.h"
 #include "chapters/rational-bezier/implicit-figures.h"
 
 FIGURE(implicit_points)
@@ -7,8 +8,10 @@ FIGURE(implicit_points)
                 "Left the segment from (0, 0) to (1, 0) on its line: the point (2, 0) belongs to u = -1/2.  Right the "
                 "cubic (t², t³ + t): the polynomial vanishes on the whole cubic, of which the curve is an arc, and at "
                 "the isolated point (-1, 0), which belongs to t = ±i.");
-    num_q segment[4] = {q(0), q(0), q(1), q(0)}, w[4] = {q(1), q(1), q(1), q(1)}, R[8];
-    static const int cubic[8] = {0, 0, 0, 1, 1, 2, 3, 6};
+    num_q segment[4], R[8], w[4];
+    data_of("common_root_of_a_point_off_the_arc", "R", 2, 2, segment);
+    data_of("common_root_of_an_isolated_point", "R", 4, 2, R);
+    data_of("common_root_of_an_isolated_point", "ω", 4, 1, w);
     svg_panel(s, window(r(-3, 4), r(-3, 4), r(11, 4), r(3, 4)), 340, 0, "$n=1$: $F=y$ up to a factor");
     svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_CURVE_2);
     svg_bezier(s, 1, segment, SVG_CURVE);
@@ -18,7 +21,6 @@ FIGURE(implicit_points)
     svg_label(s, svg_at(1, 0), SVG_N, SVG_CURVE, "R_1");
     svg_mark(s, svg_at(2, 0), SVG_WRONG, SVG_USUAL);
     svg_label(s, svg_at(2, 0), SVG_N, SVG_WRONG, "u=-1/2");
-    fractions(8, cubic, 3, R);
     struct implicit_curve F = {3, R, w};
     svg_panel(s, window(r(-5, 2), r(-9, 4), r(5, 2), r(9, 4)), 300, 0, "$n=3$: $F=y^2-x(x+1)^2$ up to a factor");
     svg_implicit(s, determinant_at, &F, 160, SVG_CURVE_2);
@@ -40,7 +42,9 @@ FIGURE(implicit_elevation)
     svg *s = svg_new("implicit_elevation", "Degree elevation destroys the implicit equation",
                      "The same arc of a parabola with three and with four control points, all weights 1.  With three "
                      "points the determinant vanishes on the parabola; with four it vanishes everywhere.");
-    num_q R[6] = {q(0), q(0), r(1, 2), q(0), q(1), q(1)}, w[3] = {q(1), q(1), q(1)}, Re[8], we[4];
+    num_q R[6], w[3], Re[8], we[4];
+    data_of("elevated_curve_has_no_equation", "R", 3, 2, R);
+    data_of("elevated_curve_has_no_equation", "ω", 3, 1, w);
     struct implicit_curve F = {2, R, w};
     rational_elevate_q(2, 2, R, w, Re, we);
     svg_window view = window(r(-1, 2), r(-3, 10), r(13, 10), r(13, 10));
@@ -69,13 +73,13 @@ FIGURE(implicit_shadow)
                      "The cubic (t, t², t³ + t) seen along y and along z.  The determinant formed from x and z "
                      "vanishes at the point "
                      "(1/2, 0, 5/8) as at the point (1/2, 1/4, 5/8) of the curve: seen along y the two are one.");
-    static const int z[4] = {0, 1, 2, 6};
-    num_q xz[8], xy[8], w[4];
+    num_q R[12], xz[8], xy[8], w[4];
+    data_of("space_curve_and_its_shadow", "R", 4, 3, R);
+    data_of("space_curve_and_its_shadow", "ω", 4, 1, w);
     for (int i = 0; i < 4; i++) {
-        xz[2 * i] = xy[2 * i] = r(i, 3);
-        xz[2 * i + 1] = r(z[i], 3);
-        xy[2 * i + 1] = r(i * (i - 1), 6);
-        w[i] = q(1);
+        xz[2 * i] = xy[2 * i] = R[3 * i];
+        xy[2 * i + 1] = R[3 * i + 1];
+        xz[2 * i + 1] = R[3 * i + 2];
     }
     struct implicit_curve F = {3, xz, w};
     svg_panel(s, window(r(-1, 4), r(-1, 4), r(5, 4), r(9, 4)), 250, 0, "seen along $y$: $F(x,z)=0$ in both points");
