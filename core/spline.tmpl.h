@@ -53,7 +53,7 @@ KERNEL int G(spline_points_of_span)(const struct G(spline) * s, int mu, num H[])
 {
     int p = s->degree, dim = s->dim;
     if (s->weights != NULL) {
-        G(nurbs_homogenize)(p, dim, mu, s->points, s->weights, H);
+        G(nurbs_homogenize)(G(span_of_curve)(s, mu), H);
         return dim + 1;
     }
     for (int m = 0; m < (p + 1) * dim; m++)
@@ -117,10 +117,10 @@ KERNEL cagd_status G(spline_derivatives)(const struct G(spline) * s, int mu, num
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     if (s->weights == NULL) {
-        G(bspline_derivatives)(s->degree, s->dim, s->knots, mu, s->points, t, r, out);
+        G(bspline_derivatives)(G(span_of_curve)(s, mu), t, r, out);
     } else {
         G(spline_points_of_span)(s, mu, H);
-        G(bspline_span_derivatives)(s->degree, s->dim + 1, s->knots, mu, H, t, r, D);
+        G(bspline_derivatives)(G(span_alone)(s->degree, s->dim + 1, s->knots, mu, H), t, r, D);
         if (G(is_zero)(D[s->dim]))
             return CAGD_UNDEFINED;
         if (!G(is_number)(D[s->dim]))
@@ -152,7 +152,7 @@ KERNEL cagd_status G(spline_insert)(const struct G(spline) * s, num x, const str
     for (int m = 0; m <= p; m++)
         w[m] = s->weights[mu - p + m];
     if (p > 0)
-        G(bspline_deboor_level)(p, 1, s->knots, mu, 1, w, x);
+        G(bspline_deboor_level)(G(span_alone)(p, 1, s->knots, mu, w), 1, w, x);
     for (int m = 0; m < p; m++)
         if (G(is_zero)(w[m])) {
             *where = mu - p + 1 + m;
@@ -210,7 +210,7 @@ KERNEL cagd_status G(spline_elevate)(const struct G(spline) * s, const struct G(
     for (int j = 0; j < count; j++) {
         int mu = G(span_of_point)(n, p, s->knots, count, p + 1, room->knots, j),
             dim = G(spline_points_of_span)(s, mu, H);
-        G(bspline_elevate)(p, dim, s->knots + mu - p, H, 1, room->knots + j, &p, P);
+        G(bspline_elevate)(spline(p, p + 1, dim, s->knots + mu - p, H), 1, room->knots + j, &p, P);
         cagd_status status = G(spline_put)(s, j, 1, P, room, where);
         if (status != CAGD_OK)
             return status;
@@ -239,7 +239,7 @@ KERNEL cagd_status G(spline_reduce)(const struct G(spline) * s, const struct G(s
         if (!G(before)(s->knots[mu], s->knots[mu + 1]))
             continue;
         int dim = G(spline_points_of_span)(s, mu, H);
-        G(bspline_to_bezier)(p, dim, s->knots + mu - p, p, H, b);
+        G(bspline_to_bezier)(G(span_alone)(p, dim, s->knots, mu, H), b);
         G(bezier_reduce)(p, dim, b, lower, defect);
         for (int k = 0; k < dim; k++)
             if (!G(is_zero)(defect[k])) {
@@ -251,7 +251,7 @@ KERNEL cagd_status G(spline_reduce)(const struct G(spline) * s, const struct G(s
     for (int j = 0; j < count; j++) {
         int mu = G(span_of_point)(n, p, s->knots, count, p - 1, room->knots, j),
             dim = G(spline_points_of_span)(s, mu, H);
-        G(bspline_reduce)(p, dim, s->knots + mu - p, H, 1, room->knots + j, &p, P);
+        G(bspline_reduce)(spline(p, p + 1, dim, s->knots + mu - p, H), 1, room->knots + j, &p, P);
         cagd_status status = G(spline_put)(s, j, 1, P, room, where);
         if (status != CAGD_OK)
             return status;
@@ -312,7 +312,7 @@ KERNEL cagd_status G(spline_bezier)(const struct G(spline) * s, int mu, const st
     if (mu < p || mu >= s->count || !G(before)(s->knots[mu], s->knots[mu + 1]))
         return CAGD_OUTSIDE_DOMAIN;
     int dim = G(spline_points_of_span)(s, mu, H);
-    G(bspline_to_bezier)(p, dim, s->knots + mu - p, p, H, B);
+    G(bspline_to_bezier)(G(span_alone)(p, dim, s->knots, mu, H), B);
     cagd_status status = G(spline_put)(s, 0, p + 1, B, room, where);
     return status == CAGD_OK ? G(spline_result)(s, p + 1, room, where) : status;
 }

@@ -10,6 +10,8 @@
 
 #define G(name) name##_f
 #include "core/kernels/spline_type.tmpl.h"
+
+#include "core/kernels/span_type.tmpl.h"
 #undef G
 
 #include "generated/kernels/f.h"

@@ -8,5 +8,9 @@
 
 #define spline_q cagd_spline_q
 
+#define G(name) name##_q
+#include "core/kernels/span_type.tmpl.h"
+#undef G
+
 #include "generated/kernels/q.h"
 #endif

@@ -36,10 +36,10 @@ static struct circle_view view_of_circle(const struct circle_example *E, num_q t
     num_q zero = from_int_q(0), one = from_int_q(1), u[] = {zero, zero, zero, one, one, one};
     num_q D[6], L[12], LL[18], B[6], BL[9];
     rational_derivatives_q(2, 2, E->R, E->w, t, 2, D);
-    nurbs_basis_q(2, u, 2, E->w, t, 1, B);
-    nurbs_basis_by_weights_q(2, u, 2, E->w, t, BL);
-    nurbs_by_weights_q(2, 2, u, 2, E->R, E->w, t, 1, L);
-    nurbs_by_two_weights_q(2, 2, u, 2, E->R, E->w, t, LL);
+    nurbs_basis_q(nurbs_on_span_q(2, 0, u, 2, NULL, E->w), t, 1, B);
+    nurbs_basis_by_weights_q(nurbs_on_span_q(2, 0, u, 2, NULL, E->w), t, BL);
+    nurbs_by_weights_q(nurbs_on_span_q(2, 2, u, 2, E->R, E->w), t, 1, L);
+    nurbs_by_two_weights_q(nurbs_on_span_q(2, 2, u, 2, E->R, E->w), t, LL);
     for (int c = 0; c < 2; c++) {
         v.C[c] = D[c], v.C1[c] = D[2 + c], v.C2[c] = D[4 + c];
         v.by[0][c] = L[2 + c], v.by1[0][c] = L[6 + 2 + c], v.twice[c] = LL[8 + c];

@@ -67,7 +67,7 @@ CLAIM(rational_basis_is_the_weighted_share)
     num R[rows * MOST_POINTS], q[rows];
     for (int clamped = 0; clamped < 2; clamped++) {
         G(free_segment)(T, clamped, &S);
-        G(nurbs_basis)(S.p, S.u, S.p, S.z, S.t, rows - 1, R);
+        G(nurbs_basis)(G(nurbs_on_span)(S.p, 0, S.u, S.p, NULL, S.z), S.t, rows - 1, R);
         for (int m = 0; m <= S.p; m++) {
             G(series_quotient)(rows, S.own + m * rows, S.weight, q);
             for (int r = 0; r < rows; r++)
@@ -120,7 +120,7 @@ CLAIM(derivative_by_a_weight_points_to_its_point)
     for (int clamped = 0; clamped < 2; clamped++) {
         G(free_segment)(T, clamped, &S);
         num C = div(S.above[0], S.weight[0]);
-        G(nurbs_by_weights)(S.p, 1, S.u, S.p, S.P, S.z, S.t, rows - 1, out);
+        G(nurbs_by_weights)(G(nurbs_on_span)(S.p, 1, S.u, S.p, S.P, S.z), S.t, rows - 1, out);
         for (int m = 0; m <= S.p; m++) {
             G(series_by_weight)(&S, m, q);
             about(T, "the direction");
@@ -155,7 +155,7 @@ CLAIM(mixed_derivatives_are_a_covariance)
     for (int clamped = 0; clamped < 2; clamped++) {
         G(free_segment)(T, clamped, &S);
         int p = S.p;
-        G(nurbs_basis_by_weights)(p, S.u, p, S.z, S.t, out);
+        G(nurbs_basis_by_weights)(G(nurbs_on_span)(p, 0, S.u, p, NULL, S.z), S.t, out);
         for (int m = 0; m <= p; m++) {
             num row = from_int(0);
             for (int k = 0; k <= p; k++) {
@@ -202,7 +202,7 @@ CLAIM(second_derivatives_by_two_weights)
         G(free_segment)(T, clamped, &S);
         int p = S.p;
         num A = S.above[0], w = S.weight[0];
-        G(nurbs_by_two_weights)(p, 1, S.u, p, S.P, S.z, S.t, out);
+        G(nurbs_by_two_weights)(G(nurbs_on_span)(p, 1, S.u, p, S.P, S.z), S.t, out);
         for (int m = 0; m <= p; m++)
             for (int k = 0; k <= p; k++) {
 #if FIELD

@@ -33,8 +33,8 @@ static void G(free_conic_and_foot)(trial *T, struct G(conic_and_foot) * S)
     for (int m = 0; m < 3; m++)
         S->w[m] = w[m];
     G(rational_derivatives)(2, plane, S->R, S->w, S->t, 2, D);
-    G(nurbs_by_weights)(2, plane, knots, 2, S->R, S->w, S->t, 1, B);
-    G(nurbs_by_two_weights)(2, plane, knots, 2, S->R, S->w, S->t, BB);
+    G(nurbs_by_weights)(G(nurbs_on_span)(2, plane, knots, 2, S->R, S->w), S->t, 1, B);
+    G(nurbs_by_two_weights)(G(nurbs_on_span)(2, plane, knots, 2, S->R, S->w), S->t, BB);
     for (int c = 0; c < plane; c++) {
         S->C[c] = D[c], S->C1[c] = D[2 + c], S->C2[c] = D[4 + c];
         S->L[c] = B[2 + c], S->L1[c] = B[6 + 2 + c], S->LL[c] = BB[(3 + 1) * plane + c];

@@ -45,7 +45,7 @@ CLAIM(weights_have_flat_directions)
         w[i] = positive(T, "w", i);
         R[i] = unknown(T, "y", i);
     }
-    G(nurbs_by_weights)(n, 1, u, n, R, w, t, 0, by);
+    G(nurbs_by_weights)(G(nurbs_on_span)(n, 1, u, n, R, w), t, 0, by);
     G(rational_derivatives)(n, 1, R, w, t, 1, D);
     for (int i = 0; i <= n; i++) {
         sum = add(sum, by[i]);
@@ -102,8 +102,8 @@ static void jacobian_across(int n, const num R[], const num w[], int count, int 
     for (int i = 0; i < count; i++) {
         num u[2 * MOST_POINTS], by[2 * MOST_POINTS], B[MOST_POINTS], D[4], t = from_ratio(i + 1, count + 1);
         G(bezier_knots)(n, u);
-        G(nurbs_by_weights)(n, 2, u, n, R, w, t, 0, by);
-        G(nurbs_basis)(n, u, n, w, t, 0, B);
+        G(nurbs_by_weights)(G(nurbs_on_span)(n, 2, u, n, R, w), t, 0, by);
+        G(nurbs_basis)(G(nurbs_on_span)(n, 0, u, n, NULL, w), t, 0, B);
         G(rational_derivatives)(n, 2, R, w, t, 1, D);
         for (int k = 0; k < unknowns; k++) {
             int m = unknown_of[k];
@@ -226,8 +226,8 @@ CLAIM(a_straight_curve_leaves_its_speed_undetermined)
         R[2 * i] = unknown(T, "x", i);
         R[2 * i + 1] = from_int(fault(T, 0, i == n));
     }
-    G(nurbs_by_weights)(n, 2, u, n, R, w, t, 0, by);
-    G(nurbs_basis)(n, u, n, w, t, 0, B);
+    G(nurbs_by_weights)(G(nurbs_on_span)(n, 2, u, n, R, w), t, 0, by);
+    G(nurbs_basis)(G(nurbs_on_span)(n, 0, u, n, NULL, w), t, 0, B);
     G(rational_derivatives)(n, 2, R, w, t, 1, D);
     for (int m = 0; m <= n; m++) {
         num ex[2] = {B[m], zero}, ey[2] = {zero, B[m]};

@@ -22,10 +22,10 @@ static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
         G(free_control_points)(T, K.n, dim, c);
         for (int r = 0; r < p; r++)
             x[r] = unknown(T, "a", r);
-        G(bspline_span_blossom)(p, dim, K.u, p, c, x, Q);
+        G(bspline_blossom)(G(span_alone)(p, dim, K.u, p, c), x, Q);
         if (T->faulty && p > 1)
             x[0] = x[p - 1];
-        G(bspline_blossom)(p, dim, K.u, p, c, x, P);
+        G(bspline_blossom)(G(on_span)(p, dim, K.u, p, c), x, P);
         for (int i = 0; i < dim; i++) {
             about(T, "the polar form");
             G(spline_powers)(K.n, p, dim, K.u, K.place, c, i, K.place[p], K.u[p], s);
@@ -47,9 +47,9 @@ static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
 :then: `bspline_blossom` gives $f[x_0,\dots,x_{p-1}]$
 :method: The polynomial of the interval in powers of $t-u_\mu$ comes from the recursion of de Boor and Cox by its letter; its
   polar form is written in elementary symmetric polynomials of the arguments.  Knots, arguments and points are variables;
-  `bspline_span_blossom` is the same for the points of the span alone.
+  the points of the span alone give the same.
 :degrees: 0..4 sampled 9
-:defines: bspline_span_blossom bspline_blossom
+:defines: bspline_blossom
 :control: the last argument taken as the first as well
 :::
 */
@@ -106,7 +106,7 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
             num last[dim];
             for (int i = 0; i < dim; i++)
                 last[i] = d[(p + 1 - r) * dim + i];
-            G(bspline_deboor_level)(p, dim, K.u, p, r, d, fault(T, tau, r == p ? t : tau));
+            G(bspline_deboor_level)(G(on_span)(p, dim, K.u, p, NULL), r, d, fault(T, tau, r == p ? t : tau));
             for (int m = 0; m <= p - r; m++)
                 N[m] = G(cox_de_boor)(p - r, K.u, K.place, r + m, K.place[p], t);
             for (int m = 0; m < p; m++)
@@ -131,11 +131,11 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
 :zh: de Boor 算法求 B 样条曲线上的点
 :given: several segments, the distinct knots variables, points; every interval of the domain; any $t$
 :then: `bspline_deboor` gives $s(t)=\sum_{i=0}^{n-1}c_iN_{i,p}(t)$
-:method: The kernel against the sum of all $n$ terms, the B-splines from the recursion by its letter; `bspline_span_deboor` is the
-  same for the points of the span alone.
+:method: The kernel against the sum of all $n$ terms, the B-splines from the recursion by its letter; the
+  points of the span alone give the same.
 :degrees: 0..6 sampled 7
 :scope: the distinct knots variables for $p\le4$, numbers above
-:defines: bspline_deboor bspline_span_deboor
+:defines: bspline_deboor
 :control: the points taken backwards
 :::
 */
@@ -151,8 +151,8 @@ CLAIM(deboor_evaluates_bspline_curve)
                 b[i * dim + e] = c[fault(T, i, K.n - 1 - i) * dim + e];
         for (int mu = p; mu < K.n; mu++)
             if (K.place[mu] < K.place[mu + 1]) {
-                G(bspline_deboor)(p, dim, K.u, mu, b, t, P);
-                G(bspline_span_deboor)(p, dim, K.u, mu, b + (mu - p) * dim, t, Q);
+                G(bspline_deboor)(G(on_span)(p, dim, K.u, mu, b), t, P);
+                G(bspline_deboor)(G(span_alone)(p, dim, K.u, mu, b + (mu - p) * dim), t, Q);
                 for (int e = 0; e < dim; e++) {
                     num value = G(spline_value)(K.n, p, dim, K.u, K.place, c, e, K.place[mu], t);
                     same(T, P[e], value);
@@ -219,21 +219,21 @@ CLAIM(bspline_blossom_is_symmetric_and_affine)
         G(free_control_points)(T, K.n, 1, c);
         for (int r = 0; r < p; r++)
             x[r] = unknown(T, "a", r);
-        G(bspline_blossom)(p, 1, K.u, p, c, x, &P);
+        G(bspline_blossom)(G(on_span)(p, 1, K.u, p, c), x, &P);
         for (int r = 0; r < p; r++) {
             num kept = x[r];
             if (r + 1 < p) {
                 about(T, "two arguments exchanged");
                 x[r] = x[r + 1], x[r + 1] = kept;
-                G(bspline_blossom)(p, 1, K.u, p, c, x, &Q);
+                G(bspline_blossom)(G(on_span)(p, 1, K.u, p, c), x, &Q);
                 same(T, Q, P);
                 x[r + 1] = x[r], x[r] = kept;
             }
             about(T, "affine");
             x[r] = v;
-            G(bspline_blossom)(p, 1, K.u, p, c, x, &Q);
+            G(bspline_blossom)(G(on_span)(p, 1, K.u, p, c), x, &Q);
             x[r] = add(mul(b1, kept), mul(b, v));
-            G(bspline_blossom)(p, 1, K.u, p, c, x, &between);
+            G(bspline_blossom)(G(on_span)(p, 1, K.u, p, c), x, &between);
             same(T, between, fault(T, add(mul(b1, P), mul(b, Q)), add(mul(b, P), mul(b1, Q))));
             x[r] = kept;
         }
@@ -273,8 +273,8 @@ CLAIM(bspline_curve_moves_with_its_points)
                     image = add(image, mul(M[e * dim + j], c[i * dim + j]));
                 moved[i * dim + e] = fault(T, image, i == K.n - 1 ? c[i * dim + e] : image);
             }
-        G(bspline_deboor)(p, dim, K.u, p, c, t, P);
-        G(bspline_deboor)(p, dim, K.u, p, moved, t, Q);
+        G(bspline_deboor)(G(on_span)(p, dim, K.u, p, c), t, P);
+        G(bspline_deboor)(G(on_span)(p, dim, K.u, p, moved), t, Q);
         for (int e = 0; e < dim; e++) {
             num image = v[e];
             for (int j = 0; j < dim; j++)
@@ -318,8 +318,8 @@ CLAIM(bspline_curve_is_smooth_at_knots)
             int m = G(multiplicity_at)(&K, at), right = G(span_of_interval)(K.count, K.place, at);
             if (m > p)
                 continue;
-            G(bspline_derivatives)(p, 1, K.u, right - m, c, K.u[right], p, L);
-            G(bspline_derivatives)(p, 1, K.u, right, c, K.u[right], p, R);
+            G(bspline_derivatives)(G(on_span)(p, 1, K.u, right - m, c), K.u[right], p, L);
+            G(bspline_derivatives)(G(on_span)(p, 1, K.u, right, c), K.u[right], p, R);
             for (int r = 0; r <= fault(T, p - m, p - m + 1); r++)
                 same(T, R[r], L[r]);
             agree(T, !is_zero_f(sub(R[p - m + 1], L[p - m + 1])));
@@ -427,8 +427,8 @@ static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
         for (int i = 0; i <= p; i++)
             for (int e = 0; e < dim; e++)
                 b[i * dim + e] = c[fault(T, i, p - i) * dim + e];
-        G(bspline_derivatives)(p, dim, K.u, p, b, t, p + 1, D);
-        G(bspline_span_derivatives)(p, dim, K.u, p, b, t, p + 1, E);
+        G(bspline_derivatives)(G(on_span)(p, dim, K.u, p, b), t, p + 1, D);
+        G(bspline_derivatives)(G(span_alone)(p, dim, K.u, p, b), t, p + 1, E);
         for (int e = 0; e < dim; e++) {
             G(spline_powers)(K.n, p, dim, K.u, K.place, c, e, K.place[p], t, s);
             for (int r = 0; r <= p + 1; r++) {
@@ -449,10 +449,10 @@ stays in one span.
 :title: The kernel computes all derivatives of a segment
 :zh: B 样条曲线的各阶导矢
 :given: every segment, the distinct knots variables, points, any $t$, orders $0,\dots,p+1$
-:then: `bspline_derivatives` gives $s^{(r)}(t)$, $0$ for $r>p$; `bspline_span_derivatives` is the same for the points of the span
+:then: `bspline_derivatives` gives $s^{(r)}(t)$, $0$ for $r>p$; the points of the span alone give the same
 :method: The kernel against the coefficients in powers about the same $t$, from the recursion by its letter.
 :degrees: 0..4 sampled 8
-:defines: bspline_derivatives bspline_span_derivatives
+:defines: bspline_derivatives
 :control: the derivatives of the reversed points
 :::
 */

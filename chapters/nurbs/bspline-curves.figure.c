@@ -20,7 +20,7 @@ FIGURE(bspline_deboor_triangle)
     draw_bspline(s, n, p, u, c, SVG_CURVE);
     static const enum svg_direction towards[p + 1][p] = {{SVG_N}, {SVG_W, SVG_N, SVG_E}, {SVG_NW, SVG_NE}, {SVG_S}};
     for (int r = 1; r <= p; r++) {
-        bspline_deboor_level_q(p, 2, u, p, r, d, t);
+        bspline_deboor_level_q(on_span_q(p, 2, u, p, NULL), r, d, t);
         svg_polyline(s, p + 1 - r, d, SVG_FAMILY);
         for (int m = 0; m <= p - r; m++) {
             char name[16];

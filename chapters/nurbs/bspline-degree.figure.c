@@ -11,7 +11,7 @@ FIGURE(bspline_elevation)
     integers(m + p + 2, finer, v);
     integers(2 * n, point, c);
     (void)spans_of_points_q(n, p, u, m, p + 1, v, span);
-    bspline_elevate_q(p, 2, u, c, m, v, span, d);
+    bspline_elevate_q(&(cagd_spline_q){p, n, 2, u, c, NULL}, m, v, span, d);
     svg *s = svg_new("bspline_elevation", "Elevation of the degree",
                      "A quadratic curve of two segments with its polygon, and the polygon of the same curve in degree "
                      "3, where the inner "

@@ -13,7 +13,7 @@ static inline void draw_bspline(svg *s, int n, int p, const num_q u[], const num
     num_q b[2 * MOST_DRAWN];
     for (int mu = p; mu < n; mu++)
         if (before_q(u[mu], u[mu + 1])) {
-            bspline_to_bezier_q(p, 2, u, mu, c, b);
+            bspline_to_bezier_q(on_span_q(p, 2, u, mu, c), b);
             svg_bezier(s, p, b, role);
         }
 }
@@ -45,6 +45,6 @@ static inline void draw_basis_function(svg *s, int p, const num_q own[], num_q s
 static inline num_q spline_value(int n, int p, const num_q u[], const num_q c[], num_q t)
 {
     num_q value;
-    bspline_deboor_q(p, 1, u, find_span_q(n, p, u, t), c, t, &value);
+    bspline_deboor_q(on_span_q(p, 1, u, find_span_q(n, p, u, t), c), t, &value);
     return value;
 }

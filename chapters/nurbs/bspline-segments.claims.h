@@ -21,7 +21,7 @@ static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num h = sub(K.u[p + 1], K.u[p]);
         G(free_control_points)(T, K.n, dim, c);
-        G(bspline_to_bezier)(p, dim, K.u, p, c, b);
+        G(bspline_to_bezier)(G(on_span)(p, dim, K.u, p, c), b);
         for (int e = 0; e < dim; e++) {
             G(spline_powers)(K.n, p, dim, K.u, K.place, c, e, K.place[p], K.u[p], s);
             for (int r = 0; r <= p; r++) {
@@ -110,7 +110,7 @@ CLAIM(points_come_back_from_bezier_points)
     about(T, "the points of the segment");
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
-        G(bspline_to_bezier)(p, dim, K.u, p, c, b);
+        G(bspline_to_bezier)(G(on_span)(p, dim, K.u, p, c), b);
         for (int i = 0; i <= p; i++) {
             G(bspline_point_of_bezier)(p, dim, b, K.u[p], K.u[p + 1], K.u + i + 1, P);
             for (int e = 0; e < dim; e++)

@@ -23,7 +23,7 @@ FIGURE(bspline_bezier_segments)
     svg_polyline(s, POINTS, c, SVG_MUTED);
     for (int mu = CUBIC; mu < POINTS; mu++) {
         enum svg_role role = mu % 2 == 1 ? SVG_CURVE : SVG_CURVE_2;
-        bspline_to_bezier_q(CUBIC, 2, u, mu, c, b);
+        bspline_to_bezier_q(on_span_q(CUBIC, 2, u, mu, c), b);
         svg_bezier(s, CUBIC, b, role);
         svg_polyline(s, CUBIC + 1, b, SVG_POLYGON);
         for (int i = 0; i <= CUBIC; i++)
@@ -90,7 +90,7 @@ FIGURE(bspline_periodic)
         static const enum svg_direction side[m] = {SVG_SW, SVG_S, SVG_E, SVG_NE, SVG_N, SVG_W};
         svg_mark(s, svg_pair(c + 2 * i), SVG_POLYGON, SVG_USUAL);
         svg_label(s, svg_pair(c + 2 * i), side[i], SVG_POLYGON, name);
-        bspline_deboor_q(CUBIC, 2, v, CUBIC + i, d, u[i], P);
+        bspline_deboor_q(on_span_q(CUBIC, 2, v, CUBIC + i, d), u[i], P);
         svg_mark(s, svg_pair(P), i == 0 ? SVG_CURVE_2 : SVG_CURVE, SVG_USUAL);
     }
     return s;

@@ -61,6 +61,8 @@ static inline num_n root_n(int n, num_n a)
 #define G(name) name##_n
 #include "core/kernels/spline_type.tmpl.h"
 
+#include "core/kernels/span_type.tmpl.h"
+
 #include "core/kernels/kernels.tmpl.h"
 #undef G
 
@@ -97,9 +99,9 @@ static inline void counted_ways(int p, struct counted_way way[3], long *tree)
         for (int i = 0; i <= p; i++)
             w[i] = fresh;
         if (k == 0)
-            bspline_deboor_n(p, 3, u, p, R, fresh, P);
+            bspline_deboor_n(on_span_n(p, 3, u, p, R), fresh, P);
         else if (k == 1)
-            nurbs_deboor_n(p, 2, u, p, R, w, fresh, P);
+            nurbs_deboor_n(nurbs_on_span_n(p, 2, u, p, R, w), fresh, P);
         else
             nurbs_insert_n(&(struct spline_n){p, p + 1, 2, u, R, w}, p, fresh, v, S, z);
         for (int c = 0; k < 2 && c < 3 - k; c++)

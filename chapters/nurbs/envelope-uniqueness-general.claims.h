@@ -124,13 +124,13 @@ CLAIM(derivative_by_tau_is_that_of_the_level_before)
             for (int i = 0; i <= r; i++) {
                 for (int m = 0; m < p; m++)
                     x[m] = m < p - r ? t : u[m < p - i ? mu : mu + 1];
-                G(bspline_span_blossom)(p, 1, u, mu, H, x, &b[i]);
+                G(bspline_blossom)(G(span_alone)(p, 1, u, mu, H), x, &b[i]);
             }
             G(bezier_derivatives)(r, 1, b, local, 1, E);
-            G(bspline_span_derivatives)(p - r + 1, 1, u, mu, d, t, 1, D);
+            G(bspline_derivatives)(G(span_alone)(p - r + 1, 1, u, mu, d), t, 1, D);
             /* ∂_τ P[r] = r/(k-r) ∂_t P[r-1] */
             same(T, div(E[1], length), mul(from_ratio(r, fault(T, k - r, k - r + 1)), D[1]));
-            G(bspline_deboor_level)(p, 1, u, mu, r, d, tau);
+            G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, d, tau);
         }
     }
 }
@@ -246,8 +246,8 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
                 a1[i] = a[i];
                 b1[i] = b[i];
             }
-            G(bspline_deboor_level)(p, 1, u, mu, r, a, tau);
-            G(bspline_deboor_level)(p, 1, u, mu, r, b, t);
+            G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, a, tau);
+            G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, b, t);
             for (int m = 0; m <= p - r; m++) {
                 int i = mu - p + r + m, far = i + p + 1 - r;
                 num first = mul(sub(fault(T, tau, t), fault(T, t, tau)), sub(a1[m + 1], a1[m]));
@@ -309,8 +309,8 @@ CLAIM(level_by_sums_over_the_level_before)
                 a1[i] = a[i];
                 b1[i] = b[i];
             }
-            G(bspline_deboor_level)(p, 1, u, mu, r, a, tau);
-            G(bspline_deboor_level)(p, 1, u, mu, r, b, t);
+            G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, a, tau);
+            G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, b, t);
             G(bspline_basis)(q, u, mu, t, N);
             G(bspline_basis_derivatives)(q + 1, u, mu, t, 1, D);
             num first = zero, before = zero, change = zero, slope = zero, rest = zero, derivative = zero, last = zero;
@@ -690,12 +690,12 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
                         sum = add(sum, mul(minor, G(det3)(P + 3 * i, P + 3 * l, P + 3 * h)));
                     }
             int m = p - r + 1;
-            G(bspline_span_derivatives)(m, 3, u, mu, d, t, 2, Q);
+            G(bspline_derivatives)(G(span_alone)(m, 3, u, mu, d), t, 2, Q);
             about(T, "the determinant of Q, Q', Q''");
             num cube = mul(length, mul(length, length));
             /* (b - a)³ det(Q, Q', Q'') = m²(m-1) Σ M_ilh det(P_i, P_l, P_h) */
             same(T, mul(cube, G(det3)(Q, Q + 3, Q + 6)), mul(from_int((long)m * m * (m - 1)), sum));
-            G(bspline_deboor_level)(p, 3, u, mu, r, d, tau);
+            G(bspline_deboor_level)(G(on_span)(p, 3, u, mu, NULL), r, d, tau);
         }
     }
 }

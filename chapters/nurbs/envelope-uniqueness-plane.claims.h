@@ -55,7 +55,7 @@ CLAIM(points_are_polar_values_of_the_segment)
         c[i] = unknown(T, "c", i);
     for (int shape = 0; shape < SHAPES; shape++) {
         G(knots_of_span)(T, p, shape, u, place);
-        G(bspline_to_bezier)(p, 1, u, mu, c, b);
+        G(bspline_to_bezier)(G(on_span)(p, 1, u, mu, c), b);
         for (int i = 0; i <= p; i++) {
             G(bspline_point_of_bezier)(p, 1, b, u[mu], u[mu + 1], fault(T, u + i + 1, u + i), &f);
             same(T, f, c[i]);
@@ -413,12 +413,12 @@ CLAIM(folded_line_has_another_solution)
     num tau = given(T, "τ"), t = given(T, "t");
     if (!G(pair_of_the_envelope)(T, 2, 2, u, 2, R, w, 1, tau, t, X))
         return;
-    G(bspline_to_bezier)(2, 2, u, 2, R, b);
+    G(bspline_to_bezier)(G(on_span)(2, 2, u, 2, R), b);
     for (int i = 0; i < 3; i++)
         x[i] = sub(b[2 * i], X[0]);
     int places = count_roots(poly_from_bernstein(2, x), from_int(0), from_int(1), CLOSED).distinct;
     for (int m = 0; m < 2; m++) /* at t_j and half way to t_{j+1} */
-        G(bspline_deboor)(2, 2, u, 2, R, add(u[2], mul(from_ratio(m, 2), sub(u[3], u[2]))), ends + 2 * m);
+        G(bspline_deboor)(G(on_span)(2, 2, u, 2, R), add(u[2], mul(from_ratio(m, 2), sub(u[3], u[2]))), ends + 2 * m);
     found_points(T, "end and middle of the segment", 2, 2, ends);
     found_whole(T, "parameters with this point", places);
     about(T, "the point is on the segment");

@@ -55,7 +55,7 @@ FIGURE(points_off_the_plane)
             svg_label(s, svg_at(0, 0), SVG_SW, SVG_POINT, "0");
             continue;
         }
-        bspline_deboor_level_q(3, 3, c.u, 3, 1, d, q(1));
+        bspline_deboor_level_q(on_span_q(3, 3, c.u, 3, NULL), 1, d, q(1));
         for (int i = 0; i < 3; i++)
             svg_mark(s, svg_pair(d + 3 * i), SVG_RIGHT, SVG_USUAL);
     }

@@ -65,11 +65,11 @@ static inline void member_as_bezier(const struct nurbs *c, int mu, int level, nu
     for (int m = 0; m < 3 * (p + 1); m++)
         d[m] = c->H[3 * (mu - p) + m];
     for (int k = 1; k <= level; k++)
-        bspline_deboor_level_q(p, 3, c->u, mu, k, d, tau);
+        bspline_deboor_level_q(on_span_q(p, 3, c->u, mu, NULL), k, d, tau);
     for (int i = 0; i <= degree; i++) {
         for (int k = 0; k < degree; k++)
             x[k] = c->u[k < degree - i ? mu : mu + 1];
-        bspline_span_blossom_q(degree, 3, c->u, mu, d, x, b + 3 * i);
+        bspline_blossom_q(span_alone_q(degree, 3, c->u, mu, d), x, b + 3 * i);
     }
     rational_dehomogenize_q(degree, 2, b, R, w);
 }
@@ -100,7 +100,7 @@ static inline void put_curve(svg *s, const struct nurbs *c, enum svg_role role)
 static inline svg_point point_of(const struct nurbs *c, int mu, num_q t)
 {
     num_q P[3], R[2], w[1];
-    bspline_deboor_q(c->p, 3, c->u, mu, c->H, t, P);
+    bspline_deboor_q(on_span_q(c->p, 3, c->u, mu, c->H), t, P);
     rational_dehomogenize_q(0, 2, P, R, w);
     return svg_pair(R);
 }

@@ -66,7 +66,7 @@ static inline void G(level_of_curve)(int p, int dim, const num u[], int mu, cons
     for (int i = 0; i <= p; i++)
         wr[i] = w[i];
     for (int level = 1; level <= r; level++)
-        G(nurbs_deboor_level)(p, dim, u, mu, level, Rr, wr, tau);
+        G(nurbs_deboor_level)(G(nurbs_on_span)(p, dim, u, mu, NULL, NULL), level, Rr, wr, tau);
 }
 
 /* out = sum N_{i,q}(t) w_i (R_i, 1) of a curve of degree q on the span: numerators, then the denominator. */
@@ -104,7 +104,7 @@ static inline void G(curve_derivatives)(int q, int dim, const num u[], int mu, c
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(rational_homogenize)(q, dim, R, w, H);
-    G(bspline_span_derivatives)(q, dim + 1, u, mu, H, t, order, D);
+    G(bspline_derivatives)(G(span_alone)(q, dim + 1, u, mu, H), t, order, D);
     G(rational_quotient_derivatives)(dim, D, order, out);
 }
 
@@ -152,7 +152,7 @@ static inline void G(family_derivatives)(int p, int dim, const num u[], int mu, 
     for (int i = 0; i <= r; i++) {
         for (int k = 0; k < p; k++)
             x[k] = k < p - r ? t : u[k < p - i ? mu : mu + 1];
-        G(bspline_span_blossom)(p, dim + 1, u, mu, H, x, b + i * (dim + 1));
+        G(bspline_blossom)(G(span_alone)(p, dim + 1, u, mu, H), x, b + i * (dim + 1));
     }
     G(bezier_derivatives)(r, dim + 1, b, div(sub(tau, u[mu]), length), 1, E);
     G(rational_quotient_derivatives)(dim, E, 1, F);
@@ -165,7 +165,7 @@ static inline void G(family_derivatives)(int p, int dim, const num u[], int mu, 
 static inline int G(turns_left_on_span)(int p, const num u[], int mu, const num c[])
 {
     num b[2 * (MAX_DEGREE + 1)], x[2][MAX_DEGREE + 1];
-    G(bspline_to_bezier)(p, 2, u, mu, c, b);
+    G(bspline_to_bezier)(G(on_span)(p, 2, u, mu, c), b);
     for (int i = 0; i <= p; i++) {
         x[0][i] = b[2 * i];
         x[1][i] = b[2 * i + 1];

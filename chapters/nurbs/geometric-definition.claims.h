@@ -142,7 +142,7 @@ CLAIM(double_knot_skips_a_leg)
         num b[2];
         if (equal_q(u[mu], u[mu + 1]))
             continue;
-        G(bspline_to_bezier)(1, 1, u, mu, x, b);
+        G(bspline_to_bezier)(G(on_span)(1, 1, u, mu, x), b);
         points += count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), CLOSED).distinct;
     }
     found_points(T, "middle of the leg", 1, 2, middle);
@@ -302,7 +302,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
             }
     for (int interval = p; interval < n; interval++) {
         num D[4], step = mul(sub(t, tau), from_ratio(1, p));
-        G(bspline_derivatives)(p, 2, u, fault(T, interval, p), H, tau, 1, D);
+        G(bspline_derivatives)(G(on_span)(p, 2, u, fault(T, interval, p), H), tau, 1, D);
         for (int c = 0; c < 2; c++) {
             num sum = from_int(0);
             for (int i = p - 1; i < n; i++)
@@ -391,7 +391,7 @@ CLAIM(convex_polygon_has_a_stationary_leg)
     if (!G(pair_of_the_envelope)(T, 3, 2, u, 4, R + 2, w + 1, 2, tau, t, X) || !agrees || !convex)
         return;
     num place = add(X[0], c);
-    G(bspline_deboor)(3, 2, u, compare_q(place, u[4]) < 0 ? 3 : 4, R, place, at);
+    G(bspline_deboor)(G(on_span)(3, 2, u, compare_q(place, u[4]) < 0 ? 3 : 4, R), place, at);
     found_points(T, "point of the curve with its abscissa", 1, 2, at);
     about(T, "the ordinates of the point and of the curve there");
     same(T, X[1], at[1]);
@@ -449,7 +449,7 @@ CLAIM(quadratic_legs_have_one_envelope)
     G(knots_of_span)(T, 2, 0, u, place);
     G(free_curve)(T, 2, 2, R, w);
     G(rational_homogenize)(2, 2, R, w, H);
-    G(bspline_span_derivatives)(2, 3, u, 2, H, tau, 2, D);
+    G(bspline_derivatives)(G(span_alone)(2, 3, u, 2, H), tau, 2, D);
     for (int c = 0; c < 2; c++) {
         a[c] = sub(R[2 + c], R[c]);
         b[c] = sub(R[4 + c], R[c]);

@@ -259,9 +259,9 @@ static void G(check_refinement_keeps_curve)(trial *T, int kind)
         for (int last = 0; last <= 1; last++) {
             if (!G(spans_over)(&K, L.n, p, L.place, last, span))
                 continue;
-            G(bspline_refine)(p, dim, K.u, c, L.n, L.u, span, d);
+            G(bspline_refine)(spline(p, K.n, dim, K.u, c), L.n, L.u, span, d);
             if (T->faulty && L.n > p + 1)
-                G(bspline_blossom)(p, dim, K.u, span[p], c, L.u + p, d + p * dim);
+                G(bspline_blossom)(G(on_span)(p, dim, K.u, span[p], c), L.u + p, d + p * dim);
             about(T, "the points of repeated insertion");
             for (int i = 0; i < L.n * dim; i++)
                 same(T, d[i], boehm[i]);

@@ -200,7 +200,7 @@ CLAIM(greville_abscissae_reproduce_the_line)
 static poly G(segment)(int p, const num u[], int mu, const num c[])
 {
     num b[MAX_DEGREE + 1], local[] = {neg(u[mu]), from_int(1)};
-    G(bspline_to_bezier)(p, 1, u, mu, c, b);
+    G(bspline_to_bezier)(G(on_span)(p, 1, u, mu, c), b);
     poly s = poly_scale(poly_from_q(2, local), div(from_int(1), sub(u[mu + 1], u[mu])));
     return poly_compose(poly_from_bernstein(p, b), s);
 }
@@ -440,7 +440,7 @@ CLAIM(first_vertex_stays_off_the_curve)
     given_points(T, "r", n, dim, R);
     given_points(T, "w", n, 1, w);
     int most = given_whole(T, "M"), near = 0;
-    G(bspline_to_bezier)(p, dim, u, p, R, bezier);
+    G(bspline_to_bezier)(G(on_span)(p, dim, u, p, R), bezier);
     for (int m = 1; m <= most; m++) {
         struct G(refinement) r;
         G(halve_gaps)(p, count, u, m, &r);
@@ -525,7 +525,7 @@ CLAIM(polygons_keep_the_edge_over_a_jump)
     int most = given_whole(T, "M");
     for (int mu = p; mu < n; mu++)
         if (place[mu] < place[mu + 1]) {
-            G(bspline_to_bezier)(p, dim, u, mu, R, b);
+            G(bspline_to_bezier)(G(on_span)(p, dim, u, mu, R), b);
             for (int i = 0; i <= p; i++)
                 apart &= mu == p ? sign_q(b[dim * i + 1]) <= 0 : sign_q(sub(b[dim * i + 1], one)) >= 0;
         }

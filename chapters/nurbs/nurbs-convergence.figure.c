@@ -64,7 +64,7 @@ FIGURE(no_convergence)
         x[0] = r(j + 1 - 2 * parts, parts);
         x[1] = r(j + 2 - 2 * parts, parts);
         int mu = find_span_q(wide.n, wide.p, wide.u, r(2 * (j + 1) - 4 * parts + 1, 2 * parts));
-        bspline_blossom_q(2, 3, wide.u, mu, H, x, vertex);
+        bspline_blossom_q(on_span_q(2, 3, wide.u, mu, H), x, vertex);
         polygon[2 * count] = div_q(vertex[0], vertex[2]);
         polygon[2 * count + 1] = div_q(vertex[1], vertex[2]);
     }

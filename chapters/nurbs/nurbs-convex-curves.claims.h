@@ -113,7 +113,7 @@ CLAIM(curve_of_a_polygon_that_turns_back_is_not_convex)
     given_points(T, "t", 3, 1, at);
     at[3] = given(T, "τ");
     for (int m = 0; m < 4; m++)
-        G(nurbs_point)(2, 2, t + 1, span_of(4, 3, t, at[m]), r + 2, w + 1, at[m], P[m]);
+        G(nurbs_point)(G(nurbs_on_span)(2, 2, t + 1, span_of(4, 3, t, at[m]), r + 2, w + 1), at[m], P[m]);
     found_points(T, "r(t)", 3, 2, P[0]);
     found_points(T, "r(τ)", 1, 2, P[3]);
     int inner = 1;
@@ -142,8 +142,8 @@ CLAIM(knot_of_full_multiplicity_tears_the_curve)
     num t[7], r[10], w[5], left[2], right[2];
     given_curve(T, 4, 2, t, r, w);
     num knot = given(T, "t");
-    G(nurbs_point)(1, 2, t + 1, place_of(6, t, knot) - 1, r + 2, w + 1, knot, left);
-    G(nurbs_point)(1, 2, t + 1, span_of(4, 2, t, knot), r + 2, w + 1, knot, right);
+    G(nurbs_point)(G(nurbs_on_span)(1, 2, t + 1, place_of(6, t, knot) - 1, r + 2, w + 1), knot, left);
+    G(nurbs_point)(G(nurbs_on_span)(1, 2, t + 1, span_of(4, 2, t, knot), r + 2, w + 1), knot, right);
     found_points(T, "r(t-)", 1, 2, left);
     found_points(T, "r(t+)", 1, 2, right);
     about(T, "the polygon being convex, the curve is continuous at t");
@@ -154,8 +154,8 @@ CLAIM(knot_of_full_multiplicity_tears_the_curve)
 static poly turning_of_span(int p, const num_q u[], int mu, const num_q R[], const num_q w[], poly *weight)
 {
     num_q H[MOST_COORDINATES], b[MOST_COORDINATES], one[MAX_DEGREE + 1];
-    nurbs_homogenize_q(p, 2, mu, R, w, H + 3 * (mu - p));
-    bspline_to_bezier_q(p, 3, u, mu, H, b);
+    nurbs_homogenize_q(nurbs_on_span_q(p, 2, NULL, mu, R, w), H + 3 * (mu - p));
+    bspline_to_bezier_q(on_span_q(p, 3, u, mu, H), b);
     poly P[3][3], sum = poly_constant(from_int_q(0));
     for (int c = 0; c < 3; c++) {
         for (int i = 0; i <= p; i++)
@@ -332,7 +332,7 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
             num P[2 * POINTS];
             for (int m = 0; m < POINTS; m++) {
                 num x = add(t[k], mul(from_ratio(m, POINTS - 1), sub(t[n + 1], t[k])));
-                G(nurbs_point)(k - 1, 2, t + 1, span_of(n, k, t, x), r + 2, w + 1, x, P + 2 * m);
+                G(nurbs_point)(G(nurbs_on_span)(k - 1, 2, t + 1, span_of(n, k, t, x), r + 2, w + 1), x, P + 2 * m);
             }
             for (int c = 2; c < POINTS; c++)
                 for (int b = 1; b < c; b++)
@@ -385,7 +385,7 @@ CLAIM(periodic_curves_of_convex_polygons_are_convex)
             G(rational_homogenize)(m - 1, 2, R, w, H);
             G(bspline_periodic)(m, p, 3, knot, H, v, D);
             for (int j = 0; j < m; j++) {
-                G(bspline_to_bezier)(p, 3, v, p + j, D, b);
+                G(bspline_to_bezier)(G(on_span)(p, 3, v, p + j, D), b);
                 G(rational_dehomogenize)(p - 1, 2, b, joined + 2 * j * p, w);
             }
             int orientation;

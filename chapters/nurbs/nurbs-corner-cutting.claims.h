@@ -635,7 +635,7 @@ CLAIM(knots_are_inserted_in_any_order)
             while (K.place[span[i] + 2] <= V.place[last])
                 span[i]++;
         }
-        G(bspline_refine)(p, 2, K.t + 1, H, n + 2, V.t + 1, span, D);
+        G(bspline_refine)(spline(p, n, 2, K.t + 1, H), n + 2, V.t + 1, span, D);
         for (int i = 1; i <= n + 2; i++) {
             same(T, mul(z[i], S[i]), D[2 * (i - 1)]);
             same(T, z[i], D[2 * (i - 1) + 1]);

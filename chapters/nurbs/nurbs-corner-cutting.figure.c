@@ -35,7 +35,7 @@ static void mark_inflections(svg *s, spline c)
 {
     num_q H[3 * MOST_POINTS], b[3 * MOST_POINTS];
     rational_homogenize_q(c.n - 1, 2, c.R, c.w, H);
-    bspline_to_bezier_q(c.p, 3, c.u, c.p, H, b);
+    bspline_to_bezier_q(on_span_q(c.p, 3, c.u, c.p, H), b);
     poly P[3][3], sum = poly_constant(from_int_q(0));
     for (int k = 0; k < 3; k++) {
         num_q one[MOST_POINTS];

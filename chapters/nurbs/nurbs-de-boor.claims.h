@@ -93,7 +93,7 @@ CLAIM(rational_triangle_follows_the_recursion)
         num last = v[points], end[2] = {P[2 * points], P[2 * points + 1]};
         for (int m = 0; T->faulty && r == p && m <= points; m++)
             v[m] = last = from_int(1);
-        G(nurbs_deboor_level)(p, 2, u, j - 1, r, P, v, t);
+        G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, u, j - 1, NULL, NULL), r, P, v, t);
         for (int m = 0; m < points; m++) {
             int i = j - k + r + 1 + m;
             about(T, "w_i^[r]");
@@ -194,7 +194,7 @@ CLAIM(rational_triangle_gives_the_point)
             about(T, "the weight by the recursion");
             same(T, G(printed_weight)(k, u, w, r, i, t), total);
             about(T, "the point by the kernel");
-            G(nurbs_deboor)(p, 1, u, j - 1, R, w, t, &out);
+            G(nurbs_deboor)(G(nurbs_on_span)(p, 1, u, j - 1, R, w), t, &out);
             same(T, out, point);
         }
     }
@@ -372,7 +372,7 @@ CLAIM(every_level_divides_its_edges)
             P[2 * m] = R[2 * m];
             P[2 * m + 1] = R[2 * m + 1];
         }
-        G(nurbs_deboor_level)(p, 2, u, mu, r, R, w, t);
+        G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, u, mu, NULL, NULL), r, R, w, t);
         for (int m = 0; m < k - r; m++) {
             int i = mu - p + r + m;
             /* λ = (t - t_i) w_i / ((t - t_i) w_i + (t_{i+k-r} - t) w_{i-1}) */
@@ -437,7 +437,7 @@ CLAIM(negative_weight_divides_outside)
     given_points(T, "T", 4, 1, u);
     given_points(T, "r", 2, 1, P);
     given_points(T, "w", 2, 1, w);
-    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, w, given(T, "t"));
+    G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, w, given(T, "t"));
     found(T, "λ", P[0]);
     about(T, "0 <= λ <= 1");
     agree(T, sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0);
@@ -471,7 +471,7 @@ CLAIM(weights_enter_the_coefficients)
 {
     num v = positive(T, "v", 0), w = positive(T, "w", 0), a = parameter(T, "a"), one = from_int(1), b = sub(one, a);
     num u[] = {neg(one), from_int(0), one, from_int(2)}, P[] = {from_int(0), one}, weights[] = {v, w};
-    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, weights, a);
+    G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, weights, a);
     if (T->faulty) {
         num kept = v;
         v = w;

@@ -20,7 +20,7 @@ FIGURE(deboor_triangle)
         for (int i = 0; i < 4; i++)
             w[i] = c.w[i];
         for (int level = 1; level <= 3; level++) {
-            nurbs_deboor_level_q(3, 2, c.u, 3, level, R, w, t);
+            nurbs_deboor_level_q(nurbs_on_span_q(3, 2, c.u, 3, NULL, NULL), level, R, w, t);
             svg_polyline(s, 4 - level, R, SVG_FAMILY);
             for (int m = 0; m < 4 - level; m++) {
                 static const enum svg_direction towards[4][3] = {
@@ -52,10 +52,10 @@ FIGURE(wrong_interval)
     svg_panel(s, window(r(-1, 2), r(-1, 2), r(7, 2), r(5, 2)), 400, 0, "$k=3$, $t_i=i$, $t=7/2$ in $[t_3,t_4)$");
     draw_polygon(s, c, "r", side, SVG_POLYGON);
     for (int i = 0; i <= 32; i++)
-        nurbs_point_q(2, 2, c.u, 3, c.R, c.w, add_q(q(3), r(i, 32)), P + 2 * i);
+        nurbs_point_q(nurbs_on_span_q(2, 2, c.u, 3, c.R, c.w), add_q(q(3), r(i, 32)), P + 2 * i);
     svg_polyline(s, 33, P, SVG_WRONG);
     draw_spline(s, c, SVG_CURVE);
-    nurbs_point_q(2, 2, c.u, 3, c.R, c.w, t, Q);
+    nurbs_point_q(nurbs_on_span_q(2, 2, c.u, 3, c.R, c.w), t, Q);
     svg_mark(s, svg_pair(Q), SVG_WRONG, SVG_USUAL);
     svg_mark(s, spline_point(c, t), SVG_RIGHT, SVG_USUAL);
     svg_label(s, svg_pair(Q), SVG_SE, SVG_WRONG, "j=4");

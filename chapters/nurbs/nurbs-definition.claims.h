@@ -485,14 +485,14 @@ CLAIM(nurbs_point_is_the_weighted_mean)
             int mu = G(span_of_interval)(count, place, interval);
             num total = G(nurbs_by_definition)(n, p, dim, u, place, R, w, interval, t, P);
             w[mu] = fault(T, w[mu], add(w[mu], from_int(1)));
-            G(nurbs_point)(p, dim, u, mu, R, w, t, Q);
+            G(nurbs_point)(G(nurbs_on_span)(p, dim, u, mu, R, w), t, Q);
             for (int c = 0; c < dim; c++)
                 same(T, Q[c], P[c]);
             about(T, "the denominator");
-            same(T, G(nurbs_weight)(p, u, mu, w, t), total);
+            same(T, G(nurbs_weight)(G(nurbs_on_span)(p, 0, u, mu, NULL, w), t), total);
             about(T, "the homogeneous points of the span");
             num H[4 * MOST_KNOTS];
-            G(nurbs_homogenize)(p, dim, mu, R, w, H);
+            G(nurbs_homogenize)(G(nurbs_on_span)(p, dim, NULL, mu, R, w), H);
             for (int i = 0; i <= p; i++) {
                 same(T, H[i * (dim + 1) + dim], w[mu - p + i]);
                 for (int c = 0; c < dim; c++)
@@ -547,7 +547,7 @@ CLAIM(equal_weights_give_bspline)
             int mu = G(span_of_interval)(count, place, interval);
             for (int i = 0; i < n; i++)
                 w[i] = fault(T, same_weight, i == mu ? add(same_weight, same_weight) : same_weight);
-            G(nurbs_point)(p, 1, u, mu, R, w, t, &P);
+            G(nurbs_point)(G(nurbs_on_span)(p, 1, u, mu, R, w), t, &P);
             same(T, P, G(spline_value)(n, p, 1, u, place, R, 0, interval, t));
         }
     }
@@ -654,7 +654,7 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
     G(simple_knots)(T, count, 4, u, place);
     for (int i = 0; i <= p; i++)
         H[i] = unknown(T, "H", i);
-    G(bspline_to_bezier)(p, 1, u, p, H, b);
+    G(bspline_to_bezier)(G(on_span)(p, 1, u, p, H), b);
     G(bezier_casteljau)(p, 1, fault(T, b, H), div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
     same(T, value, G(spline_value)(p + 1, p, 1, u, place, H, 0, p, t));
 }
@@ -710,7 +710,7 @@ CLAIM(simple_knots_need_other_points)
     given_points(T, "T", 6, 1, u);
     given_points(T, "r", 3, 2, R);
     given_points(T, "w", 3, 1, w);
-    G(nurbs_point)(2, 2, u, 2, R, w, u[2], P);
+    G(nurbs_point)(G(nurbs_on_span)(2, 2, u, 2, R, w), u[2], P);
     G(rational_point)(2, 2, R, w, from_int(0), Q);
     found_points(T, "r(t_k)", 1, 2, P);
     found_points(T, "rational Bézier curve at 0", 1, 2, Q);

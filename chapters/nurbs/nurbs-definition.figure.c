@@ -105,7 +105,7 @@ FIGURE(bezier_knots)
         if (good)
             continue;
         rational_homogenize_q(3, 2, c.R, c.w, H);
-        bspline_to_bezier_q(3, 3, c.u, 3, H, b);
+        bspline_to_bezier_q(on_span_q(3, 3, c.u, 3, H), b);
         rational_dehomogenize_q(3, 2, b, P, v);
         svg_polyline(s, 4, P, SVG_CURVE_2);
         for (int i = 0; i < 4; i++)

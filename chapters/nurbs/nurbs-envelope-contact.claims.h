@@ -51,7 +51,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
         for (int i = 0; i <= p; i++)
             d[i] = R[i];
         for (int r = 1; r <= p; r++) {
-            G(bspline_deboor_level)(p, 1, u, mu, r, d, tau);
+            G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, d, tau);
             G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
             for (int m = 0; m <= p - r; m++) {
                 same(T, wr[m], all);
@@ -206,13 +206,13 @@ CLAIM(span_derivatives_are_parallel)
     for (int shape = 0; shape < SHAPES; shape++) {
         num D[2 * (MAX_DEGREE + 1)], E[2 * (MAX_DEGREE + 1)], d[2 * (MAX_DEGREE + 1)];
         G(knots_of_span)(T, p, shape, u, place);
-        G(bspline_span_derivatives)(p, 2, u, mu, H, t, p, D);
+        G(bspline_derivatives)(G(span_alone)(p, 2, u, mu, H), t, p, D);
         for (int m = 0; m < 2 * (p + 1); m++)
             d[m] = H[m];
         for (int r = 0; r <= p; r++) {
             if (r > 0)
-                G(bspline_deboor_level)(p, 2, u, mu, r, d, t);
-            G(bspline_span_derivatives)(p - r, 2, u, mu, d, t, p - r, E);
+                G(bspline_deboor_level)(G(on_span)(p, 2, u, mu, NULL), r, d, t);
+            G(bspline_derivatives)(G(span_alone)(p - r, 2, u, mu, d), t, p - r, E);
             for (int m = 0; m < 2 * (p - r + 1); m++) {
                 long a = fault(T, G(falling_factorial)(p, m / 2), 1),
                      b = fault(T, G(falling_factorial)(p - r, m / 2), 1);

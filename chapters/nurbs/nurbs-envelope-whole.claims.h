@@ -97,7 +97,7 @@ CLAIM(whole_member_is_polar_on_every_span)
                 num x[MAX_DEGREE], f[2];
                 for (int k = 0; k < p; k++)
                     x[k] = k < r ? tau : t;
-                G(bspline_blossom)(p, 2, u, mu, H, x, f);
+                G(bspline_blossom)(G(on_span)(p, 2, u, mu, H), x, f);
                 for (int c = 0; c < 2; c++) {
                     num sum = from_int(0);
                     for (int i = r; i < n; i++)
@@ -288,6 +288,5 @@ CLAIM(high_knot_leaves_a_point_undefined)
     refute(T, zeros > 0 && !is_zero_q(numerator));
 }
 #endif
-
 
 #include "chapters/judge/claims_off.h"

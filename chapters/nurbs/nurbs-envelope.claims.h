@@ -124,7 +124,7 @@ CLAIM(member_of_span_is_polar)
             G(sums)(p - r, 1, u, mu, Rr, wr, t, S);
             for (int k = 0; k < p; k++)
                 x[k] = k < r - fault(T, 0, r > 0) ? tau : t;
-            G(bspline_span_blossom)(p, 2, u, mu, H, x, f);
+            G(bspline_blossom)(G(span_alone)(p, 2, u, mu, H), x, f);
             /* Σ N_i,k-r(t) w_i[r](τ) (r_i[r](τ), 1) = f[τ, ..., τ, t, ..., t] */
             same(T, S[0], f[0]);
             same(T, S[1], f[1]);
@@ -216,13 +216,13 @@ CLAIM(member_of_extreme_levels)
         G(knots_of_span)(T, p, shape, u, place);
         G(level_of_curve)(p, 1, u, mu, R, w, 0, tau, Rr, wr);
         G(sums)(p, 1, u, mu, Rr, wr, t, S);
-        G(nurbs_point)(p, 1, u, mu, R, w, t, &point);
+        G(nurbs_point)(G(nurbs_on_span)(p, 1, u, mu, R, w), t, &point);
         about(T, "level 0");
         same(T, div(S[0], S[1]), point);
         int last = fault(T, p, p - 1);
         G(level_of_curve)(p, 1, u, mu, R, w, last, tau, Rr, wr);
         G(sums)(p - last, 1, u, mu, Rr, wr, t, S);
-        G(nurbs_point)(p, 1, u, mu, R, w, tau, &point);
+        G(nurbs_point)(G(nurbs_on_span)(p, 1, u, mu, R, w), tau, &point);
         about(T, "level k-1");
         same(T, div(S[0], S[1]), point);
     }
@@ -482,7 +482,7 @@ CLAIM(corner_has_two_tangents)
     for (int i = 0; i < 5; i++)
         w[i] = from_int(1);
     int left = 2, right = 4; /* the spans on the two sides of the knot */
-    G(nurbs_derivatives)(2, 2, u, fault(T, right, left), R, w, tau, 1, D);
+    G(nurbs_derivatives)(G(nurbs_on_span)(2, 2, u, fault(T, right, left), R, w), tau, 1, D);
     G(level_of_curve)(2, 2, u, right, R + 4, w + 2, 1, tau, Rr, wr);
     G(curve_derivatives)(1, 2, u, right, Rr, wr, tau, 1, E);
     found_points(T, "derivative of the curve", 1, 2, D + 2);
@@ -601,8 +601,8 @@ CLAIM(negative_weight_takes_a_point_away)
     num tau = given(T, "τ");
     for (int i = 0; i < 3; i++)
         level[i] = w[i];
-    G(bspline_to_bezier)(2, 1, u, 2, w, b);
-    G(bspline_deboor_level)(2, 1, u, 2, 1, level, tau);
+    G(bspline_to_bezier)(G(on_span)(2, 1, u, 2, w), b);
+    G(bspline_deboor_level)(G(on_span)(2, 1, u, 2, NULL), 1, level, tau);
     found_points(T, "weights of level 1", 2, 1, level);
     if (sign_on(poly_from_bernstein(2, b), from_int(0), from_int(1), CLOSED) != SIGN_POSITIVE)
         return;

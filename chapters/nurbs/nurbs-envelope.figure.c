@@ -60,7 +60,7 @@ FIGURE(nurbs_envelope_growing)
             for (int i = 0; i <= 3; i++) {
                 for (int m = 0; m < 3; m++)
                     x[m] = m < 3 - i ? from : to;
-                bspline_blossom_q(3, 3, c.u, mu, c.H, x, H + 3 * i);
+                bspline_blossom_q(on_span_q(3, 3, c.u, mu, c.H), x, H + 3 * i);
             }
             rational_dehomogenize_q(3, 2, H, R, w);
             svg_rational(s, 3, R, w, SVG_CURVE);

@@ -46,7 +46,7 @@ CLAIM(nurbs_point_is_the_quotient)
             if (K.place[mu] == K.place[mu + 1])
                 continue;
             num t = G(in_interval)(T, &K, mu, "t");
-            G(nurbs_homogenize)(p, dim, mu, R, z, H);
+            G(nurbs_homogenize)(G(nurbs_on_span)(p, dim, NULL, mu, R, z), H);
             about(T, "homogeneous points");
             for (int m = 0; m <= p; m++) {
                 same(T, H[m * (dim + 1) + dim], w[mu - p + m]);
@@ -63,10 +63,10 @@ CLAIM(nurbs_point_is_the_quotient)
                     sum[e] = add(sum[e], mul(share, R[i * dim + e]));
             }
             about(T, "the weight");
-            same(T, G(nurbs_weight)(p, K.u, mu, z, t), total);
+            same(T, G(nurbs_weight)(G(nurbs_on_span)(p, 0, K.u, mu, NULL, z), t), total);
             about(T, "the point");
-            G(nurbs_point)(p, dim, K.u, mu, R, z, t, P);
-            G(nurbs_deboor)(p, dim, K.u, mu, R, z, t, Q);
+            G(nurbs_point)(G(nurbs_on_span)(p, dim, K.u, mu, R, z), t, P);
+            G(nurbs_deboor)(G(nurbs_on_span)(p, dim, K.u, mu, R, z), t, Q);
             for (int e = 0; e < dim; e++) {
                 same(T, mul(P[e], total), sum[e]);
                 same(T, mul(Q[e], total), sum[e]);
@@ -108,7 +108,8 @@ CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
             z[i] = w[i];
         for (int r = 1; r <= p; r++) {
             num last = z[p + 1 - r], last_point = S[(p + 1 - r) * dim];
-            G(nurbs_deboor_level)(p, dim, K.u, p, r, S, z, fault(T, tau, r == p ? t : tau));
+            G(nurbs_deboor_level)
+            (G(nurbs_on_span)(p, dim, K.u, p, NULL, NULL), r, S, z, fault(T, tau, r == p ? t : tau));
             about(T, "the last point and weight");
             same(T, z[p + 1 - r], last);
             same(T, S[(p + 1 - r) * dim], last_point);
@@ -283,7 +284,7 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num t = G(in_interval)(T, &K, p, "t");
         G(segment_data)(T, &K, dim, t, R, w);
-        G(nurbs_derivatives)(p, dim, K.u, p, R, w, t, p + 1, D);
+        G(nurbs_derivatives)(G(nurbs_on_span)(p, dim, K.u, p, R, w), t, p + 1, D);
         for (int e = 0; e < dim; e++) {
             for (int i = 0; i < K.n; i++)
                 H[i] = mul(w[i], R[i * dim + e]);
@@ -432,7 +433,7 @@ CLAIM(nurbs_curvature_from_homogeneous_coordinates)
             above = mul(above, D[0][2]);
         for (int m = 0; m < 3; m++)
             below = mul(below, speed);
-        same(T, mul(G(nurbs_curvature_squared)(p, 2, K.u, p, R, w, t), below), above);
+        same(T, mul(G(nurbs_curvature_squared)(G(nurbs_on_span)(p, 2, K.u, p, R, w), t), below), above);
     }
 }
 
@@ -471,7 +472,7 @@ CLAIM(nurbs_torsion_from_homogeneous_coordinates)
             below = add(below, mul(minor, minor));
         }
         num above = mul(mul(D[0][3], D[0][3]), G(determinant)(4, M));
-        same(T, mul(G(nurbs_torsion)(p, K.u, p, R, w, t), below), above);
+        same(T, mul(G(nurbs_torsion)(G(nurbs_on_span)(p, 3, K.u, p, R, w), t), below), above);
     }
 }
 #endif
@@ -517,8 +518,8 @@ CLAIM(kernels_move_with_their_knots)
             num t = G(in_interval)(T, &K, mu, "t"), at = add(fault(T, mul(a, t), t), b), x[HIGHEST + 1], weight[2];
             for (int m = 0; m < 2; m++) {
                 num s = m == 0 ? t : at;
-                G(nurbs_point)(p, dim, knots[m], mu, R, w, s, c[m]);
-                weight[m] = G(nurbs_weight)(p, knots[m], mu, w, s);
+                G(nurbs_point)(G(nurbs_on_span)(p, dim, knots[m], mu, R, w), s, c[m]);
+                weight[m] = G(nurbs_weight)(G(nurbs_on_span)(p, 0, knots[m], mu, NULL, w), s);
             }
             about(T, "the point and its weight");
             G(same_points)(T, dim, c[1], c[0]);
@@ -548,7 +549,7 @@ CLAIM(kernels_move_with_their_knots)
             for (int i = 0; i < F.count; i++)
                 finer[i] = add(mul(a, F.u[i]), b);
             for (int m = 0; m < 2; m++)
-                G(bspline_refine)(p, dim, knots[m], R, F.n, m == 0 ? F.u : finer, span, c[m]);
+                G(bspline_refine)(spline(p, K.n, dim, knots[m], R), F.n, m == 0 ? F.u : finer, span, c[m]);
             G(same_points)(T, F.n * dim, c[1], c[0]);
         }
         if (K.n > p + 2)
@@ -563,14 +564,14 @@ CLAIM(kernels_move_with_their_knots)
             finer[i] = add(mul(a, E.u[i]), b);
         about(T, "a degree more");
         for (int m = 0; m < 2; m++)
-            G(bspline_elevate)(p, dim, knots[m], R, E.n, m == 0 ? E.u : finer, span, c[m]);
+            G(bspline_elevate)(spline(p, K.n, dim, knots[m], R), E.n, m == 0 ? E.u : finer, span, c[m]);
         G(same_points)(T, E.n * dim, c[1], c[0]);
         if (p == 0 || !G(spans_over)(&E, K.n, p, K.place, 0, span))
             continue;
         about(T, "a degree less");
         G(free_control_points)(T, E.n, dim, R);
         for (int m = 0; m < 2; m++)
-            G(bspline_reduce)(p + 1, dim, m == 0 ? E.u : finer, R, K.n, knots[m], span, d[m]);
+            G(bspline_reduce)(spline(p + 1, E.n, dim, m == 0 ? E.u : finer, R), K.n, knots[m], span, d[m]);
         G(same_points)(T, K.n * dim, d[1], d[0]);
     }
 }

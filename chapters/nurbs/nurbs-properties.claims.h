@@ -142,7 +142,7 @@ CLAIM(negative_weight_leaves_the_hull)
     given_points(T, "T", 6, 1, u);
     given_points(T, "r", 3, 2, R);
     given_points(T, "w", 3, 1, w);
-    G(nurbs_point)(2, 2, u, 2, R, w, given(T, "t"), P);
+    G(nurbs_point)(G(nurbs_on_span)(2, 2, u, 2, R, w), given(T, "t"), P);
     found_points(T, "r(t)", 1, 2, P);
     about(T, "the point is in the hull");
     agree(T, hull_membership(2, 3, R, P).inside);
@@ -279,21 +279,21 @@ CLAIM(nurbs_sides_agree)
             u[i] = p + 1 < i && i <= p + m ? u[i - 1] : add(u[i - 1], positive(T, "h", i));
         G(weighted_points)(T, p + m + 1, 3, R, w);
         num t = u[p + 1];
-        G(nurbs_derivatives)(p, 3, u, before, R, w, t, p - m, left);
+        G(nurbs_derivatives)(G(nurbs_on_span)(p, 3, u, before, R, w), t, p - m, left);
         w[p] = fault(T, w[p], add(w[p], from_int(1)));
-        G(nurbs_derivatives)(p, 3, u, after, R, w, t, p - m, right);
+        G(nurbs_derivatives)(G(nurbs_on_span)(p, 3, u, after, R, w), t, p - m, right);
         about(T, "the derivatives");
         for (int r = 0; r < 3 * (p - m + 1); r++)
             same(T, left[r], right[r]);
         if (p - m >= 2) {
             about(T, "the squares of the curvatures");
-            num from_left = G(nurbs_curvature_squared)(p, 3, u, before, R, w, t);
-            same(T, from_left, G(nurbs_curvature_squared)(p, 3, u, after, R, w, t));
+            num from_left = G(nurbs_curvature_squared)(G(nurbs_on_span)(p, 3, u, before, R, w), t);
+            same(T, from_left, G(nurbs_curvature_squared)(G(nurbs_on_span)(p, 3, u, after, R, w), t));
         }
         if (p - m >= 3) {
             about(T, "the torsions");
-            num from_left = G(nurbs_torsion)(p, u, before, R, w, t);
-            same(T, from_left, G(nurbs_torsion)(p, u, after, R, w, t));
+            num from_left = G(nurbs_torsion)(G(nurbs_on_span)(p, 3, u, before, R, w), t);
+            same(T, from_left, G(nurbs_torsion)(G(nurbs_on_span)(p, 3, u, after, R, w), t));
         }
     }
 }
@@ -324,10 +324,10 @@ CLAIM(one_order_more_jumps)
     num t = given(T, "t");
     int order = given_whole(T, "order");
     const num *from_left = left + 2 * order, *from_right = right + 2 * order;
-    G(nurbs_derivatives)(2, 2, u, 2, R, w, t, 2, left);
-    G(nurbs_derivatives)(2, 2, u, 3, R, w, t, 2, right);
-    num bent_left = G(nurbs_curvature_squared)(2, 2, u, 2, R, w, t);
-    num bent_right = G(nurbs_curvature_squared)(2, 2, u, 3, R, w, t);
+    G(nurbs_derivatives)(G(nurbs_on_span)(2, 2, u, 2, R, w), t, 2, left);
+    G(nurbs_derivatives)(G(nurbs_on_span)(2, 2, u, 3, R, w), t, 2, right);
+    num bent_left = G(nurbs_curvature_squared)(G(nurbs_on_span)(2, 2, u, 2, R, w), t);
+    num bent_right = G(nurbs_curvature_squared)(G(nurbs_on_span)(2, 2, u, 3, R, w), t);
     found_points(T, "derivative from the left", 1, 2, from_left);
     found_points(T, "derivative from the right", 1, 2, from_right);
     found(T, "κ² from the left", bent_left);
@@ -402,7 +402,7 @@ CLAIM(nurbs_derivatives_are_derivatives)
 
     G(weighted_points)(T, p + 1, 1, R, w);
     G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, interval, t, formal);
-    G(nurbs_derivatives)(p, 1, u, p, R, fault(T, w, ones), t, order, D);
+    G(nurbs_derivatives)(G(nurbs_on_span)(p, 1, u, p, R, fault(T, w, ones)), t, order, D);
     about(T, "the derivatives");
     for (int k = 0; k <= order; k++) {
         same(T, D[k], formal[0]);
@@ -428,10 +428,10 @@ CLAIM(nurbs_derivatives_are_derivatives)
         mixed = add(mixed, mul(cross, formal[3 * dim + c]));
     }
     about(T, "the square of the curvature");
-    same(T, G(nurbs_curvature_squared)(p, dim, u, p, R, fault(T, weight, ones), tau),
+    same(T, G(nurbs_curvature_squared)(G(nurbs_on_span)(p, dim, u, p, R, fault(T, weight, ones)), tau),
          div(square, mul(speed, mul(speed, speed))));
     about(T, "the torsion");
-    same(T, G(nurbs_torsion)(p, u, p, R, fault(T, weight, ones), tau), div(mixed, square));
+    same(T, G(nurbs_torsion)(G(nurbs_on_span)(p, 3, u, p, R, fault(T, weight, ones)), tau), div(mixed, square));
 }
 #endif
 
@@ -464,7 +464,7 @@ CLAIM(clamped_end_is_the_first_point)
         u[i] = 1 < i && i <= p ? u[1] : add(u[i - 1], positive(T, "h", i));
     G(weighted_points)(T, p + 1, 2, R, w);
     num one = u[p], length1 = sub(u[p + 1], one), length2 = sub(u[p + 2], one), a[3], b[3], c[3];
-    G(nurbs_derivatives)(p, 2, u, p, R, w, one, 1, D);
+    G(nurbs_derivatives)(G(nurbs_on_span)(p, 2, u, p, R, w), one, 1, D);
     num speed = mul(div(from_int(p), length1), div(w[1], w[0])); /* (k-1)/Δ_1 w_2/w_1 */
     for (int k = 0; k < 2; k++) {
         a[k] = sub(R[2 + k], R[k]);
@@ -479,7 +479,8 @@ CLAIM(clamped_end_is_the_first_point)
     factor = fault(T, mul(factor, div(length1, length2)), factor);
     num square = G(norm_squared)(2, a), part = mul(factor, area);
     about(T, "the square of the curvature");
-    same(T, G(nurbs_curvature_squared)(p, 2, u, p, R, w, one), div(mul(part, part), mul(square, mul(square, square))));
+    same(T, G(nurbs_curvature_squared)(G(nurbs_on_span)(p, 2, u, p, R, w), one),
+         div(mul(part, part), mul(square, mul(square, square))));
     if (p < 3)
         return;
     G(weighted_points)(T, p + 1, 3, S, w);
@@ -491,7 +492,8 @@ CLAIM(clamped_end_is_the_first_point)
     /* (k-3)/(k-1) Δ_1/Δ_3 w_1 w_4/(w_2 w_3), times (a, b, c)/|a x b|² */
     factor = mul(mul(from_ratio(p - 2, p), div(length1, sub(u[p + 3], one))), div(mul(w[0], w[3]), mul(w[1], w[2])));
     about(T, "the torsion");
-    same(T, G(nurbs_torsion)(p, u, p, S, w, one), mul(factor, div(G(det3)(a, b, c), G(gram)(3, a, b))));
+    same(T, G(nurbs_torsion)(G(nurbs_on_span)(p, 3, u, p, S, w), one),
+         mul(factor, div(G(det3)(a, b, c), G(gram)(3, a, b))));
 }
 
 /*
@@ -520,8 +522,8 @@ CLAIM(periodic_data_close_the_curve)
             c[i] = unknown(T, "H", i);
         G(bspline_periodic)(m, p, 1, u, c, v, d);
         int orders = fault(T, p, p + 1);
-        G(bspline_derivatives)(p, 1, v, p, d, v[p], orders - 1, first);
-        G(bspline_derivatives)(p, 1, v, p + m - 1, d, v[p + m], orders - 1, last);
+        G(bspline_derivatives)(G(on_span)(p, 1, v, p, d), v[p], orders - 1, first);
+        G(bspline_derivatives)(G(on_span)(p, 1, v, p + m - 1, d), v[p + m], orders - 1, last);
         for (int r = 0; r < orders; r++)
             same(T, first[r], last[r]);
     }

@@ -55,11 +55,11 @@ FIGURE(knot_sides)
         num_q P[2 * 9];
         for (int i = 0; i <= 8; i++) {
             num_q t = mu == 2 ? r(8 + i, 8) : r(i, 8);
-            nurbs_point_q(2, 2, far.u, mu, far.R, far.w, t, P + 2 * i);
+            nurbs_point_q(nurbs_on_span_q(2, 2, far.u, mu, far.R, far.w), t, P + 2 * i);
         }
         svg_polyline(s, 9, P, SVG_MUTED);
     }
-    nurbs_derivatives_q(2, 2, c.u, 2, c.R, c.w, q(1), 1, D);
+    nurbs_derivatives_q(nurbs_on_span_q(2, 2, c.u, 2, c.R, c.w), q(1), 1, D);
     svg_mark(s, svg_pair(D), SVG_POINT, SVG_USUAL);
     svg_label(s, svg_pair(D), SVG_NW, SVG_POINT, "r(1)");
     svg_panel(s, window(r(-1, 2), r(-1, 2), r(7, 2), r(2, 1)), 320, 0, "$k=2$, double knot: two values");

@@ -65,7 +65,7 @@ static struct spline_meets_axis spline_meets_axis(int n, int k, const num_q t[],
         int low = 0, high = p;
         if (compare_q(t[j], t[j + 1]) == 0)
             continue;
-        bspline_to_bezier_q(p, 1, t + 1, j - 1, c + 1, b);
+        bspline_to_bezier_q(on_span_q(p, 1, t + 1, j - 1, c + 1), b);
         while (low <= p && is_zero_q(b[low]))
             low++;
         while (high >= 0 && is_zero_q(b[high]))
@@ -526,7 +526,7 @@ CLAIM(line_form_of_a_nurbs_curve)
         h[i] = mul(w[i], fault(T, add(h[i], line[2]), i == n - 1 ? h[i] : add(h[i], line[2])));
     }
     for (int interval = 0; interval < 2; interval++) {
-        G(nurbs_point)(p, 2, u, p + interval, R, w, x, P);
+        G(nurbs_point)(G(nurbs_on_span)(p, 2, u, p + interval, R, w), x, P);
         num form = add(add(mul(line[0], P[0]), mul(line[1], P[1])), line[2]);
         num above = G(spline_value)(n, p, 1, u, place, h, 0, interval, x);
         /* a x(t) + b y(t) + c = Σ N_i,k(t) w_i (a x_i + b y_i + c) / Σ N_i,k(t) w_i */
@@ -556,7 +556,7 @@ CLAIM(self_crossing_polygon_meets_the_line_less_than_its_spline)
     given_points(T, "t", 2, 1, t);
     for (int m = 0; m < 2; m++) {
         int mu = place_of(g.n + g.k, g.t, t[m]) - 1;
-        G(nurbs_point)(g.k - 1, 2, g.t + 1, mu, g.r + 2, g.w + 1, t[m], P + 2 * m);
+        G(nurbs_point)(G(nurbs_on_span)(g.k - 1, 2, g.t + 1, mu, g.r + 2, g.w + 1), t[m], P + 2 * m);
     }
     struct spline_meets_axis curve = curve_of(&g);
     struct cagd_polygon_meets_line polygon = polygon_of_graph(&g);

@@ -126,12 +126,12 @@ CLAIM(circle_is_run_through_once)
     for (int interval = 0; interval < quarters; interval++) {
         int mu = G(span_of_interval)(count, place, interval);
         num t = add(x[interval], mul(sub(x[interval + 1], x[interval]), part));
-        G(nurbs_derivatives)(p, dim, u, mu, R, w, t, 1, D);
+        G(nurbs_derivatives)(G(nurbs_on_span)(p, dim, u, mu, R, w), t, 1, D);
         about(T, "the angle grows");
         G(must_be_positive)(T, G(cross2)(D, D + dim)); /* x y' - y x' */
         about(T, "the ends of the quarter");
         for (int end = 0; end < 2; end++) {
-            G(nurbs_point)(p, dim, u, mu, R, w, x[interval + end], D);
+            G(nurbs_point)(G(nurbs_on_span)(p, dim, u, mu, R, w), x[interval + end], D);
             for (int c = 0; c < dim; c++)
                 same(T, D[c], R[2 * (interval + end) * dim + c]);
         }

@@ -43,7 +43,7 @@ static inline void draw_segment(svg *s, spline c, int mu, enum svg_role colour)
 {
     num_q H[3 * MOST_POINTS], b[3 * (MAX_DEGREE + 1)], P[2 * (MAX_DEGREE + 1)], v[MAX_DEGREE + 1];
     rational_homogenize_q(c.n - 1, 2, c.R, c.w, H);
-    bspline_to_bezier_q(c.p, 3, c.u, mu, H, b);
+    bspline_to_bezier_q(on_span_q(c.p, 3, c.u, mu, H), b);
     rational_dehomogenize_q(c.p, 2, b, P, v);
     svg_rational(s, c.p, P, v, colour);
 }
@@ -59,7 +59,7 @@ static inline void draw_spline(svg *s, spline c, enum svg_role colour)
 static inline svg_point spline_point(spline c, num_q t)
 {
     num_q P[2];
-    nurbs_point_q(c.p, 2, c.u, find_span_q(c.n, c.p, c.u, t), c.R, c.w, t, P);
+    nurbs_point_q(nurbs_on_span_q(c.p, 2, c.u, find_span_q(c.n, c.p, c.u, t), c.R, c.w), t, P);
     return svg_pair(P);
 }
 

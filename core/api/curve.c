@@ -60,7 +60,7 @@ static inline void triangle(int p, int size, const cagd_curve *c, int mu, double
     for (int m = 0; m < (p + 1) * size; m++)
         d[m] = c->H[(mu - p) * size + m];
     for (int r = 1; r <= p; r++)
-        bspline_deboor_level_d(p, size, c->knots, mu, r, d, t);
+        bspline_deboor_level_d(on_span_d(p, size, c->knots, mu, NULL), r, d, t);
     for (int k = 0; k < size; k++)
         out[k] = d[k];
 }
@@ -113,12 +113,12 @@ static cagd_status derivatives(const cagd_curve *c, double t, int mu, int order,
     int p = c->degree, dim = c->dim;
     const double *span = c->H + (mu - p) * c->size;
     if (c->size > dim) {
-        bspline_span_derivatives_d(p, c->size, c->knots, mu, span, t, order, D);
+        bspline_derivatives_d(span_alone_d(p, c->size, c->knots, mu, span), t, order, D);
         REQUIRE(D[dim] != 0, CAGD_UNDEFINED);
         REQUIRE(isfinite(D[dim]), CAGD_OVERFLOW);
         rational_quotient_derivatives_d(dim, D, order, out);
     } else {
-        bspline_span_derivatives_d(p, dim, c->knots, mu, span, t, order, out);
+        bspline_derivatives_d(span_alone_d(p, dim, c->knots, mu, span), t, order, out);
     }
     return result((order + 1) * dim, out);
 }

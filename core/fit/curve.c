@@ -63,7 +63,7 @@ void fit_curve_update(fit_curve *c)
     for (int k = 0; k < c->pieces; k++) {
         double H[(MAX_DEGREE + 1) * MAX_DIM];
         int mu = c->span[k], dim = spline_points_of_span_d(&c->spline, mu, H);
-        bspline_to_bezier_d(p, dim, c->spline.knots + mu - p, p, H, c->bezier + k * size);
+        bspline_to_bezier_d(span_alone_d(p, dim, c->spline.knots, mu, H), c->bezier + k * size);
     }
 }
 

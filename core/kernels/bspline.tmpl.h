@@ -10,8 +10,9 @@
  * a knot is that of the span on the left.  Which span contains t is decided outside (core/kernels/span.h for binary64,
  * exact/span.h for rationals).
  *
- * Curves.  Kernels that make another curve of a whole one take the curve, a struct G(spline) of degree p, count n, dim, knots u
- * and points c; those that compute on a span take the degree, the knots and the span.
+ * Curves.  Kernels that make another curve of a whole one take the curve s, a struct G(spline) of degree p, count n, dim, knots u
+ * and points c; those that compute a segment take it, a struct G(curve_span) s of degree p, dim, knots u, mu and points c; those
+ * that read no points take the degree, the knots and the span.
  *
  * Results do not overlap arguments unless said.
  * Source: de-boor-1978, ch. IX to XI; ramshaw-1989. */
@@ -83,53 +84,39 @@ KERNEL void G(bspline_discrete)(int p, const num u[], int mu, const num x[restri
 
 /* Level r of de Boor's triangle at t, 1 <= r <= p, in place: the p+2-r points d_i^{r-1}, i = mu-p+r-1, ..., mu,
  * become the p+1-r points d_i^r = (1-a) d_{i-1}^{r-1} + a d_i^{r-1}, a = (t - u_i)/(u_{i+p+1-r} - u_i),
- * i = mu-p+r, ..., mu.  The last point stays as it was. */
-KERNEL void G(bspline_deboor_level)(int p, int dim, const num u[], int mu, int r, num d[], num t)
+ * i = mu-p+r, ..., mu.  The last point stays as it was.  The points of s are not read. */
+KERNEL void G(bspline_deboor_level)(struct G(curve_span) s, int r, num d[], num t)
 {
-    for (int m = 0; m <= p - r; m++) {
-        int i = mu - p + r + m, far = i + p + 1 - r;
+    const num *u = s.knots;
+    for (int m = 0; m <= s.degree - r; m++) {
+        int i = s.mu - s.degree + r + m, far = i + s.degree + 1 - r;
         num length = sub(u[far], u[i]), a = div(sub(t, u[i]), length), b = div(sub(u[far], t), length);
-        for (int c = 0; c < dim; c++)
-            d[m * dim + c] = add(mul(b, d[m * dim + c]), mul(a, d[(m + 1) * dim + c]));
+        for (int c = 0; c < s.dim; c++)
+            d[m * s.dim + c] = add(mul(b, d[m * s.dim + c]), mul(a, d[(m + 1) * s.dim + c]));
     }
 }
 
-/* The polar form (极形式) of the segment of mu, out = f[x_0, ..., x_{p-1}]: symmetric, affine in each x, and
- * f[t, ..., t] = s(t).  Level r of de Boor's triangle at x_{r-1}.  d: the p+1 points c_{mu-p}, ..., c_mu. */
-KERNEL void G(bspline_span_blossom)(int p, int dim, const num u[restrict], int mu, const num d[restrict],
-                                    const num x[restrict], num out[restrict])
+/* The polar form (极形式) of the segment, out = f[x_0, ..., x_{p-1}]: symmetric, affine in each x, and
+ * f[t, ..., t] = s(t).  Level r of de Boor's triangle at x_{r-1}. */
+KERNEL void G(bspline_blossom)(struct G(curve_span) s, const num x[restrict], num out[restrict])
 {
+    const num *c = s.points + (s.mu - s.degree) * s.dim;
     num w[(MAX_DEGREE + 1) * MAX_DIM];
-    for (int m = 0; m < (p + 1) * dim; m++)
-        w[m] = d[m];
-    for (int r = 1; r <= p; r++)
-        G(bspline_deboor_level)(p, dim, u, mu, r, w, x[r - 1]);
-    for (int c = 0; c < dim; c++)
-        out[c] = w[c];
+    for (int m = 0; m < (s.degree + 1) * s.dim; m++)
+        w[m] = c[m];
+    for (int r = 1; r <= s.degree; r++)
+        G(bspline_deboor_level)(s, r, w, x[r - 1]);
+    for (int k = 0; k < s.dim; k++)
+        out[k] = w[k];
 }
 
-/* The same for all n points c. */
-KERNEL void G(bspline_blossom)(int p, int dim, const num u[restrict], int mu, const num c[restrict],
-                               const num x[restrict], num out[restrict])
-{
-    G(bspline_span_blossom)(p, dim, u, mu, c + (mu - p) * dim, x, out);
-}
-
-/* out = s(t) of the segment with the p+1 points d, by de Boor's algorithm. */
-KERNEL void G(bspline_span_deboor)(int p, int dim, const num u[restrict], int mu, const num d[restrict], num t,
-                                   num out[restrict])
+/* out = s(t), by de Boor's algorithm. */
+KERNEL void G(bspline_deboor)(struct G(curve_span) s, num t, num out[restrict])
 {
     num x[MAX_DEGREE + 1];
-    for (int r = 0; r < p; r++)
+    for (int r = 0; r < s.degree; r++)
         x[r] = t;
-    G(bspline_span_blossom)(p, dim, u, mu, d, x, out);
-}
-
-/* out = s(t), all n points given. */
-KERNEL void G(bspline_deboor)(int p, int dim, const num u[restrict], int mu, const num c[restrict], num t,
-                              num out[restrict])
-{
-    G(bspline_span_deboor)(p, dim, u, mu, c + (mu - p) * dim, t, out);
+    G(bspline_blossom)(s, x, out);
 }
 
 /* The points of the derivative on a span, in place: d_i, i = mu-p, ..., mu, become the p points
@@ -145,28 +132,22 @@ KERNEL void G(bspline_hodograph)(int p, int dim, const num u[], int mu, num d[])
     }
 }
 
-/* Row k of out, k = 0, ..., r, is the k-th derivative at t of the segment with the p+1 points d; zero for k > p. */
-KERNEL void G(bspline_span_derivatives)(int p, int dim, const num u[], int mu, const num d[restrict], num t, int r,
-                                        num out[restrict])
+/* Row k of out, k = 0, ..., r, is the k-th derivative of s at t; zero for k > p. */
+KERNEL void G(bspline_derivatives)(struct G(curve_span) s, num t, int r, num out[restrict])
 {
+    int p = s.degree, dim = s.dim;
+    const num *c = s.points + (s.mu - p) * dim;
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (p + 1) * dim; m++)
-        w[m] = d[m];
+        w[m] = c[m];
     for (int k = 0; k <= r; k++) {
         if (k <= p)
-            G(bspline_span_deboor)(p - k, dim, u, mu, w, t, out + k * dim);
+            G(bspline_deboor)(G(span_alone)(p - k, dim, s.knots, s.mu, w), t, out + k * dim);
         else
-            for (int c = 0; c < dim; c++)
-                out[k * dim + c] = from_int(0);
-        G(bspline_hodograph)(p - k, dim, u, mu, w);
+            for (int m = 0; m < dim; m++)
+                out[k * dim + m] = from_int(0);
+        G(bspline_hodograph)(p - k, dim, s.knots, s.mu, w);
     }
-}
-
-/* The same, all n points given. */
-KERNEL void G(bspline_derivatives)(int p, int dim, const num u[], int mu, const num c[restrict], num t, int r,
-                                   num out[restrict])
-{
-    G(bspline_span_derivatives)(p, dim, u, mu, c + (mu - p) * dim, t, r, out);
 }
 
 /* The n-1 points e_i = p (c_{i+1} - c_i)/(u_{i+p+1} - u_{i+1}) of the derivative of s, a spline of degree p-1
@@ -203,7 +184,7 @@ KERNEL void G(bspline_insert)(const struct G(spline) * curve, int mu, num x, num
     for (int m = 0; m < (p + 1) * dim; m++)
         w[m] = c[(mu - p) * dim + m];
     if (p > 0)
-        G(bspline_deboor_level)(p, dim, u, mu, 1, w, x);
+        G(bspline_deboor_level)(G(span_of_curve)(curve, mu), 1, w, x);
     for (int i = 0; i <= n; i++)
         for (int k = 0; k < dim; k++)
             d[i * dim + k] = i <= mu - p ? c[i * dim + k]
@@ -252,20 +233,21 @@ KERNEL void G(bspline_remove)(const struct G(spline) * curve, int r, int s, num 
 /* The m points of the same spline over a refinement v of u (m+p+1 knots, every knot of u with at least its
  * multiplicity): the Oslo algorithm, d_j = f[v_{j+1}, ..., v_{j+p}].  span[j] is a span of u that contains a non-empty
  * interval [v_l, v_{l+1}] with j <= l <= j+p. */
-KERNEL void G(bspline_refine)(int p, int dim, const num u[restrict], const num c[restrict], int m,
-                              const num v[restrict], const int span[restrict], num d[restrict])
+KERNEL void G(bspline_refine)(const struct G(spline) * s, int m, const num v[restrict], const int span[restrict],
+                              num d[restrict])
 {
     for (int j = 0; j < m; j++)
-        G(bspline_blossom)(p, dim, u, span[j], c, v + j + 1, d + j * dim);
+        G(bspline_blossom)(G(span_of_curve)(s, span[j]), v + j + 1, d + j * s->dim);
 }
 
 /* The m points of the same spline in degree p+1 <= MAX_DEGREE over v, in which every knot of u in the domain has
  * at least one more than its multiplicity (m+p+2 knots):
  *     d_j = 1/(p+1) sum_{k=1}^{p+1} f[v_{j+1}, ..., v_{j+p+1} without v_{j+k}].
  * span[j] as above, with j <= l <= j+p+1. */
-KERNEL void G(bspline_elevate)(int p, int dim, const num u[restrict], const num c[restrict], int m,
-                               const num v[restrict], const int span[restrict], num d[restrict])
+KERNEL void G(bspline_elevate)(const struct G(spline) * s, int m, const num v[restrict], const int span[restrict],
+                               num d[restrict])
 {
+    int p = s->degree, dim = s->dim;
     num x[MAX_DEGREE], part[MAX_DIM], share = from_ratio(1, p + 1);
     for (int j = 0; j < m; j++) {
         for (int k = 0; k < dim; k++)
@@ -273,22 +255,23 @@ KERNEL void G(bspline_elevate)(int p, int dim, const num u[restrict], const num 
         for (int left_out = 0; left_out <= p; left_out++) {
             for (int r = 0; r < p; r++)
                 x[r] = v[j + 1 + (r < left_out ? r : r + 1)];
-            G(bspline_blossom)(p, dim, u, span[j], c, x, part);
+            G(bspline_blossom)(G(span_of_curve)(s, span[j]), x, part);
             for (int k = 0; k < dim; k++)
                 d[j * dim + k] = add(d[j * dim + k], mul(share, part[k]));
         }
     }
 }
 
-/* The p+1 Bézier points of the segment of mu over [u_mu, u_{mu+1}]: b_i = f[u_mu, ..., u_mu, u_{mu+1}, ..., u_{mu+1}]
+/* The p+1 Bézier points of the segment over [u_mu, u_{mu+1}]: b_i = f[u_mu, ..., u_mu, u_{mu+1}, ..., u_{mu+1}]
  * with i arguments u_{mu+1}. */
-KERNEL void G(bspline_to_bezier)(int p, int dim, const num u[restrict], int mu, const num c[restrict], num b[restrict])
+KERNEL void G(bspline_to_bezier)(struct G(curve_span) s, num b[restrict])
 {
+    int p = s.degree;
     num x[MAX_DEGREE + 1];
     for (int i = 0; i <= p; i++) {
         for (int r = 0; r < p; r++)
-            x[r] = u[r < p - i ? mu : mu + 1];
-        G(bspline_blossom)(p, dim, u, mu, c, x, b + i * dim);
+            x[r] = s.knots[r < p - i ? s.mu : s.mu + 1];
+        G(bspline_blossom)(s, x, b + i * s.dim);
     }
 }
 
@@ -307,12 +290,14 @@ KERNEL void G(bspline_point_of_bezier)(int p, int dim, const num b[restrict], nu
  * v_{j+1}, ..., v_{j+p-1} of the segment span[j], reduced by bezier_reduce; span[j] as above, with j <= l < j+p.
  * p >= 1.  Whether the spline is of degree p-1 is decided by elevating the result: it is if and only if that
  * gives c again. */
-KERNEL void G(bspline_reduce)(int p, int dim, const num u[restrict], const num c[restrict], int m,
-                              const num v[restrict], const int span[restrict], num d[restrict])
+KERNEL void G(bspline_reduce)(const struct G(spline) * s, int m, const num v[restrict], const int span[restrict],
+                              num d[restrict])
 {
+    int p = s->degree, dim = s->dim;
+    const num *u = s->knots;
     num b[(MAX_DEGREE + 1) * MAX_DIM], lower[(MAX_DEGREE + 1) * MAX_DIM], defect[MAX_DIM];
     for (int j = 0; j < m; j++) {
-        G(bspline_to_bezier)(p, dim, u, span[j], c, b);
+        G(bspline_to_bezier)(G(span_of_curve)(s, span[j]), b);
         G(bezier_reduce)(p, dim, b, lower, defect);
         G(bspline_point_of_bezier)(p - 1, dim, lower, u[span[j]], u[span[j] + 1], v + j + 1, d + j * dim);
     }
@@ -342,7 +327,7 @@ KERNEL void G(bspline_split)(const struct G(spline) * curve, int mu, int s, num 
         w[m] = c[(mu - p) * dim + m];
     for (int r = 0; r <= p; r++) {
         if (r > 0)
-            G(bspline_deboor_level)(p, dim, u, mu, r, w, t);
+            G(bspline_deboor_level)(G(span_of_curve)(curve, mu), r, w, t);
         for (int k = 0; k < dim; k++) {
             if (mu - p + r < lefts)
                 left[(mu - p + r) * dim + k] = w[k];

@@ -9,6 +9,8 @@
 
 #define G(name) name##_m
 #include "core/kernels/spline_type.tmpl.h"
+
+#include "core/kernels/span_type.tmpl.h"
 #undef G
 
 #include "generated/kernels/m.h"

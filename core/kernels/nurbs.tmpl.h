@@ -9,86 +9,86 @@
  * Source: wang-ch4, 4.1; piegl-tiller-1997, ch. 4 and 5. */
 #include "core/number/generic_on.h"
 
-/* H: the p+1 homogeneous points of the span (formula 4.1.1). */
-KERNEL void G(nurbs_homogenize)(int p, int dim, int mu, const num R[restrict], const num w[restrict], num H[restrict])
+/* H: the p+1 homogeneous points of the span (formula 4.1.1).  The knots are not read. */
+KERNEL void G(nurbs_homogenize)(struct G(curve_span) s, num H[restrict])
 {
-    G(rational_homogenize)(p, dim, R + (mu - p) * dim, w + mu - p, H);
+    int first = s.mu - s.degree;
+    G(rational_homogenize)(s.degree, s.dim, s.points + first * s.dim, s.weights + first, H);
 }
 
-/* The denominator w(t). */
-KERNEL num G(nurbs_weight)(int p, const num u[], int mu, const num w[], num t)
+/* The denominator w(t).  The points are not read. */
+KERNEL num G(nurbs_weight)(struct G(curve_span) s, num t)
 {
     num total;
-    G(bspline_deboor)(p, 1, u, mu, w, t, &total);
+    G(bspline_deboor)(G(on_span)(s.degree, 1, s.knots, s.mu, s.weights), t, &total);
     return total;
 }
 
 /* out = R(t), of dim coordinates (formula 4.1.2). */
-KERNEL void G(nurbs_point)(int p, int dim, const num u[restrict], int mu, const num R[restrict], const num w[restrict],
-                           num t, num out[restrict])
+KERNEL void G(nurbs_point)(struct G(curve_span) s, num t, num out[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], total;
-    G(nurbs_homogenize)(p, dim, mu, R, w, H);
-    G(bspline_span_deboor)(p, dim + 1, u, mu, H, t, P);
-    G(rational_dehomogenize)(0, dim, P, out, &total);
+    G(nurbs_homogenize)(s, H);
+    G(bspline_deboor)(G(span_alone)(s.degree, s.dim + 1, s.knots, s.mu, H), t, P);
+    G(rational_dehomogenize)(0, s.dim, P, out, &total);
 }
 
 /* Row k of out is the k-th derivative of R at t, k = 0, ..., r, r <= MAX_DEGREE. */
-KERNEL void G(nurbs_derivatives)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
-                                 const num w[restrict], num t, int r, num out[restrict])
+KERNEL void G(nurbs_derivatives)(struct G(curve_span) s, num t, int r, num out[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
-    G(nurbs_homogenize)(p, dim, mu, R, w, H);
-    G(bspline_span_derivatives)(p, dim + 1, u, mu, H, t, r, D);
-    G(rational_quotient_derivatives)(dim, D, r, out);
+    G(nurbs_homogenize)(s, H);
+    G(bspline_derivatives)(G(span_alone)(s.degree, s.dim + 1, s.knots, s.mu, H), t, r, D);
+    G(rational_quotient_derivatives)(s.dim, D, r, out);
 }
 
 /* The squared curvature at t, 2 <= dim < MAX_DIM.  UNDEFINED also where R' = 0. */
-KERNEL num G(nurbs_curvature_squared)(int p, int dim, const num u[], int mu, const num R[], const num w[], num t)
+KERNEL num G(nurbs_curvature_squared)(struct G(curve_span) s, num t)
 {
     num D[3 * MAX_DIM];
-    G(nurbs_derivatives)(p, dim, u, mu, R, w, t, 2, D);
-    return G(curvature_squared)(dim, D + dim, D + 2 * dim);
+    G(nurbs_derivatives)(s, t, 2, D);
+    return G(curvature_squared)(s.dim, D + s.dim, D + 2 * s.dim);
 }
 
-/* The torsion at t of a curve in space.  UNDEFINED also where R' x R'' = 0. */
-KERNEL num G(nurbs_torsion)(int p, const num u[], int mu, const num R[], const num w[], num t)
+/* The torsion at t of a curve in space, dim = 3.  UNDEFINED also where R' x R'' = 0. */
+KERNEL num G(nurbs_torsion)(struct G(curve_span) s, num t)
 {
     num D[4 * 3];
-    G(nurbs_derivatives)(p, 3, u, mu, R, w, t, 3, D);
+    G(nurbs_derivatives)(s, t, 3, D);
     return G(torsion)(D + 3, D + 6, D + 9);
 }
 
-/* Level r of the rational triangle at t, 1 <= r <= p, in place (formulas 4.1.3 and 4.1.4): the p+2-r points and
- * weights i = mu-p+r-1, ..., mu of level r-1 become the p+1-r of level r,
+/* Level r of the rational triangle at t, 1 <= r <= p, in place (formulas 4.1.3 and 4.1.4): the p+2-r points R and weights w,
+ * i = mu-p+r-1, ..., mu, of level r-1 become the p+1-r of level r,
  *     w_i^r = a w_i^{r-1} + b w_{i-1}^{r-1},   R_i^r = a w_i^{r-1}/w_i^r R_i^{r-1} + b w_{i-1}^{r-1}/w_i^r R_{i-1}^{r-1},
- * a = (t - u_i)/(u_{i+p+1-r} - u_i), b = 1-a.  The last ones stay.  UNDEFINED where a new weight is 0. */
-KERNEL void G(nurbs_deboor_level)(int p, int dim, const num u[], int mu, int r, num R[], num w[], num t)
+ * a = (t - u_i)/(u_{i+p+1-r} - u_i), b = 1-a.  The last ones stay; those of s are not read.  UNDEFINED where a new weight is 0. */
+KERNEL void G(nurbs_deboor_level)(struct G(curve_span) s, int r, num R[], num w[], num t)
 {
-    for (int m = 0; m <= p - r; m++) {
-        int i = mu - p + r + m, far = i + p + 1 - r;
+    const num *u = s.knots;
+    for (int m = 0; m <= s.degree - r; m++) {
+        int i = s.mu - s.degree + r + m, far = i + s.degree + 1 - r;
         num length = sub(u[far], u[i]);
         num right = mul(div(sub(t, u[i]), length), w[m + 1]), left = mul(div(sub(u[far], t), length), w[m]);
         w[m] = add(right, left);
         right = div(right, w[m]);
         left = div(left, w[m]);
-        for (int c = 0; c < dim; c++)
-            R[m * dim + c] = add(mul(right, R[(m + 1) * dim + c]), mul(left, R[m * dim + c]));
+        for (int c = 0; c < s.dim; c++)
+            R[m * s.dim + c] = add(mul(right, R[(m + 1) * s.dim + c]), mul(left, R[m * s.dim + c]));
     }
 }
 
 /* The recursion to its end, algorithm 4.1.1: out = R(t), as the last point of the triangle above.  UNDEFINED as soon
  * as a weight of any level is 0, which positive weights exclude for u_mu <= t <= u_{mu+1}. */
-KERNEL void G(nurbs_deboor)(int p, int dim, const num u[restrict], int mu, const num R[restrict], const num w[restrict],
-                            num t, num out[restrict])
+KERNEL void G(nurbs_deboor)(struct G(curve_span) s, num t, num out[restrict])
 {
+    int p = s.degree, dim = s.dim, first = s.mu - p;
     num P[(MAX_DEGREE + 1) * MAX_DIM], v[MAX_DEGREE + 1];
     for (int m = 0; m < (p + 1) * dim; m++)
-        P[m] = R[(mu - p) * dim + m];
+        P[m] = s.points[first * dim + m];
     for (int m = 0; m <= p; m++)
-        v[m] = w[mu - p + m];
+        v[m] = s.weights[first + m];
     for (int r = 1; r <= p; r++)
-        G(nurbs_deboor_level)(p, dim, u, mu, r, P, v, t);
+        G(nurbs_deboor_level)(s, r, P, v, t);
     for (int c = 0; c < dim; c++)
         out[c] = P[c];
 }
@@ -107,7 +107,7 @@ KERNEL void G(nurbs_insert)(const struct G(spline) * curve, int mu, num x, num v
     for (int m = 0; m <= p; m++)
         q[m] = w[mu - p + m];
     if (p > 0)
-        G(nurbs_deboor_level)(p, dim, u, mu, 1, P, q, x);
+        G(nurbs_deboor_level)(G(span_of_curve)(curve, mu), 1, P, q, x);
     for (int i = 0; i <= n + p + 1; i++)
         v[i] = i <= mu ? u[i] : i == mu + 1 ? x : u[i - 1];
     for (int i = 0; i <= n; i++) {

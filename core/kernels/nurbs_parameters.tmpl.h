@@ -11,17 +11,19 @@
  * Source: the quotient rule; the claims are in chapters/fitting/curve-derivatives.claims.h. */
 #include "core/number/generic_on.h"
 
-/* Row k of R, k = 0, ..., r, holds the k-th derivatives by t of the rational basis (有理基) of the span,
+/* Row k of R, k = 0, ..., r, holds the k-th derivatives by t of the rational basis (有理基) of the span, whose points are not read,
  *     R[k(p+1) + m] = R_m^(k)(t),   R_m^(k) = (w_m N_m^(k) - sum_{j=1}^k C(k,j) w^(j) R_m^(k-j)) / w. */
-KERNEL void G(nurbs_basis)(int p, const num u[restrict], int mu, const num w[restrict], num t, int r, num R[restrict])
+KERNEL void G(nurbs_basis)(struct G(curve_span) s, num t, int r, num R[restrict])
 {
+    int p = s.degree;
+    const num *w = s.weights + (s.mu - p);
     num total[MAX_DEGREE + 1];
-    G(bspline_basis_derivatives)(p, u, mu, t, r, R);
+    G(bspline_basis_derivatives)(p, s.knots, s.mu, t, r, R);
     for (int k = 0; k <= r; k++) {
         num *row = R + k * (p + 1);
         total[k] = from_int(0);
         for (int m = 0; m <= p; m++) {
-            row[m] = mul(w[mu - p + m], row[m]);
+            row[m] = mul(w[m], row[m]);
             total[k] = add(total[k], row[m]);
         }
         for (int m = 0; m <= p; m++) {
@@ -34,11 +36,11 @@ KERNEL void G(nurbs_basis)(int p, const num u[restrict], int mu, const num w[res
 
 /* out[m(p+1) + k] = dR_m/dlambda_k = R_m (delta_mk - R_k) at t: a symmetric matrix.  The mixed derivatives of the curve
  * are these numbers times the unit vectors, d^2 C / (dlambda_k dP_m) = dR_m/dlambda_k e. */
-KERNEL void G(nurbs_basis_by_weights)(int p, const num u[restrict], int mu, const num w[restrict], num t,
-                                      num out[restrict])
+KERNEL void G(nurbs_basis_by_weights)(struct G(curve_span) s, num t, num out[restrict])
 {
+    int p = s.degree;
     num R[MAX_DEGREE + 1];
-    G(nurbs_basis)(p, u, mu, w, t, 0, R);
+    G(nurbs_basis)(s, t, 0, R);
     for (int m = 0; m <= p; m++)
         for (int k = 0; k <= p; k++)
             out[m * (p + 1) + k] = mul(R[m], m == k ? sub(from_int(1), R[m]) : neg(R[k]));
@@ -48,12 +50,12 @@ KERNEL void G(nurbs_basis_by_weights)(int p, const num u[restrict], int mu, cons
  * c is out[(k(p+1) + m) dim + c] of
  *     d^k/dt^k dC/dlambda_m = R_m^(k) P_m - sum_{j=0}^k C(k,j) R_m^(k-j) C^(j)
  *                           = R_m^(k) (P_m - C) - sum_{j=1}^k C(k,j) R_m^(k-j) C^(j),   C^(j) = sum_m R_m^(j) P_m. */
-KERNEL void G(nurbs_by_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
-                                const num w[restrict], num t, int r, num out[restrict])
+KERNEL void G(nurbs_by_weights)(struct G(curve_span) s, num t, int r, num out[restrict])
 {
+    int p = s.degree, dim = s.dim;
     num R[(MAX_DEGREE + 1) * (MAX_DEGREE + 1)], C[(MAX_DEGREE + 1) * MAX_DIM];
-    const num *points = P + (mu - p) * dim;
-    G(nurbs_basis)(p, u, mu, w, t, r, R);
+    const num *points = s.points + (s.mu - p) * dim;
+    G(nurbs_basis)(s, t, r, R);
     for (int k = 0; k <= r; k++)
         for (int c = 0; c < dim; c++) {
             C[k * dim + c] = mul(R[k * (p + 1)], points[c]);
@@ -74,12 +76,12 @@ KERNEL void G(nurbs_by_weights)(int p, int dim, const num u[restrict], int mu, c
 
 /* The second derivatives by two weights, coordinate c of (m,k) being out[(m(p+1) + k) dim + c]:
  *     d^2 C / (dlambda_m dlambda_k) = delta_mk R_m (P_m - C) - R_m R_k ((P_m - C) + (P_k - C)). */
-KERNEL void G(nurbs_by_two_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
-                                    const num w[restrict], num t, num out[restrict])
+KERNEL void G(nurbs_by_two_weights)(struct G(curve_span) s, num t, num out[restrict])
 {
+    int p = s.degree, dim = s.dim;
     num R[MAX_DEGREE + 1], away[(MAX_DEGREE + 1) * MAX_DIM];
-    const num *points = P + (mu - p) * dim;
-    G(nurbs_basis)(p, u, mu, w, t, 0, R);
+    const num *points = s.points + (s.mu - p) * dim;
+    G(nurbs_basis)(s, t, 0, R);
     for (int c = 0; c < dim; c++) {
         num C = mul(R[0], points[c]);
         for (int m = 1; m <= p; m++)

@@ -86,7 +86,7 @@ int cagd_spline_has_poles_q(const cagd_spline_q *s)
         num_q b[MAX_DEGREE + 1];
         if (!before_q(s->knots[mu], s->knots[mu + 1]))
             continue;
-        bspline_to_bezier_q(s->degree, 1, s->knots, mu, s->weights, b);
+        bspline_to_bezier_q(on_span_q(s->degree, 1, s->knots, mu, s->weights), b);
         enum cagd_sign_pattern sign =
             cagd_sign_on(poly_from_bernstein(s->degree, b), from_int_q(0), from_int_q(1), CLOSED);
         if (sign != SIGN_POSITIVE && sign != SIGN_NEGATIVE)

@@ -48,7 +48,7 @@ static int look(struct box *b, int i, num_i t, struct view *v)
         num_i R[3 * (MAX_DEGREE + 1)];
         if (curve->knots[mu] == curve->knots[mu + 1])
             continue;
-        nurbs_basis_i(p, b->knot, mu, b->weight, t, 2, R);
+        nurbs_basis_i(nurbs_on_span_i(p, 0, b->knot, mu, NULL, b->weight), t, 2, R);
         for (int r = 0; r < 3; r++)
             for (int m = 0; m < v->width; m++) {
                 int k = m - (mu - low);

@@ -27,7 +27,7 @@ static int see(const struct hunt *h, int mu, num_i t, num_i *square_of_D, num_i 
     const cagd_spline *curve = h->curve;
     int p = curve->degree, dim = curve->dim;
     num_i R[3 * (MAX_DEGREE + 1)], D[3][MAX_DIM];
-    nurbs_basis_i(p, h->knot, mu, h->weight, t, 2, R);
+    nurbs_basis_i(nurbs_on_span_i(p, 0, h->knot, mu, NULL, h->weight), t, 2, R);
     for (int r = 0; r < 3; r++)
         for (int c = 0; c < dim; c++) {
             num_i q = from_double_i(h->Q[c]);

@@ -37,9 +37,9 @@ static void kernel(const cagd_spline *s)
     for (int i = 0; i < PARAMETERS; i++) {
         int mu = find_span_d(s->count, s->degree, s->knots, t[i]);
         if (s->weights != NULL)
-            nurbs_point_d(s->degree, s->dim, s->knots, mu, s->points, s->weights, t[i], out + i * DIM);
+            nurbs_point_d(nurbs_on_span_d(s->degree, s->dim, s->knots, mu, s->points, s->weights), t[i], out + i * DIM);
         else
-            bspline_deboor_d(s->degree, s->dim, s->knots, mu, s->points, t[i], out + i * DIM);
+            bspline_deboor_d(on_span_d(s->degree, s->dim, s->knots, mu, s->points), t[i], out + i * DIM);
     }
 }
 

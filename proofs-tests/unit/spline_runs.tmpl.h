@@ -92,19 +92,19 @@ RUN(bspline_discrete)
 RUN(bspline_blossom)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_blossom)(S.p, D->dim, S.u, S.mu, D->x, D->w, out);
+    G(bspline_blossom)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), D->w, out);
     return D->dim;
 }
 RUN(bspline_deboor)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_deboor)(S.p, D->dim, S.u, S.mu, D->x, S.t, out);
+    G(bspline_deboor)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), S.t, out);
     return D->dim;
 }
 RUN(bspline_derivatives)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_derivatives)(S.p, D->dim, S.u, S.mu, D->x, S.t, D->r, out);
+    G(bspline_derivatives)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), S.t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 /* The derivative at t of the spline of the difference points. */
@@ -117,7 +117,7 @@ RUN(bspline_difference)
         return 1;
     }
     G(bspline_difference)(S.n, S.p, D->dim, S.u, D->x, e);
-    G(bspline_deboor)(S.p - 1, D->dim, S.u + 1, S.mu - 1, e, S.t, out);
+    G(bspline_deboor)(G(on_span)(S.p - 1, D->dim, S.u + 1, S.mu - 1, e), S.t, out);
     return D->dim;
 }
 RUN(bspline_greville)
@@ -148,7 +148,7 @@ RUN(bspline_refine)
     num v[32];
     int span[32];
     G(refined_knots)(&S, v, span);
-    G(bspline_refine)(S.p, D->dim, S.u, D->x, S.n + 2, v, span, out);
+    G(bspline_refine)(spline(S.p, S.n, D->dim, S.u, D->x), S.n + 2, v, span, out);
     return (S.n + 2) * D->dim;
 }
 /* The point at t of the elevated spline. */
@@ -157,10 +157,10 @@ RUN(bspline_elevate)
     struct G(knotted) S = G(knotted_of)(D);
     num v[48], d[128];
     int span[48], m = G(elevated_knots)(&S, v, span), nu = 0;
-    G(bspline_elevate)(S.p, D->dim, S.u, D->x, m, v, span, d);
+    G(bspline_elevate)(spline(S.p, S.n, D->dim, S.u, D->x), m, v, span, d);
     for (int j = 0; j < m; j++)
         nu = span[j] == S.mu ? j : nu; /* the last knot of v at u_mu is the last with this span */
-    G(bspline_deboor)(S.p + 1, D->dim, v, nu, d, S.t, out);
+    G(bspline_deboor)(G(on_span)(S.p + 1, D->dim, v, nu, d), S.t, out);
     return D->dim;
 }
 /* What was elevated is reduced. */
@@ -169,7 +169,7 @@ RUN(bspline_reduce)
     struct G(knotted) S = G(knotted_of)(D);
     num v[48], d[128];
     int span[48], down[32] = {0}, m = G(elevated_knots)(&S, v, span);
-    G(bspline_elevate)(S.p, D->dim, S.u, D->x, m, v, span, d);
+    G(bspline_elevate)(spline(S.p, S.n, D->dim, S.u, D->x), m, v, span, d);
     for (int j = 0; j < S.n; j++) { /* the span of v in which the first interval of point j lies */
         int at = j < S.p ? S.p : j;
         while (S.place[at] == S.place[at + 1])
@@ -177,13 +177,13 @@ RUN(bspline_reduce)
         for (int l = 0; l < m; l++)
             down[j] = span[l] == at ? l : down[j];
     }
-    G(bspline_reduce)(S.p + 1, D->dim, v, d, S.n, S.u, down, out);
+    G(bspline_reduce)(spline(S.p + 1, m, D->dim, v, d), S.n, S.u, down, out);
     return S.n * D->dim;
 }
 RUN(bspline_to_bezier)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_to_bezier)(S.p, D->dim, S.u, S.mu, D->x, out);
+    G(bspline_to_bezier)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), out);
     return (S.p + 1) * D->dim;
 }
 RUN(bspline_point_of_bezier)
@@ -210,31 +210,31 @@ RUN(bspline_periodic)
 RUN(nurbs_weight)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    out[0] = G(nurbs_weight)(S.p, S.u, S.mu, D->w, S.t);
+    out[0] = G(nurbs_weight)(G(nurbs_on_span)(S.p, 0, S.u, S.mu, NULL, D->w), S.t);
     return 1;
 }
 RUN(nurbs_point)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_point)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
+    G(nurbs_point)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, out);
     return D->dim;
 }
 RUN(nurbs_deboor)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_deboor)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
+    G(nurbs_deboor)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, out);
     return D->dim;
 }
 RUN(nurbs_derivatives)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_derivatives)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, D->r, out);
+    G(nurbs_derivatives)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(nurbs_curvature_squared)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    out[0] = G(nurbs_curvature_squared)(S.p, 3, S.u, S.mu, D->x, D->w, S.t);
+    out[0] = G(nurbs_curvature_squared)(G(nurbs_on_span)(S.p, 3, S.u, S.mu, D->x, D->w), S.t);
     return 1;
 }
 RUN(nurbs_torsion)
@@ -242,7 +242,7 @@ RUN(nurbs_torsion)
     struct G(data) E = *D;
     E.n = D->n < 3 ? 3 : D->n;
     struct G(knotted) S = G(knotted_of)(&E);
-    out[0] = G(nurbs_torsion)(S.p, S.u, S.mu, D->x, D->w, S.t);
+    out[0] = G(nurbs_torsion)(G(nurbs_on_span)(S.p, 3, S.u, S.mu, D->x, D->w), S.t);
     return 1;
 }
 RUN(nurbs_insert)
@@ -255,25 +255,25 @@ RUN(nurbs_insert)
 RUN(nurbs_basis)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_basis)(S.p, S.u, S.mu, D->w, S.t, D->r, out);
+    G(nurbs_basis)(G(nurbs_on_span)(S.p, 0, S.u, S.mu, NULL, D->w), S.t, D->r, out);
     return (D->r + 1) * (S.p + 1);
 }
 RUN(nurbs_basis_by_weights)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_basis_by_weights)(S.p, S.u, S.mu, D->w, S.t, out);
+    G(nurbs_basis_by_weights)(G(nurbs_on_span)(S.p, 0, S.u, S.mu, NULL, D->w), S.t, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(nurbs_by_weights)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_by_weights)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, D->r, out);
+    G(nurbs_by_weights)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, D->r, out);
     return (D->r + 1) * (S.p + 1) * D->dim;
 }
 RUN(nurbs_by_two_weights)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_by_two_weights)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
+    G(nurbs_by_two_weights)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, out);
     return (S.p + 1) * (S.p + 1) * D->dim;
 }
 #include "core/number/generic_off.h"

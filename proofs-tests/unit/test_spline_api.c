@@ -64,10 +64,10 @@ static void values_are_the_kernels(void **state)
                 bspline_basis_derivatives_d(P, s.knots, mu, t, 4, b);
                 same(20, a, b);
                 assert_int_equal(cagd_spline_derivatives(&s, t, (cagd_side)side, 4, a), CAGD_OK);
-                bspline_derivatives_d(P, DIM, s.knots, mu, points, t, 4, b);
+                bspline_derivatives_d(on_span_d(P, DIM, s.knots, mu, points), t, 4, b);
                 same(15, a, b);
                 assert_int_equal(cagd_spline_derivatives(&r, t, (cagd_side)side, 4, a), CAGD_OK);
-                nurbs_derivatives_d(P, DIM, s.knots, mu, points, weights, t, 4, b);
+                nurbs_derivatives_d(nurbs_on_span_d(P, DIM, s.knots, mu, points, weights), t, 4, b);
                 same(15, a, b);
                 assert_int_equal(cagd_spline_point(&r, t, (cagd_side)side, c), CAGD_OK);
                 same(3, c, b);
@@ -84,11 +84,11 @@ static void values_are_the_kernels(void **state)
                 continue;
             }
             assert_int_equal(cagd_spline_bezier(&s, mu, a, NULL), CAGD_OK);
-            bspline_to_bezier_d(P, DIM, s.knots, mu, points, b);
+            bspline_to_bezier_d(on_span_d(P, DIM, s.knots, mu, points), b);
             same(12, a, b);
             assert_int_equal(cagd_spline_bezier(&r, mu, a, c), CAGD_OK);
             rational_homogenize_d(s.count - 1, DIM, points, weights, d);
-            bspline_to_bezier_d(P, DIM + 1, s.knots, mu, d, e);
+            bspline_to_bezier_d(on_span_d(P, DIM + 1, s.knots, mu, d), e);
             rational_dehomogenize_d(P, DIM, e, b, f);
             same(12, a, b);
             same(4, c, f);
@@ -156,11 +156,11 @@ static void elevation_is_the_kernel(void **state)
             assert_true(s.knots[i] == s.knots[P] || s.knots[i] == s.knots[n] ||
                         multiplicity_d(m + P + 2, v, s.knots[i]) == multiplicity_d(n + P + 1, s.knots, s.knots[i]) + 1);
         assert_true(spans_of_points_d(n, P, s.knots, m, P + 1, v, span));
-        bspline_elevate_d(P, DIM, s.knots, points, m, v, span, b);
+        bspline_elevate_d(&(cagd_spline){P, s.count, DIM, s.knots, points, NULL}, m, v, span, b);
         same(m * DIM, d, b);
         assert_int_equal(cagd_spline_elevate(&r, v, d, z), CAGD_OK);
         rational_homogenize_d(n - 1, DIM, points, weights, H);
-        bspline_elevate_d(P, DIM + 1, s.knots, H, m, v, span, E);
+        bspline_elevate_d(&(cagd_spline){P, s.count, DIM + 1, s.knots, H, NULL}, m, v, span, E);
         rational_dehomogenize_d(m - 1, DIM, E, b, f);
         same(m * DIM, d, b);
         same(m, z, f);
