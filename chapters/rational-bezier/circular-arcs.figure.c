@@ -1,8 +1,10 @@
 /* circular-arcs.figure.c -- drawings for circular-arcs.claims.h. */
+#include "chapters/judge/figure_data.h"
 #include "chapters/rational-bezier/conic-figures.h"
 
-/* cos theta = 3/5, l = 1: the circle of radius 5/4 about (0, -3/4). */
-static const int cosine[2] = {3, 5};
+/* The data of two claims: the other arc of a circle, and an ellipse in the place of a circle. */
+static const char other_arc[] = "negative_weight_gives_the_other_arc",
+                  ellipse[] = "isosceles_triangle_with_another_angle";
 
 FIGURE(circular_arc)
 {
@@ -11,8 +13,10 @@ FIGURE(circular_arc)
                 "The triangle (-1, 0), (0, 4/3), (1, 0) has a base angle θ with cos θ = 3/5.  With the weights 1, 3/5, "
                 "1 the curve is the arc of central angle 2θ and radius 5/4 about (0, -3/4); with 1, -3/5, 1 it is the "
                 "rest of the circle.");
-    num_q R[6] = {q(-1), q(0), q(0), r(4, 3), q(1), q(0)}, C[2];
-    num_q w[3] = {q(1), r(cosine[0], cosine[1]), q(1)}, other[3] = {q(1), r(-cosine[0], cosine[1]), q(1)};
+    num_q R[6], w[3], other[3], C[2];
+    data_of(other_arc, "R", 3, 2, R);
+    data_of(other_arc, "ω", 3, 1, other);
+    data_of(ellipse, "ω", 3, 1, w);
     svg_window window = {r(-8, 5), r(-21, 10), r(8, 5), r(8, 5)};
     circular_arc_circle_q(R, C);
     svg_panel(s, window, 400, 0, "$l=1$, $\\c\\o\\s θ=3/5$, $r=l \\c\\s\\c θ=5/4$");
@@ -41,8 +45,10 @@ FIGURE(circular_arc_extra)
         "Both triangles are isosceles with the base 2 and both curves have the weights 1, 3/5, 1.  The left one, "
         "with the vertex (0, 1), is an arc of an ellipse and leaves the circle that the theorem claims; the "
         "right one, whose base angle has the cosine 3/5, is that circle's arc.");
-    num_q w[3] = {q(1), r(cosine[0], cosine[1]), q(1)}, good[6] = {q(-1), q(0), q(0), r(4, 3), q(1), q(0)}, C[2];
-    num_q radius = r(5, 4), bad[6] = {q(-1), q(0), q(0), q(1), q(1), q(0)};
+    num_q w[3], good[6], bad[6], C[2], radius = r(5, 4);
+    data_of(other_arc, "R", 3, 2, good);
+    data_of(ellipse, "R", 3, 2, bad);
+    data_of(ellipse, "ω", 3, 1, w);
     circular_arc_circle_q(good, C);
     svg_window window = {r(-3, 2), r(-2, 5), r(3, 2), r(8, 5)};
     for (int k = 0; k < 2; k++) {

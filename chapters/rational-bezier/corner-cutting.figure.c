@@ -1,12 +1,15 @@
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 FIGURE(cut_leaves_the_edge)
 {
     static const int point[] = {0, 0, 3, 3, 6, 0};
-    num_q R[6], w[] = {from_int_q(1), from_ratio_q(-1, 4), from_int_q(1)}, P[4], v[2];
+    num_q R[6], w[3], lambda, P[4], v[2];
     integers(6, point, R);
-    rational_casteljau_q(2, 2, R, w, from_ratio_q(1, 2), 1, P, v);
+    data_of("negative_weight_breaks_convexity", "ω", 3, 1, w);
+    data_of("negative_weight_breaks_convexity", "λ", 1, 1, &lambda);
+    rational_casteljau_q(2, 2, R, w, lambda, 1, P, v);
     svg *s = svg_new(
         "cut_leaves_the_edge", "With a negative weight the new points leave the edges",
         "The quadratic with weights 1, -1/4, 1 is a regular arc, but the points of the first level at 1/2 lie on the "

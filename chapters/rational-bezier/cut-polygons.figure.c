@@ -1,28 +1,29 @@
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 /* The polygons of all pieces of the quadratic after k cuts at lambda. */
-static void draw_pieces(svg *s, int k, const num_q R[], const num_q w[], num_q lambda, enum svg_role role)
+static void draw_pieces(svg *s, int k, const num_q R[], const num_q w[], num_q lambda, enum svg_role drawn_as)
 {
     if (k == 0) {
-        svg_polyline(s, 3, R, role);
+        svg_polyline(s, 3, R, drawn_as);
         for (int i = 0; i < 3; i++)
-            svg_mark(s, svg_pair(R + 2 * i), role, SVG_USUAL);
+            svg_mark(s, svg_pair(R + 2 * i), drawn_as, SVG_USUAL);
         return;
     }
     num_q P[2][6], v[2][3];
     rational_split_q(2, 2, R, w, lambda, P[0], v[0], P[1], v[1]);
     for (int half = 0; half < 2; half++)
-        draw_pieces(s, k - 1, P[half], v[half], lambda, role);
+        draw_pieces(s, k - 1, P[half], v[half], lambda, drawn_as);
 }
 
 FIGURE(cut_polygons_converge)
 {
-    static const int circle[] = {1, 0, 1, 1, 0, 1}, weight[] = {1, 1, 2}, unit[] = {1, 1, 1};
+    static const int unit[] = {1, 1, 1};
     num_q R[6], w[3], one[3], zero = from_int_q(0), half = from_ratio_q(1, 2);
     num_q low = from_ratio_q(-3, 20), high = from_ratio_q(23, 20);
-    integers(6, circle, R);
-    integers(3, weight, w);
+    data_of("quarter_circle_error_is_quartered", "R", 3, 2, R);
+    data_of("quarter_circle_error_is_quartered", "ω", 3, 1, w);
     integers(3, unit, one);
     svg *s = svg_new(
         "cut_polygons_converge", "Polygons that converge, and polygons that do not",

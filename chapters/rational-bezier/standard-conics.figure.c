@@ -1,4 +1,5 @@
 /* standard-conics.figure.c -- drawings for standard-conics.claims.h. */
+#include "chapters/judge/figure_data.h"
 #include "chapters/rational-bezier/conic-figures.h"
 
 /* The printed t of equal weights against u: u = v^2/(v^2 + (1-v)^2) has t = v. */
@@ -16,7 +17,11 @@ FIGURE(standard_parameter)
                 "For equal weights the right change of parameter is t = u; the printed one, with roots over the "
                 "parameter too, gives t = 3/7 at u = 9/25.  Right, the points of these parameters on the curve with "
                 "the points (-1, 0), (0, 1), (1, 0).");
-    num_q u = r(9, 25), t = r(3, 7);
+    static const char claim_name[] = "roots_over_the_parameter_are_wrong";
+    num_q u, t = r(3, 7), R[6], w[3], P[2];
+    data_of(claim_name, "u", 1, 1, &u);
+    data_of(claim_name, "R", 3, 2, R);
+    data_of(claim_name, "ω", 3, 1, w);
     svg_panel(s, svg_integer_window(0, 0, 1, 1), 280, 0, "$t$ as a function of $u$, weights 1, 1, 1");
     svg_axes(s, r(1, 2), r(1, 2), "u", "t");
     svg_segment(s, svg_at(0, 0), svg_at(1, 1), SVG_RIGHT);
@@ -25,7 +30,6 @@ FIGURE(standard_parameter)
     svg_mark(s, (svg_point){u, u}, SVG_RIGHT, SVG_USUAL);
     svg_mark(s, (svg_point){u, t}, SVG_WRONG, SVG_USUAL);
 
-    num_q R[6] = {q(-1), q(0), q(0), q(1), q(1), q(0)}, w[3] = {q(1), q(1), q(1)}, P[2];
     svg_window window = {r(-5, 4), r(-1, 5), r(5, 4), r(6, 5)};
     svg_panel(s, window, 400, 0, "the points of $u=9/25$");
     svg_control_polygon(s, 2, R, "R");

@@ -1,4 +1,5 @@
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 FIGURE(subdivision_triangle)
@@ -44,9 +45,11 @@ FIGURE(subdivision_triangle)
 FIGURE(triangle_point_at_infinity)
 {
     static const int point[] = {0, 0, 3, 3, 6, 0}, numerator[] = {2, 1, 4, 9}, denominator[] = {5, 2, 5, 10};
-    num_q R[6], w[] = {from_int_q(1), from_ratio_q(-1, 2), from_int_q(1)}, lambda = from_ratio_q(2, 3), P[4], v[2],
-                S[2];
+    num_q R[6], w[3], lambdas[2], P[4], v[2], S[2];
     integers(6, point, R);
+    data_of("intermediate_weight_can_vanish", "ω", 3, 1, w);
+    data_of("intermediate_weight_can_vanish", "λ", 2, 1, lambdas);
+    num_q lambda = lambdas[0];
     svg *s = svg_new(
         "triangle_point_at_infinity", "A regular curve whose triangle has a point at infinity",
         "The quadratic with weights 1, -1/2, 1 is regular for all parameters.  With λ from 0 to 1 the point R11 of its "
