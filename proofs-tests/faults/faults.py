@@ -220,6 +220,8 @@ def main():
     if a.shard:
         k, n = map(int, a.shard.split("/"))
         chosen = chosen[k - 1 :: n]
+    if not chosen:
+        raise SystemExit("no fault is chosen; --file takes the whole name, such as bezier.tmpl.h")
     if a.list:
         for f in chosen:
             print(f"{f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']}")
