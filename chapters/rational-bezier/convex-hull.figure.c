@@ -1,5 +1,6 @@
 /* Figures of the section on the convex hull. */
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "exact/record/hull.h"
 #include "figures/words.h"
 
@@ -35,7 +36,9 @@ FIGURE(convex_hull)
             w[i] = q(weights[k][i]);
         svg_rational(s, 4, R, w, k == 0 ? SVG_CURVE : k == 1 ? SVG_CURVE_2 : SVG_RIGHT);
     }
-    num_q Q[] = {q(0), q(0), q(1), q(2), q(2), q(0)}, w[] = {q(1), r(-1, 2), q(1)}, x[2];
+    num_q Q[6], w[3], x[2];
+    data_of("curve_leaves_hull_with_negative_weight", "R", 3, 2, Q);
+    data_of("curve_leaves_hull_with_negative_weight", "ω", 3, 1, w);
     svg_panel(s, (svg_window){q(-1), r(-5, 2), q(3), r(5, 2)}, 240, 0,
               "weights $1, -1/2, 1$: $R(1/2) = (1, -2)$ is\nbelow the line $y = 0$, the triangle above");
     svg_heading(s, SVG_WRONG, "a negative weight");

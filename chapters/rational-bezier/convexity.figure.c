@@ -20,16 +20,15 @@ FIGURE(convex_polygon_convex_curve)
         "left but is not convex with its chord; its curve has two inflections, shown again near its end. Right: a "
         "square with weights 4, "
         "-1, 4, 4, whose curve has two inflections.");
-    static const long round[] = {0, 1, 1, 0, 5, 0, 6, 3, 3, 5}, hook[] = {0, 0, 12, 0, 11, 5, 11, 2};
-    static const long square[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    static const long round_weights[] = {1, 2, 1, 3, 1}, ones[] = {1, 1, 1, 1}, mixed[] = {4, -1, 4, 4};
+    static const long round[] = {0, 1, 1, 0, 5, 0, 6, 3, 3, 5};
+    static const long round_weights[] = {1, 2, 1, 3, 1};
     svg_panel(s, svg_integer_window(-1, -1, 7, 6), 220, 0, "convex with its chord,\npositive weights");
     svg_heading(s, SVG_RIGHT, "the curve is convex");
     draw(s, polygon_of(4, round, round_weights));
     svg_panel(s, svg_integer_window(-1, -2, 13, 6), 220, 0,
               "always to the left, not convex\nwith its chord: two inflections");
     svg_heading(s, SVG_WRONG, "turns of one sign suffice");
-    struct polygon p = polygon_of(3, hook, ones);
+    struct polygon p = polygon_of_claim(3, "turns_of_one_sign_are_not_enough");
     draw(s, p);
     svg_panel(s, (svg_window){from_int_q(10), from_ratio_q(3, 2), from_ratio_q(23, 2), from_int_q(3)}, 220, 0,
               "the same near $R_3$: between the crosses\nthe curve turns right");
@@ -40,7 +39,7 @@ FIGURE(convex_polygon_convex_curve)
     mark(s, p, from_ratio_q(2, 3));
     mark(s, p, from_ratio_q(10, 11));
     svg_frame(s);
-    p = polygon_of(3, square, mixed);
+    p = polygon_of_claim(3, "mixed_weights_lose_convexity");
     svg_panel(s, (svg_window){from_ratio_q(-1, 2), from_ratio_q(-3, 8), from_ratio_q(3, 2), from_ratio_q(11, 8)}, 220,
               0, "a square, weights $4, -1, 4, 4$:\ntwo inflections");
     svg_heading(s, SVG_WRONG, "weights of both signs");

@@ -1,5 +1,6 @@
 /* The figure of the section on plane curves. */
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "exact/kernels_q.h"
 #include "exact/record/number.h"
 #include "figures/svg.h"
@@ -16,15 +17,13 @@ static void project(const num_q P[3], num_q out[2])
 /* The cubic with these weights; the plane z = 0 is shaded. */
 static void panel(svg *s, const num_q w[], const char *caption)
 {
-    static const long point[3 * (N + 1)] = {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0};
     static const long corner[3 * 4] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
     static const enum svg_direction side[] = {SVG_W, SVG_N, SVG_S, SVG_NE};
     static const char *const name[] = {"R_0", "R_1", "R_2", "R_3"};
-    num_q R[2 * (N + 1)], plane[2 * 4], P[3];
+    num_q point[3 * (N + 1)], R[2 * (N + 1)], plane[2 * 4], P[3];
+    data_of("vertex_of_weight_zero_leaves_the_plane", "R", N + 1, 3, point);
     for (int i = 0; i <= N; i++) {
-        for (int c = 0; c < 3; c++)
-            P[c] = from_int_q(point[3 * i + c]);
-        project(P, R + 2 * i);
+        project(point + 3 * i, R + 2 * i);
         for (int c = 0; c < 3; c++)
             P[c] = from_int_q(corner[3 * i + c]);
         project(P, plane + 2 * i);
@@ -48,7 +47,8 @@ FIGURE(weight_zero_out_of_plane)
                 "Two cubics of space with the same four vertices, three of them in the plane z = 0. Left: the second "
                 "vertex, above the plane, has weight 0, and the curve is in the plane. Right: it has weight 1, and the "
                 "curve rises from the plane.");
-    num_q w[N + 1] = {from_int_q(1), from_int_q(0), from_int_q(1), from_int_q(1)};
+    num_q w[N + 1];
+    data_of("vertex_of_weight_zero_leaves_the_plane", "ω", N + 1, 1, w);
     panel(s, w, "weights $1, 0, 1, 1$: a curve in $z = 0$\nwhose vertices are not coplanar");
     svg_heading(s, SVG_WRONG, "the vertices are coplanar");
     w[1] = from_int_q(1);

@@ -74,8 +74,7 @@ FIGURE(elevation_mixed_weights)
         "Left: a quadratic with weights 4, -1, 4; the elevated vertices are on the lines of the edges, but outside "
         "the edges. Right: a quadratic with weights 2, -1, 2, whose polygons of degree 3 and 4 have vertices at "
         "infinity, and whose polygon of degree 5 exists.");
-    static const long point[] = {-1, 0, 0, 1, 1, 0}, outside[] = {4, -1, 4}, infinite[] = {2, -1, 2};
-    struct polygon p = polygon_of(2, point, outside), q = raised(p, 3);
+    struct polygon p = polygon_of_claim(2, "elevated_vertex_may_leave_the_edge"), q = raised(p, 3);
     svg_panel(s, svg_integer_window(-3, -2, 3, 2), 360, 0,
               "weights $4, -1, 4$: the vertices of degree 3\nare on the lines of the edges, outside them");
     svg_heading(s, SVG_WRONG, "corners are cut");
@@ -86,7 +85,7 @@ FIGURE(elevation_mixed_weights)
     svg_label(s, svg_pair(q.R + 4), SVG_E, SVG_WRONG, "R'_2");
     for (int i = 1; i <= 2; i++)
         svg_mark(s, svg_pair(q.R + 2 * i), SVG_WRONG, SVG_USUAL);
-    p = polygon_of(2, point, infinite);
+    data_of("elevated_vertex_may_be_at_infinity", "ω", 3, 1, p.w);
     struct polygon r = raised(p, 5), far = raised(p, 12);
     svg_panel(s, svg_integer_window(-4, -4, 4, 2), 360, 0,
               "weights $2, -1, 2$: polygons of degree 3 and 4 do not exist,\ntheir vertices being at infinity; from "

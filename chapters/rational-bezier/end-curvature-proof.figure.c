@@ -1,9 +1,10 @@
 /* The figure of the section on the proof of the end formulas. */
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 /* The graph of c_0 + c_1 t + c_2 t^2 + c_3 t^3 over [0, b]. */
-static void draw_polynomial(svg *s, const num_q c[4], num_q b, enum svg_role role)
+static void draw_polynomial(svg *s, const num_q c[4], num_q b, enum svg_role drawn_as)
 {
     num_q scaled[4], y[4], P[8], power = q(1);
     for (int k = 0; k < 4; k++, power = mul_q(power, b))
@@ -13,7 +14,7 @@ static void draw_polynomial(svg *s, const num_q c[4], num_q b, enum svg_role rol
         P[2 * i] = mul_q(r(i, 3), b);
         P[2 * i + 1] = y[i];
     }
-    svg_bezier(s, 3, P, role);
+    svg_bezier(s, 3, P, drawn_as);
 }
 
 /* (t, R(t)) as a rational curve of degree n + 1: points, weights, the abscissa t = t w/w. */
@@ -40,8 +41,11 @@ FIGURE(quotient_derivatives)
         "quotient_derivatives", "The printed second and third derivatives of a quotient",
         "Left, (1+3t)/(1+t) with its Taylor polynomial of order 2 and the one with the printed R''(0) = -5.  Right, "
         "(2t+2t^2)/(1+t^2) with its Taylor polynomial of order 3 and the one with the printed R'''(0) = -24.");
-    num_q one[] = {q(1), q(2)}, one_weights[] = {q(1), q(2)};
-    num_q two[] = {q(0), q(1), q(2)}, two_weights[] = {q(1), q(1), q(2)};
+    num_q one[2], one_weights[2], two[3], two_weights[3];
+    data_of("printed_second_derivative_of_quotient_is_wrong", "R", 2, 1, one);
+    data_of("printed_second_derivative_of_quotient_is_wrong", "ω", 2, 1, one_weights);
+    data_of("printed_third_derivative_of_quotient_is_wrong", "R", 3, 1, two);
+    data_of("printed_third_derivative_of_quotient_is_wrong", "ω", 3, 1, two_weights);
     num_q right2[] = {q(1), q(2), q(-2), q(0)}, wrong2[] = {q(1), q(2), r(-5, 2), q(0)};
     num_q right3[] = {q(0), q(2), q(2), q(-2)}, wrong3[] = {q(0), q(2), q(2), q(-4)};
     svg_panel(s, (svg_window){q(0), r(1, 2), q(1), r(9, 4)}, 280, 260,

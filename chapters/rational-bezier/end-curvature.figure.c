@@ -1,5 +1,6 @@
 /* Figures of the section on the curvature and torsion at the ends. */
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 FIGURE(end_curvature)
@@ -42,8 +43,9 @@ FIGURE(end_formulas_undetermined)
                 "points are on a "
                 "line and that has torsion 2; a cubic with a negative weight, whose printed curvature is negative.");
     num_q zero = q(0), one = q(1);
-    num_q parabola[] = {zero, zero, zero, zero, r(1, 6), zero, r(1, 2), zero, one, one},
-          equal[] = {one, one, one, one, one};
+    num_q parabola[10], equal[5];
+    data_of("repeated_first_points_leave_curvature_undetermined", "R", 5, 2, parabola);
+    data_of("repeated_first_points_leave_curvature_undetermined", "ω", 5, 1, equal);
     svg_panel(s, (svg_window){r(-3, 4), r(-1, 4), r(5, 4), r(5, 4)}, 250, 0,
               "$x = t^2$, $y = t^4$: $R_0 = R_1$; $κ → 2$, the circle,\nfor $t → 0$, and (3.2.5) says $0/0$");
     svg_circle(s, (svg_point){zero, r(1, 2)}, r(1, 2), SVG_RIGHT);
@@ -54,7 +56,8 @@ FIGURE(end_formulas_undetermined)
         svg_mark(s, svg_pair(parabola + 2 * i), SVG_POLYGON, SVG_USUAL);
         svg_label(s, svg_pair(parabola + 2 * i), i == 0 ? SVG_SW : i == 4 ? SVG_N : SVG_S, SVG_POINT, name[i]);
     }
-    num_q space[] = {zero, zero, zero, r(1, 4), zero, zero, r(1, 2), zero, zero, r(3, 4), r(1, 4), zero, one, one, one};
+    num_q space[15];
+    data_of("collinear_first_points_leave_torsion_undetermined", "R", 5, 3, space);
     num_q flat[10], axes[] = {zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero, one}, ends[8];
     oblique(5, space, flat);
     oblique(4, axes, ends);
@@ -69,7 +72,9 @@ FIGURE(end_formulas_undetermined)
     static const enum svg_direction obliquely[] = {SVG_S, SVG_S, SVG_S, SVG_E, SVG_NE};
     svg_control_polygon_towards(s, 4, flat, "R", obliquely);
     svg_bezier(s, 4, flat, SVG_CURVE);
-    num_q square[] = {zero, zero, one, zero, one, one, zero, one}, w[] = {one, one, r(-1, 4), one};
+    num_q square[8], w[4];
+    data_of("negative_weight_makes_printed_curvature_negative", "R", 4, 2, square);
+    data_of("negative_weight_makes_printed_curvature_negative", "ω", 4, 1, w);
     svg_panel(s, (svg_window){r(-1, 2), r(-1, 2), r(3, 2), r(5, 4)}, 250, 0,
               "weights $1, 1, -1/4, 1$: $κ(0) = 1/6$, the circle;\n(3.2.5) says $-1/6$");
     svg_circle(s, (svg_point){zero, q(-6)}, q(6), SVG_RIGHT);

@@ -3,6 +3,7 @@
 #define CAGD_RATIONAL_BEZIER_POLYGON_H
 
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 
@@ -22,6 +23,15 @@ static inline struct polygon polygon_of(int n, const long point[], const long we
         p.R[2 * i] = from_int_q(point[2 * i]);
         p.R[2 * i + 1] = from_int_q(point[2 * i + 1]);
     }
+    return p;
+}
+
+/* The one whose points R and weights ω stand in the data of a claim. */
+static inline struct polygon polygon_of_claim(int n, const char *claim_name)
+{
+    struct polygon p = {.n = n};
+    data_of(claim_name, "R", n + 1, 2, p.R);
+    data_of(claim_name, "ω", n + 1, 1, p.w);
     return p;
 }
 

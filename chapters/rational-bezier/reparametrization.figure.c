@@ -1,13 +1,14 @@
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 /* Marks the points of the parameters 1/8, ..., 7/8. */
-static void mark_eighths(svg *s, int n, const num_q R[], const num_q w[], enum svg_role role, enum svg_shape shape)
+static void mark_eighths(svg *s, int n, const num_q R[], const num_q w[], enum svg_role drawn_as, enum svg_shape shape)
 {
     for (int k = 1; k < 8; k++) {
         num_q P[2];
         rational_point_q(n, 2, R, w, from_ratio_q(k, 8), P);
-        svg_mark(s, svg_pair(P), role, shape);
+        svg_mark(s, svg_pair(P), drawn_as, shape);
     }
 }
 
@@ -73,12 +74,11 @@ FIGURE(equal_invariants_other_arc)
 FIGURE(same_parabola_two_sets)
 {
     enum { n = 3 };
-    num_q zero = from_int_q(0), one = from_int_q(1), w[2][n + 1] = {{one, one, one, one}};
-    num_q R[2][2 * (n + 1)] = {
-        {zero, zero, from_ratio_q(2, 3), zero, from_ratio_q(2, 3), from_ratio_q(1, 3), zero, one},
-        {zero, zero, from_ratio_q(1, 2), zero, from_ratio_q(4, 5), from_ratio_q(1, 5), zero, one}};
-    for (int i = 0; i <= n; i++)
-        w[1][i] = from_ratio_q(3 + i, 3);
+    num_q w[2][n + 1], R[2][2 * (n + 1)];
+    data_of("same_parabola_has_two_invariant_sets", "R", n + 1, 2, R[0]);
+    data_of("same_parabola_has_two_invariant_sets", "ω", n + 1, 1, w[0]);
+    data_of("same_parabola_has_two_invariant_sets", "R*", n + 1, 2, R[1]);
+    data_of("same_parabola_has_two_invariant_sets", "ω*", n + 1, 1, w[1]);
     static const char *const caption[] = {"weights 1, 1, 1, 1:  $I_1 = I_2 = 1$",
                                           "weights 1, 4/3, 5/3, 2:  $I_1 = 16/15, I_2 = 25/24$"};
     svg *s =

@@ -15,15 +15,13 @@ FIGURE(line_crossings)
         "on the line; it has one point there, the curve has two, but both cross the line twice. Right: with "
         "weights 2, -1, 2 the curve crosses a line that the polygon does not meet.");
     static const long wave[] = {0, -3, 1, 2, 3, -2, 4, 3}, wave_weights[] = {1, 1, 1, 1};
-    static const long bow[] = {-1, 1, 1, -1, -1, -1, 1, 1}, bow_weights[] = {2, 1, 1, 2};
-    static const long roof[] = {-1, 2, 0, 5, 1, 2}, roof_weights[] = {2, -1, 2};
     svg_panel(s, svg_integer_window(-1, -4, 5, 4), 260, 0, "the polygon crosses the line\nthree times, the curve once");
     svg_heading(s, SVG_RIGHT, "crossings, positive weights");
     svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_MUTED);
     draw(s, polygon_of(3, wave, wave_weights));
     svg_label(s, svg_at(5, 0), SVG_N, SVG_MUTED, "L");
 
-    struct polygon p = polygon_of(3, bow, bow_weights);
+    struct polygon p = polygon_of_claim(3, "self_crossing_polygon_meets_the_line_once");
     svg_panel(s, (svg_window){from_ratio_q(-3, 2), from_int_q(-2), from_ratio_q(3, 2), from_int_q(2)}, 260, 0,
               "one point of the polygon on the line,\ntwo of the curve; crossings: two and two");
     svg_heading(s, SVG_WRONG, "points of the plane");
@@ -33,7 +31,7 @@ FIGURE(line_crossings)
     for (int k = 1; k <= 2; k++)
         svg_mark(s, point_at(p, from_ratio_q(k, 3)), SVG_WRONG, SVG_USUAL);
 
-    p = polygon_of(2, roof, roof_weights);
+    p = polygon_of_claim(2, "mixed_weights_cross_more");
     svg_panel(s, svg_integer_window(-3, -2, 3, 6), 260, 0,
               "weights $2, -1, 2$: the curve crosses\nthe line twice, the polygon never");
     svg_heading(s, SVG_WRONG, "weights of both signs");
