@@ -5,6 +5,7 @@
  * which come in pages of 2^16 bytes or larger; the places of numbers are smaller, and without them the process ends. */
 #include "unit_exact.h"
 
+#include "exact/curve/spline.h"
 #include "exact/decide/crossings.h"
 #include "exact/decide/hull.h"
 #include "exact/decide/resultant.h"
@@ -107,6 +108,42 @@ static int resultants(void)
 }
 static int texts(void) { return (int)(poly_to_string(many_roots(60), "t")[0] + to_string_q(from_ratio_q(1, 3))[0]); }
 
+/* NO_MEMORY, and only then, when an array was refused since; nothing is written then. */
+static int answered(cagd_status status, const cagd_spline_q *result, long before)
+{
+    assert_int_equal(status, refused > before ? CAGD_NO_MEMORY : CAGD_OK);
+    assert_int_equal(result->count == -1, status != CAGD_OK);
+    return status == CAGD_OK;
+}
+
+/* Insertion, removal and the parts of an exact curve whose knots, points and weights are each longer than a page. */
+static int curves(void)
+{
+    enum { N = 1 << 13 };
+    const cagd_spline_q none = {.count = -1};
+    long fail = fail_at, before;
+    int good = 0, where;
+    fail_at = 0;
+    num_q *u = region_bytes((N + 2) * sizeof *u), *R = region_bytes(N * sizeof *R), *w = region_bytes(N * sizeof *w);
+    for (int i = 0; i < N + 2; i++)
+        u[i] = from_int_q(i);
+    for (int i = 0; i < N; i++)
+        R[i] = w[i] = from_int_q(i % 7 + 1);
+    const cagd_spline_q s = {1, N, 1, u, R, w};
+    cagd_spline_q finer, left = none, right = none, back = none;
+    assert_int_equal(cagd_spline_insert_q(&s, from_ratio_q(5, 2), &finer, &where), CAGD_OK);
+    fail_at = fail;
+    asked = refused = before = 0;
+    good += answered(cagd_spline_remove_q(&finer, from_ratio_q(5, 2), &back, &where), &back, before);
+    back = none, before = refused;
+    good += answered(cagd_spline_insert_q(&s, from_ratio_q(7, 2), &back, &where), &back, before);
+    before = refused;
+    good += answered(cagd_spline_split_q(&s, from_int_q(N / 2), &left, &right, &where), &left, before);
+    assert_int_equal(left.count, right.count == -1 ? -1 : left.count);
+    return good;
+}
+
+/* roots, ... are asked once for each place in a page; the curves, whose arrays are all longer, once. */
 static int (*const decisions[])(void) = {roots, sturm, sign, hull, crossings, minors, resultants, texts};
 
 /* In a new region, of whose first page so many bytes are taken: so that each array in its turn is the first of a page. */
@@ -154,6 +191,7 @@ static void every_request_may_fail(void **state)
             trials += every_request_fails(decisions[d], taken);
         assert_true(trials > 0);
     }
+    assert_true(every_request_fails(curves, 0) > 8);
 }
 
 /* A trace that finds no memory gives up, and what is computed goes on. */
