@@ -790,7 +790,7 @@ CLAIM(mixed_weights_become_positive)
     int last = given_whole(T, "N");
     for (int N = 3; N <= last; N++) {
         int zero = 0, positive_ones = 0;
-        char name[32];
+        char name[40];
         raised_weights(2, w, N, we);
         for (int i = 0; i <= N; i++) {
             zero += is_zero_q(we[i]);
