@@ -11,6 +11,7 @@
 #define G(name) name##_f
 #include "core/kernels/spline_type.tmpl.h"
 
+#include "core/kernels/net_type.tmpl.h"
 #include "core/kernels/span_type.tmpl.h"
 #undef G
 

@@ -9,6 +9,7 @@
 #define spline_q cagd_spline_q
 
 #define G(name) name##_q
+#include "core/kernels/net_type.tmpl.h"
 #include "core/kernels/span_type.tmpl.h"
 #undef G
 

@@ -45,7 +45,7 @@ CLAIM(surface_kernel_computes_the_double_sum)
     int n = T->degree, m = G(other_degree)(n);
     num P[MOST_OF_NET * dim], at[dim], u = parameter(T, "u"), w = parameter(T, "w");
     G(free_net)(T, n, m, dim, P);
-    G(bezier_surface_point)(n, m, dim, P, fault(T, u, w), fault(T, w, u), at);
+    G(bezier_surface_point)(G(net)(n, m, dim, P), fault(T, u, w), fault(T, w, u), at);
     for (int c = 0; c < dim; c++) {
         num sum = from_int(0);
         for (int i = 0; i <= n; i++)
@@ -90,18 +90,18 @@ CLAIM(parameter_lines_are_bezier_curves)
     num P[MOST_OF_NET * dim], Q[MOST_OF_NET * dim], line[MOST_OF_NET * dim];
     num u = parameter(T, "u"), w = parameter(T, "w"), one = from_int(1);
     G(free_net)(T, n, m, dim, P);
-    G(bezier_surface_transpose)(n, m, dim, P, Q);
+    G(bezier_surface_transpose)(G(net)(n, m, dim, P), Q);
     for (int exchanged = 0; exchanged < 2; exchanged++) {
         int first = exchanged ? m : n, second = exchanged ? n : m, size = (second + 1) * dim;
         num fixed = exchanged ? w : u, along = exchanged ? u : w;
         const num *net = exchanged ? Q : P;
         about(T, "a line");
-        G(bezier_surface_line)(first, second, dim, net, fault(T, fixed, sub(one, fixed)), line);
+        G(bezier_surface_line)(G(net)(first, second, dim, net), fault(T, fixed, sub(one, fixed)), line);
         for (int c = 0; c < dim; c++)
             same(T, G(curve)(second, dim, line, c, along), G(surface)(n, m, dim, P, c, 0, 0, u, w));
         about(T, "a border");
         for (int end = 0; end < 2; end++) {
-            G(bezier_surface_line)(first, second, dim, net, from_int(end), line);
+            G(bezier_surface_line)(G(net)(first, second, dim, net), from_int(end), line);
             for (int k = 0; k < size; k++) {
                 int place = k / dim, border = end * first; /* P_{border, place}, or P_{place, border} */
                 int point = exchanged ? place * (m + 1) + border : border * (m + 1) + place;
@@ -129,7 +129,7 @@ CLAIM(surface_functions_sum_to_one_and_are_positive)
     for (int k = 0; k < points; k++) {
         for (int i = 0; i < points; i++)
             P[i] = from_int(i == k);
-        G(bezier_surface_point)(n, m, 1, P, u, fault(T, w, neg(w)), &value);
+        G(bezier_surface_point)(G(net)(n, m, 1, P), u, fault(T, w, neg(w)), &value);
         about(T, "a function");
         G(must_be_positive)(T, value);
         sum = add(sum, value);
@@ -158,7 +158,7 @@ CLAIM(surface_derivatives_of_every_order)
     int n = T->degree, m = G(other_degree)(n);
     num P[MOST_OF_NET * dim], D[10 * 7 * dim], B[10][9], C[7][6], u = parameter(T, "u"), w = parameter(T, "w");
     G(free_net)(T, n, m, dim, P);
-    G(bezier_surface_derivatives)(n, m, dim, P, fault(T, u, w), fault(T, w, u), n + 1, m + 1, D);
+    G(bezier_surface_derivatives)(G(net)(n, m, dim, P), fault(T, u, w), fault(T, w, u), n + 1, m + 1, D);
     for (int k = 0; k <= n + 1; k++)
         for (int i = 0; i <= n; i++)
             B[k][i] = G(basis_derivative)(n, i, k, u);
@@ -215,10 +215,10 @@ CLAIM(surface_normal_is_the_cross_product)
         for (int k = 0; k < 3 * points; k++)
             P[k] = k % 3 == free_axis ? unknown(T, "x", k / 3) : from_int((7 * k * k + 3 * k) % 11 - 5);
         if (T->faulty) {
-            G(bezier_surface_transpose)(n, m, 3, P, Q);
-            G(bezier_surface_normal)(m, n, Q, w, u, N);
+            G(bezier_surface_transpose)(G(net)(n, m, 3, P), Q);
+            G(bezier_surface_normal)(G(net)(m, n, 3, Q), w, u, N);
         } else {
-            G(bezier_surface_normal)(n, m, P, u, w, N);
+            G(bezier_surface_normal)(G(net)(n, m, 3, P), u, w, N);
         }
         num v[5][3];
         for (int c = 0; c < 3; c++) {
@@ -254,8 +254,8 @@ CLAIM(corners_of_the_net_give_tangents_normal_and_twist)
     int n = T->degree, m = G(other_degree)(n);
     num P[MOST_OF_NET * 3], D[4 * 3], N[3], a[3], b[3], zero = from_int(0), degree[2] = {from_int(n), from_int(m)};
     G(free_net)(T, n, m, 3, P);
-    G(bezier_surface_derivatives)(n, m, 3, P, zero, zero, 1, 1, D);
-    G(bezier_surface_normal)(n, m, P, zero, zero, N);
+    G(bezier_surface_derivatives)(G(net)(n, m, 3, P), zero, zero, 1, 1, D);
+    G(bezier_surface_normal)(G(net)(n, m, 3, P), zero, zero, N);
     const num *right = P + 3, *up = P + 3 * (m + 1), *far = up + 3; /* P_01, P_10, P_11 */
     num product = mul(degree[0], degree[1]);
     for (int c = 0; c < 3; c++) {
@@ -299,11 +299,11 @@ CLAIM(collapsed_border_has_no_normal)
     num P[4 * 3], N[3];
     given_points(T, "P", 4, 3, P);
     num u = given(T, "u"), w = given(T, "w");
-    bezier_surface_normal_q(1, 1, P, u, w, N);
+    bezier_surface_normal_q(net_q(1, 1, 3, P), u, w, N);
     found_points(T, "N(u,w)", 1, 3, N);
     about(T, "whether the normal inside is not 0");
     agree(T, !is_zero_q(norm_squared_q(3, N)));
-    bezier_surface_normal_q(1, 1, P, from_int(0), w, N);
+    bezier_surface_normal_q(net_q(1, 1, 3, P), from_int(0), w, N);
     found_points(T, "N(0,w)", 1, 3, N);
     about(T, "whether the normal on the border is not 0");
     refute(T, is_zero_q(norm_squared_q(3, N)));
@@ -332,7 +332,7 @@ CLAIM(surface_part_is_the_piece)
     num P[MOST_OF_NET], part[MOST_OF_NET], a = parameter(T, "a"), b = parameter(T, "b"), one = from_int(1);
     num u[2] = {unknown(T, "u", 0), unknown(T, "u", 1)}, w[2] = {unknown(T, "w", 0), unknown(T, "w", 1)};
     G(free_net)(T, n, m, 1, P);
-    G(bezier_surface_part)(n, m, 1, P, u[0], u[1], w[fault(T, 0, 1)], w[fault(T, 1, 0)], part);
+    G(bezier_surface_part)(G(net)(n, m, 1, P), u[0], u[1], w[fault(T, 0, 1)], w[fault(T, 1, 0)], part);
     num there_u = add(mul(sub(one, a), u[0]), mul(a, u[1])), there_w = add(mul(sub(one, b), w[0]), mul(b, w[1]));
     same(T, G(surface)(n, m, 1, part, 0, 0, 0, a, b), G(surface)(n, m, 1, P, 0, 0, 0, there_u, there_w));
 }

@@ -26,12 +26,12 @@ static void put_line(svg *s, int count, const num_q X[], int curve, enum svg_rol
 static void put_surface(svg *s, int n, int m, const num_q P[], int lines, enum svg_role border, enum svg_role inner)
 {
     num_q Q[3 * 64], b[3 * 16];
-    bezier_surface_transpose_q(n, m, 3, P, Q);
+    bezier_surface_transpose_q(net_q(n, m, 3, P), Q);
     for (int k = 0; k <= lines; k++) {
         enum svg_role role = k == 0 || k == lines ? border : inner;
-        bezier_surface_line_q(n, m, 3, P, r(k, lines), b);
+        bezier_surface_line_q(net_q(n, m, 3, P), r(k, lines), b);
         put_line(s, m + 1, b, 1, role);
-        bezier_surface_line_q(m, n, 3, Q, r(k, lines), b);
+        bezier_surface_line_q(net_q(m, n, 3, Q), r(k, lines), b);
         put_line(s, n + 1, b, 1, role);
     }
 }
@@ -39,7 +39,7 @@ static void put_surface(svg *s, int n, int m, const num_q P[], int lines, enum s
 static void put_net(svg *s, int n, int m, const num_q P[])
 {
     num_q Q[3 * 64];
-    bezier_surface_transpose_q(n, m, 3, P, Q);
+    bezier_surface_transpose_q(net_q(n, m, 3, P), Q);
     for (int i = 0; i <= n; i++)
         put_line(s, m + 1, P + 3 * i * (m + 1), 0, SVG_POLYGON);
     for (int j = 0; j <= m; j++)
@@ -52,8 +52,8 @@ static void put_net(svg *s, int n, int m, const num_q P[])
 static void put_normal(svg *s, int n, int m, const num_q P[], num_q u, num_q w, num_q share, enum svg_role role)
 {
     num_q X[3], N[3], end[3];
-    bezier_surface_point_q(n, m, 3, P, u, w, X);
-    bezier_surface_normal_q(n, m, P, u, w, N);
+    bezier_surface_point_q(net_q(n, m, 3, P), u, w, X);
+    bezier_surface_normal_q(net_q(n, m, 3, P), u, w, N);
     for (int c = 0; c < 3; c++)
         end[c] = add_q(X[c], mul_q(share, N[c]));
     svg_arrow(s, seen(X), seen(end), role);

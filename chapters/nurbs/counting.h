@@ -61,6 +61,7 @@ static inline num_n root_n(int n, num_n a)
 #define G(name) name##_n
 #include "core/kernels/spline_type.tmpl.h"
 
+#include "core/kernels/net_type.tmpl.h"
 #include "core/kernels/span_type.tmpl.h"
 
 #include "core/kernels/kernels.tmpl.h"

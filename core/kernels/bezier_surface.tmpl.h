@@ -9,8 +9,10 @@
 #include "core/number/generic_on.h"
 
 /* The net with the parameters exchanged: Q_ji = P_ij, m+1 rows of n+1 points, so that Q(w, u) = P(u, w). */
-KERNEL void G(bezier_surface_transpose)(int n, int m, int dim, const num P[restrict], num Q[restrict])
+KERNEL void G(bezier_surface_transpose)(struct G(net) net, num Q[restrict])
 {
+    int n = net.n, m = net.m, dim = net.dim;
+    const num *P = net.points;
     for (int i = 0; i <= n; i++)
         for (int j = 0; j <= m; j++)
             for (int c = 0; c < dim; c++)
@@ -18,8 +20,10 @@ KERNEL void G(bezier_surface_transpose)(int n, int m, int dim, const num P[restr
 }
 
 /* The m+1 points b_j = sum_i B_i^n(u) P_ij of the parameter line (等参线) w -> P(u, w), a curve of degree m. */
-KERNEL void G(bezier_surface_line)(int n, int m, int dim, const num P[restrict], num u, num b[restrict])
+KERNEL void G(bezier_surface_line)(struct G(net) net, num u, num b[restrict])
 {
+    int n = net.n, m = net.m, dim = net.dim;
+    const num *P = net.points;
     num column[(MAX_DEGREE + 1) * MAX_DIM];
     for (int j = 0; j <= m; j++) {
         for (int i = 0; i <= n; i++)
@@ -30,18 +34,19 @@ KERNEL void G(bezier_surface_line)(int n, int m, int dim, const num P[restrict],
 }
 
 /* out = P(u, w). */
-KERNEL void G(bezier_surface_point)(int n, int m, int dim, const num P[restrict], num u, num w, num out[restrict])
+KERNEL void G(bezier_surface_point)(struct G(net) net, num u, num w, num out[restrict])
 {
     num line[(MAX_DEGREE + 1) * MAX_DIM];
-    G(bezier_surface_line)(n, m, dim, P, u, line);
-    G(bezier_casteljau)(m, dim, line, w, out);
+    G(bezier_surface_line)(net, u, line);
+    G(bezier_casteljau)(net.m, net.dim, line, w, out);
 }
 
 /* All partial derivatives (偏导矢) of orders k = 0, ..., r in u and l = 0, ..., s in w at (u, w), r <= MAX_DEGREE:
  * out[(k*(s+1) + l)*dim + c]; zero for k > n and for l > m. */
-KERNEL void G(bezier_surface_derivatives)(int n, int m, int dim, const num P[restrict], num u, num w, int r, int s,
-                                          num out[restrict])
+KERNEL void G(bezier_surface_derivatives)(struct G(net) net, num u, num w, int r, int s, num out[restrict])
 {
+    int n = net.n, m = net.m, dim = net.dim;
+    const num *P = net.points;
     num edge[(MAX_DEGREE + 1) * MAX_DIM], column[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     for (int l = 0; l <= s; l++) {
         for (int i = 0; i <= n; i++) { /* the derivative of order l of row i at w */
@@ -61,17 +66,18 @@ KERNEL void G(bezier_surface_derivatives)(int n, int m, int dim, const num P[res
 
 /* out = P_u x P_w at (u, w), a normal of a surface in space (法矢), not of length 1: the net has dim = 3.  It is 0 where
  * P_u and P_w are parallel, although there may be a tangent plane. */
-KERNEL void G(bezier_surface_normal)(int n, int m, const num P[restrict], num u, num w, num out[restrict])
+KERNEL void G(bezier_surface_normal)(struct G(net) net, num u, num w, num out[restrict])
 {
     num D[4 * 3];
-    G(bezier_surface_derivatives)(n, m, 3, P, u, w, 1, 1, D);
+    G(bezier_surface_derivatives)(net, u, w, 1, 1, D);
     G(cross3)(D + 2 * 3, D + 3, out);
 }
 
 /* The net of the piece over [u0, u1] x [w0, w1], of the same degrees, over the unit square.  Any ends, in any order. */
-KERNEL void G(bezier_surface_part)(int n, int m, int dim, const num P[restrict], num u0, num u1, num w0, num w1,
-                                   num out[restrict])
+KERNEL void G(bezier_surface_part)(struct G(net) net, num u0, num u1, num w0, num w1, num out[restrict])
 {
+    int n = net.n, m = net.m, dim = net.dim;
+    const num *P = net.points;
     num column[(MAX_DEGREE + 1) * MAX_DIM], piece[(MAX_DEGREE + 1) * MAX_DIM];
     for (int i = 0; i <= n; i++)
         G(bezier_on_interval)(m, dim, P + i * (m + 1) * dim, w0, w1, out + i * (m + 1) * dim);

@@ -11,6 +11,7 @@
 #define spline_d cagd_spline
 
 #define G(name) name##_d
+#include "core/kernels/net_type.tmpl.h"
 #include "core/kernels/span_type.tmpl.h"
 
 #include "core/kernels/kernels.tmpl.h"

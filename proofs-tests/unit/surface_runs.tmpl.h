@@ -25,28 +25,28 @@ static inline int G(three_multiplicities)(const struct G(data) * D, int l[])
 RUN(bezier_surface_transpose)
 {
     int m = G(other_degree)(D);
-    G(bezier_surface_transpose)(D->n, m, D->dim, D->x, out);
+    G(bezier_surface_transpose)(G(net)(D->n, m, D->dim, D->x), out);
     return (D->n + 1) * (m + 1) * D->dim;
 }
 RUN(bezier_surface_line)
 {
     int m = G(other_degree)(D);
-    G(bezier_surface_line)(D->n, m, D->dim, D->x, D->t, out);
+    G(bezier_surface_line)(G(net)(D->n, m, D->dim, D->x), D->t, out);
     return (m + 1) * D->dim;
 }
 RUN(bezier_surface_point)
 {
-    G(bezier_surface_point)(D->n, G(other_degree)(D), D->dim, D->x, D->t, D->u, out);
+    G(bezier_surface_point)(G(net)(D->n, G(other_degree)(D), D->dim, D->x), D->t, D->u, out);
     return D->dim;
 }
 RUN(bezier_surface_derivatives)
 {
-    G(bezier_surface_derivatives)(D->n, G(other_degree)(D), D->dim, D->x, D->t, D->u, D->r, 3, out);
+    G(bezier_surface_derivatives)(G(net)(D->n, G(other_degree)(D), D->dim, D->x), D->t, D->u, D->r, 3, out);
     return (D->r + 1) * 4 * D->dim;
 }
 RUN(bezier_surface_normal)
 {
-    G(bezier_surface_normal)(D->n, G(other_degree)(D), D->x, D->t, D->u, out);
+    G(bezier_surface_normal)(G(net)(D->n, G(other_degree)(D), 3, D->x), D->t, D->u, out);
     return 3;
 }
 /* Degrees that cost little; bezier_on_interval has the others. */
@@ -54,7 +54,7 @@ static inline int G(degree_of_part)(const struct G(data) * D) { return D->n <= 7
 RUN(bezier_surface_part)
 {
     int n = G(degree_of_part)(D), m = G(other_degree)(D);
-    G(bezier_surface_part)(n, m, D->dim, D->x, D->t, D->u, from_ratio(1, 4), D->t, out);
+    G(bezier_surface_part)(G(net)(n, m, D->dim, D->x), D->t, D->u, from_ratio(1, 4), D->t, out);
     return (n + 1) * (m + 1) * D->dim;
 }
 RUN(hermite_blending)
