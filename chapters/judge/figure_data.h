@@ -16,8 +16,8 @@ extern const cagd_register compiled_chapters; /* a figure belongs to a chapter t
  * program where there is no such entry, for then figure and claim have been parted. */
 static inline void data_of(const char *claim_name, const char *name, int count, int dim, num_q out[])
 {
-    for (const claim *c = compiled_chapters.claims; c->name != NULL; c++)
-        for (const datum *d = strcmp(c->name, claim_name) == 0 ? c->data : NULL; d != NULL && d->name != NULL; d++)
+    for (const block_data *b = compiled_chapters.data; b->claim != NULL; b++)
+        for (const datum *d = strcmp(b->claim, claim_name) == 0 ? b->data : NULL; d != NULL && d->name != NULL; d++)
             if (d->place == IN_DATA && strcmp(d->name, name) == 0 && d->rows == count && d->columns == dim) {
                 for (int k = 0; k < count * dim; k++)
                     out[k] = from_string_q(d->value[k]);

@@ -18,12 +18,19 @@ typedef struct source {
     const char *key, *author, *title, *title_zh, *year, *publisher, *part;
 } source;
 
-/* Each array ends with an entry of NULL name, id or key. */
+/* The data of a claim's block, for the figures: also of a claim without a body in the number types that are compiled in. */
+typedef struct block_data {
+    const char *claim;
+    const datum *data;
+} block_data;
+
+/* Each array ends with an entry of NULL name, id, key or claim. */
 typedef struct cagd_register {
     const claim *claims;
     const statement *statements;
     const chapter *chapters;
     const figure *figures;
     const source *sources;
+    const block_data *data;
 } cagd_register;
 #endif

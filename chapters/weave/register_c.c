@@ -112,7 +112,7 @@ static void put_claims(FILE *out, const struct book *book)
                 fprintf(out, "void claim_%s_%s(trial *T);\n", book->block[k].name, suffixes[t]);
     fputc('\n', out);
     for (int k = 0; k < book->blocks; k++)
-        if (book->block[k].kind == CLAIM_BLOCK && book->block[k].entries > 0 && is_compiled(book, &book->block[k]))
+        if (book->block[k].kind == CLAIM_BLOCK && book->block[k].entries > 0)
             put_data(out, &book->block[k], k);
     fputs("\nstatic const claim claims[] = {\n", out);
     for (int k = 0; k < book->blocks; k++)
@@ -206,6 +206,18 @@ static void put_sources(FILE *out, const struct book *book)
     fputs("    {.key = NULL}};\n\n", out);
 }
 
+static void put_block_data(FILE *out, const struct book *book)
+{
+    fputs("static const block_data blocks[] = {\n", out);
+    for (int k = 0; k < book->blocks; k++)
+        if (book->block[k].kind == CLAIM_BLOCK && book->block[k].entries > 0) {
+            fputs("    {", out);
+            put_string(out, book->block[k].name);
+            fprintf(out, ", data_%d},\n", k);
+        }
+    fputs("    {NULL, NULL}};\n\n", out);
+}
+
 static void put_chapters(FILE *out, const struct book *book)
 {
     fputs("static const chapter chapters[] = {\n", out);
@@ -244,7 +256,8 @@ int write_register_c(const struct book *book, const char *path)
     put_chapters(out, book);
     put_figures(out, book);
     put_sources(out, book);
-    fputs("const cagd_register compiled_chapters = {claims, statements, chapters, figures, sources};\n", out);
+    put_block_data(out, book);
+    fputs("const cagd_register compiled_chapters = {claims, statements, chapters, figures, sources, blocks};\n", out);
     if (fclose(out) != 0) {
         perror(path);
         return -1;
