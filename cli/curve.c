@@ -198,99 +198,73 @@ static void describe(const cagd_spline_q *c)
 
 /* ---- changed curves --------------------------------------------------------------------------- */
 
-static int has_no_weight(const struct arguments *a, int point)
+/* The exit code of an operation, with a line on stderr unless it was done: where there is no such curve, `otherwise` and the
+ * number say why. */
+static int exit_code_of(const struct arguments *a, cagd_status status, int where, const char *otherwise, num_q x)
 {
-    fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->asked.path, point);
-    return EXIT_USAGE;
+    switch (status) {
+    case CAGD_OK:
+        return EXIT_AS_EXPECTED;
+    case CAGD_UNDEFINED:
+        fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->asked.path, where);
+        return EXIT_USAGE;
+    case CAGD_NO_MEMORY:
+        fprintf(stderr, "cagd: %s: %s\n", a->asked.path, cagd_status_text(CAGD_NO_MEMORY));
+        return EXIT_INTERNAL;
+    default:
+        return complain(a, otherwise, x);
+    }
 }
 
-static int has_no_room(const struct arguments *a)
+/* The curve would become another one: no mistake of the user's, but not what was asked for. */
+static int would_change(const struct arguments *a, const char *what, num_q x)
 {
-    fprintf(stderr, "cagd: %s: %s\n", a->asked.path, cagd_status_text(CAGD_NO_MEMORY));
-    return EXIT_INTERNAL;
+    complain(a, what, x);
+    return EXIT_NOT_AS_EXPECTED;
 }
 
 static int insert(const struct arguments *a, const cagd_spline_q *c, num_q x, cagd_spline_q *out)
 {
     int where;
-    switch (cagd_spline_insert_q(c, x, out, &where)) {
-    case CAGD_OK:
-        return EXIT_AS_EXPECTED;
-    case CAGD_UNDEFINED:
-        return has_no_weight(a, where);
-    case CAGD_NO_MEMORY:
-        return has_no_room(a);
-    case CAGD_KNOTS_MULTIPLE:
-        return complain(a, "there are as many knots as the degree allows at", x);
-    default:
-        return complain(a, "a knot can be inserted from the start of the domain to before its end, not at", x);
-    }
+    cagd_status status = cagd_spline_insert_q(c, x, out, &where);
+    return exit_code_of(a, status, where,
+                        status == CAGD_KNOTS_MULTIPLE
+                            ? "there are as many knots as the degree allows at"
+                            : "a knot can be inserted from the start of the domain to before its end, not at",
+                        x);
 }
 
 static int without(const struct arguments *a, const cagd_spline_q *c, num_q x, cagd_spline_q *out)
 {
     int where;
-    switch (cagd_spline_remove_q(c, x, out, &where)) {
-    case CAGD_OK:
-        return EXIT_AS_EXPECTED;
-    case CAGD_UNDEFINED:
-        return has_no_weight(a, where);
-    case CAGD_NO_MEMORY:
-        return has_no_room(a);
-    case CAGD_CHANGES:
-        complain(a, "the curve would change without the knot", x);
-        return EXIT_NOT_AS_EXPECTED;
-    default:
-        return complain(a, "there is no inner knot", x);
-    }
+    cagd_status status = cagd_spline_remove_q(c, x, out, &where);
+    if (status == CAGD_CHANGES)
+        return would_change(a, "the curve would change without the knot", x);
+    return exit_code_of(a, status, where, "there is no inner knot", x);
 }
 
 static int elevate(const struct arguments *a, const cagd_spline_q *c, cagd_spline_q *out)
 {
     int where;
-    switch (cagd_spline_elevate_q(c, out, &where)) {
-    case CAGD_OK:
-        return EXIT_AS_EXPECTED;
-    case CAGD_UNDEFINED:
-        return has_no_weight(a, where);
-    case CAGD_NO_MEMORY:
-        return has_no_room(a);
-    default:
-        return complain(a, "the degree is at most", from_int_q(MAX_DEGREE));
-    }
+    cagd_status status = cagd_spline_elevate_q(c, out, &where);
+    return exit_code_of(a, status, where, "the degree is at most", from_int_q(MAX_DEGREE));
 }
 
 static int reduce(const struct arguments *a, const cagd_spline_q *c, cagd_spline_q *out)
 {
     int where;
-    switch (cagd_spline_reduce_q(c, out, &where)) {
-    case CAGD_OK:
-        return EXIT_AS_EXPECTED;
-    case CAGD_UNDEFINED:
-        return has_no_weight(a, where);
-    case CAGD_NO_MEMORY:
-        return has_no_room(a);
-    case CAGD_CHANGES:
-        complain(a, "the curve would change: it is not of lower degree on the segment from", c->knots[where]);
-        return EXIT_NOT_AS_EXPECTED;
-    default:
-        return complain(a, "the degree is already", from_int_q(0));
-    }
+    cagd_status status = cagd_spline_reduce_q(c, out, &where);
+    if (status == CAGD_CHANGES)
+        return would_change(a, "the curve would change: it is not of lower degree on the segment from",
+                            c->knots[where]);
+    return exit_code_of(a, status, where, "the degree is already", from_int_q(0));
 }
 
 static int split(const struct arguments *a, const cagd_spline_q *c, num_q t, cagd_spline_q *left, cagd_spline_q *right)
 {
     int where;
-    switch (cagd_spline_split_q(c, t, left, right, &where)) {
-    case CAGD_OK:
-        return EXIT_AS_EXPECTED;
-    case CAGD_UNDEFINED:
-        return has_no_weight(a, where);
-    case CAGD_NO_MEMORY:
-        return has_no_room(a);
-    default:
-        return complain(a, "a curve is split inside its domain, not at", t);
-    }
+    cagd_status status = cagd_spline_split_q(c, t, left, right, &where);
+    return exit_code_of(a, status, where, "a curve is split inside its domain, not at", t);
 }
 
 /* One Bézier curve a segment, over its own interval [u_mu, u_{mu+1}]. */
@@ -299,17 +273,11 @@ static int beziers(const struct arguments *a, const cagd_spline_q *c, json_t *li
     for (int mu = c->degree; mu < c->count; mu++) {
         cagd_spline_q segment;
         int where;
-        switch (cagd_spline_segment_q(c, mu, &segment, &where)) {
-        case CAGD_OK:
+        cagd_status status = cagd_spline_segment_q(c, mu, &segment, &where);
+        if (status == CAGD_UNDEFINED || status == CAGD_NO_MEMORY)
+            return exit_code_of(a, status, where, "", from_int_q(0));
+        if (status == CAGD_OK) /* otherwise there is no segment, between equal knots */
             json_array_append_new(list, curve_json(&segment));
-            break;
-        case CAGD_UNDEFINED:
-            return has_no_weight(a, where);
-        case CAGD_NO_MEMORY:
-            return has_no_room(a);
-        default: /* no segment between equal knots */
-            break;
-        }
     }
     return EXIT_AS_EXPECTED;
 }
