@@ -94,16 +94,38 @@ static void print_tally(FILE *out, const statement_result *list, int count)
                 t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
 }
 
-/* Striking statements carry a rank; each line says what the counterexample is and what it shows. */
+/* "R = (0,0) (1,2) (2,0); w = 1 0 1 gives R''(0) = (4,0)": the data of a claim and what comes out of them. */
+static void put_data(FILE *out, const claim *c)
+{
+    static const enum data_place places[] = {IN_DATA, IN_RESULT};
+    for (int p = 0; p < 2; p++) {
+        int first = 1;
+        for (const datum *d = c->data; d != NULL && d->name != NULL; d++)
+            if (d->place == places[p]) {
+                fprintf(out, "%s%s = %s", !first ? "; " : p == 0 ? "" : " gives ", d->name, d->text);
+                first = 0;
+            }
+    }
+}
+
+/* Striking statements carry a rank: the id and what is false, then the counterexample in numbers. */
 static void print_striking(FILE *out, const statement_result *list, int count, int wanted)
 {
     for (int rank = 1, shown = 0; rank <= count && shown < wanted; rank++)
         for (int k = 0; k < count; k++)
             if (list[k].statement->striking == rank && list[k].verdict == VERDICT_FAILS && shown < wanted) {
                 const claim *c = list[k].decided_by->claim;
-                char *given = tex_to_text(c->given, 1), *then = tex_to_text(c->then, 1);
-                fprintf(out, "  %s  %s: %s\n", list[k].statement->id, given, then);
-                free(given), free(then);
+                char *then = tex_to_text(c->then, 1), *numbers = NULL;
+                size_t size;
+                FILE *text = open_memstream(&numbers, &size);
+                if (text == NULL)
+                    abort();
+                put_data(text, c);
+                fclose(text);
+                fprintf(out, "  %s  %s\n", list[k].statement->id, list[k].statement->title);
+                put_paragraph(out, numbers, 6, 92);
+                put_paragraph(out, then, 6, 92);
+                free(then), free(numbers);
                 shown++;
             }
 }
