@@ -26,7 +26,9 @@ cagd_num_q cagd_root_q(int n, cagd_num_q a);  /* exact; UNABLE unless a >= 0 is 
 cagd_num_q cagd_from_mpq_q(mpq_srcptr x);        /* a copy; x in lowest terms              */
 cagd_num_q cagd_from_double_q(double x);         /* the binary64 itself; UNDEFINED unless finite    */
 cagd_num_q cagd_from_string_q(const char *text); /* "3", "-3/7", "0.1" (the decimal), "1e-3",
-                                                    "0x1.8p-3"; UNDEFINED when it is none of these */
+                                                    "0x1.8p-3"; UNDEFINED when it is none of these,
+                                                    or has 100 000 digits at one place or an
+                                                    exponent beyond 99 999                        */
 
 /* Order, for decisions; generic text never compares.  The signs of a and of a - b, a = b, a = 0, and whether a is an integer. */
 static inline int cagd_sign_q(cagd_num_q a) { return mpq_sgn(a.at); }

@@ -16,9 +16,11 @@ static struct cagd_root_count noted(poly p, const num_q *a, const num_q *b, enum
         cagd_trace_put_list("with_ends", 2,
                             (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
         cagd_trace_put("distinct", is.distinct);
-        cagd_trace_put("counted", is.counted);
-        cagd_trace_put("crossings", is.crossings);
-        cagd_trace_put("touches", is.touches);
+        if (is.counted >= 0) { /* not where only the different roots were counted */
+            cagd_trace_put("counted", is.counted);
+            cagd_trace_put("crossings", is.crossings);
+            cagd_trace_put("touches", is.touches);
+        }
         cagd_trace_fact_end();
     }
     return is;

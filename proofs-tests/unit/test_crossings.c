@@ -99,13 +99,72 @@ static void crossing_is_not_common_point(void **state)
     m = cagd_curve_meets_line(2, parabola, lost, line(0, 1, 1));
     assert_int_equal(m.poles, 0);
     assert_int_equal(m.common_closed, 1);
-    num_q none[3] = {q(0), q(0), q(0)};
-    cagd_curve_meets_line(2, parabola, none, line(0, 1, 1));
+    /* last weight 0, likewise */
+    num_q ended[3] = {q(1), q(1), q(0)};
+    assert_int_equal(cagd_curve_meets_line(2, parabola, ended, line(0, 1, 1)).poles, 0);
+}
+
+/* w = t, 1 - t, and both: the points at the ends, and nowhere else, are at infinity. */
+static void poles_at_the_ends(void **state)
+{
+    (void)state;
+    /* Homogeneous points that are not 0 where the weight is: (x, y) = (X/w, Y/w) with the weights w and X, Y of degree 2 above them. */
+    poly t = poly_variable(), one = poly_constant(q(1)), back = poly_sub(one, t);
+    poly W[4] = {t, back, poly_mul(t, back), poly_add(poly_mul(t, t), one)};
+    const int poles[4] = {1, 1, 2, 0};
+    for (int k = 0; k < 4; k++) {
+        /* in degree 3 with the factor t + 1, so that no weight of the Bernstein form is 0 but the end ones */
+        poly w = poly_mul(W[k], poly_add(t, one)), X = poly_add(poly_mul(t, t), poly_constant(q(3)));
+        num_q R[8], c[4], x[4];
+        poly_to_bernstein(w, 3, q(0), q(1), c);
+        poly_to_bernstein(X, 3, q(0), q(1), x);
+        int lost = 0;
+        for (int i = 0; i <= 3; i++) {
+            lost += cagd_is_zero_q(c[i]);
+            R[2 * i] = cagd_is_zero_q(c[i]) ? q(0) : div_q(x[i], c[i]);
+            R[2 * i + 1] = q(i);
+        }
+        struct cagd_curve_meets_line m = cagd_curve_meets_line(3, R, c, line(1, 0, 1000));
+        /* a weight 0 takes the point with it: numerator and denominator are both without that term, and what is left may vanish too */
+        poly X0 = poly_constant(q(0)), Y0 = X0;
+        num_q a[4], b[4];
+        for (int i = 0; i <= 3; i++)
+            a[i] = mul_q(c[i], R[2 * i]), b[i] = mul_q(c[i], R[2 * i + 1]);
+        X0 = poly_from_bernstein(3, a), Y0 = poly_from_bernstein(3, b);
+        int expected = 0;
+        for (int end = 0; end <= 1; end++)
+            expected += cagd_is_zero_q(poly_value(w, q(end))) &&
+                        !(cagd_is_zero_q(poly_value(X0, q(end))) && cagd_is_zero_q(poly_value(Y0, q(end))));
+        assert_int_equal(lost, poles[k]);
+        assert_int_equal(m.poles, expected);
+    }
+    /* negative and positive end weights over a pole inside, and one exactly at t = 1: w = 1 - t, x = 1/(1 - t), in degree 1 */
+    num_q P[4] = {q(1), q(2), q(5), q(7)}, w[2] = {q(-1), q(1)};
+    assert_int_equal(cagd_curve_meets_line(1, P, w, line(1, 0, 9)).poles, 1);
+    /* the weights 1, -1, 1 of degree 2: w = 1 - 4 t + 4 t^2 = (1 - 2 t)^2 */
+    num_q Q[6] = {q(1), q(2), q(5), q(7), q(2), q(2)}, v[3] = {q(1), q(-1), q(1)};
+    assert_int_equal(cagd_curve_meets_line(2, Q, v, line(1, 0, 9)).poles, 1);
+}
+
+/* What is undefined is answered with zeros alone, and the region is as before. */
+static void undefined_says_nothing(void **state)
+{
+    (void)state;
+    num_q parabola[6] = {q(-1), q(1), q(0), q(-1), q(1), q(1)}, ones[3] = {q(1), q(1), q(1)},
+          none[3] = {q(0), q(0), q(0)};
+    const struct cagd_curve_meets_line nothing = {0};
+    region_mark before = region_open();
+    struct cagd_curve_meets_line m = cagd_curve_meets_line(2, parabola, none, line(0, 1, 1));
     expect_fault(FAULT_UNDEFINED);
-    cagd_curve_meets_line(2, parabola, ones, line(0, 0, 1));
+    assert_memory_equal(&m, &nothing, sizeof m);
+    m = cagd_curve_meets_line(2, parabola, ones, line(0, 0, 1));
     expect_fault(FAULT_UNDEFINED);
-    cagd_polygon_meets_line(2, parabola, line(0, 0, 1));
+    assert_memory_equal(&m, &nothing, sizeof m);
+    const struct cagd_polygon_meets_line no_points = {0};
+    struct cagd_polygon_meets_line p = cagd_polygon_meets_line(2, parabola, line(0, 0, 0));
     expect_fault(FAULT_UNDEFINED);
+    assert_memory_equal(&p, &no_points, sizeof p);
+    region_drop(before);
 }
 
 /* With positive weights a line crosses the curve no more often than the control polygon. */
@@ -155,6 +214,10 @@ static void polygons_by_definition(void **state)
             y[i] = q(random_int(-1, 1));
             R[2 * i] = add_q(x[i], from_ratio_q(1, 7));
             R[2 * i + 1] = div_q(sub_q(sub_q(y[i], q(1)), mul_q(q(3), R[2 * i])), q(2));
+            if (k % 3 == 1) /* the y-axis */
+                R[2 * i] = y[i], R[2 * i + 1] = x[i], l = line(2, 0, 0);
+            if (k % 3 == 2) /* the x-axis, from the other side */
+                R[2 * i] = x[i], R[2 * i + 1] = y[i], l = line(0, -3, 0);
             signs[i] = cagd_sign_q(y[i]);
         }
         struct part part[20];
@@ -203,10 +266,8 @@ static void polygons_by_definition(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(planted_meetings),
-        unit(crossing_is_not_common_point),
-        unit(variation_diminishes),
-        unit(polygons_by_definition),
+        unit(planted_meetings),       unit(crossing_is_not_common_point), unit(poles_at_the_ends),
+        unit(undefined_says_nothing), unit(variation_diminishes),         unit(polygons_by_definition),
     };
     return run_unit_tests(tests);
 }

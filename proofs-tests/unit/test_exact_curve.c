@@ -165,6 +165,56 @@ static void a_circle_has_one_curvature_and_no_pole(void **state)
     assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_DEGREE);
 }
 
+/* *where is -1 where nothing is meant, whatever stood there before; of a curve in space the curvature is that of its definition. */
+static void what_is_refused(void **state)
+{
+    (void)state;
+    const num_q zero = from_int_q(0), one = from_int_q(1);
+    const num_q knots[] = {zero, one, one, one}, points[] = {one, zero, one, one, from_int_q(3), from_ratio_q(5, 2)};
+    cagd_spline_q s = {0, 1, 3, knots, points, NULL}, left = {0}, right = {0};
+    int where = 7;
+    assert_int_equal(cagd_spline_reduce_q(&s, &left, &where), CAGD_DEGREE);
+    assert_int_equal(where, -1);
+    where = 7;
+    assert_int_equal(cagd_spline_split_q(&s, zero, &left, &right, &where), CAGD_OUTSIDE_DOMAIN);
+    assert_int_equal(where, -1);
+    where = 7;
+    s.degree = CAGD_MAX_DEGREE + 1;
+    assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_DEGREE);
+    assert_int_equal(where, -1);
+    s.degree = 0;
+    for (int dim = 0; dim <= CAGD_MAX_DIM + 1; dim += CAGD_MAX_DIM + 1) {
+        s.dim = dim, where = 7;
+        assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_DIMENSION);
+        assert_int_equal(where, -1);
+    }
+    s.dim = CAGD_MAX_DIM, where = 7;
+    assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_OK);
+    assert_int_equal(where, -1);
+    s.count = 0, where = 7;
+    assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_COUNT);
+    assert_int_equal(where, -1);
+}
+
+/* The twisted cubic (t, t^2, t^3): k^2 = 4 (9 t^4 + 9 t^2 + 1)/(9 t^4 + 4 t^2 + 1)^3, torsion 3/(9 t^4 + 9 t^2 + 1). */
+static void curvature_and_torsion_in_space(void **state)
+{
+    (void)state;
+    const num_q zero = from_int_q(0), one = from_int_q(1), third = from_ratio_q(1, 3), two = from_ratio_q(2, 3);
+    const num_q knots[] = {zero, zero, zero, zero, one, one, one, one};
+    const num_q points[] = {zero, zero, zero, third, zero, zero, two, third, zero, one, one, one};
+    cagd_spline_q s = {3, 4, 3, knots, points, NULL};
+    for (int k = 0; k <= 4; k++) {
+        num_q t = from_ratio_q(k, 4), t2 = mul_q(t, t), t4 = mul_q(t2, t2), nine = from_int_q(9), x;
+        num_q a = add_q(add_q(mul_q(nine, t4), mul_q(nine, t2)), one),
+              b = add_q(add_q(mul_q(nine, t4), mul_q(from_int_q(4), t2)), one);
+        assert_int_equal(cagd_spline_curvature_squared_q(&s, t, CAGD_RIGHT, &x), CAGD_OK);
+        assert_true(cagd_equal_q(mul_q(x, mul_q(b, mul_q(b, b))), mul_q(from_int_q(4), a)));
+        assert_int_equal(cagd_spline_torsion_q(&s, t, CAGD_RIGHT, &x), CAGD_OK);
+        assert_true(cagd_equal_q(mul_q(x, a), from_int_q(3)));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -172,6 +222,8 @@ int main(void)
         unit(raised_degrees_are_lowered_again),
         unit(parts_and_segments_are_the_curve),
         unit(a_circle_has_one_curvature_and_no_pole),
+        unit(what_is_refused),
+        unit(curvature_and_torsion_in_space),
     };
     return run_unit_tests(tests);
 }

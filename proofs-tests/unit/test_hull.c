@@ -51,6 +51,60 @@ static void plane_membership_is_caratheodory(void **state)
     assert_true(inside > 50 && outside > 50);
 }
 
+/* A certificate is refused when one point, or one coefficient, does not do what it says, whichever it is. */
+static void one_point_spoils_a_certificate(void **state)
+{
+    (void)state;
+    num_q P[8] = {q(0), q(0), q(2), q(0), q(2), q(2), q(0), q(2)}, x[2] = {q(1), q(1)}, far[2] = {q(5), q(1)};
+    num_q quarter[4], normal[2] = {q(1), q(0)};
+    for (int j = 0; j < 4; j++)
+        quarter[j] = from_ratio_q(1, 4);
+    struct cagd_hull_certificate in = {.inside = 1, .coefficient = quarter, .offset = q(0)};
+    struct cagd_hull_certificate out = {.inside = 0, .normal = normal, .offset = q(2)};
+    assert_true(cagd_hull_certificate_holds(2, 4, P, x, in));
+    assert_true(cagd_hull_certificate_holds(2, 4, P, far, out));
+    assert_false(cagd_hull_certificate_holds(2, 4, P, x, out));
+    for (int j = 0; j < 4; j++) {
+        num_q moved[8], uneven[4];
+        for (int m = 0; m < 8; m++)
+            moved[m] = m == 2 * j ? q(3) : P[m];
+        assert_false(cagd_hull_certificate_holds(2, 4, moved, far, out)); /* this point alone is beyond the line */
+        assert_false(cagd_hull_certificate_holds(2, 4, moved, x, in));
+        for (int m = 0; m < 4; m++)
+            uneven[m] = m == j ? q(-1) : m == (j + 1) % 4 ? q(2) : q(0);
+        num_q at[2];
+        for (int c = 0; c < 2; c++)
+            at[c] = sub_q(mul_q(q(2), P[2 * ((j + 1) % 4) + c]), P[2 * j + c]);
+        in.coefficient = uneven; /* the point and the sum are right, one coefficient is negative */
+        assert_false(cagd_hull_certificate_holds(2, 4, P, at, in));
+        for (int m = 0; m < 4; m++)
+            uneven[m] = m == j ? q(1) : q(0);
+        assert_true(cagd_hull_certificate_holds(2, 4, P, P + 2 * j, in));
+        uneven[(j + 1) % 4] = from_ratio_q(1, 9); /* the sum is not 1 */
+        assert_false(cagd_hull_certificate_holds(2, 4, P, P + 2 * j, in));
+        in.coefficient = quarter;
+    }
+    num_q on_it[2] = {q(2), q(7)};
+    assert_false(cagd_hull_certificate_holds(2, 4, P, on_it, out)); /* a point on the line is not separated */
+}
+
+/* Is 0 in the hull of these ten points?  Every pivot but the last is degenerate; with the last instead of the first variable leaving
+ * among equal ratios, a basis comes twice.  Found by random search in small integers, dimension 5. */
+static void blands_rule_does_not_cycle(void **state)
+{
+    (void)state;
+    static const int points[10][5] = {{-4, -9, 3, 3, 3}, {-1, 4, 8, -5, -8}, {-3, -3, 6, 9, 6}, {-5, 8, 0, -4, -3},
+                                      {2, -8, 7, 9, -3}, {7, 9, -9, -1, 6},  {9, -2, -3, 8, 8}, {-9, -4, 5, 2, -3},
+                                      {-6, 6, -4, 8, 5}, {4, 4, -2, -5, -3}};
+    num_q P[50], x[5];
+    for (int m = 0; m < 50; m++)
+        P[m] = q(points[m / 5][m % 5]);
+    for (int c = 0; c < 5; c++)
+        x[c] = q(0);
+    struct cagd_hull_certificate c = cagd_hull_membership(5, 10, P, x);
+    assert_true(cagd_hull_certificate_holds(5, 10, P, x, c));
+}
+
 static void combinations_are_inside_in_every_dimension(void **state)
 {
     (void)state;
@@ -219,7 +273,8 @@ static void convexity_is_its_definition(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(plane_membership_is_caratheodory), unit(combinations_are_inside_in_every_dimension),
+        unit(plane_membership_is_caratheodory), unit(one_point_spoils_a_certificate),
+        unit(blands_rule_does_not_cycle),       unit(combinations_are_inside_in_every_dimension),
         unit(false_certificates_are_refused),   unit(extreme_points_are_the_vertices),
         unit(convexity_is_its_definition),
     };

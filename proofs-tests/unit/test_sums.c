@@ -159,6 +159,85 @@ static void test_factors(void **state)
     field_close();
 }
 
+/* (m choose j), 0 outside 0 <= j <= m, as a rational. */
+static void choose(mpq_t out, int m, int j)
+{
+    mpq_set_ui(out, 0, 1);
+    if (j >= 0 && j <= m)
+        mpz_bin_uiui(mpq_numref(out), (unsigned long)m, (unsigned long)j);
+}
+
+/* The ratios of binomial(2 n + k + 5, n + k + 1) 3^(n + 2 k) (n + 4)/(k + 2) at small numbers, by the values themselves. */
+static void value_of_term(mpq_t out, int m, int j)
+{
+    mpq_t x;
+    mpz_t power;
+    mpq_init(x), mpz_init(power);
+    choose(out, 2 * m + j + 5, m + j + 1);
+    mpz_ui_pow_ui(power, 3, (unsigned long)(m + 2 * j));
+    mpq_set_z(x, power), mpq_mul(out, out, x);
+    mpq_set_si(x, m + 4, (unsigned long)(j + 2)), mpq_canonicalize(x), mpq_mul(out, out, x);
+    mpq_clear(x), mpz_clear(power);
+}
+static void test_terms_by_their_values(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_term F = cagd_term_times_binomial(cagd_term_one(), n, k, 2, 1, whole(5), 1, 1, whole(1));
+    F = cagd_term_times_power(F, whole(3), 1, 2);
+    F = cagd_term_times_rational(F, n, k, div_f(add_f(n, whole(4)), add_f(k, whole(2))));
+    for (int m = 0; m < 5; m++)
+        for (int j = 0; j <= m; j++) {
+            mpq_t here, next, ratio;
+            mpq_inits(here, next, ratio, (mpq_ptr)0);
+            value_of_term(here, m, j);
+            for (int by_n = 0; by_n <= 1; by_n++) {
+                num_q value;
+                value_of_term(next, m + by_n, j + !by_n);
+                mpq_div(ratio, next, here);
+                num_f found = substitute_f(substitute_f(by_n ? F.by_n : F.by_k, n, whole(m)), k, whole(j));
+                assert_true(cagd_is_constant_f(found, &value));
+                assert_true(mpq_equal(value.at, ratio));
+            }
+            mpq_clears(here, next, ratio, (mpq_ptr)0);
+        }
+    field_close();
+}
+
+/* sum_k (-1)^k (n choose k)/(k + x) = n!/(x (x+1) ... (x+n)): proved for x = t > 0, and not for x = t - 2, where the ratio of
+ * neighbours has the factor k + t - 1 in its denominator, which is 0 for k = 0 and t = 1. */
+static void test_poles_in_a_term(void **state)
+{
+    (void)state;
+    open_field();
+    for (int less = 0; less <= 2; less += 2) {
+        num_f x = sub_f(t, whole(less));
+        cagd_term F = cagd_term_times_power(binomials(1), whole(-1), 0, 1);
+        F = cagd_term_times_rational(F, n, k, div_f(whole(1), add_f(k, x)));
+        num_f start = div_f(whole(1), x), ratio = div_f(add_f(n, whole(1)), add_f(add_f(n, whole(1)), x));
+        cagd_sum s = {F, start, ratio, start};
+        cagd_telescoper T;
+        /* `first` is F(0,0), and later rows begin with F(m,0) = F(0,0) */
+        assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), less ? CAGD_SUM_UNDECIDED : CAGD_SUM_PROVED);
+    }
+    field_close();
+}
+
+/* A telescoper whose last coefficients are 0 is one as long as some coefficient is not. */
+static void test_coefficients_that_are_zero(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T, none = {.order = 1, .a = {whole(0), whole(0)}, .R = whole(0)};
+    cagd_term F = binomials(1);
+    assert_true(cagd_telescope(F, n, k, 3, &T));
+    assert_int_equal(T.order, 1);
+    T.order = 2, T.a[2] = whole(0);
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    assert_false(cagd_telescoper_holds(F, n, k, &none));
+    field_close();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(test_terms),
@@ -166,6 +245,9 @@ int main(void)
                                        unit(test_a_recurrence_of_order_two),
                                        unit(test_an_indefinite_sum),
                                        unit(test_late_differences),
-                                       unit(test_factors)};
+                                       unit(test_factors),
+                                       unit(test_terms_by_their_values),
+                                       unit(test_poles_in_a_term),
+                                       unit(test_coefficients_that_are_zero)};
     return run_unit_tests(tests);
 }

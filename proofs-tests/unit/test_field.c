@@ -1,0 +1,115 @@
+/* test_field.c -- what is asked of a rational function: signs of coefficients, degrees, variables; and what is refused. */
+#include "unit_exact.h"
+
+#include "exact/number/field.h"
+#include "exact/words.h"
+
+#include <stdio.h>
+
+/* sum s_i v^i with coefficients of these signs, and over (v + 1)^2 and over v - 1: the sign is read off all coefficients. */
+static void signs_of_all_coefficients(void **state)
+{
+    (void)state;
+    cagd_field_open(2);
+    num_f v = variable_f("v"), w = variable_f("w"), plus = add_f(v, from_int_f(1)), minus = sub_f(v, from_int_f(1));
+    for (int length = 1; length <= 5; length++)
+        for (int code = 0, codes = length == 5   ? 243
+                                   : length == 4 ? 81
+                                   : length == 3 ? 27
+                                   : length == 2 ? 9
+                                                 : 3;
+             code < codes; code++) {
+            region_mark m = region_open();
+            num_f p = from_int_f(0), power = from_int_f(1);
+            int positive = 0, negative = 0;
+            for (int i = 0, rest = code; i < length; i++, rest /= 3, power = mul_f(power, i % 2 ? v : w)) {
+                p = add_f(p, mul_f(from_int_f((rest % 3 - 1) * (i + 2)), power));
+                positive += rest % 3 == 2, negative += rest % 3 == 0;
+            }
+            int sign = positive && negative ? -2 : positive ? 1 : negative ? -1 : 0;
+            assert_int_equal(coefficients_sign_f(p), sign);
+            if (sign != 0 && sign != -2) {
+                assert_int_equal(coefficients_sign_f(div_f(p, mul_f(plus, add_f(w, plus)))), sign);
+                assert_int_equal(coefficients_sign_f(div_f(from_int_f(sign), mul_f(plus, add_f(w, plus)))), sign);
+                assert_int_equal(coefficients_sign_f(div_f(from_int_f(sign), minus)), -2);
+            }
+            region_drop(m);
+        }
+    field_close();
+}
+
+static void degrees_and_answers_without_a_variable(void **state)
+{
+    (void)state;
+    cagd_field_open(2);
+    num_f v = variable_f("v"), w = variable_f("w"), no = add_f(v, w);
+    num_f a = div_f(add_f(mul_f(v, mul_f(v, w)), from_int_f(3)), add_f(w, mul_f(v, v)));
+    assert_int_equal(degree_f(a, v), 2);
+    assert_int_equal(denominator_degree_f(a, v), 2);
+    assert_int_equal(degree_f(a, w), 1);
+    assert_int_equal(denominator_degree_f(a, w), 1);
+    for (int i = 0; i <= 3; i++)
+        for (int j = 0; j <= 3; j++) {
+            assert_int_equal(cagd_has_degrees_f(a, v, i, j), i == 2 && j == 2);
+            assert_int_equal(cagd_has_degrees_f(a, w, i, j), i == 1 && j == 1);
+        }
+    assert_int_equal(degree_f(from_int_f(0), v), -1);
+    assert_int_equal(degree_f(a, no), -1);
+    expect_fault(FAULT_UNDEFINED);
+    assert_int_equal(denominator_degree_f(a, no), -1);
+    expect_fault(FAULT_UNDEFINED);
+    substitute_f(a, no, v);
+    expect_fault(FAULT_UNDEFINED);
+    derivative_f(a, no);
+    expect_fault(FAULT_UNDEFINED);
+    coefficient_f(a, v, 0);
+    expect_fault(FAULT_UNDEFINED);
+    div_f(a, from_int_f(0));
+    expect_fault(FAULT_UNDEFINED);
+    from_ratio_f(1, 0);
+    expect_fault(FAULT_UNDEFINED);
+    assert_true(equal_f(from_ratio_f(3, -1), from_int_f(-3)));
+    root_f(0, a);
+    expect_fault(FAULT_UNABLE);
+    root_f(-2, mul_f(a, a));
+    expect_fault(FAULT_UNABLE);
+    assert_true(equal_f(root_f(1, a), a));
+    field_close();
+}
+
+/* More variables than there can be: room for FIELD_MAX_VARIABLES, and the fault beside one that was there. */
+static void as_many_variables_as_there_can_be(void **state)
+{
+    (void)state;
+    char name[16];
+    region_faults = FAULT_MEMORY;
+    cagd_field_open(FIELD_MAX_VARIABLES + 1);
+    expect_fault(FAULT_MEMORY | FAULT_UNABLE);
+    num_f sum = from_int_f(0);
+    for (int i = 0; i < FIELD_MAX_VARIABLES; i++) {
+        snprintf(name, sizeof name, "x%d", i);
+        sum = add_f(sum, variable_f(name));
+        assert_int_equal(field_variable_f(variable_f(name)), i);
+    }
+    assert_int_equal(field_variable_f(sum), -1);
+    variable_f("another");
+    expect_fault(FAULT_CROWDED);
+    cagd_field_open(0); /* room for one */
+    variable_f("a");
+    assert_int_equal(region_faults, 0);
+    variable_f("b");
+    expect_fault(FAULT_CROWDED);
+    variable_f("sixteen_letters_"); /* one letter too many */
+    expect_fault(FAULT_UNABLE);
+    field_close();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        unit(signs_of_all_coefficients),
+        unit(degrees_and_answers_without_a_variable),
+        unit(as_many_variables_as_there_can_be),
+    };
+    return run_unit_tests(tests);
+}
