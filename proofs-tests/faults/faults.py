@@ -1,26 +1,35 @@
-"""Planted faults: changes one operator, index, sign or constant of a kernel at a time; `cagd verify` must notice.
+"""Planted faults: one operator, operand, condition, statement or constant at a time is changed, and a test must notice.
 
-    faults.py [--sample N] [--seed S] [--file NAME] [--chapters LIST] [--types LIST] [--shard K/N] [--list] [--jobs N]
+    faults.py ROOM [--per-function N] [--sample N] [--seed S] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
+              [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
-Each fault is one replacement at one place of core/kernels/*.tmpl.h.  In a copy of the tree every place gets a switch that
-chooses, when the program runs, between what stands there and the fault; the switch of one fault is on when the
-environment names its number.  So one build holds as many faults as do not overlap.  A fault is judged first by the
-claims that define its kernel, then, if these all hold, by all claims.  A fault that survives is a claim that
-nobody has written, and the exit status is 1.  With --chapters only these chapters are built, with those whose claims
-they name, for faults in the kernels that they define; with --types only these number types.  equivalent.txt lists the replacements that change nothing, each with the
-reason.
+ROOM is kernels, exact, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
+gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
+by the tests of its room, those of its file first, until one fails, crashes or takes ten times its usual time; in the kernels by
+the claims that define the kernel, by all claims, and by the unit test.  A fault that survives is printed, and the exit status is 1.
+
+Without --sample and --per-function every fault is tried; --per-function N takes from each function N of them, of kinds as different
+as possible.  --slow tries the tests that take long as well.  equivalent.txt lists the faults that no test can notice, each with
+its reason; they are left out, and with --equivalent they alone are tried.  --again tries those that survived in the output of
+a former run.  For the kernels, --chapters builds only these
+chapters, with those whose claims they name, for faults in the kernels that they define, and --types only these number types.
 """
 import argparse
+import collections
+import concurrent.futures
 import json
 import os
 import pathlib
 import random
 import re
+import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
+
+import planter
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "proofs-tests/scripts"))
@@ -28,94 +37,144 @@ from register import USUAL, claims_of, load, words  # noqa: E402
 EQUIVALENT = pathlib.Path(__file__).with_name("equivalent.txt")
 
 
-def token(now):
-    """A word becomes another one of the same use."""
-    return lambda m: (now, f"(ON ? {now} : {m.group(0)})")
+def sources(*patterns):
+    return sorted(str(path.relative_to(ROOT)) for pattern in patterns for path in ROOT.glob(pattern))
 
 
-def value(now):
-    """An expression that is complete in itself becomes another one."""
-    return lambda m: (m.expand(now), f"(ON ? {m.expand(now)} : {m.group(0)})")
+class Room:
+    """What can be faulty: files by the translation unit that shows them, and the tests, the quick ones first."""
+
+    optimised, targets, tests, slow, options = "-O1", [], {}, [], []
+
+    def units(self):
+        raise NotImplementedError
+
+    def first(self, file):
+        """The tests that know most of a file."""
+        return []
 
 
-def part(was, now, switched):
-    """Within the match the text `was` becomes `now`; `switched` means the first with ON = 0, the second with ON = 1."""
-    return lambda m: tuple(re.sub(was, to, m.group(0), count=1) for to in (now, switched))
+class Exact(Room):
+    """A test in the order of the time that it takes."""
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in (
+        "test_sums test_resultant test_polynomial test_sign test_sturm test_total_positivity test_crossings test_ends test_record test_field test_numbers "
+        "test_hull test_fraction test_exact_curve test_region test_roots test_svg test_judge test_stationary").split()}
+    slow = {"test_exact_memory": ["proofs-tests/unit/test_exact_memory"], "test_kernels": ["proofs-tests/unit/test_kernels"]}
+    KNOWS = {"interval": "test_ends test_numbers", "rational": "test_numbers", "field": "test_field test_fraction test_numbers", "fraction": "test_fraction",
+             "polynomial": "test_polynomial", "region": "test_region", "slots": "test_region", "recorder": "test_record", "parallel": "test_region",
+             "spline": "test_exact_curve"}
+
+    def units(self):
+        found = {c: [c] for c in sources("exact/number/*.c", "exact/decide/*.c", "exact/record/*.c", "exact/curve/*.c", "exact/fit/*.c")}
+        found["exact/decide/resultant.c"].append("exact/decide/resultant.tmpl.h")
+        return found
+
+    def first(self, file):
+        stem = pathlib.Path(file).name.split(".")[0]
+        if file.startswith("exact/fit"):
+            return ["test_stationary"]
+        if file.startswith("exact/record"):
+            return ["test_record"]
+        return self.KNOWS.get(stem, f"test_{stem}").split()
 
 
-# What is looked for, and what it becomes: the text with the fault, and that with the switch ON in it.
-RULES = [
-    ("sum to difference", r"\badd(?=\()", token("sub")),
-    ("difference to sum", r"\bsub(?=\()", token("add")),
-    ("product to sum", r"\bmul(?=\()", token("add")),
-    ("quotient to product", r"\bdiv(?=\()", token("mul")),
-    ("sign lost", r"\bneg\(([^()]*(?:\([^()]*\))?[^()]*)\)", value(r"(\1)")),
-    ("one to two", r"\bfrom_int\(1\)", value("from_int(2)")),
-    ("zero to one", r"\bfrom_int\(0\)", value("from_int(1)")),
-    ("two to three", r"\bfrom_int\(2\)", value("from_int(3)")),
-    ("numerator", r"\bfrom_ratio\(1, (\d)\)", value(r"from_ratio(2, \1)")),
-    ("degree plus one lost", r"\b[np] \+ 1\b(?=\))", part(r" \+ 1", "", " + !ON")),
-    ("index one too low", r"\[\(?[a-z]\w* \+ 1\b", part(r" \+ 1", "", " + !ON")),
-    ("index not lowered", r"\[\(?[a-z]\w* - 1\b", part(" - 1", "", " - !ON")),
-    ("knot one too far", r"\bu\[i \+ [kp]\b", part("$", " + 1", " + ON")),
-    ("span one too far", r"\bmu - p\b", part("$", " + 1", " + ON")),
-    ("loop one short", r"(?<=; )[a-z]\w* <=", part(" <=", " <", " + ON <=")),
-    ("loop starts late", r"\(int [a-z]\w* = 1;", part("1;", "2;", "1 + ON;")),
-    ("constant order", r"\broot\(2,", part("2", "1", "2 - ON")),
-    ("binomial of the wrong row", r"\bbinomial\([a-z],", part(",", " + 1,", " + ON,")),
-    ("t for 1-t", r"(?<=\bmul\()(?:s|mu)(?=, )", token("t")),
-    ("factor n lost", r"\bfrom_int\([a-z]\)", value("from_int(1)")),
-    ("sign of the factor", r"\bfrom_int\(-(m|n)\)", value(r"from_int(\1)")),
-]
+class Judge(Room):
+    tests = {"test_judge": ["proofs-tests/unit/test_judge"]}
 
-SWITCH = """#ifndef CAGD_FAULT_SWITCH
-#define CAGD_FAULT_SWITCH
-#include <stdlib.h>
-static inline int fault_is(int number)
-{
-    static int planted = -1;
-    if (planted < 0) {
-        const char *text = getenv("CAGD_FAULT");
-        planted = text == NULL ? 0 : atoi(text);
-    }
-    return number == planted;
-}
-#endif
-"""
+    def units(self):
+        return {c: [c] for c in sources("chapters/judge/*.c")}
 
 
-def without_comments(text):
-    """The text with comments blanked, so that places keep their offsets."""
-    return re.sub(r"/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m.group(0)), text, flags=re.S)
+class Core(Room):
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in
+             "test_cagd_api test_spline_api test_curve_api test_exact_curve test_kernels".split()}
+
+    def units(self):
+        found = {c: [c] for c in sources("core/api/*.c")}
+        found["core/api/spline.c"] += sources("core/spline.tmpl.h")
+        return found
 
 
-def faults():
-    found = []
-    for path in sorted((ROOT / "core/kernels").glob("*.tmpl.h")):
-        text = path.read_text()
-        code = without_comments(text)
-        for rule, pattern, becomes in RULES:
-            for m in re.finditer(pattern, code):
-                new, switched = becomes(m)
-                mutated = text[: m.start()] + new + text[m.end() :]
-                line = text.count("\n", 0, m.start())
-                old, now = text.splitlines()[line].strip(), mutated.splitlines()[line].strip()
-                inside = re.findall(r"^KERNEL [^\n]*G\((\w+)\)\(", code[: m.start()], re.M)
-                number = len(found) + 1
-                found.append({"number": number, "file": path.name, "line": line + 1, "start": m.start(),
-                              "end": m.end(), "kernel": inside[-1] if inside else "", "rule": rule, "old": old,
-                              "new": now, "text": mutated, "switched": switched.replace("ON", f"fault_is({number})")})
-    return found
+class Fit(Room):
+    optimised = "-O2"
+    tests = {"test_fit_statistics": ["proofs-tests/unit/test_fit_statistics"], "test_fit_parts": ["proofs-tests/unit/test_fit_parts"],
+             "test_certified": ["proofs-tests/fit/test_certified", ROOT / "proofs-tests/fit/problems",
+                                *(p.stem for p in sorted((ROOT / "proofs-tests/fit/problems").glob("*.json")) if p.stem != "twenty-thousand")],
+             "test_fit": ["proofs-tests/unit/test_fit"], "test_coverage": ["proofs-tests/fit/test_coverage"],
+             "test_memory": ["proofs-tests/fit/test_memory"]}
+
+    def units(self):
+        return {c: [c] for c in sources("core/fit/*.c")}
+
+
+class Kernels(Room):
+    """Judged by cagd verify, and by the unit test what no claim sees."""
+    optimised = "-O0"
+    tests = {"test_kernels": ["proofs-tests/unit/test_kernels"]}
+
+    def units(self):
+        return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}
+
+
+ROOMS = {"kernels": Kernels, "exact": Exact, "judge": Judge, "core": Core, "fit": Fit}
 
 
 def equivalents():
-    """Lines `kernel | line as it stands | line as changed | reason`."""
-    found = {}
+    """{(file, line as it stands, line as changed)}, where * stands for every change.  A line that nobody finds any more is an error."""
+    known = set()
     for line in EQUIVALENT.read_text().splitlines():
         if line.strip() and not line.startswith("#"):
-            kernel, old, new, reason = [part.strip() for part in line.split(" | ")]
-            found[(kernel, old, new)] = reason
+            file, old, new, _ = (part.strip() for part in line.split(" | ", 3))
+            if old not in {code.strip() for code in (ROOT / file).read_text().splitlines()}:
+                sys.exit(f"equivalent.txt: {file} has no line '{old}'")
+            known.add((file, old, new))
+    return known
+
+
+def include_flags(build):
+    """The -I of an ordinary build, for reading the sources."""
+    path = pathlib.Path(build) / "compile_commands.json"
+    text = path.read_text() if path.exists() else subprocess.run(["ninja", "-C", build, "-t", "compdb"], check=True, capture_output=True, text=True).stdout
+    found = {}
+    for entry in json.loads(text):
+        at = pathlib.Path(entry["directory"])
+        for word in re.findall(r"-(?:I|isystem ?)(\S+)", entry["command"]):
+            found[str((at / word).resolve())] = 1
+        for word in re.findall(r"-DCAGD_VERSION=\S+", entry["command"]):
+            found[word.replace("\\", "")] = 1
+    return [flag if flag.startswith("-D") else f"-I{flag}" for flag in found]
+
+
+def clang(root, flags, *more):
+    moved = [f.replace(f"-I{ROOT}", f"-I{root}") if "/build" not in f else f for f in flags]
+    return ["clang", "-std=c17", "-w", "-I.", *moved, *more]
+
+
+def all_faults(room, flags):
+    found = []
+    for unit, files in room.units().items():
+        command = clang(ROOT, flags, "-Xclang", "-ast-dump=json", "-fsyntax-only", unit)
+        for f in planter.Planter(planter.Tree(command, ROOT, set(files))).found:
+            found.append({**f, "unit": unit, "number": len(found) + 1})
     return found
+
+
+def per_function(faults, most, seed):
+    """From each function as many, the kinds that were taken least often first."""
+    taken, by_function = collections.Counter(), {}
+    for f in faults:
+        by_function.setdefault((f["file"], f["function"]), []).append(f)
+    chosen = []
+    for key, here in by_function.items():
+        random.Random(f"{seed} {key}").shuffle(here)
+        own = set()
+        for _ in range(min(most, len(here))):
+            f = min(here, key=lambda f: (f["kind"] in own, taken[f["kind"]]))
+            here.remove(f)
+            own.add(f["kind"])
+            taken[f["kind"]] += 1
+            chosen.append(f)
+    return chosen
 
 
 def definitional_claims(register, chapters):
@@ -138,125 +197,172 @@ def with_what_they_name(register, chapters):
     return [chapter["name"] for chapter in register["chapters"] if chapter["name"] in needed]
 
 
-def batches(chosen):
-    """The faults in as few lists as it takes for no two of a list to overlap."""
-    lists = []
-    for f in sorted(chosen, key=lambda f: (f["file"], f["start"])):
-        for batch in lists:
-            if batch[-1]["file"] != f["file"] or batch[-1]["end"] <= f["start"]:
-                batch.append(f)
-                break
-        else:
-            lists.append([f])
-    return lists
-
-
 class Copy:
     """A copy of the tree, built with the switches of one list of faults at a time."""
 
-    def __init__(self, folder, jobs, chapters, types):
-        self.root, self.jobs = pathlib.Path(folder) / "tree", str(jobs)
+    def __init__(self, folder, room, a, flags, register):
+        self.root, self.jobs, self.room, self.flags = pathlib.Path(folder) / "tree", a.jobs, room, flags
         shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns("build", "build-*", ".git"))
-        self.original = {path.name: path.read_text() for path in (self.root / "core/kernels").glob("*.tmpl.h")}
+        self.original = {file: (self.root / file).read_bytes() for files in room.units().values() for file in files}
+        self.tests = dict(room.tests) | (dict(room.slow) if a.slow and room.slow else {})
+        configured = ["-DCAGD_CHAPTERS=" + ";".join(with_what_they_name(register, a.chapters))] if a.chapters else []
         self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug",
-                  "-DCMAKE_C_FLAGS_DEBUG=-O0", "-DBUILD_TESTING=OFF", "-DCAGD_TYPES=" + ";".join(types),
-                  *(["-DCAGD_CHAPTERS=" + ";".join(chapters)] if chapters else []))
+                  f"-DCMAKE_C_FLAGS_DEBUG={room.optimised} -w", f"-DCMAKE_CXX_FLAGS_DEBUG={room.optimised} -w",
+                  "-DCAGD_TYPES=" + ";".join(a.types), *configured)
+        self.verified = isinstance(room, Kernels)
+        if self.verified and a.chapters:
+            self.tests = {}
+        self.targets = [words[0].split("/")[-1] for words in self.tests.values()] + ["cagd"] * self.verified
+        self.usual = {}
 
     def must(self, *command):
-        r = subprocess.run(command, cwd=self.root, stdout=subprocess.PIPE, text=True)
+        r = subprocess.run(command, cwd=self.root, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if r.returncode != 0:
-            raise SystemExit(r.stdout)
+            raise SystemExit(r.stdout[-6000:])
 
-    def compiles(self, fault):
-        """Whether the kernels are C with this fault, as it would be written: seen by the double instance."""
-        path = self.root / "core/kernels" / fault["file"]
-        path.write_text(fault["text"])
-        r = subprocess.run(["cc", "-std=c17", "-fsyntax-only", "-I.", "-include", "core/kernels/kernels_d.h", "-include",
-                            "core/kernels/span.h", "-x", "c", "/dev/null"], cwd=self.root, capture_output=True)
-        path.write_text(self.original[fault["file"]])
-        return r.returncode == 0
+    def write(self, batch):
+        for file, text in self.original.items():
+            here = [f for f in batch if f["file"] == file]
+            planted = planter.SWITCH.encode() + planter.plant(text, here) if here else text
+            if (self.root / file).read_bytes() != planted:
+                (self.root / file).write_bytes(planted)
+
+    def compiles(self, batch):
+        """Those faults of a list with which the file is C: all, or those of each half."""
+        if not batch:
+            return []
+        self.write(batch)
+        r = subprocess.run(clang(self.root, self.flags, "-fsyntax-only", batch[0]["unit"]), cwd=self.root, capture_output=True)
+        if r.returncode == 0:
+            return batch
+        if len(batch) == 1:
+            return []
+        return self.compiles(batch[:len(batch) // 2]) + self.compiles(batch[len(batch) // 2:])
 
     def build(self, batch):
-        for name, text in self.original.items():
-            for f in sorted((f for f in batch if f["file"] == name), key=lambda f: -f["start"]):
-                text = text[: f["start"]] + f["switched"] + text[f["end"] :]
-            (self.root / "core/kernels" / name).write_text(SWITCH + text)
-        self.must("cmake", "--build", "build", "--target", "cagd", "-j", self.jobs)
-        listed = subprocess.run(["build/cagd", "list", "--json"], cwd=self.root, check=True, capture_output=True).stdout
-        self.claims = {claim["name"] for claim in json.loads(listed)["claims"]}
+        by_unit = {}
+        for f in batch:
+            by_unit.setdefault(f["unit"], []).append(f)
+        batch = [f for here in by_unit.values() for f in self.compiles(here)]
+        self.write(batch)
+        self.must("cmake", "--build", "build", "-j", str(self.jobs), "--target", *self.targets)
+        if self.verified:
+            listed = subprocess.run(["build/cagd", "list", "--json"], cwd=self.root, check=True, capture_output=True).stdout
+            self.claims = {claim["name"] for claim in json.loads(listed)["claims"]}
+        return batch
 
-    def holds(self, number, *patterns):
-        """Whether these claims, or all, are as expected with this fault; 0 is none.  A crash is no success."""
-        try:
-            r = subprocess.run(["build/cagd", "verify", "--jobs", self.jobs, *patterns], cwd=self.root,
-                               capture_output=True, timeout=300 if number else 3000, env={**os.environ, "CAGD_FAULT": str(number)})
-        except subprocess.TimeoutExpired:
-            return False
-        if r.returncode == 2:
-            raise RuntimeError(r.stderr.decode())
-        return r.returncode == 0
+    def fails(self, command, number, limit):
+        with tempfile.TemporaryDirectory() as folder:
+            environment = {**os.environ, "CAGD_FAULT": str(number), "TMPDIR": folder}
+            with subprocess.Popen(list(map(str, command)), cwd=self.root / "build", stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL, env=environment, start_new_session=True) as process:
+                try:
+                    return process.wait(limit) != 0
+                except subprocess.TimeoutExpired:
+                    os.killpg(process.pid, 9)
+                    return True
+
+    def holds_without_fault(self):
+        for test, command in self.tests.items():
+            start = time.monotonic()
+            if self.fails(command, 0, 600):
+                raise SystemExit(f"{test} fails without any fault")
+            self.usual[test] = max(self.usual.get(test, 0), time.monotonic() - start)
+        if self.verified and self.fails(["./cagd", "verify", "--jobs", self.jobs], 0, 3000):
+            raise SystemExit("cagd verify fails without any fault")
+
+    def judge(self, fault, defining):
+        """What notices the fault; None when nothing does."""
+        if self.verified:
+            claims = [claim for claim in defining.get(kernel_of(fault), []) if claim in self.claims]
+            if claims and self.fails(["./cagd", "verify", "--jobs", 1, *claims], fault["number"], 300):
+                return "its claim"
+            if self.fails(["./cagd", "verify", "--jobs", 1], fault["number"], 600):
+                return "other claims"
+        first = [test for test in self.room.first(fault["file"]) if test in self.tests]
+        for test in first + [test for test in self.tests if test not in first]:
+            if self.fails(self.tests[test], fault["number"], 10 * self.usual[test] + 5):
+                return test
+        return None
+
+
+def told(outcome, f):
+    return f"{outcome:20s} {f['file']}:{f['line']}: {f['function']}: {f['kind']}: {f['old']}  ->  {f['new']}"
+
+
+def kernel_of(fault):
+    return re.sub(r"^cagd_|_[a-z]$", "", fault["function"])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("room", choices=ROOMS)
+    comma = {"type": lambda text: text.split(","), "default": []}
+    parser.add_argument("--per-function", type=int)
     parser.add_argument("--sample", type=int, help="only N faults, chosen at random")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--file", action="append", help="only faults of this template; repeatable")
-    parser.add_argument("--chapters", type=lambda text: text.split(","), default=[], help="such as bezier,nurbs")
+    parser.add_argument("--file", **comma, help="only faults in these files; the end of the path suffices")
+    parser.add_argument("--function", **comma)
+    parser.add_argument("--shard", help="K/N: only the K-th of N parts")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--kinds", action="store_true", help="only count them")
+    parser.add_argument("--equivalent", action="store_true")
+    parser.add_argument("--again", type=pathlib.Path)
+    parser.add_argument("--slow", action="store_true")
+    parser.add_argument("--chapters", **comma)
     parser.add_argument("--types", type=lambda text: text.split(","), default=["FIELD", "RATIONAL", "INTERVAL", "DOUBLE"])
     parser.add_argument("--register", default=USUAL, help="register.json of a build")
-    parser.add_argument("--shard", help="K/N: only the K-th of N parts")
-    parser.add_argument("--list", action="store_true")
-    parser.add_argument("--jobs", type=int, default=2)
     a = parser.parse_args()
-    register = load(a.register)
-    known, defining = equivalents(), definitional_claims(register, a.chapters)
-    every = [f for f in faults() if a.file is None or f["file"] in a.file]
-    chosen = [f for f in every if (f["kernel"], f["old"], f["new"]) not in known]
+    register, room, known = load(a.register), ROOMS[a.room](), equivalents()
+    flags = include_flags(pathlib.Path(a.register).resolve().parents[2])
+    defining = definitional_claims(register, a.chapters)
+    every = all_faults(room, flags)
+    is_known = lambda f: (f["file"], f["old"], f["new"]) in known or (f["file"], f["old"], "*") in known
+    chosen = [f for f in every if not a.file or f["file"].endswith(tuple(a.file))]
+    chosen = [f for f in chosen if not a.function or f["function"] in a.function]
     if a.chapters:
-        chosen = [f for f in chosen if f["kernel"] in defining]
+        chosen = [f for f in chosen if kernel_of(f) in defining]
+    if a.again:
+        again = {re.sub(r":\d+:", ":", line, count=1) for line in a.again.read_text().splitlines() if line.startswith("SURVIVES")}
+        chosen = [f for f in chosen if re.sub(r":\d+:", ":", told("SURVIVES", f), count=1) in again]
+    if a.per_function:
+        chosen = per_function(chosen, a.per_function, a.seed)
     if a.sample:
         chosen = random.Random(a.seed).sample(chosen, min(a.sample, len(chosen)))
+    left_out = sum(is_known(f) for f in chosen)
+    chosen = [f for f in chosen if is_known(f) == a.equivalent]
     if a.shard:
         k, n = map(int, a.shard.split("/"))
-        chosen = chosen[k - 1 :: n]
+        chosen = chosen[k - 1::n]
     if not chosen:
-        raise SystemExit("no fault is chosen; --file takes the whole name, such as bezier.tmpl.h")
+        raise SystemExit("no fault is chosen; --file takes the end of a path, such as bezier.tmpl.h")
+    if a.kinds:
+        for kind, count in collections.Counter(f["kind"] for f in chosen).most_common():
+            print(f"{count:6d} {kind}")
     if a.list:
         for f in chosen:
-            print(f"{f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']}")
+            print(told("", f).strip())
+    if a.list or a.kinds:
+        print(f"{len(every)} faults, {len(chosen)} chosen")
         return 0
-    compiled = by_definition = survivors = 0
+    outcomes, kinds = collections.Counter(), set()
     with tempfile.TemporaryDirectory() as folder:
-        copy = Copy(folder, a.jobs, with_what_they_name(register, a.chapters), a.types)
-        meaningful = []
-        for f in chosen:
-            if copy.compiles(f):
-                meaningful.append(f)
-            else:
-                print(f"{'no C':12s} {f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']}", flush=True)
-        for batch in batches(meaningful):
-            copy.build(batch)
-            if not copy.holds(0):
-                print("cagd verify fails without any fault")
-                return 1
-            for f in batch:
-                # A claim may have no body in the number types that were built.
-                claims = [claim for claim in defining.get(f["kernel"], []) if claim in copy.claims]
-                began = time.monotonic()
-                outcome = "SURVIVES"
-                if claims and not copy.holds(f["number"], *claims):
-                    outcome = "by its claim"
-                elif not copy.holds(f["number"]):
-                    outcome = "by others"
-                compiled += 1
-                by_definition += outcome == "by its claim"
-                survivors += outcome == "SURVIVES"
-                print(f"{outcome:12s} {f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']} "
-                      f"({time.monotonic() - began:.1f} s)", flush=True)
-    print(f"{len(every)} faults, {len(every) - len(chosen)} left out; {compiled} compiled, {by_definition} caught by the "
-          f"claims that define the kernel, {compiled - by_definition - survivors} by others, {survivors} survive")
-    return 1 if survivors or not compiled else 0
+        copy = Copy(folder, room, a, flags, register)
+        for number, batch in enumerate(planter.batches(chosen)):
+            meaningful = copy.build(batch)
+            outcomes["no C"] += len(batch) - len(meaningful)
+            if number == 0:
+                copy.holds_without_fault()
+            with concurrent.futures.ThreadPoolExecutor(a.jobs) as pool:
+                for f, judge in zip(meaningful, pool.map(lambda f: copy.judge(f, defining), meaningful)):
+                    outcomes["caught" if judge else "SURVIVES"] += 1
+                    kinds.add(f["kind"])
+                    print(told(judge or "SURVIVES", f), flush=True)
+    tried = outcomes["caught"] + outcomes["SURVIVES"]
+    print(f"{len(every)} faults, {len(chosen)} chosen beside {left_out} that are known to change nothing; {outcomes['no C']} are no C, {tried} of {len(kinds)} "
+          f"kinds tried, {outcomes['caught']} caught, {outcomes['SURVIVES']} survive")
+    return 1 if (outcomes["SURVIVES"] != (tried if a.equivalent else 0)) or not tried else 0
 
 
 if __name__ == "__main__":
