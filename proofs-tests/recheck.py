@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Rechecks the certificates that `cagd verify --certificates DIR` writes.
 
-    recheck.py DIR
+    recheck.py DIR [MANIFEST]
 
 Python's standard library, and nothing of the project that wrote them.  For each statement one line:
 
@@ -9,6 +9,10 @@ Python's standard library, and nothing of the project that wrote them.  For each
                               and its verdict follows from theirs
     wrong                     something came out differently, or does not follow, or is malformed
     cannot recheck this kind  some claim noted nothing, or nothing that can be computed again here
+
+The manifest, DIR/manifest.json if no other is named, says what is certified: the printed text of every statement with its claims and
+their roles, and of every claim the number types, cases, inputs and comparisons that its certificate must have.  A certificate that it
+does not list, or that has less, is wrong; so is one that is missing.  Whoever does not trust the folder names a manifest of their own run.
 
 A certificate holds straight-line programs: nodes, each made of earlier ones by one operation, from inputs; and steps, which
 are comparisons of nodes and decisions about them.  All steps are computed again at the recorded inputs, in fractions.
@@ -23,14 +27,15 @@ Roots are counted by Sturm's theorem on the factors of Yun's decomposition, mino
 or separating plane.  How the conditions of a decision combine is in the text of the claim and is not rechecked; the facts that
 they combine are.
 
-Exit status: 0 nothing is wrong, 1 something is, 2 bad usage."""
+Exit status: 0 all is rechecked, 1 something is wrong, 2 bad usage, 3 nothing is wrong and something could not be rechecked."""
 import functools, hashlib, json, math, pathlib, re, sys
 from fractions import Fraction
-from itertools import combinations, zip_longest
+from itertools import combinations, count, zip_longest
+import recheck_format
 
 PRIME = 2**127 - 1
 MOST_MINORS = 200000
-EVIDENCE = ["none", "measured", "enclosed", "sampled", "decided", "proved"]
+EVIDENCE = ["none", "measured", "enclosed", "sampled", "argued", "decided", "proved"]
 
 class Wrong(Exception):
     """Something was computed again and is different, or the certificate makes no sense."""
@@ -196,16 +201,21 @@ class Program:
                 (n, m), (k, l) = d[a[0]], d[a[1]]
                 d.append((n + k, m + l) if op == "*" else (n + l, m + k) if op == "/" else (max(n + l, k + m), m + l))
         return {k: d[i] for k, i in enumerate(self.place)}
-    def random_runs(self, bound):
-        """Enough runs at random inputs, from the text of the case alone, for differences of degree at most `bound`."""
-        if bound.bit_length() > 120:
-            raise Cannot("the degrees are too high")
+    def random_points(self):
+        """Inputs modulo p without end, from the text of the case alone."""
         text = json.dumps([self.case["inputs"], self.operations, self.case["steps"]], sort_keys=True)
         seed = hashlib.sha256(text.encode()).digest()
-        needed = math.ceil(100 / (127 - bound.bit_length()))
-        for k in range(needed + 8):
-            inputs = [int.from_bytes(hashlib.sha256(seed + b"%d %d" % (k, i)).digest() * 2, "big") % PRIME
+        for k in count():
+            yield k, [int.from_bytes(hashlib.sha256(seed + b"%d %d" % (k, i)).digest() * 2, "big") % PRIME
                       for i in range(len(self.case["inputs"]))]
+    def random_runs(self, bound):
+        """Enough runs at random inputs for differences of degree at most `bound`."""
+        if bound.bit_length() > 120:
+            raise Cannot("the degrees are too high")
+        needed = math.ceil(100 / (127 - bound.bit_length()))
+        for k, inputs in self.random_points():
+            if k >= needed + 8:
+                break
             try:
                 yield inputs, self.run(Modular, inputs)
             except ZeroDivisionError:
@@ -400,7 +410,43 @@ def check_operations(f, nodes):
             count["additions" if op != "*" else "shifts" if any(power_of_two(*nodes[j]) for j in a) else "multiplications"] += 1
             below.update(a)
     require(all(f[key] == number for key, number in count.items()), "the number of operations")
-def check_fact(f, v, nodes):
+class Ratio:
+    """A rational function of one variable modulo p, for the degrees that it has there."""
+    def __init__(self, top, bottom=(1,)):
+        divisor = p_gcd(Modular, list(top), list(bottom)) if top else list(bottom)
+        self.top, self.bottom = [p_divmod(Modular, list(side), divisor)[0] for side in (top, bottom)]
+    def combined(self, other, sign):
+        other = other if isinstance(other, Ratio) else Ratio(trim([other % PRIME]))
+        return Ratio(p_add(Modular, p_mul(Modular, self.top, other.bottom), p_mul(Modular, other.top, self.bottom), sign),
+                     p_mul(Modular, self.bottom, other.bottom))
+    __add__ = __radd__ = lambda self, other: self.combined(other, 1)
+    __sub__ = lambda self, other: self.combined(other, -1)
+    __rsub__ = lambda self, other: -self + other
+    __neg__ = lambda self: Ratio([-c % PRIME for c in self.top], self.bottom)
+    def __mul__(self, other):
+        other = other if isinstance(other, Ratio) else Ratio(trim([other % PRIME]))
+        return Ratio(p_mul(Modular, self.top, other.top), p_mul(Modular, self.bottom, other.bottom))
+    __rmul__ = __mul__
+    def over(self, other):
+        if not other.top:
+            raise ZeroDivisionError
+        return self * Ratio(other.bottom, other.top)
+class Ratios(Modular):
+    reduce = staticmethod(lambda x: x if isinstance(x, Ratio) else x % PRIME)
+    @staticmethod
+    def quotient(x, y):
+        if not isinstance(x, Ratio) and not isinstance(y, Ratio):
+            return Modular.quotient(x, y)
+        return (x if isinstance(x, Ratio) else Ratio(trim([x]))).over(y if isinstance(y, Ratio) else Ratio(trim([y])))
+def degrees_in(program, i, x):
+    """Of numerator and denominator of node i in the input that is node x, the other inputs being random modulo p: those of a random
+    point are the highest there are, but for a probability that is smaller than that of an identity."""
+    name = program.case["nodes"][x]
+    require(name[0] == "x", "degrees in what is no variable")
+    _, inputs = next(program.random_points())
+    value = program.run(Ratios, [Ratio([0, 1]) if k == name[1] else a for k, a in enumerate(inputs)])[i]
+    return [len(value.top) - 1, len(value.bottom) - 1] if isinstance(value, Ratio) else [0 if value else -1, 0]
+def check_fact(f, v, program):
     kind, get = f["fact"], lambda field: [v[i] for i in f[field]]
     number = lambda i: None if i < 0 else v[i]
     if kind in ("order", "equal"):
@@ -412,10 +458,11 @@ def check_fact(f, v, nodes):
         require(f["is"] == len(v[f["of"][0]]) - 1, "the degree of a polynomial")
     elif kind == "pequal":
         require(f["is"] == int(v[f["of"][0]] == ([] if f["of"][1] < 0 else v[f["of"][1]])), "equality of polynomials")
+    elif kind == "degrees":
+        require(f["is"] == degrees_in(program, *f["of"]), "the degrees of a rational function")
     elif kind == "roots":
         found = count_roots(v[f["p"]], *map(number, f["from"]), *map(bool, f["with_ends"]))
-        require("distinct" in f, "no count")
-        require(all(f.get(key, -1) in (-1, count) for key, count in found.items()), "the number of roots")
+        require(all(f.get(key, count) == count for key, count in found.items()), "the number of roots")
     elif kind == "sign":
         require(f["is"] == sign_pattern(v[f["p"]], *map(number, f["from"]), *map(bool, f["with_ends"])), "the sign of a polynomial")
     elif kind == "curve_and_line":
@@ -423,7 +470,7 @@ def check_fact(f, v, nodes):
     elif kind == "polygon_and_line":
         require(f["is"] == polygon_and_line(get("R"), get("line")), "a polygon and a line")
     elif kind == "operations":
-        check_operations(f, nodes)
+        check_operations(f, program.case["nodes"])
     elif kind in ("hull", "hull_vertices"):
         (check_hull if kind == "hull" else check_hull_vertices)(f, v)
     elif kind == "convex_polygon":
@@ -437,7 +484,7 @@ def check_fact(f, v, nodes):
         else:
             require(v[f["is"][0]] == determinant(M), "a determinant")
     else:
-        raise Cannot(f"a fact of kind {kind}")
+        raise Wrong(f"a fact of kind {kind}")
 
 # ---- signs read off coefficients --------------------------------------------------------------------------
 @functools.cache
@@ -487,7 +534,7 @@ def check_case(case, proved):
             require(s["good"] == (v[s["nonnegative"]] >= 0), "the sign of a number")
         elif "fact" in s:
             facts += 1
-            check_fact(s, v, case["nodes"])
+            check_fact(s, v, program)
         else:
             require(isinstance(s["agree"], bool), "a step without meaning")
             supported &= facts > 0
@@ -515,31 +562,53 @@ def check_identity(program, branches):
         for s in signs:
             value = fraction_value(Modular, s["text"], lambda x: inputs[program.names[x]])
             require(w[s["nonnegative"]] == value, "the fraction is not what was computed")
-def check_claim(c):
+def check_listed_claim(c, listed):
+    """The certificate has the cases that the manifest says, which is evidence of that kind only in that number type."""
+    require(listed is not None, "a claim that the manifest does not list")
+    require(c["kind"] == listed["kind"], "a claim of another kind")
+    found = [{"type": case["type"], "degree": case["degree"], "inputs": len(case["inputs"]), "nodes": len(case["nodes"]),
+              "compared": sum("fact" not in s for s in case["steps"]),
+              "of_the_same": sum(case["nodes"][i] == case["nodes"][j] for i, j in (s["same"] for s in case["steps"] if "same" in s))}
+             for case in c["cases"]]
+    require(found == listed["certificate"], "other cases than the manifest says")
+    type_of = {"proved": "field", "sampled": "rational", "enclosed": "interval", "measured": "double"}.get(c["evidence"])
+    require(type_of is None or any(t["type"] == type_of and t["compared"] > 0 for t in listed["types"]), "it never ran in that number type")
+def check_claim(c, listed):
     kind, outcome, evidence = c["kind"], c["outcome"], c["evidence"]
-    require(c["schema"] == "cagd-certificate-1" and kind in ("identity", "decision", "counterexample"), "the format")
+    recheck_format.check_claim(c)
+    check_listed_claim(c, listed)
     require(outcome == ("fails" if kind == "counterexample" else "holds"), "the outcome")
-    require(evidence in (("decided",) if kind != "identity" else EVIDENCE[1:4] + ["proved"]), "the evidence")
+    require(evidence in (("decided",) if kind != "identity" else EVIDENCE[1:4] + ["proved"]) and type(c["argued"]) is bool, "the evidence")
     if not c["cases"]:
         raise Cannot("no program")
     holds = [check_case(case, evidence == "proved") for case in c["cases"]]
     require(all(holds) if outcome == "holds" else not any(holds), "the outcome does not follow")
 def derived(s, claims):
     """Verdict and evidence from the claims, by their roles."""
-    of = lambda *roles: [claims[l["claim"]]["evidence"] for l in s["links"] if "claim" in l and l["role"] in roles]
+    evidence = lambda c: weakest([c["evidence"]] + ["argued"] * c["argued"])
+    of = lambda *roles: [evidence(claims[l["claim"]]) for l in s["links"] if "claim" in l and l["role"] in roles]
     roles = [l["role"] for l in s["links"]]
     weakest = lambda evidence: min(evidence, key=EVIDENCE.index) if evidence else "none"
     against, for_it = of("refuted-by"), of("holds-by", "checked-by")
+    words = any(l["role"] == "cites" or l["role"] == "argued" and not l["adds_cases"] for l in s["links"])
+    for_it += ["argued"] * (words and for_it != [])
+    fails = any(claims[l["claim"]]["outcome"] == "fails" for l in s["links"] if l["role"] == "reading" and "claim" in l)
     if against:
         return "fails", weakest(against)
     if s["definition"]:
         return "definition", weakest(for_it)
-    if "reading" in roles and "hypothesis" not in roles and not for_it:
+    if "reading" in roles and "hypothesis" not in roles and (not for_it or fails and "meant" not in roles):
         return "undecided", "none"
     if for_it:
         return ("conditional" if "hypothesis" in roles else "holds"), weakest(for_it)
     return "open", "none"
-def check_statement(s, claim_of):
+def check_listed_statement(s, listed):
+    require(listed is not None, "a statement that the manifest does not list")
+    links = lambda of: [(link["role"], link.get("claim")) for link in of["links"]]
+    require(s["definition"] == listed["definition"] and links(s) == links(listed), "other claims or roles than the manifest says")
+def check_statement(s, name, listed, claim_of):
+    recheck_format.check_statement(s, name)
+    check_listed_statement(s, listed)
     claims, unable = {}, None
     for link in (link for link in s["links"] if "claim" in link):
         text, outcome = claim_of(link["claim"])
@@ -548,7 +617,7 @@ def check_statement(s, claim_of):
         unable = unable or outcome
         claims[link["claim"]] = text
         wanted = "fails" if link["role"] == "refuted-by" else "holds" if link["role"] in (
-            "holds-by", "corrected-by", "checked-by") else text["outcome"]
+            "holds-by", "confirmed-by", "corrected-by", "checked-by") else text["outcome"]
         require(text["outcome"] == wanted, f"{link['claim']} {text['outcome']}, which is not what its role asks")
     require((s["verdict"], s["evidence"]) == derived(s, claims), "the verdict does not follow")
     if unable:
@@ -563,38 +632,52 @@ def attempt(check, *arguments):
         return Wrong(f"malformed: {type(e).__name__} {e}")
 def load(path):
     try:
-        return json.loads(path.read_text(), parse_float=str) # so that a number with a point is no index
+        return recheck_format.read(path.read_text())
     except (OSError, ValueError) as e:
         raise Wrong(f"{path.name} cannot be read: {e}") from e
 
+def read_manifest(path):
+    """The printed statements and the claims, by name."""
+    m = load(path)
+    require(m["schema"] == "cagd-manifest-1", "the format of the manifest")
+    statements, claims = {s["statement"]: s for s in m["statements"]}, {c["claim"]: c for c in m["claims"]}
+    require(len(statements) == len(m["statements"]) and len(claims) == len(m["claims"]), "the manifest has an entry twice")
+    return statements, claims
+
 def main():
-    if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
-        sys.stderr.write("usage: recheck.py DIR, a folder written by 'cagd verify --certificates DIR'\n")
+    if len(sys.argv) not in (2, 3) or not pathlib.Path(sys.argv[1]).is_dir():
+        sys.stderr.write("usage: recheck.py DIR [MANIFEST], a folder written by 'cagd verify --certificates DIR'\n")
         return 2
-    root, known = pathlib.Path(sys.argv[1]), {}
+    root, known, outcomes = pathlib.Path(sys.argv[1]), {}, []
+    try:
+        statements, claims = read_manifest(pathlib.Path(sys.argv[2] if len(sys.argv) == 3 else root / "manifest.json"))
+    except (Wrong, KeyError, TypeError) as e:
+        print(f"manifest: wrong ({e})")
+        return 1
     def claim_of(name):
         if name not in known:
             try:
                 text = load(root / "claims" / f"{name}.json")
-                require(text.get("claim") == name, f"{name}.json is about another claim")
-                known[name] = text, attempt(check_claim, text)
+                require(isinstance(text, dict) and text.get("claim") == name, f"{name}.json is about another claim")
+                known[name] = text, attempt(check_claim, text, claims.get(name))
                 text.pop("cases", None) # the statements ask for what is decided alone
             except Wrong as e:
                 known[name] = {}, e
         return known[name]
-    counts = {"rechecked": 0, "wrong": 0, "cannot recheck this kind": 0}
-    for path in sorted(path for path in root.glob("*/*.json") if path.parent.name != "claims"):
-        e = attempt(lambda: check_statement(load(path), claim_of))
-        word = "rechecked" if e is None else "wrong" if isinstance(e, Wrong) else "cannot recheck this kind"
-        counts[word] += 1
-        print(f"{path.parent.name}:{path.stem}: {word}{f' ({e})' if e else ''}")
-    for path in sorted((root / "claims").glob("*.json")):
-        text, e = claim_of(path.stem)
-        if isinstance(e, Wrong):
-            print(f"claim {path.stem}: wrong ({e})")
-            counts["wrong"] += not counts["wrong"]
-    print(", ".join(f"{n} {word}" for word, n in counts.items()))
-    return 1 if counts["wrong"] or not counts["rechecked"] else 0
+    def tell(name, e):
+        outcomes.append("rechecked" if e is None else "wrong" if isinstance(e, Wrong) else "cannot recheck this kind")
+        print(f"{name}: {outcomes[-1]}{f' ({e})' if e else ''}")
+    written = {f"{path.parent.name}:{path.stem}": path for path in root.glob("*/*.json") if path.parent.name != "claims"}
+    for name in sorted(statements.keys() | written.keys()):
+        path = written.get(name, root / (name.replace(":", "/", 1) + ".json"))
+        tell(name, attempt(lambda: check_statement(load(path), name, statements.get(name), claim_of)))
+    of_statements = list(outcomes)
+    for name in sorted(claims.keys() | {path.stem for path in (root / "claims").glob("*.json")}):
+        if isinstance(e := claim_of(name)[1], Wrong):
+            tell(f"claim {name}", e)
+    words = ("rechecked", "wrong", "cannot recheck this kind")
+    print(", ".join(f"{of_statements.count(word)} {word}" for word in words))
+    return 1 if "wrong" in outcomes or "rechecked" not in outcomes else 3 if words[2] in outcomes else 0
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -5,9 +5,19 @@
 
 #include "chapters/judge/run.h"
 
-/* JSON, to be freed by the caller.  A certificate of a claim has cases: the straight-line program of the case, in
- * rational functions if the claim is proved in them and otherwise in rationals, its inputs, and the steps that were taken on its values, comparisons and exact decisions (exact/record/trace.h).  Of
- * the degrees that the field visits it has the lowest, and the highest whose program is not too long. */
-char *certificate_of_claim(const claim_result *r);
+/* A case that a certificate has: how many inputs and nodes its program has, how many comparisons it made, and how many of
+ * these were of a node with itself or with one of the same text, which are true whatever the program computes. */
+struct recorded_case {
+    number_type type;
+    int degree, inputs, nodes, compared, of_the_same;
+};
+enum { MOST_RECORDED = 2 };
+
+/* JSON, to be freed by the caller.  A certificate of a claim has cases: the straight-line program of the case, in rational
+ * functions if the claim is proved in them and otherwise in rationals, its inputs, and the steps that were taken on its values,
+ * comparisons and exact decisions (exact/record/trace.h).  Of the degrees that the field visits it has the lowest, and the
+ * highest whose program is not too long.  Their number goes to *count, what they have to `recorded`: with it a manifest says what
+ * a certificate must have. */
+char *certificate_of_claim(const claim_result *r, int *count, struct recorded_case recorded[MOST_RECORDED]);
 char *certificate_of_statement(const statement_result *r);
 #endif

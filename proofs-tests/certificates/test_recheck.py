@@ -16,8 +16,8 @@ RECHECK = str(pathlib.Path(sys.argv.pop(2)).resolve())
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
 
-def recheck(folder):
-    return subprocess.run([sys.executable, RECHECK, str(folder)], capture_output=True, text=True)
+def recheck(folder, *more):
+    return subprocess.run([sys.executable, RECHECK, str(folder), *more], capture_output=True, text=True)
 
 
 def certificate(name):
@@ -28,13 +28,14 @@ def certificate(name):
 class Everything(unittest.TestCase):
     def test_nothing_is_wrong_and_most_is_rechecked(self):
         r = recheck(WHOLE_RUN / "certificates")
-        self.assertEqual(r.returncode, 0, r.stdout[-2000:] + r.stderr)
+        self.assertEqual(r.returncode, 3, r.stdout[-2000:] + r.stderr)
         words = [line.partition(": ")[2].split(" (")[0] for line in r.stdout.splitlines()[:-1]]
         self.assertEqual(words.count("wrong"), 0)
         self.assertGreater(words.count("rechecked"), 9 * words.count("cannot recheck this kind"))
 
     def test_it_can_be_read_in_one_sitting(self):
-        self.assertLessEqual(len(pathlib.Path(RECHECK).read_text().splitlines()), 600)
+        files = [pathlib.Path(RECHECK), pathlib.Path(RECHECK).with_name("recheck_format.py")]
+        self.assertLessEqual(sum(len(file.read_text().splitlines()) for file in files), 800)
 
 
 class Patterns(unittest.TestCase):
@@ -47,7 +48,9 @@ class Patterns(unittest.TestCase):
             r = recheck(folder)
         self.assertLessEqual({Tampered.STATEMENT, *map(claim, (Tampered.PROVED, Tampered.FAILS))}, set(written))
         for name, text in written.items():
-            self.assertEqual(text, certificate(name), name)
+            if name != "manifest.json":
+                self.assertEqual(text, certificate(name), name)
+        self.assertEqual(json.loads(written["manifest.json"]), manifest(written))
         self.assertEqual((r.returncode, r.stderr), (0, ""), r.stdout)
 
 
@@ -55,20 +58,50 @@ def claim(name):
     return f"claims/{name}.json"
 
 
+def manifest(names):
+    """The entries of the manifest of the run over everything that these certificates have."""
+    whole = json.loads((WHOLE_RUN / "certificates/manifest.json").read_text())
+    statement = lambda s: s["statement"].replace(":", "/", 1) + ".json"
+    return {"schema": whole["schema"], "claims": [c for c in whole["claims"] if claim(c["claim"]) in names],
+            "statements": [s for s in whole["statements"] if statement(s) in names]}
+
+
+def cases(document):
+    """What a manifest says of the cases of a certificate that is what it seems; None when it is too strange for that."""
+    try:
+        return [{"type": c["type"], "degree": c["degree"], "inputs": len(c["inputs"]), "nodes": len(c["nodes"]),
+                 "compared": sum("fact" not in s for s in c["steps"]),
+                 "of_the_same": sum(c["nodes"][s["same"][0]] == c["nodes"][s["same"][1]] for s in c["steps"] if "same" in s)}
+                for c in document["cases"]]
+    except (KeyError, IndexError, TypeError):
+        return None
+
+
 class Tampered(unittest.TestCase):
     """One statement with a claim that is proved, one with signs of coefficients, one with root counts, one that fails.
     The certificates are those of the run over everything, in which nothing is wrong."""
 
-    def refuses(self, name, change):
-        """After the change recheck.py says `wrong`.  A claim is rechecked by itself, a statement with its claims."""
+    def refuses(self, name, change, fitting=True):
+        """After the change recheck.py says `wrong`.  A claim is rechecked by itself, a statement with its claims.  The manifest is made
+        to fit the changed certificate, so that what is refused is the certificate; unless `fitting` is false."""
         original = certificate(name)
         document = json.loads(original)
-        texts = {claim(link["claim"]): certificate(claim(link["claim"])) for link in document.get("links", [])}
+        texts = {claim(link["claim"]): certificate(claim(link["claim"])) for link in document.get("links", []) if "claim" in link}
+        listed = manifest({name, *texts})
         changed = change(document)
         texts[name] = changed if isinstance(changed, str) else json.dumps(document)
         self.assertNotEqual(texts[name], json.dumps(json.loads(original)))
+        for entry in listed["claims"] if fitting and not isinstance(changed, str) else []:
+            if claim(entry["claim"]) == name:
+                entry["certificate"] = cases(document) or entry["certificate"]
+                entry["kind"] = document["kind"]
+        for entry in listed["statements"] if fitting and "links" in document else []:
+            entry["links"] = document["links"]
+        self.is_wrong(texts, listed)
+
+    def is_wrong(self, texts, listed):
         with tempfile.TemporaryDirectory() as folder:
-            for other, text in texts.items():
+            for other, text in {**texts, "manifest.json": json.dumps(listed)}.items():
                 place = pathlib.Path(folder) / other
                 place.parent.mkdir(exist_ok=True)
                 place.write_text(text)
@@ -94,7 +127,7 @@ class Tampered(unittest.TestCase):
     PROVED, SIGNS, ROOTS = "elevation_keeps_rational_curve", "curve_points_are_convex_combinations", "roots_are_at_most_sign_changes"
     LINES, HULL = "designed_curves_cross_no_more", "curve_points_have_hull_certificates"
     WHOLE, MINORS = "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range"
-    COST = "step_costs_additions_only"
+    COST, DEGREES = "step_costs_additions_only", "degree_of_the_equation_of_the_foot"
     FAILS = "printed_second_derivative_of_quotient_is_wrong"
     STATEMENT, STATEMENT_ID = "wang-ch3/prop-3.2.4-step-2.json", "wang-ch3:prop-3.2.4-step-2"
 
@@ -140,6 +173,91 @@ class Tampered(unittest.TestCase):
         self.refuses(self.STATEMENT, lambda d: d["links"].append({"role": "holds-by", "claim": self.FAILS}))
         self.refuses(self.STATEMENT, lambda d: d["links"].append({"role": "holds-by", "claim": "no_such_claim"}))
         self.refuses(self.STATEMENT, lambda d: json.dumps(d)[:-20])
+
+    def test_formats(self):
+        """Words, keys and shapes that no certificate has."""
+        both = self.STATEMENT, claim(self.ROOTS)
+        for name in both:
+            self.refuses(name, lambda d: d.update(schema="cagd-certificate-2"))
+            self.refuses(name, lambda d: d.update(more=1))
+            self.refuses(name, lambda d: d.pop("schema") and None)
+            self.refuses(name, lambda d: d.update(evidence="certain"))
+            self.refuses(name, lambda d: json.dumps(d)[:-1] + ',"evidence":"decided"}')
+            self.refuses(name, lambda d: "[" + json.dumps(d) + "]")
+        self.refuses(self.STATEMENT, lambda d: d.update(statement="wang-ch3:prop-3.2.5"))
+        self.refuses(self.STATEMENT, lambda d: d.update(definition="no"))
+        self.refuses(self.STATEMENT, lambda d: d["links"][0].update(role="shown-by"))
+        self.refuses(self.STATEMENT, lambda d: d["links"][0].pop("claim") and None)
+        self.refuses(self.STATEMENT, lambda d: d.update(links=[]))
+        self.refuses(claim(self.ROOTS), lambda d: d.update(kind="theorem"))
+        self.refuses(claim(self.ROOTS), lambda d: d.update(claim=self.HULL))
+        self.refuses(claim(self.ROOTS), lambda d: d.update(cases=[]), fitting=False)
+        self.tamper(self.ROOTS, lambda c: c.update(type="real"))
+        self.tamper(self.ROOTS, lambda c: c.update(degree=-1))
+        self.tamper(self.ROOTS, lambda c: c.update(steps=[]))
+        self.tamper(self.PROVED, lambda c: c.update(type="rational"))
+        self.tamper(self.ROOTS, lambda c: c["steps"].append({"fact": "prime", "of": [0, -1], "is": 1}))
+        self.tamper(self.ROOTS, lambda c: c["steps"].append({"agree": 1}))
+        self.tamper(self.ROOTS, lambda c: c["steps"].append({}))
+        self.tamper(self.ROOTS, lambda c: c["steps"].append({"same": [0]}))
+        self.tamper(self.ROOTS, lambda c: c["nodes"].append(["c"]))
+        self.tamper(self.ROOTS, lambda c: c["nodes"].append(["sin", 0]))
+        self.tamper(self.ROOTS, lambda c: c["nodes"].append([]))
+        self.tamper(self.ROOTS, lambda c: c["inputs"].append(["t"]))
+
+    def test_facts(self):
+        def fact(name, kind, change):
+            self.tamper(name, lambda c: change(self.last(c["steps"], "fact", kind)))
+        for key in ("distinct", "counted", "crossings", "touches"):
+            self.tamper(self.ROOTS, lambda c: self.last(c["steps"], key).update({key: -1}))
+            self.tamper(self.ROOTS, lambda c: self.last(c["steps"], key).update({key: "1"}))
+        fact(self.ROOTS, "roots", lambda f: f.pop("distinct") and None)
+        fact(self.ROOTS, "roots", lambda f: f.update(with_ends=[2, 0]))
+        fact(self.ROOTS, "roots", lambda f: f["from"].append(0))
+        fact(self.COST, "operations", lambda f: f.update(out=[]))
+        fact(self.COST, "operations", lambda f: f.update(out=[], additions=0, multiplications=0, shifts=0))
+        fact(self.HULL, "hull", lambda f: f["x"].append(f["x"][0]))
+        fact(self.HULL, "hull", lambda f: f["points"].append(f["points"][0]))
+        fact(self.HULL, "hull", lambda f: f["coefficients"].append(f["coefficients"][0]))
+        fact(self.HULL, "hull", lambda f: f.update(dim=0))
+        fact(self.LINES, "curve_and_line", lambda f: f["line"].append(f["line"][0]))
+        fact(self.LINES, "curve_and_line", lambda f: f["w"].append(f["w"][0]))
+        fact(self.LINES, "curve_and_line", lambda f: f["is"].append(0))
+        fact(self.MINORS, "minors", lambda f: f["A"].append(f["A"][0]))
+        fact(self.MINORS, "minors", lambda f: f.update(strict=2))
+        fact(self.MINORS, "minors", lambda f: f.update(rows=0, A=[]))
+        fact(self.WHOLE, "whole", lambda f: f.update({"is": True}))
+        fact(self.DEGREES, "degrees", lambda f: f["is"].__setitem__(0, f["is"][0] + 1))
+        fact(self.DEGREES, "degrees", lambda f: f["is"].reverse())
+
+    def test_what_is_bound(self):
+        """Certificates that are right in themselves, and are not what the manifest says."""
+        trivial = {"type": "field", "degree": 0, "inputs": [["t", "1/2"]], "nodes": [["x", 0]], "steps": [{"same": [0, 0], "equal": True}]}
+        loose = lambda name, change: self.refuses(claim(name), change, fitting=False)
+        loose(self.PROVED, lambda d: d.update(cases=[trivial]))
+        loose(self.PROVED, lambda d: d.update(cases=d["cases"][:1] if len(d["cases"]) > 1 else []))
+        loose(self.PROVED, lambda d: d["cases"].append(d["cases"][0]))
+        loose(self.PROVED, lambda d: d["cases"][0].update(degree=d["cases"][0]["degree"] + 1))
+        loose(self.PROVED, lambda d: d["cases"][0]["inputs"].append(["unused", "1/2"]))
+        loose(self.PROVED, lambda d: d["cases"][0]["nodes"].append(["c", "1"]))
+        loose(self.PROVED, lambda d: d["cases"][0]["steps"].append({"same": [0, 0], "equal": True}))
+        loose(self.PROVED, lambda d: self.last(d["cases"][0]["steps"], "same").update(same=[0, 0]))
+        loose(self.ROOTS, lambda d: d.update(evidence="sampled", kind="identity"))
+        self.refuses(self.STATEMENT, lambda d: d["links"].pop() and None, fitting=False)
+        self.refuses(self.STATEMENT, lambda d: d["links"].append({"role": "needs", "claim": self.PROVED}), fitting=False)
+        self.refuses(self.STATEMENT, lambda d: d.update(definition=not d["definition"]), fitting=False)
+
+    def test_the_manifest(self):
+        names = {claim(self.PROVED)}
+        texts, listed = {name: certificate(name) for name in names}, manifest(names)
+        self.is_wrong(texts, {**listed, "schema": "cagd-manifest-2"})
+        self.is_wrong(texts, {**listed, "claims": []})
+        self.is_wrong(texts, {**listed, "claims": 2 * listed["claims"]})
+        self.is_wrong({}, listed)
+        self.is_wrong(texts, manifest({*names, self.STATEMENT}))
+        never = json.loads(json.dumps(listed))
+        never["claims"][0]["types"] = [t for t in never["claims"][0]["types"] if t["type"] != "field"]
+        self.is_wrong(texts, never)
 
 
 if __name__ == "__main__":
