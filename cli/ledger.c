@@ -49,7 +49,7 @@ static void print_rows(FILE *out, const statement_result *list, int count)
         fputs(style(out, style_of(r->verdict)), out);
         put_padded(out, verdict_name[r->verdict], 12);
         fputs(style(out, PLAIN), out);
-        put_padded(out, r->verdict == VERDICT_FAILS ? r->statement->class : evidence_name[r->evidence], 20);
+        put_padded(out, r->verdict == VERDICT_FAILS ? r->statement->class : evidence_name[r->as_printed.evidence], 20);
         fprintf(out, "%s\n", r->statement->title);
     }
 }
@@ -114,7 +114,7 @@ static void print_striking(FILE *out, const statement_result *list, int count, i
     for (int rank = 1, shown = 0; rank <= count && shown < wanted; rank++)
         for (int k = 0; k < count; k++)
             if (list[k].statement->striking == rank && list[k].verdict == VERDICT_FAILS && shown < wanted) {
-                const claim *c = list[k].decided_by->claim;
+                const claim *c = list[k].refuted_by->claim;
                 char *then = tex_to_text(c->then, 1), *numbers = NULL;
                 size_t size;
                 FILE *text = open_memstream(&numbers, &size);
@@ -139,6 +139,13 @@ static statement_result *derive_all(const statement *const list[], int count, co
     for (int k = 0; k < count; k++)
         derived[k] = derive(list[k], results, claims);
     return derived;
+}
+
+static void free_all(statement_result *list, int count)
+{
+    for (int k = 0; k < count; k++)
+        free_statement_result(&list[k]);
+    free(list);
 }
 
 static json_t *ledger_json(const statement_result *list, int statements, const claim_result *results, int claims)
@@ -180,7 +187,7 @@ int write_report(const cagd_register *r, const char *folder, const claim_result 
     int wrong = 0;
     for (int k = 0; k < statements; k++)
         wrong += !list[k].as_expected;
-    free(list);
+    free_all(list, statements);
     free(all);
     return bad ? -1 : wrong;
 }
@@ -210,7 +217,7 @@ static int run(const struct call *call)
         }
         print_tally(stdout, derived, statements);
     }
-    free(derived);
+    free_all(derived, statements);
     free_results(results, claims);
     free(needed);
     free(list);

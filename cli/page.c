@@ -141,9 +141,8 @@ static void print_claim_lines(const claim_result *r)
 
 /* What the claim does for a statement that names it. */
 static const char *const role_words[] = {
-    [HOLDS_BY] = "decides",           [REFUTED_BY] = "refutes",    [CORRECTED_BY] = "corrects",
-    [HYPOTHESIS] = "a hypothesis of", [NEEDS] = "a hypothesis of", [READING] = "a reading of",
-    [CHECKED_BY] = "checks"};
+    [HOLDS_BY] = "decides",  [CONFIRMED_BY] = "confirms",      [REFUTED_BY] = "refutes",    [CORRECTED_BY] = "corrects",
+    [CHECKED_BY] = "checks", [HYPOTHESIS] = "a hypothesis of", [NEEDS] = "a hypothesis of", [READING] = "a reading of"};
 
 void print_claim(const cagd_register *reg, const claim_result *r)
 {
@@ -183,8 +182,8 @@ void print_claim(const cagd_register *reg, const claim_result *r)
     print_literature(reg, "", r, 1);
 }
 
-/* What the claims of a role compute, and why that suffices. */
-static void print_reasons(const statement *s, role wanted, const claim_result *results, int count)
+/* What the claims of a role compute, and why that suffices: each is a step of its kind. */
+static void print_steps(const statement *s, role wanted, const claim_result *results, int count)
 {
     int first = 1;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
@@ -194,11 +193,72 @@ static void print_reasons(const statement *s, role wanted, const claim_result *r
         if (!first)
             putchar('\n');
         first = 0;
-        labelled("Given", c->claim->given);
+        labelled(kind_name[c->claim->kind], c->claim->title);
+        labelled("given", c->claim->given);
         labelled("let", c->claim->let);
         labelled("then", c->claim->then);
         prose(c->claim->method);
+        labelled("argument", c->claim->argued);
     }
+}
+
+/* The steps that are words: arguments and cited theorems. */
+static void print_words(const statement *s)
+{
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        if (l->role != ARGUED && l->role != CITES)
+            continue;
+        putchar('\n');
+        labelled(l->role == ARGUED ? "argument" : "cited", l->role == CITES ? l->place : "");
+        labelled(l->role == ARGUED && l->place[0] != '\0' ? l->place : "", l->text);
+    }
+}
+
+/* "Two identities and an argument in words decide it together." */
+static void print_deciders(const statement *s, role wanted, const claim_result *results, int count)
+{
+    static const char *const one[] = {"an identity", "a decision", "a counterexample", "an argument in words",
+                                      "a cited theorem"};
+    static const char *const more[] = {"identities", "decisions", "counterexamples", "arguments in words",
+                                       "cited theorems"};
+    static const char *const number[] = {"two", "three", "four", "five", "six", "seven", "eight", "nine"};
+    enum { PARTS = KINDS + 2 };
+    int of[PARTS] = {0}, parts = 0, all = 0, put = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (c != NULL) {
+            of[c->claim->kind]++;
+            of[KINDS] += c->claim->argued[0] != '\0';
+        }
+        of[KINDS] += l->role == ARGUED;
+        of[KINDS + 1] += l->role == CITES;
+    }
+    for (int k = 0; k < PARTS; k++)
+        parts += of[k] > 0, all += of[k];
+    if (all == 0)
+        return;
+    char *text = NULL;
+    size_t room;
+    FILE *out = open_memstream(&text, &room);
+    if (out == NULL)
+        abort();
+    for (int k = 0; k < PARTS; k++) {
+        if (of[k] == 0)
+            continue;
+        fputs(put == 0 ? "" : put + 1 == parts ? " and " : ", ", out);
+        if (of[k] == 1)
+            fputs(one[k], out);
+        else if (of[k] <= 9)
+            fprintf(out, "%s %s", number[of[k] - 2], more[k]);
+        else
+            fprintf(out, "%d %s", of[k], more[k]);
+        put++;
+    }
+    fputs(all == 1 ? " decides it." : " decide it together.", out);
+    fclose(out);
+    text[0] = (char)(text[0] >= 'a' && text[0] <= 'z' ? text[0] - 'a' + 'A' : text[0]);
+    put_paragraph(stdout, text, INDENT, WIDTH);
+    free(text);
 }
 
 static const char *class_words(const char *class)
@@ -219,72 +279,125 @@ static int is_shown_above(const statement *s, const statement_link *link)
     return 0;
 }
 
-void print_statement(const cagd_register *reg, const statement_result *r, const claim_result *results, int count)
+/* Hypotheses, whether the source states them or not, each with what goes wrong without it. */
+static void print_hypotheses(const statement *s, const claim_result *results, int count)
+{
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        if (l->role != HYPOTHESIS && l->role != NEEDS)
+            continue;
+        heading(l->role == NEEDS ? "A stated hypothesis that is needed" : "Hypothesis to be added");
+        prose(l->text);
+        if (l->role == NEEDS && l->place != NULL)
+            labelled("stated in", l->place);
+        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (c != NULL) {
+            printf("%*sWithout it:\n", INDENT, "");
+            print_exhibits(c);
+        }
+    }
+}
+
+static void print_readings(const statement *s, const claim_result *results, int count)
+{
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        if (l->role == MEANT) {
+            heading("What is meant");
+            prose(l->text);
+            labelled("by", l->place);
+        }
+        if (l->role != READING)
+            continue;
+        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        heading("A reading");
+        prose(l->text);
+        if (c == NULL)
+            continue;
+        int fails = c->claim->kind == COUNTEREXAMPLE;
+        printf("%*sSo read, it %s.\n", INDENT, "", fails ? "fails" : outcome_name[c->outcome]);
+        if (fails && !is_shown_above(s, l))
+            print_exhibits(c);
+    }
+}
+
+static void print_counterexamples(const statement *s, const claim_result *results, int count)
+{
+    int number = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        const claim_result *c = l->role == REFUTED_BY ? result_of(l->claim, results, count) : NULL;
+        if (c == NULL)
+            continue;
+        heading(number++ == 0 ? "Counterexample" : "Another");
+        prose(c->claim->then);
+        print_exhibits(c);
+    }
+}
+
+static void print_finding(const char *before, const finding *f)
+{
+    char *words = finding_words(f), *plain = tex_to_text(words, 1), *whole = NULL;
+    size_t room;
+    FILE *out = open_memstream(&whole, &room);
+    if (out == NULL)
+        abort();
+    fprintf(out, "%s%s%s.", before, words[0] != '\0' ? ": " : "", plain);
+    fclose(out);
+    put_paragraph(stdout, whole, INDENT, WIDTH);
+    free(words), free(plain), free(whole);
+}
+
+static void print_verdict(const statement_result *r)
 {
     static const char *const words[] = {"It holds as printed", "It holds under more hypotheses",
                                         "It fails as printed", "It can be read in several ways",
                                         "It is open",          "A definition"};
+    heading("Verdict");
+    if (r->verdict == VERDICT_FAILS)
+        printf("%*s%s: %s (%s).\n", INDENT, "", words[r->verdict], class_words(r->statement->class),
+               evidence_name[r->as_printed.evidence]);
+    else
+        print_finding(words[r->verdict], &r->as_printed);
+}
+
+void print_statement(const cagd_register *reg, const statement_result *r, const claim_result *results, int count,
+                     int numbers)
+{
     const statement *s = r->statement;
+    role deciding = s->is_definition ? CHECKED_BY : HOLDS_BY;
     printf("%s%s%s  %s\n%s  (%s:%d)\n", style(stdout, BOLD), s->title, style(stdout, PLAIN), s->title_zh, s->id,
            s->file, s->line);
     print_source_of(reg, s);
     heading("Printed");
     formula(s->printed);
-    heading("Verdict");
-    printf("%*s%s", INDENT, "", words[r->verdict]);
-    if (r->verdict == VERDICT_FAILS)
-        printf(": %s", class_words(s->class));
-    if (r->evidence != NO_EVIDENCE)
-        printf(" (%s)", evidence_name[r->evidence]);
-    puts(".");
-    if (r->decided_by != NULL && r->verdict != VERDICT_FAILS) {
-        labelled("Scope:", r->decided_by->scope);
+    print_verdict(r);
+    print_hypotheses(s, results, count);
+    print_readings(s, results, count);
+    print_counterexamples(s, results, count);
+    if (r->verdict != VERDICT_FAILS && r->as_printed.evidence != NO_EVIDENCE) {
         heading("Why");
-        print_reasons(s, s->is_definition ? CHECKED_BY : HOLDS_BY, results, count);
-    }
-    int number = 0;
-    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
-        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        if (l->role == REFUTED_BY && c != NULL) {
-            heading(number++ == 0 ? "Counterexample" : "Another");
-            prose(c->claim->then);
-            print_exhibits(c);
-        } else if (l->role == HYPOTHESIS || l->role == NEEDS) {
-            heading(l->role == NEEDS ? "A stated hypothesis that is needed" : "Hypothesis to be added");
-            prose(l->text);
-            if (c != NULL) {
-                printf("%*sWithout it:\n", INDENT, "");
-                print_exhibits(c);
-            }
-        } else if (l->role == READING) {
-            heading("A reading");
-            prose(l->text);
-            if (c == NULL)
-                continue;
-            int fails = c->claim->kind == COUNTEREXAMPLE;
-            printf("%*sSo read, it %s.\n", INDENT, "", fails ? "fails" : outcome_name[c->outcome]);
-            if (fails && !is_shown_above(s, l))
-                print_exhibits(c);
-        }
+        print_deciders(s, deciding, results, count);
+        putchar('\n');
+        print_steps(s, deciding, results, count);
+        print_words(s);
     }
     if (s->corrected[0] != '\0') {
         heading("Corrected");
         formula(s->corrected);
-        if (r->corrected_by != NULL) {
-            char word[16];
-            snprintf(word, sizeof word, "%s;", evidence_name[r->corrected_evidence]);
-            labelled(word, r->corrected_by->scope);
-            putchar('\n');
-        }
-        print_reasons(s, CORRECTED_BY, results, count);
+        print_finding("It holds", &r->as_corrected);
+        print_deciders(s, CORRECTED_BY, results, count);
+        putchar('\n');
+        print_steps(s, CORRECTED_BY, results, count);
+        if (r->verdict == VERDICT_FAILS)
+            print_words(s);
     }
     if (s->note[0] != '\0') {
         heading("Remarks");
         prose(s->note);
     }
-    heading("Claims");
-    for (int k = 0; k < count; k++)
-        print_claim_lines(&results[k]);
+    if (numbers) {
+        heading("Claims");
+        for (int k = 0; k < count; k++)
+            print_claim_lines(&results[k]);
+    }
     if (s->figure[0] != '\0') {
         heading("Figure");
         printf("%*sfigures/gallery/%s.svg\n", INDENT, "", s->figure);

@@ -5,8 +5,9 @@
 #include "chapters/judge/register.h"
 #include "chapters/judge/run.h"
 
-/* A statement; results: of all claims that it names. */
-void print_statement(const cagd_register *reg, const statement_result *r, const claim_result *results, int count);
+/* A statement; results: of all claims that it names.  numbers: with what each of them did in every number type. */
+void print_statement(const cagd_register *reg, const statement_result *r, const claim_result *results, int count,
+                     int numbers);
 /* A claim, and the statements of the register that name it. */
 void print_claim(const cagd_register *reg, const claim_result *r);
 #endif

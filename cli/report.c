@@ -77,6 +77,7 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
 {
     const statement *s = r->statement;
     json_t *hypotheses = json_array(), *needed = json_array(), *readings = json_array(), *claims = json_array();
+    json_t *words = json_array();
     const claim_result *against = NULL;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
@@ -91,23 +92,27 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
         }
         if (l->role == HYPOTHESIS || l->role == NEEDS)
             json_array_append_new(l->role == NEEDS ? needed : hypotheses,
-                                  json_pack("{s:s, s:o}", "hypothesis", l->text, "without_it",
-                                            c != NULL ? counterexample_json(c) : json_null()));
+                                  json_pack("{s:s, s:s*, s:o}", "hypothesis", l->text, "stated_in", l->place,
+                                            "without_it", c != NULL ? counterexample_json(c) : json_null()));
+        if (l->role == ARGUED || l->role == CITES || l->role == MEANT)
+            json_array_append_new(
+                words, json_pack("{s:s, s:s, s:s}", "is", role_key[l->role], "place", l->place, "text", l->text));
         if (l->role == READING)
             json_array_append_new(readings, json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim,
                                                       "outcome", c != NULL ? outcome_name[c->outcome] : "not decided"));
     }
     json_t *printed =
-        json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
-                  evidence_name[r->evidence], "scope", r->decided_by != NULL ? r->decided_by->scope : "", "class",
-                  r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses", hypotheses, "counterexample",
-                  against != NULL ? counterexample_json(against) : json_null(), "readings", readings,
-                  "stated_hypotheses_needed", needed);
+        json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
+                  evidence_name[r->as_printed.evidence], "scope", r->as_printed.scope, "argued_for",
+                  r->as_printed.argued_for, "class", r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses",
+                  hypotheses, "counterexample", against != NULL ? counterexample_json(against) : json_null(),
+                  "readings", readings, "stated_hypotheses_needed", needed, "words", words);
     json_t *corrected = json_null();
     if (s->corrected[0] != '\0')
-        corrected = json_pack("{s:s, s:s, s:s, s:s}", "tex", s->corrected, "verdict", r->corrected ? "holds" : "open",
-                              "evidence", evidence_name[r->corrected_evidence], "scope",
-                              r->corrected_by != NULL ? r->corrected_by->scope : "");
+        corrected = json_pack("{s:s, s:s, s:s, s:s, s:s}", "tex", s->corrected, "verdict",
+                              r->as_corrected.evidence != NO_EVIDENCE ? "holds" : "open", "evidence",
+                              evidence_name[r->as_corrected.evidence], "scope", r->as_corrected.scope, "argued_for",
+                              r->as_corrected.argued_for);
     return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:b}", "id", s->id, "title", s->title,
                      "title_zh", s->title_zh, "printed_tex", s->printed, "chapter", s->chapter, "as_printed", printed,
                      "corrected", corrected, "claims", claims, "figure", s->figure, "note", s->note, "as_expected",

@@ -9,10 +9,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+struct arguments {
+    struct asked asked;
+    int numbers;
+};
+
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     (void)arg;
-    const struct asked *a = state->input;
+    struct arguments *arguments = state->input;
+    const struct asked *a = &arguments->asked;
+    if (key == 'n') {
+        arguments->numbers = 1;
+        return 0;
+    }
     if (key != ARGP_KEY_END)
         return ARGP_ERR_UNKNOWN;
     if (a->patterns.count == 0)
@@ -53,7 +63,8 @@ static const claim **claims_of_entry(const cagd_register *r, struct entry e, int
 }
 
 /* One page, from results among which those of its claims are.  Returns whether it is as expected. */
-static int show_entry(const cagd_register *reg, struct entry e, const claim_result *all, int judged, int json)
+static int show_entry(const cagd_register *reg, struct entry e, const claim_result *all, int judged,
+                      const struct arguments *how)
 {
     int count;
     const claim **list = claims_of_entry(reg, e, &count);
@@ -66,12 +77,13 @@ static int show_entry(const cagd_register *reg, struct entry e, const claim_resu
     if (e.statement != NULL) {
         statement_result r = derive(e.statement, results, count);
         good = r.as_expected;
-        if (json)
+        if (how->asked.json)
             print_json(
                 json_pack("{s:s, s:o}", "schema", "cagd-statement-1", "statement", statement_json(&r, results, count)));
         else
-            print_statement(reg, &r, results, count);
-    } else if (json) {
+            print_statement(reg, &r, results, count, how->numbers);
+        free_statement_result(&r);
+    } else if (how->asked.json) {
         print_json(json_pack("{s:s, s:o}", "schema", "cagd-claim-1", "claim", claim_json(&results[0])));
     } else {
         print_claim(reg, &results[0]);
@@ -83,8 +95,9 @@ static int show_entry(const cagd_register *reg, struct entry e, const claim_resu
 
 static int run(const struct call *call)
 {
-    struct asked a = {0};
-    parse_arguments(call, &a);
+    struct arguments arguments = {0};
+    parse_arguments(call, &arguments.asked);
+    const struct asked a = arguments.asked;
     int every = 0, judged = 0, good = 1;
     const cagd_register *r = call->reg;
     while (r->claims[every].name != NULL)
@@ -113,12 +126,15 @@ static int run(const struct call *call)
     for (int k = 0; k < a.patterns.count; k++) {
         if (k > 0)
             puts("\n");
-        good &= show_entry(r, entry_of(r, a.patterns.at[k]), results, judged, a.json);
+        good &= show_entry(r, entry_of(r, a.patterns.at[k]), results, judged, &arguments);
     }
     free_results(results, judged);
     free(wanted), free(list);
     return good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
 }
+
+static const struct argp_option options[] = {{"numbers", 'n', 0, 0, "Also what each claim did in every number type", 0},
+                                             {0}};
 
 const struct command command_show = {
     .name = "show",
@@ -128,9 +144,11 @@ const struct command command_show = {
     .text = "Shows statements of a source, or claims, in full: a page each.\n\n"
             "Examples:\n"
             "  cagd show wang-ch3:thm-3.3.2\n"
+            "  cagd show --numbers wang-ch3:3.2.8\n"
             "  cagd show elevation_keeps_rational_curve\n",
     .arguments = CLAIM_NAMES,
     .shared = TAKES_JSON | TAKES_JOBS,
+    .options = options,
     .parse = parse,
     .run = run,
 };

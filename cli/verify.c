@@ -2,6 +2,7 @@
 #include "chapters/judge/certificate.h"
 #include "chapters/judge/tex.h"
 #include "cli/commands.h"
+#include "cli/manifest.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/report.h"
@@ -123,8 +124,8 @@ static void print_table(const claim_result *results, int count)
             controls += r->by[t].ran && r->by[t].control_caught;
         }
     }
-    printf("\n%d claims: %d proved, %d decided, %d sampled, %d counterexamples, %d not as expected\n", count,
-           by_evidence[PROVED], by_evidence[DECIDED],
+    printf("\n%d claims: %d proved, %d decided, %d argued, %d sampled, %d counterexamples, %d not as expected\n", count,
+           by_evidence[PROVED], by_evidence[DECIDED], by_evidence[BY_ARGUMENT],
            by_evidence[SAMPLED] + by_evidence[MEASURED] + by_evidence[ENCLOSED], counterexamples, wrong);
     printf("%d comparisons in %d runs; %d of %d controls caught\n", compared, runs, controls, runs);
 }
@@ -143,6 +144,7 @@ static void print_tap(const claim_result *results, int count)
 struct certificates {
     const char *folder;
     const claim_result *results;
+    struct recorded *recorded;
     atomic_int bad;
 };
 
@@ -151,14 +153,15 @@ static void write_certificate(void *context, int k)
     struct certificates *c = context;
     if (c->bad)
         return;
-    char path[4096], *text = certificate_of_claim(&c->results[k]);
+    char path[4096], *text = certificate_of_claim(&c->results[k], &c->recorded[k].count, c->recorded[k].cases);
     snprintf(path, sizeof path, "%s/claims/%s.json", c->folder, c->results[k].claim->name);
     if (write_text_file(path, text) != 0)
         c->bad = 1;
     free(text);
 }
 
-/* DIR/claims/NAME.json for every claim, and DIR/KEY/PLACE.json for every statement that they decide. */
+/* DIR/claims/NAME.json for every claim, DIR/KEY/PLACE.json for every statement that they decide, and DIR/manifest.json, which says
+ * what they certify. */
 static int write_certificates(const cagd_register *r, const char *folder, const claim_result *results, int count,
                               int jobs)
 {
@@ -166,20 +169,27 @@ static int write_certificates(const cagd_register *r, const char *folder, const 
     snprintf(path, sizeof path, "%s/claims", folder);
     if (make_folder(path) != 0)
         return -1;
-    struct certificates c = {.folder = folder, .results = results};
+    struct certificates c = {
+        .folder = folder, .results = results, .recorded = calloc((size_t)count + 1, sizeof *c.recorded)};
+    if (c.recorded == NULL)
+        abort();
     cagd_in_parallel(jobs, count, write_certificate, &c);
-    int bad = c.bad;
+    int bad = c.bad != 0 || write_manifest(r, folder, results, count, c.recorded) != 0;
+    free(c.recorded);
     for (const statement *s = r->statements; s->id != NULL && !bad; s++) {
         statement_result derived = derive(s, results, count);
         size_t key = strcspn(s->id, ":");
-        if (derived.verdict == VERDICT_OPEN)
+        if (derived.verdict == VERDICT_OPEN) {
+            free_statement_result(&derived);
             continue;
+        }
         snprintf(path, sizeof path, "%s/%.*s", folder, (int)key, s->id);
         bad = make_folder(path) != 0;
         char *text = certificate_of_statement(&derived);
         snprintf(path, sizeof path, "%s/%.*s/%s.json", folder, (int)key, s->id, s->id + key + 1);
         bad = bad || write_text_file(path, text) != 0;
         free(text);
+        free_statement_result(&derived);
     }
     return bad ? -1 : 0;
 }

@@ -34,6 +34,8 @@ The degree is at most $n$: see the next entry.
 :zh: 曲线的次数
 :printed: what $n+1$ points determine is a Bézier curve of degree $n$
 :holds-by: bernstein_to_power_keeps_polynomial
+:meant: the slides call the curve by the degree of its basis throughout | Degree $n$ is the degree of the Bernstein
+  polynomials it is written in.
 :reading: bernstein_to_power_keeps_polynomial | as a name: written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
 :reading: equally_spaced_points_make_a_line | a polynomial of exactly this degree: false
 :figure: degrees_one_to_three
@@ -80,7 +82,8 @@ CLAIM(equally_spaced_points_make_a_line)
 :zh: 0! 与 0^0 约定为 1
 :printed: $0!$ and $0^0$, where they occur, are 1
 :holds-by: bernstein_at_ends
-:needs: zero_power_zero_takes_away_the_end | with $0^0=0$ the curve would not begin in $P_0$
+:needs: zero_power_zero_takes_away_the_end | the line itself, with $0^0=1$ | with $0^0=0$ the curve would not begin in
+  $P_0$
 
 With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0^{-1}$, which occurs in the derivative below.
 :::
@@ -253,6 +256,7 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :zh: 导矢:逐项求导
 :printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
 :holds-by: derivative_in_three_steps
+:meant: the next line, which has no term with a factor 0 | Products with the factor $i=0$ or $n-i=0$ are not there.
 :reading: derivative_in_three_steps | products with a factor $i=0$ or $n-i=0$ are not there, or $0<t<1$: true
 :reading: first_term_divides_by_zero | every factor by itself: at $t=0$ and $t=1$, the two places where the slides use the derivative, two
   products are $0\cdot0^{-1}$, of which the convention for $0^0$ says nothing
@@ -325,6 +329,8 @@ CLAIM(first_term_divides_by_zero)
 :zh: 导矢:逐项展开
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: derivative_in_three_steps
+:meant: the sum of the line before, of which these are the terms in a row | The terms from the first to the last, each
+  once.
 :reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last,
   for $n=2$ these and the two with $P_1$: true
 :reading: terms_in_a_row_come_twice_for_two_edges | all six that are written out: true from $n=3$ on; for $n=2$ two of them come twice
@@ -423,6 +429,8 @@ so it does not matter from which end the points are read.  That the figure is it
 :zh: Bézier 曲线的对称性
 :printed: P(t)=B_{0,n}(t)P_0+\dots+B_{i,n}(t)P_i+\dots+B_{n-i,n}(t)P_{n-i}+\dots+B_{n,n}(t)P_n=B_{n,n}(1-t)P_0+\dots+B_{n-i,n}(1-t)P_i+\dots+B_{i,n}(1-t)P_{n-i}+\dots+B_{0,n}(1-t)P_n
 :holds-by: reversed_points_reverse_the_curve basis_read_backwards
+:meant: the formula, which takes the points in the other order | The points backwards give the same curve, run
+  backwards.
 :reading: reversed_points_reverse_the_curve | the points backwards give the same curve, run backwards: true
 :reading: curve_is_no_mirror_image | the curve is a symmetric figure: false unless its points are
 :figure: read_from_either_end
@@ -515,7 +523,7 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :zh: 基函数的非负性与规范性
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
 :holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:needs: bernstein_alternates_outside | $0\le t\le1$
+:needs: bernstein_alternates_outside | the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bernstein_basis
 
 At most 1 because the others are not negative.
@@ -526,7 +534,7 @@ At most 1 because the others are not negative.
 :zh: 凸包性
 :printed: the points of the curve belong to the convex hull of $P_0,\dots,P_n$
 :holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:needs: curve_leaves_hull_outside_the_interval | $0\le t\le1$
+:needs: curve_leaves_hull_outside_the_interval | the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bezier_hull
 :::
 */

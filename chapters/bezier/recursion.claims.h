@@ -20,6 +20,8 @@ enum { dim = 2 };
 :printed: Enough values of $t$ are chosen, and the points of the curve joined by segments; with more points the polyline and the curve
   can come arbitrarily near to each other.
 :holds-by: second_differences_of_a_piece polygon_and_curve_are_near_the_chord
+:meant: the sentence before has values of $t$ chosen for drawing | The values can be chosen so, close to each other
+  everywhere.
 :reading: second_differences_of_a_piece | the points can be chosen so, with steps of the parameter that tend to 0: true
 :reading: many_points_may_crowd | however the points are chosen, if only there are many: false
 :figure: crowded_points

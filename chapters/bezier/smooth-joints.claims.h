@@ -38,7 +38,7 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :zh: G1 连续要求导矢成比例
 :printed: $G^1$ at the joint requires $Q_0'=aP_3'$, where $a$ should be positive.
 :holds-by: equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | $a>0$
+:needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
 :figure: joint_of_cubics
 :::
@@ -52,7 +52,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | $a>0$
+:needs: negative_ratio_turns_back | the line of the condition: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice, and with $Q_0\ne Q_1$ for it to be necessary
 :hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: with $P_2\ne P_3$, for it to be necessary
 :figure: corner_without_edges
@@ -66,7 +66,7 @@ For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
 :zh: 连接点为 P2Q1 的定比分点
 :printed: $Q_0=P_3=\frac{Q_1+aP_2}{1+a}$
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
-:needs: negative_ratio_turns_back | $a>0$; for $a=-1$ there is no quotient
+:needs: negative_ratio_turns_back | the line of the condition: $a>0$ | $a>0$; for $a=-1$ there is no quotient
 :figure: joint_of_cubics
 :::
 
@@ -384,7 +384,7 @@ CLAIM(printed_condition_divides_the_curvature)
 :zh: C2 条件下的 Q2
 :printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
 :holds-by: three_points_make_c2
-:needs: open_joint_has_no_second_point | $Q_0=P_3$
+:needs: open_joint_has_no_second_point | the conditions before it, $Q_0=P_3$ the first of them | $Q_0=P_3$
 :figure: second_derivatives_alone
 
 It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.

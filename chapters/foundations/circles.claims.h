@@ -355,7 +355,7 @@ a geometric progression.
 :zh: 简化算法所得的圆不封闭
 :printed: The circle that this algorithm produces is not closed.
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
-:needs: small_step_of_zero_stays | $\varepsilon\ne0$
+:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
 :figure: three_generators
 :::
 

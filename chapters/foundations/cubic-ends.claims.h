@@ -238,6 +238,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :zh: 系数 C
 :printed: C=\dot Q_0
 :holds-by: end_data_determine_the_cubic
+:meant: the dot over it, which is the derivative everywhere in section 1-4 | $\dot Q_0$ is the tangent vector at
+  $t=0$.
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector: true
 :reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$: false
 :figure: ends_with_lost_letters

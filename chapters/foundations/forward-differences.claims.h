@@ -344,8 +344,9 @@ and additions; with another step it is not.
 :zh: 差分法不用乘法
 :printed: With differences multiplications are not needed at all, only shifts and additions.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions
-:needs: other_steps_need_multiplications | The step is a power of two, $\delta=2^{-m}$, and the differences are divided by its powers as
-  in (1-4-4) and (1-4-5).  For another step the table has to be begun with multiplications.
+:needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | The step is a
+  power of two, $\delta=2^{-m}$, and the differences are divided by its powers as in (1-4-4) and (1-4-5).  For another
+  step the table has to be begun with multiplications.
 :figure: stepping_and_rounding
 :::
 */

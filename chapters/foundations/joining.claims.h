@@ -161,9 +161,11 @@ learned by heart.
   $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the lengths of the tangent vectors of $P_{\mathrm I}$ and
   $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
 :holds-by: equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | $\lambda>0$, as for a quotient of lengths: with $\lambda<0$ the curve turns on its heel.
-:needs: singular_end_has_no_ratio | Neither derivative is 0 at the joint, as where there are unit tangent vectors: otherwise a quotient of
-  lengths does not exist, and the tangents may be one although no $\lambda$ is.
+:needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$, as for
+  a quotient of lengths: with $\lambda<0$ the curve turns on its heel.
+:needs: singular_end_has_no_ratio | $\lambda$ is the quotient of the lengths of tangent vectors | Neither derivative
+  is 0 at the joint, as where there are unit tangent vectors: otherwise a quotient of lengths does not exist, and the
+  tangents may be one although no $\lambda$ is.
 :figure: joints_of_order
 :::
 
@@ -264,9 +266,11 @@ curvature that grows without bound.
   I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the curvature continuous at the
   joint.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$, as for a quotient of lengths that have directions: with $\alpha_2=0$ the
-  curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, as where there is a unit tangent vector.
+:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths |
+  $\lambda\ne0$, as for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second
+  piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot
+  P_{\mathrm I}(1)\ne0$, as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
 
@@ -275,8 +279,8 @@ curvature that grows without bound.
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$, as in the conditions before it: with
-  $\lambda=0$ the curvature of the second piece need not be bounded.
+:needs: zero_ratio_has_unbounded_curvature | the conditions before it | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$,
+  as in the conditions before it: with $\lambda=0$ the curvature of the second piece need not be bounded.
 :figure: joints_of_order
 :::
 
@@ -621,7 +625,8 @@ CLAIM(derivatives_of_a_piece)
 :zh: 参数区间长度的范围
 :printed: 0\le(t_1-t_0)\le1
 :holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | The piece is taken forward, $t_0\le t_1$, out of $[0,1]$.
+:needs: backward_piece_has_negative_length | $[t_0,t_1]$ is a part of $[0,1]$ | The piece is taken forward, $t_0\le
+  t_1$, out of $[0,1]$.
 :figure: piece_of_a_cubic
 :::
 
@@ -688,7 +693,7 @@ one of them.  The price is that the curve becomes a rational one, whose weights 
 :zh: 双线性(同形)参数变换
 :printed: More generally the parameter can be changed by a bilinear or homographic transformation, a rational one.
 :holds-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
-:needs: fractional_change_with_a_pole | The denominator has no zero on the interval.
+:needs: fractional_change_with_a_pole | it is a change of parameter | The denominator has no zero on the interval.
 :figure: fractional_parameter
 
 The text that is at hand ends before the formula.

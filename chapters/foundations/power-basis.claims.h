@@ -313,6 +313,8 @@ claims carries no values at all and counts the operations of the very kernel tha
 :zh: 乘法次数由六次减为三次
 :printed: So the number of multiplications for a point is reduced from 6 to 3.
 :holds-by: multiplications_are_six_and_three
+:meant: the count of 6, which only powers multiplied out one by one have | $At^3+Bt^2+Ct+D$ as (1-4-1) writes it, one
+  coordinate, no power kept.
 :reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one
   coordinate: 6 become 3.
 :reading: kept_powers_need_five | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and

@@ -88,6 +88,7 @@ direction; each of the two parameters has its one tangent, the point has two.
 :zh: 正则点处切线唯一
 :printed: At regular points of a curve a unique tangent can be determined.
 :holds-by: chord_turns_into_the_derivative
+:meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve.
 :reading: chord_turns_into_the_derivative | A regular point is a parameter, as in the definition: it has one tangent.
 :reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
   though both parameters are regular.

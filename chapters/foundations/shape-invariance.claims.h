@@ -436,8 +436,8 @@ the points whatever the functions are: that is the associative law of the produc
 :printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
   shape is kept.
 :holds-by: matrices_pass_to_the_points
-:needs: rotation_about_a_point_moves_the_example | A rotation that is a matrix turns about the origin.  About another point
-  it contains a translation, and needs the condition below.
+:needs: rotation_about_a_point_moves_the_example | the proof multiplies by one matrix $T$ | A rotation that is a
+  matrix turns about the origin.  About another point it contains a translation, and needs the condition below.
 :figure: rotations_of_the_example
 :::
 */
@@ -572,6 +572,8 @@ CLAIM(doubled_functions_keep_the_shape)
 :zh: 柯西关系
 :printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
 :holds-by: translation_adds_the_sum_of_the_functions
+:meant: the lines before it write the translated curve as $P(t)+[\phi_0(t)+\dots+\phi_n(t)]\,m$ | The curve moves
+  along with its points: $P^*(t)=P(t)+m$.
 :reading: translation_adds_the_sum_of_the_functions | The curve moves along with its points: sufficient and necessary.
 :reading: shape_is_kept_without_the_sum_one | The curve keeps its shape, wherever it goes: sufficient, but not necessary.  A
   constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the curve is a point, and its
@@ -667,6 +669,8 @@ its values; section 1-2 has moved control points, which is another thing.
 :zh: 参数曲线的几何不变性
 :printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates.
 :holds-by: image_of_a_power_curve_is_one
+:meant: the list is about describing a curve by a parameter, whatever its functions and coefficients are | The curve
+  itself, a vector function, is mapped to one of the same kind; nothing is said of coefficients that move as points.
 :reading: image_of_a_power_curve_is_one | The curve is a vector function, and its image $P(t)\,T+m$ is one of the same kind: true.
 :reading: image_keeps_no_chord | All coefficients are moved as points, as in section 1-2: true if the functions have the sum 1 (relation of
   Cauchy), and not for (1-2-1), which is parametric, too.
@@ -748,6 +752,8 @@ denominator with it as a weight.
 :zh: 参数曲线易于作仿射与射影变换
 :printed: Affine and projective transformations of parametric curves are easily carried out.
 :holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points image_of_a_power_curve_is_one
+:meant: section 1-4 has no control points yet, and names the curves | The points $[x(t)\;y(t)\;z(t)]$ of the curve are
+  mapped.
 :reading: matrices_pass_to_the_points | The points of the curve are mapped, $[x(t)\;y(t)\;z(t)\;1]$ by a matrix and then divided: easy,
   and true.
 :reading: projective_image_is_not_the_curve_of_the_images | Control points are mapped, and a curve is made from their images: by an affine

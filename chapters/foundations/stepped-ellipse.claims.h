@@ -63,7 +63,8 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
   $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon
   x_{n+1}$
 :holds-by: second_orbit_has_equal_angles
-:needs: second_step_of_two_has_no_angle | $0<\varepsilon<2$; otherwise there is no such angle
+:needs: second_step_of_two_has_no_angle | $\varepsilon=2\sin(\Delta\theta/2)$ is said of an angle | $0<\varepsilon<2$;
+  otherwise there is no such angle
 :figure: ellipse_of_the_second_way
 :::
 
@@ -217,6 +218,8 @@ of second order, and both are half the sine to first order.
 :printed: $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse
   and the exact circle.
 :holds-by: ellipse_lies_between_two_circles
+:meant: the printed formula itself, which is the outward difference for every step | How far the ellipse leaves the
+  circle outwards, relative to $r$.
 :reading: ellipse_lies_between_two_circles | By how much the ellipse leaves the circle of radius $r$ outwards, relative to $r$.
 :reading: ellipse_leaves_the_circle_by_more | The largest error in either direction: this is $1-\sqrt{1-s}$, inwards, and for every
   $s$ a little larger than the printed $\sqrt{1+s}-1$ (`inward_error_of_the_ellipse_is_larger`).

@@ -321,7 +321,8 @@ provided that both have a direction.
 :printed: $G^1$ means that the first derivatives of the two segments are proportional at the joint: equal in direction, different in size.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
-:needs: negative_ratio_turns_back | equal in direction: proportional with a negative factor is a curve that turns back
+:needs: negative_ratio_turns_back | the words: the tangents have one direction | equal in direction: proportional with
+  a negative factor is a curve that turns back
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ: true
 :reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
 :figure: joints_of_order

@@ -36,9 +36,10 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :definition: yes
 :printed: $f_0(t)$ and $f_1(t)$, $0\le t\le1$, are continuous, $f_0(0)=1$, $f_0(1)=0$, $f_1(0)=0$, $f_1(1)=1$, and $f_0(t)+f_1(t)=1$
 :checked-by: four_curves_are_borders shifted_frame_shifts_the_patch_by_a_product
-:needs: blendings_without_end_values_lose_the_border | the end values: without them the borders are lost
-:needs: blendings_without_sum_one_bend_a_ruling | the sum: with it the curves between opposite borders stay on the line of two points, without it
-  they need not
+:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | the end values:
+  without them the borders are lost
+:needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the sum: with it the
+  curves between opposite borders stay on the line of two points, without it they need not
 :figure: boolean_sum
 
 The two parts of what is asked do different things: the end values keep the borders, the sum lets the surface move with its frame.
@@ -187,7 +188,8 @@ the straight one between two corners; and this is what the third surface has the
 :printed: $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$, where $f_0+f_1=1$, $0\le u,w\le1$
 :definition: yes
 :checked-by: sum_of_ruled_surfaces_has_too_much
-:needs: blendings_without_sum_one_bend_a_ruling | $f_0+f_1=1$: else the curves of $P_1$ from $0w$ to $1w$ need not be straight
+:needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | $f_0+f_1=1$: else the
+  curves of $P_1$ from $0w$ to $1w$ need not be straight
 :figure: boolean_sum
 :::
 
@@ -250,8 +252,10 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
   $u=0$ the right side is $0w+f_0(w)00+f_1(w)01-f_0(w)00-f_1(w)01=0w$
 :holds-by: coons_kernel_is_the_bordered_product four_curves_are_borders
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners
-:needs: blendings_without_end_values_lose_the_border | $f_0(0)=f_1(1)=1$, $f_0(1)=f_1(0)=0$
-:needs: blendings_without_sum_one_move_the_patch | $f_0+f_1=1$: not for the borders, but for a patch that moves with its frame
+:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
+  $f_0(1)=f_1(0)=0$
+:needs: blendings_without_sum_one_move_the_patch | the conditions printed with the functions | $f_0+f_1=1$: not for
+  the borders, but for a patch that moves with its frame
 :figure: boolean_sum
 :::
 

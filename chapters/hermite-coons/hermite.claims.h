@@ -18,7 +18,8 @@ serves for existence and uniqueness, the system being square.
 :printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
   $N=m_0+m_1+\dots+m_k-1$
 :holds-by: hermite_interpolant_exists_and_is_unique
-:needs: equal_nodes_have_no_interpolant | $k+1$ points $t_i$: different ones
+:needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | $k+1$ points $t_i$: different ones
+:meant: it has as many conditions as a polynomial of degree at most $N$ has coefficients | Of degree at most $N$.
 :reading: hermite_interpolant_exists_and_is_unique | of degree at most $N$: there is exactly one
 :reading: straight_data_have_no_cubic | of degree exactly $N$: there may be none
 :figure: hermite_blending_functions
@@ -191,7 +192,7 @@ CLAIM(cubic_equations_are_the_conditions)
   $(t_1-t_0)^3a_1=f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1$;
   $(t_1-t_0)^3a_0=-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3$
 :holds-by: cubic_coefficients_by_monomials
-:needs: equal_nodes_have_no_interpolant | two points: $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | two points: $t_0\ne t_1$
 :figure: nodes_that_meet
 
 Printed are the quotients by $(t_1-t_0)^3$.  The signs are lost.  The monomials are linearly independent, so each sign is
@@ -359,7 +360,7 @@ slope right at its own.
 :zh: 按型值整理的三次插值多项式
 :printed: P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
 :holds-by: cubic_ordered_by_data
-:needs: equal_nodes_have_no_interpolant | two points: $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | two points: $t_0\ne t_1$
 :figure: nodes_that_meet
 
 The signs are lost.  With $(t_0-t_1)^3$ under the first value and $(t_1-t_0)^3$ under the second, as they are printed, both linear factors
@@ -404,7 +405,8 @@ CLAIM(cubic_ordered_by_data)
   $g_{01}=\bigl(1-2\frac{t-t_1}{t_1-t_0}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
   $h_{00}=\frac{t-t_0}{t_1-t_0}\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=\frac{t-t_1}{t_1-t_0}\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
-:needs: equal_nodes_have_no_interpolant | two ends of an interval: $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | two ends of an interval:
+  $t_0\ne t_1$
 :figure: hermite_blending_functions
 
 The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that before 2 is a minus both times.
@@ -451,7 +453,7 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :printed: $g_{00}(t_0)=1$, $g_{00}(t_1)=0$, $g_{01}(t_0)=0$, $g_{01}(t_1)=1$, $h_{00}(t_0)=h_{00}(t_1)=h_{01}(t_0)=h_{01}(t_1)=0$;
   $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=\frac1{t_1-t_0}$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=\frac1{t_1-t_0}$
 :holds-by: blending_functions_are_dual_to_the_data
-:needs: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 :::
 
@@ -501,7 +503,7 @@ With values alone, at as many nodes, the same idea gives Lagrange's functions.
 :zh: 过四点的三次 Lagrange 插值
 :printed: $P(t)=\sum_{i=0}^3f(t_i)g_i(t)$ with $g_i(t)=\prod_{j\ne i}\frac{t-t_j}{t_i-t_j}$, written out for $i=0,1,2,3$
 :holds-by: lagrange_functions_keep_every_polynomial
-:needs: equal_nodes_have_no_interpolant | four different points
+:needs: equal_nodes_have_no_interpolant | four nodes are given | four different points
 :figure: lagrange_blending_functions
 :::
 
@@ -558,7 +560,7 @@ follows, and the slides do not always keep the two apart.
   $g_{01}(t)=(3-2u)u^2=-2u^3+3u^2=q_{01}(u)$, $h_{00}(t)=u(u-1)^2=u^3-2u^2+u=q_{10}(u)$, $h_{01}(t)=(u-1)u^2=u^3-u^2=q_{11}(u)$; so
   $P_0(t_0+(t_1-t_0)u)=f(t_0)q_{00}(u)+f(t_1)q_{01}(u)+f'(t_0)(t_1-t_0)q_{10}(u)+f'(t_1)(t_1-t_0)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 :::
 
@@ -568,7 +570,7 @@ follows, and the slides do not always keep the two apart.
 :printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 :::
 

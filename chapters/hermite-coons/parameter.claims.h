@@ -427,7 +427,8 @@ The rest of the list says what is gained.  Most items are properties of Bézier 
 :zh: 直线段的参数表示
 :printed: $P(t)=P_1+(P_2-P_1)t=(1-t)P_1+tP_2$, $0\le t\le1$; $x(t)=x_1+(x_2-x_1)t$, $y(t)=y_1+(y_2-y_1)t$
 :holds-by: segment_in_its_parameter
-:needs: curve_leaves_hull_outside_the_interval | $0\le t\le1$: beyond, it is a point of the line and not of the segment
+:needs: curve_leaves_hull_outside_the_interval | the formula has $0\le t\le1$ beside it | $0\le t\le1$: beyond, it is
+  a point of the line and not of the segment
 :::
 
 :::{statement} slides-ch4:1-segment-tangent

@@ -23,7 +23,8 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   $g_{i1}=\bigl(1-2\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigr)\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$,
   $h_{i0}=\frac{t-t_i}{t_{i+1}-t_i}\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
 :holds-by: base_functions_interpolate_once_continuously
-:needs: equal_nodes_have_no_interpolant | an interval $[t_i,t_{i+1}]$: $t_i\ne t_{i+1}$
+:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | an
+  interval $[t_i,t_{i+1}]$: $t_i\ne t_{i+1}$
 :figure: nodes_that_meet
 :::
 
@@ -100,7 +101,8 @@ must not only differ but increase.
 :printed: $P(t)=\sum_{i=0}^n[f(t_i)a_{i,0}(t)+f'(t_i)a_{i,1}(t)]$ on $[t_0,t_n]$ has just four terms on each $[t_i,t_{i+1}]$ and
   satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$
 :holds-by: base_functions_interpolate_once_continuously
-:needs: overlapping_intervals_miss_the_data | intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$: $t_0<t_1<\dots<t_n$
+:needs: overlapping_intervals_miss_the_data | the nodes are ordered, $t_0<t_1<\dots<t_n$ | intervals $[t_i,t_{i+1}]$
+  of $[t_0,t_n]$: $t_0<t_1<\dots<t_n$
 :figure: nodes_that_meet
 :::
 */
@@ -138,6 +140,7 @@ CLAIM(overlapping_intervals_miss_the_data)
 :zh: 单段的四项表示
 :printed: P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)
 :holds-by: base_functions_interpolate_once_continuously
+:meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
 :reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$: true
 :reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval: false for other lengths than 1
 :figure: piecewise_base_functions
@@ -180,6 +183,7 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :zh: 逐段光滑连接
 :printed: The cubics are joined smoothly, piece by piece.
 :holds-by: base_functions_interpolate_once_continuously
+:meant: the data are values and first derivatives | With a continuous tangent, $C^1$.
 :reading: base_functions_interpolate_once_continuously | $C^1$: for all data
 :reading: pieces_need_not_have_one_curvature | $C^2$: not for all data
 :reading: second_derivatives_meet_on_a_condition | $C^2$: if and only if one linear condition holds at each inner node
@@ -258,7 +262,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :printed: $u=\frac{t-t_i}{t_{i+1}-t_i}$, $t=t_i+u(t_{i+1}-t_i)$:
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
 :holds-by: unit_blending_functions one_choice_of_signs_in_the_matrix
-:needs: equal_nodes_have_no_interpolant | an interval: $t_i\ne t_{i+1}$
+:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | an
+  interval: $t_i\ne t_{i+1}$
 :figure: one_tangent_two_lengths
 :::
 

@@ -31,7 +31,15 @@ typedef enum outcome { HOLDS, FAILS, UNDECIDED } outcome;
 extern const char *const outcome_name[];
 
 /* By increasing strength. */
-typedef enum evidence { NO_EVIDENCE, MEASURED, ENCLOSED, SAMPLED, DECIDED, PROVED } evidence;
+typedef enum evidence {
+    NO_EVIDENCE,
+    MEASURED,
+    ENCLOSED,
+    SAMPLED,
+    BY_ARGUMENT, /* what was computed is decided or proved, and words lead from there to the statement */
+    DECIDED,
+    PROVED
+} evidence;
 extern const char *const evidence_name[];
 
 typedef enum claim_kind {
@@ -84,6 +92,8 @@ typedef struct trial {
 
 typedef struct claim {
     const char *name, *title, *title_zh, *given, *let, *then, *method, *control, *scope;
+    const char *letter, *over; /* of the degrees; what the variables of the field stand for: see scope.c         */
+    const char *argued_for, *argued; /* the cases that an argument in words adds, and the argument; see ARGUED    */
     const char *defines; /* the kernels whose definitional claim this is: its other side shares no code with them */
     const char *chapter, *file;
     int line;
@@ -104,13 +114,22 @@ typedef enum role {
 enum { ROLES = 0 ROLE_LIST(ONE) };
 extern const char *const role_key[ROLES];
 
+typedef enum role_form {
+#define FORM_TAG(tag) tag,
+    FORM_LIST(FORM_TAG)
+#undef FORM_TAG
+} role_form;
+extern const role_form form_of_role[ROLES];
+
+/* What its role asks for; NULL where there is none. */
 typedef struct statement_link {
     role role;
-    const char *claim, *text;
+    const char *claim, *place, *text;
 } statement_link;
 
 typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
+    const char *letter; /* that its source has for degrees; "k" for orders; NULL: n */
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
     const statement_link *links;       /* ends with a link whose claim and text are NULL                       */

@@ -18,15 +18,28 @@
     X(DECISION, "decision")             /* a finite exact decision that settles the stated case or range           */  \
     X(COUNTEREXAMPLE, "counterexample") /* the printed statement, computed at one exact instance, where it must fail */
 
-/* X(TAG, key, has_text): what a claim does for a statement.  With a text the option is written claim | text. */
+/* X(TAG): how the option of a role is written.
+ *     CLAIM_LIST             claim claim ...
+ *     CLAIM_TEXT         claim | text, or text alone
+ *     CLAIM_PLACE_TEXT   claim | place | text
+ *     PLACE_TEXT         place | text */
+#define FORM_LIST(X) X(CLAIM_LIST) X(CLAIM_TEXT) X(CLAIM_PLACE_TEXT) X(PLACE_TEXT)
+
+/* X(TAG, key, form): what a claim, or a text, does for a statement. */
 #define ROLE_LIST(X)                                                                                                   \
-    X(HOLDS_BY, "holds-by", 0)         /* the claim decides that what is printed is true                           */  \
-    X(REFUTED_BY, "refuted-by", 0)     /* the claim exhibits a case where what is printed is false                 */  \
-    X(CORRECTED_BY, "corrected-by", 0) /* the claim decides the corrected statement                                */  \
-    X(HYPOTHESIS, "hypothesis", 1)     /* text: a hypothesis to be added; claim: what goes wrong without it        */  \
-    X(NEEDS, "needs", 1)           /* text: a hypothesis that the source states; claim: what goes wrong without it */  \
-    X(READING, "reading", 1)       /* text: one way to read the print; claim: what decides that reading        */      \
-    X(CHECKED_BY, "checked-by", 0) /* definitions: what is checked about them                                  */
+    X(HOLDS_BY, "holds-by", CLAIM_LIST)         /* the claim decides that what is printed is true                     */   \
+    X(CONFIRMED_BY, "confirmed-by", CLAIM_LIST) /* the claim confirms it, in another way or for fewer cases            */  \
+    X(REFUTED_BY, "refuted-by", CLAIM_LIST)     /* the claim exhibits a case where what is printed is false            */  \
+    X(CORRECTED_BY, "corrected-by", CLAIM_LIST) /* the claim decides the corrected statement                           */  \
+    X(HYPOTHESIS, "hypothesis", CLAIM_TEXT) /* text: a hypothesis to be added; claim: what goes wrong without it   */  \
+    X(NEEDS, "needs", CLAIM_PLACE_TEXT)     /* text: a hypothesis that the source states, at that place; claim: what   \
+                                               goes wrong without it                                               */  \
+    X(READING, "reading", CLAIM_TEXT)       /* text: one way to read the print; claim: what decides that reading   */  \
+    X(MEANT, "meant", PLACE_TEXT)           /* text: what the source itself means; place: by what one knows        */  \
+    X(ARGUED, "argued", PLACE_TEXT) /* text: an argument in words that leads from the claims to the statement; place:  \
+                                       the cases that it adds to those of the claims, empty where they need it     */  \
+    X(CITES, "cites", PLACE_TEXT)   /* text: a theorem that the decision stands on; place: where it is proved      */  \
+    X(CHECKED_BY, "checked-by", CLAIM_LIST) /* definitions: what is checked about them                                 */
 
 /* X(name): what is wrong with a statement that fails. */
 #define CLASS_LIST(X) X("misprint") X("false") X("missing-hypothesis") X("invalid-proof")

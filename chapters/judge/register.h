@@ -15,7 +15,7 @@ typedef struct chapter {
 /* A text whose statements are decided; `key` stands before the colon of their ids.  No field is NULL; the empty text where
  * nothing is known. */
 typedef struct source {
-    const char *key, *author, *title, *title_zh, *year, *publisher, *part;
+    const char *key, *author, *title, *title_zh, *year, *publisher, *part, *letter; /* letter: of degrees; k: of orders */
 } source;
 
 /* The data of a claim's block, for the figures: also of a claim without a body in the number types that are compiled in. */

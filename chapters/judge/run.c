@@ -181,16 +181,20 @@ static void conclude(claim_result *r)
         int cannot_confirm = t == INTERVAL_TYPE && b->outcome == UNDECIDED && wanted == HOLDS;
         if ((b->outcome != wanted && !cannot_confirm) || !b->control_caught)
             r->as_expected = 0;
-        if ((b->outcome == wanted || cannot_confirm) && evidence_of(c, t) > r->evidence)
-            r->evidence = evidence_of(c, t);
+        if ((b->outcome == wanted || cannot_confirm) && evidence_of(c, t) > r->computed)
+            r->computed = evidence_of(c, t);
         if (b->outcome == FAILS)
             r->outcome = FAILS;
     }
     if (r->as_expected)
         r->outcome = wanted;
     else
-        r->evidence = NO_EVIDENCE;
-    r->scope = scope_of(r);
+        r->computed = NO_EVIDENCE;
+    int needs_words = c->argued != NULL && c->argued[0] != '\0' && c->argued_for[0] == '\0';
+    r->evidence = needs_words && r->computed > BY_ARGUMENT ? BY_ARGUMENT : r->computed;
+    scope s = scope_of(r);
+    r->scope = scope_words(&s, c->letter != NULL && c->letter[0] != '\0' ? c->letter : "n");
+    free_scope(&s);
 }
 
 /* ---- all claims, on several threads ------------------------------------------------------------- */

@@ -26,8 +26,9 @@ typedef struct claim_result {
     type_result by[NUMBER_TYPES];
     int as_expected;   /* the outcome is the expected one in every type, and every control caught */
     outcome outcome;   /* what the claim establishes                                              */
-    evidence evidence; /* the strongest that its types support                                    */
-    char *scope;       /* for which degrees and variables, in words; made from what was run       */
+    evidence computed; /* the strongest that its types support                                    */
+    evidence evidence; /* the same, BY_ARGUMENT where words are needed to get from there to the claim */
+    char *scope;       /* for which degrees and data, in words; made from what was run: see scope.h */
 } claim_result;
 
 typedef struct run_options {
@@ -55,17 +56,26 @@ typedef enum verdict {
 } verdict;
 extern const char *const verdict_name[];
 
+/* What claims together decided. */
+typedef struct finding {
+    evidence evidence; /* the weakest that is needed; BY_ARGUMENT where words or a cited theorem are needed     */
+    char *scope;       /* what the scopes of all claims that are needed have in common, in words                */
+    char *argued_for;  /* the cases that arguments in words add, or empty                                       */
+} finding;
+
 typedef struct statement_result {
     const statement *statement;
     verdict verdict;
-    evidence evidence;              /* the weakest among the claims that decide it               */
-    const claim_result *decided_by; /* the claim whose scope and exhibit speak for the verdict   */
-    int corrected;                  /* 1 when a corrected statement was decided                  */
-    evidence corrected_evidence;
-    const claim_result *corrected_by;
-    int as_expected; /* every claim it names did what its role asks               */
+    finding as_printed;
+    finding as_corrected;           /* NO_EVIDENCE where nothing was corrected                   */
+    const claim_result *refuted_by; /* whose exhibit speaks for a statement that fails, or NULL  */
+    int as_expected;                /* every claim it names did what its role asks               */
 } statement_result;
 
+/* The caller owns what is in the result: free_statement_result. */
 statement_result derive(const statement *s, const claim_result *results, int count);
+void free_statement_result(statement_result *r);
+/* "proved for n = 1 to 6; argued for every n": in words; "" without evidence.  The caller frees. */
+char *finding_words(const finding *f);
 const claim_result *result_of(const char *claim_name, const claim_result *results, int count);
 #endif

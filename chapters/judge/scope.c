@@ -1,115 +1,293 @@
-/* scope.c -- for which degrees and values a claim was decided, in words. */
+/* scope.c -- for which cases something was decided, as a set and in words. */
 #include "chapters/judge/scope.h"
-
-#include "exact/number/field.h"
-#include "exact/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static int is_word(const char *word, size_t n, const char *words)
+/* ---- the parts of a scope ------------------------------------------------------------------------- */
+
+static void *one_more(void *list, int count, size_t size)
 {
-    for (size_t m; *words != '\0'; words += m + (words[m] == ' ')) {
-        m = strcspn(words, " ");
+    void *longer = realloc(list, (size_t)(count + 1) * size);
+    if (longer == NULL)
+        abort();
+    return longer;
+}
+
+static char *copy_of(const char *s, size_t n)
+{
+    char *copy = strndup(s, n);
+    if (copy == NULL)
+        abort();
+    return copy;
+}
+
+static void meet_range(scope *s, whole_range r)
+{
+    for (int k = 0; k < s->ranges; k++) {
+        whole_range *mine = &s->range[k];
+        if (strcmp(mine->letter, r.letter) == 0) {
+            mine->low = r.low > mine->low ? r.low : mine->low;
+            mine->high = r.high < mine->high ? r.high : mine->high;
+            return;
+        }
+    }
+    s->range = one_more(s->range, s->ranges, sizeof *s->range);
+    s->range[s->ranges++] = r;
+}
+
+static void meet_phrase(scope *s, const char *text, size_t n)
+{
+    for (int k = 0; k < s->phrases; k++)
+        if (strlen(s->phrase[k]) == n && strncmp(s->phrase[k], text, n) == 0)
+            return;
+    s->phrase = one_more(s->phrase, s->phrases, sizeof *s->phrase);
+    s->phrase[s->phrases++] = copy_of(text, n);
+}
+
+/* What one claim takes to be positive and another one takes as it comes is positive. */
+static void meet_quantity(scope *s, const char *noun, size_t n, int many, int positive)
+{
+    for (int k = 0; k < s->kinds; k++) {
+        quantity *q = &s->data[k];
+        int same =
+            noun == NULL || q->noun == NULL ? noun == q->noun : strlen(q->noun) == n && strncmp(q->noun, noun, n) == 0;
+        if (same) {
+            q->positive |= positive;
+            return;
+        }
+    }
+    s->data = one_more(s->data, s->kinds, sizeof *s->data);
+    s->data[s->kinds++] = (quantity){noun != NULL ? copy_of(noun, n) : NULL, many, positive};
+}
+
+void meet_scope(scope *s, const scope *other)
+{
+    for (int k = 0; k < other->ranges; k++)
+        meet_range(s, other->range[k]);
+    for (int k = 0; k < other->phrases; k++)
+        meet_phrase(s, other->phrase[k], strlen(other->phrase[k]));
+    for (int k = 0; k < other->kinds; k++) {
+        const quantity *q = &other->data[k];
+        meet_quantity(s, q->noun, q->noun != NULL ? strlen(q->noun) : 0, q->many, q->positive);
+    }
+    if (other->instances > 0 && (s->instances == 0 || other->instances < s->instances))
+        s->instances = other->instances;
+}
+
+int is_empty_scope(const scope *s)
+{
+    for (int k = 0; k < s->ranges; k++)
+        if (s->range[k].low > s->range[k].high)
+            return 1;
+    return 0;
+}
+
+void free_scope(scope *s)
+{
+    for (int k = 0; k < s->phrases; k++)
+        free(s->phrase[k]);
+    for (int k = 0; k < s->kinds; k++)
+        free(s->data[k].noun);
+    free(s->range), free(s->phrase), free(s->data);
+    *s = (scope){0};
+}
+
+/* ---- what the variables of the field stand for ------------------------------------------------------ */
+
+/* The next word of a blank-separated list, of n characters; NULL at its end. */
+static const char *next_word(const char *list, size_t *n)
+{
+    list += strspn(list, " ");
+    *n = strcspn(list, " ");
+    return *n > 0 ? list : NULL;
+}
+
+static int is_among(const char *word, size_t n, const char *words)
+{
+    size_t m;
+    for (; (words = next_word(words, &m)) != NULL; words += m)
         if (m == n && strncmp(words, word, n) == 0)
             return 1;
+    return 0;
+}
+
+/* Whether a pattern means the variable: "w#" any w with an index, "beta" beta or beta0, "x1" itself. */
+static int means(const char *pattern, size_t m, const char *name, size_t n)
+{
+    size_t stem = n;
+    while (stem > 0 && name[stem - 1] >= '0' && name[stem - 1] <= '9')
+        stem--;
+    if (pattern[m - 1] == '#')
+        return stem < n && m - 1 == stem && strncmp(pattern, name, stem) == 0;
+    if (m == n && strncmp(pattern, name, n) == 0)
+        return 1;
+    return n - stem == 1 && name[stem] == '0' && m == stem && strncmp(pattern, name, stem) == 0;
+}
+
+/* "x# y#: points; w#: weights; t": the entry of the list that means the variable. *noun: what it stands for, *many: whether
+ * in the plural.  An entry without a noun means a letter that stands for itself. */
+static int find_noun(const char *over, const char *name, size_t n, const char **noun, size_t *length, int *many)
+{
+    while (over != NULL && *over != '\0') {
+        size_t entry = strcspn(over, ";"), colon = strcspn(over, ":;"), m;
+        for (const char *p = over; (p = next_word(p, &m)) != NULL && p < over + colon; p += m) {
+            size_t in_pattern = strcspn(p, ":; ");
+            m = in_pattern > 0 ? in_pattern : 1;
+            if (in_pattern > 0 && means(p, m, name, n)) {
+                *many = p[m - 1] == '#';
+                *noun = colon < entry ? over + colon + 1 + strspn(over + colon + 1, " ") : p;
+                *length = colon < entry ? (size_t)(over + entry - *noun) : m - (size_t)*many;
+                while (*length > 0 && (*noun)[*length - 1] == ' ')
+                    --*length;
+                return 1;
+            }
+        }
+        over += entry + (over[entry] == ';');
     }
     return 0;
 }
 
-static int has_index(const char *letters, int index, const char *names)
+static void add_variables(scope *s, const claim *c, const type_result *b)
 {
-    char name[FIELD_MAX_NAME + 16];
-    int n = snprintf(name, sizeof name, "%s%d", letters, index);
-    return is_word(name, (size_t)n, names);
+    size_t n;
+    for (const char *name = b->variables; (name = next_word(name, &n)) != NULL; name += n) {
+        const char *noun = NULL;
+        size_t length = 0;
+        int many = 1, positive = is_among(name, n, b->positive);
+        if (!find_noun(c->over, name, n, &noun, &length, &many))
+            noun = NULL;
+        meet_quantity(s, noun, length, many, positive);
+    }
 }
 
-/* "t w0 R0 w1 w3" -> "t, w0..w1, w3, R0": the variables by their letters. */
-static char *put_variables(char *at, const char *names)
+/* ---- the scope of a claim --------------------------------------------------------------------------- */
+
+/* The range of the letter of the claim's degrees; "k" is the order, one more than the degree. */
+static whole_range range_of(const claim *c, int low, int high)
 {
-    const char *all = names;
-    char letters[FIELD_MAX_VARIABLES][FIELD_MAX_NAME + 1];
-    int low[FIELD_MAX_VARIABLES], high[FIELD_MAX_VARIABLES], count = 0;
-    while (*names != '\0') {
-        size_t n = strcspn(names, " "), stem = strcspn(names, "0123456789 ");
-        int index = stem < n ? atoi(names + stem) : -1, k = 0;
-        while (k < count &&
-               ((low[k] < 0) != (index < 0) || strlen(letters[k]) != stem || strncmp(letters[k], names, stem) != 0))
-            k++;
-        if (k == count) {
-            snprintf(letters[count], sizeof letters[0], "%.*s", (int)stem, names);
-            low[count] = high[count] = index;
-            count++;
-        }
-        low[k] = index < low[k] ? index : low[k];
-        high[k] = index > high[k] ? index : high[k];
-        names += n + (names[n] == ' ');
+    whole_range r = {.low = low, .high = high};
+    const char *letter = c->letter != NULL ? c->letter : "";
+    if (strcmp(letter, "k") == 0) {
+        r.low -= low > 0;
+        r.high -= high < WITHOUT_END;
+    } else if (letter[0] != '\0' && strcmp(letter, "n") != 0 && strcmp(letter, "p") != 0) {
+        snprintf(r.letter, sizeof r.letter, "%s", letter);
     }
-    for (int k = 0; k < count; k++) {
-        if (low[k] < 0)
-            at += sprintf(at, "%s%s", k > 0 ? ", " : "", letters[k]);
-        for (int first = low[k], last; first >= 0 && first <= high[k]; first = last + 1) {
-            for (last = first; has_index(letters[k], last + 1, all);)
-                last++;
-            at += sprintf(at, "%s%s%d", k > 0 || first > low[k] ? ", " : "", letters[k], first);
-            if (last > first)
-                at += sprintf(at, "..%s%d", letters[k], last);
-            while (last < high[k] && !has_index(letters[k], last + 1, all))
-                last++;
-        }
-    }
-    return at;
+    return r;
 }
 
-/* "every value of t, R0..R3 and every positive value of w0..w3": the variables of b, those apart that were
- * taken to be positive. */
-static char *put_range(char *at, const type_result *b)
-{
-    char *free_ones = calloc(strlen(b->variables) + 2, 1), *end = free_ones;
-    if (free_ones == NULL)
-        abort();
-    for (const char *name = b->variables; *name != '\0'; name += strspn(name, " ")) {
-        size_t n = strcspn(name, " ");
-        if (!is_word(name, n, b->positive))
-            end += sprintf(end, "%s%.*s", end > free_ones ? " " : "", (int)n, name);
-        name += n;
-    }
-    if (free_ones[0] != '\0')
-        at = put_variables(at + sprintf(at, "every value of "), free_ones);
-    if (b->positive[0] != '\0')
-        at = put_variables(at + sprintf(at, "%severy positive value of ", free_ones[0] != '\0' ? " and " : ""),
-                           b->positive);
-    free(free_ones);
-    return at;
-}
-
-char *scope_of(const claim_result *r)
+scope scope_of(const claim_result *r)
 {
     const claim *c = r->claim;
-    for (number_type t = 0; t < NUMBER_TYPES; t++) {
-        const type_result *b = &r->by[t];
-        if (!b->ran || evidence_of(c, t) != r->evidence)
-            continue;
-        size_t room = 160 + strlen(c->scope) + (b->variables != NULL ? 3 * strlen(b->variables) : 0);
-        char *s = malloc(room), *at = s;
-        if (s == NULL)
-            abort();
-        *s = '\0';
-        if (c->all_degrees)
-            at += sprintf(at, "all n");
-        else if (b->degree_high > 0)
-            at +=
-                sprintf(at, b->degree_low == b->degree_high ? "n = %d" : "n = %d to %d", b->degree_low, b->degree_high);
-        if (c->scope[0] != '\0')
-            at += sprintf(at, "%s%s", at > s ? "; " : "", c->scope);
-        if (r->evidence == PROVED && b->variables != NULL && b->variables[0] != '\0')
-            put_range(at + sprintf(at, "%s", at > s ? "; " : ""), b);
-        else if (r->evidence == SAMPLED || r->evidence == MEASURED || r->evidence == ENCLOSED)
-            sprintf(at, "%s%d instances", at > s ? "; " : "", b->cases);
-        else if (at == s)
-            sprintf(at, "the stated instance");
+    scope s = {0};
+    number_type t = 0; /* the types stand in the order of their strength */
+    while (t < NUMBER_TYPES && !r->by[t].ran)
+        t++;
+    if (t == NUMBER_TYPES || r->evidence == NO_EVIDENCE)
         return s;
+    const type_result *b = &r->by[t];
+    evidence computed = evidence_of(c, t);
+    if (c->all_degrees)
+        meet_range(&s, range_of(c, c->degree_low, WITHOUT_END));
+    else if (b->degree_high > 0)
+        meet_range(&s, range_of(c, b->degree_low, b->degree_high));
+    for (const char *at = c->scope; *at != '\0'; at += strspn(at, "; ")) {
+        size_t n = strcspn(at, ";");
+        meet_phrase(&s, at, n);
+        at += n;
     }
-    return strdup("");
+    if (computed == PROVED && b->variables != NULL)
+        add_variables(&s, c, b);
+    else if (computed == SAMPLED || computed == MEASURED || computed == ENCLOSED)
+        s.instances = b->cases;
+    else if (s.ranges == 0 && s.phrases == 0)
+        meet_phrase(&s, "the stated instance", strlen("the stated instance"));
+    return s;
+}
+
+/* ---- in words --------------------------------------------------------------------------------------- */
+
+static void put_range(FILE *out, const whole_range *r, const char *letter)
+{
+    int is_order = r->letter[0] == '\0' && strcmp(letter, "k") == 0;
+    int endless = r->high == WITHOUT_END;
+    int low = r->low + (is_order && !(endless && r->low == 0)), high = r->high + (is_order && !endless);
+    const char *name = r->letter[0] != '\0' ? r->letter : letter;
+    if (low > high)
+        fprintf(out, "no %s", name);
+    else if (low == high)
+        fprintf(out, "%s = %d", name, low);
+    else if (!endless)
+        fprintf(out, "%s = %d to %d", name, low, high);
+    else if (low > 0)
+        fprintf(out, "every %s from %d on", name, low);
+    else
+        fprintf(out, "every %s", name);
+}
+
+/* The letters of the field in those of a text. */
+static const char *letter_in_print(const char *noun)
+{
+    static const char *const greek[][2] = {{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"lambda", "λ"},
+                                           {"mu", "μ"},    {"tau", "τ"},  {"sigma", "σ"}, {"theta", "θ"},
+                                           {"rho", "ρ"},   {"omega", "ω"}};
+    for (size_t k = 0; k < sizeof greek / sizeof *greek; k++)
+        if (strcmp(noun, greek[k][0]) == 0)
+            return greek[k][1];
+    return noun;
+}
+
+/* "all points and weights": the named data that are many or single, positive or not. */
+static int put_nouns(FILE *out, const scope *s, int many, int positive, int first)
+{
+    int count = 0, put = 0;
+    for (int k = 0; k < s->kinds; k++)
+        count += s->data[k].noun != NULL && s->data[k].many == many && s->data[k].positive == positive;
+    for (int k = 0; k < s->kinds && count > 0; k++)
+        if (s->data[k].noun != NULL && s->data[k].many == many && s->data[k].positive == positive) {
+            if (put == 0)
+                fprintf(out, "%s%s%s", first ? "" : ", ", many ? "all" : "every", positive ? " positive" : "");
+            fprintf(out, "%s %s", put == 0 ? "" : put + 1 == count ? " and" : ",", letter_in_print(s->data[k].noun));
+            put++;
+        }
+    return first && count == 0;
+}
+
+static void put_data(FILE *out, const scope *s)
+{
+    int first = put_nouns(out, s, 1, 0, 1);
+    first = put_nouns(out, s, 1, 1, first);
+    first = put_nouns(out, s, 0, 0, first);
+    first = put_nouns(out, s, 0, 1, first);
+    for (int k = 0; k < s->kinds; k++)
+        if (s->data[k].noun == NULL)
+            fprintf(out, "%sall %s%sdata", first ? "" : ", ", first ? "" : "other ",
+                    s->data[k].positive ? "positive " : "");
+}
+
+char *scope_words(const scope *s, const char *letter)
+{
+    char *text = NULL;
+    size_t room = 0;
+    FILE *out = open_memstream(&text, &room);
+    if (out == NULL)
+        abort();
+    const char *between = "";
+    for (int k = 0; k < s->ranges; k++, between = "; ") {
+        fputs(between, out);
+        put_range(out, &s->range[k], letter);
+    }
+    for (int k = 0; k < s->phrases; k++, between = "; ")
+        fprintf(out, "%s%s", between, s->phrase[k]);
+    if (s->kinds > 0) {
+        fputs(between, out);
+        put_data(out, s);
+        between = "; ";
+    }
+    if (s->instances > 0)
+        fprintf(out, "%s%d random instances", between, s->instances);
+    fclose(out);
+    return text;
 }

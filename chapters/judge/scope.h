@@ -1,10 +1,44 @@
-/* scope.h -- for which degrees and values a claim was decided. */
+/* scope.h -- for which cases something was decided: a set of cases, told by what it asks of a case.
+ *
+ * "n = 1 to 6; the distinct knots variables; all points and positive weights, every t": the numbers n are in a range, the phrase
+ * is true, and the data are whatever they are, the weights as long as they are positive.  What needs several claims was
+ * decided for the cases that all of them were decided for: for the intersection of their scopes.
+ *
+ * The degree has one range, whatever letter it has: a source of letter k counts orders, which are one more.  Another letter
+ * of the option `degrees` is a number of its own. */
 #ifndef CAGD_SCOPE_H
 #define CAGD_SCOPE_H
 
 #include "chapters/judge/run.h"
 
-/* "n = 1 to 4; every value of t and every positive value of w0..w4": made from what was run in the type that gives the
- * claim its evidence.  The caller frees. */
-char *scope_of(const claim_result *r);
+enum { WITHOUT_END = 1 << 30 };
+
+typedef struct whole_range {
+    char letter[16]; /* empty: the degree */
+    int low, high;   /* high may be WITHOUT_END */
+} whole_range;
+
+/* Data that may have any value, or any positive one. */
+typedef struct quantity {
+    char *noun;         /* "points", "t"; NULL: those that the claim does not name */
+    int many, positive; /* many: "all points", else "every t"                      */
+} quantity;
+
+typedef struct scope {
+    whole_range *range;
+    char **phrase;
+    quantity *data;
+    int ranges, phrases, kinds;
+    int instances; /* random instances; 0 where nothing was sampled */
+} scope;
+
+/* Of a claim: made from what was run in the type that gives the claim its evidence. */
+scope scope_of(const claim_result *r);
+/* Adds to *s what `other` asks: *s is then their intersection.  That of no scope at all is all cases: (scope){0}. */
+void meet_scope(scope *s, const scope *other);
+/* Whether no case is in it. */
+int is_empty_scope(const scope *s);
+/* In words, with that letter for the degree: "k" stands for the order.  The caller frees. */
+char *scope_words(const scope *s, const char *letter);
+void free_scope(scope *s);
 #endif

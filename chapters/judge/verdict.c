@@ -1,6 +1,8 @@
 /* verdict.c -- the verdict of a statement follows from what its claims did; it is never typed in. */
-#include "chapters/judge/run.h"
+#include "chapters/judge/scope.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 const claim_result *result_of(const char *claim_name, const claim_result *results, int count)
@@ -11,87 +13,179 @@ const claim_result *result_of(const char *claim_name, const claim_result *result
     return NULL;
 }
 
-static evidence weaker(evidence a, evidence b) { return a < b ? a : b; }
+static int is_given(const char *text) { return text != NULL && text[0] != '\0'; }
 
-static int is_limited(const claim *c) { return c->degree_high > 0 && !c->all_degrees; }
+/* ---- what several claims decide together ------------------------------------------------------------ */
 
-/* Of two claims that together decide a statement, the one whose scope speaks for both: that of the weaker evidence,
- * then that of the fewer degrees. */
-static const claim_result *narrower(const claim_result *a, const claim_result *b)
+/* A finding in the making. */
+struct gathering {
+    int claims;
+    evidence weakest;
+    scope scope;
+    char *argued_for;
+    int bounded; /* whether some claim is limited to degrees, and no words lead further */
+};
+
+static void add_cases(struct gathering *g, const char *cases)
 {
-    if (a == NULL || a->evidence != b->evidence)
-        return a == NULL || b->evidence < a->evidence ? b : a;
-    int fewer = is_limited(b->claim) && (!is_limited(a->claim) || b->claim->degree_high < a->claim->degree_high);
-    return fewer ? b : a;
+    size_t old = g->argued_for != NULL ? strlen(g->argued_for) : 0;
+    if (!is_given(cases) || (old > 0 && strstr(g->argued_for, cases) != NULL))
+        return;
+    char *longer = realloc(g->argued_for, old + strlen(cases) + 3);
+    if (longer == NULL)
+        abort();
+    sprintf(longer + old, "%s%s", old > 0 ? "; " : "", cases);
+    g->argued_for = longer;
 }
+
+static void weaken(struct gathering *g, evidence e) { g->weakest = e < g->weakest ? e : g->weakest; }
+
+/* An argument that adds cases lets the evidence of the others stand; one that the cases themselves need does not. */
+static void add_argument(struct gathering *g, const char *cases)
+{
+    if (is_given(cases))
+        add_cases(g, cases);
+    else
+        weaken(g, BY_ARGUMENT);
+}
+
+static void add_claim(struct gathering *g, const claim_result *c)
+{
+    scope s = scope_of(c);
+    int limited = 0;
+    for (int k = 0; k < s.ranges; k++)
+        limited |= s.range[k].high < WITHOUT_END;
+    g->claims++;
+    weaken(g, c->evidence);
+    meet_scope(&g->scope, &s);
+    free_scope(&s);
+    if (is_given(c->claim->argued))
+        add_argument(g, c->claim->argued_for);
+    g->bounded |= limited && !is_given(c->claim->argued_for);
+}
+
+/* Ends the gathering.  Words of one claim that lead to more cases lead nowhere while another one stays behind. */
+static finding found(struct gathering *g, const char *letter, int said_of_all)
+{
+    finding f = {.evidence = g->claims > 0 ? g->weakest : NO_EVIDENCE};
+    f.scope = g->claims > 0 ? scope_words(&g->scope, is_given(letter) ? letter : "n") : strdup("");
+    int whole = g->argued_for != NULL && (said_of_all || !g->bounded);
+    f.argued_for = whole ? g->argued_for : strdup("");
+    if (f.scope == NULL || f.argued_for == NULL)
+        abort();
+    if (!whole)
+        free(g->argued_for);
+    free_scope(&g->scope);
+    return f;
+}
+
+char *finding_words(const finding *f)
+{
+    char *text = NULL;
+    size_t room = 0;
+    FILE *out = open_memstream(&text, &room);
+    if (out == NULL)
+        abort();
+    if (f->evidence != NO_EVIDENCE) {
+        fprintf(out, "%s%s%s", evidence_name[f->evidence], f->scope[0] != '\0' ? " for " : "", f->scope);
+        if (f->argued_for[0] != '\0')
+            fprintf(out, "; %s for %s", evidence_name[BY_ARGUMENT], f->argued_for);
+    }
+    fclose(out);
+    return text;
+}
+
+/* ---- verdicts --------------------------------------------------------------------------------------- */
+
+/* How many links of each role there are, and how many readings fail. */
+struct links {
+    int of[ROLES], failing_readings;
+};
 
 /* A statement
  *   with a claim that refutes it                               fails, a definition too,
  *   that is a definition                                       is one, with what is checked about it,
+ *   with a reading that fails, unless it is said what is meant is undecided, and so is one with readings alone,
  *   with hypotheses to be added, each shown to be needed       is conditional,
  *   decided by claims that all hold                            holds,
- *   with several readings and none of these                    is undecided,
- *   about which nothing was decided                            is open.
- * A claim that did not do what its role asks leaves the statement open, and not as expected. */
+ *   about which nothing was decided                            is open. */
+static verdict verdict_of(const statement *s, const struct links *n)
+{
+    int held = n->of[HOLDS_BY] + n->of[CHECKED_BY];
+    if (n->of[REFUTED_BY] > 0)
+        return VERDICT_FAILS;
+    if (s->is_definition)
+        return VERDICT_DEFINITION;
+    if (n->of[HYPOTHESIS] == 0 && n->of[READING] > 0 && (held == 0 || (n->failing_readings > 0 && n->of[MEANT] == 0)))
+        return VERDICT_UNDECIDED;
+    if (held == 0)
+        return VERDICT_OPEN;
+    return n->of[HYPOTHESIS] > 0 ? VERDICT_CONDITIONAL : VERDICT_HOLDS;
+}
+
+/* A claim that did not do what its role asks leaves the statement open, and not as expected; so do claims that have no case in
+ * common. */
 statement_result derive(const statement *s, const claim_result *results, int count)
 {
     statement_result r = {.statement = s, .as_expected = 1};
-    int refuted = 0, held = 0, conditions = 0, readings = 0;
-    evidence for_it = PROVED, against_it = PROVED, correction = PROVED;
-    const claim_result *holds_by = NULL, *refuted_by = NULL;
+    struct links n = {0};
+    int said_of_all = 0;
+    struct gathering printed = {.weakest = PROVED}, corrected = {.weakest = PROVED}, against = {.weakest = PROVED};
     for (const statement_link *link = s->links; link->claim != NULL || link->text != NULL; link++) {
         const claim_result *c = link->claim != NULL ? result_of(link->claim, results, count) : NULL;
         if (link->claim != NULL && (c == NULL || !c->as_expected)) {
             r.as_expected = 0;
             continue;
         }
+        n.of[link->role]++;
         switch (link->role) {
         case HOLDS_BY:
         case CHECKED_BY:
-            held++;
-            holds_by = narrower(holds_by, c);
-            for_it = weaker(for_it, c->evidence);
+            add_claim(&printed, c);
             break;
         case REFUTED_BY:
-            refuted++;
-            if (refuted_by == NULL)
-                refuted_by = c;
-            against_it = weaker(against_it, c->evidence);
+            if (r.refuted_by == NULL)
+                r.refuted_by = c;
+            weaken(&against, c->evidence);
             break;
         case CORRECTED_BY:
-            r.corrected_by = narrower(r.corrected_by, c);
-            r.corrected = 1;
-            correction = weaker(correction, c->evidence);
-            break;
-        case HYPOTHESIS:
-            conditions++;
-            break;
-        case NEEDS:
+            add_claim(&corrected, c);
             break;
         case READING:
-            readings++;
+            n.failing_readings += c != NULL && c->outcome == FAILS;
+            break;
+        default:
             break;
         }
     }
-    r.corrected_evidence = r.corrected ? correction : NO_EVIDENCE;
-    if (!r.as_expected) {
-        r.verdict = VERDICT_OPEN;
-    } else if (refuted > 0) {
-        r.verdict = VERDICT_FAILS;
-        r.evidence = against_it;
-        r.decided_by = refuted_by;
-    } else if (s->is_definition) {
-        r.verdict = VERDICT_DEFINITION;
-        r.evidence = held > 0 ? for_it : NO_EVIDENCE;
-        r.decided_by = holds_by;
-    } else if (readings > 0 && conditions == 0 && held == 0) {
-        r.verdict = VERDICT_UNDECIDED;
-    } else if (held > 0) {
-        r.verdict = conditions > 0 ? VERDICT_CONDITIONAL : VERDICT_HOLDS;
-        r.evidence = for_it;
-        r.decided_by = holds_by;
+    /* Words are about what is true: the statement, or what is true instead. */
+    struct gathering *truth = n.of[REFUTED_BY] > 0 ? &corrected : &printed;
+    for (const statement_link *link = s->links; link->claim != NULL || link->text != NULL; link++)
+        if (link->role == ARGUED) {
+            add_argument(truth, link->place);
+            said_of_all |= is_given(link->place);
+        } else if (link->role == CITES) {
+            weaken(truth, BY_ARGUMENT);
+        }
+    r.as_expected &= !is_empty_scope(&printed.scope) && !is_empty_scope(&corrected.scope);
+    r.as_printed = found(&printed, s->letter, said_of_all);
+    r.as_corrected = found(&corrected, s->letter, said_of_all);
+    r.verdict = r.as_expected ? verdict_of(s, &n) : VERDICT_OPEN;
+    if (r.verdict == VERDICT_FAILS) {
+        free(r.as_printed.scope);
+        r.as_printed.evidence = against.weakest;
+        r.as_printed.scope = strdup(r.refuted_by->scope);
     } else {
-        r.verdict = VERDICT_OPEN;
+        r.refuted_by = NULL;
     }
+    if (r.verdict == VERDICT_OPEN || r.verdict == VERDICT_UNDECIDED)
+        r.as_printed.evidence = NO_EVIDENCE;
     return r;
+}
+
+void free_statement_result(statement_result *r)
+{
+    free(r->as_printed.scope), free(r->as_printed.argued_for);
+    free(r->as_corrected.scope), free(r->as_corrected.argued_for);
+    *r = (statement_result){0};
 }

@@ -43,7 +43,7 @@ sections rest on it.
 CLAIM(bspline_basis_follows_definition)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num N[MAX_DEGREE + 1], t = parameter(T, "t");
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
@@ -117,7 +117,7 @@ CLAIM(bspline_is_divided_difference)
 CLAIM(bspline_basis_sums_to_one)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num N[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
@@ -191,7 +191,7 @@ What remains are the knots themselves.
 CLAIM(bspline_is_positive_inside_its_support)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS};
+    struct G(knot_vector) K = {.kind = LENGTHS};
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
         for (int interval = 0; interval < K.place[K.count - 1]; interval += 2) {
             num a = positive(T, "a", 0), b = positive(T, "b", 0), x = unknown(T, "x", 0), t = x;
@@ -231,7 +231,7 @@ CLAIM(bspline_is_positive_inside_its_support)
 CLAIM(bspline_at_its_knots)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS};
+    struct G(knot_vector) K = {.kind = LENGTHS};
     num N[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int interval = 0; interval < K.place[K.count - 1]; interval += 2) {
@@ -279,7 +279,7 @@ determinant says it once more.
 CLAIM(bsplines_of_a_span_are_independent)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS};
+    struct G(knot_vector) K = {.kind = LENGTHS};
     num N[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(basis_powers)(p, K.count, K.u, K.place, K.place[p], K.u[p], N);
@@ -347,7 +347,7 @@ one jumps.  The jump is known exactly, and it is never $0$.
 CLAIM(bspline_jumps_exactly_after_order)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num left[MOST_KNOTS * (HIGHEST + 1)], right[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
         for (int at = K.place[p]; at <= K.place[K.n]; at += 2) {
@@ -405,7 +405,7 @@ $(p+1)N_{i,p}/(u_{i+p+1}-u_i)$ a density.
 CLAIM(bspline_basis_derivatives_follow_definition)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num N[MOST_KNOTS * (HIGHEST + 1)], D[(HIGHEST + 2) * (HIGHEST + 1)], level[HIGHEST + 1], t = parameter(T, "t");
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(basis_powers)(p, K.count, K.u, K.place, K.place[p], t, N);
@@ -440,7 +440,7 @@ CLAIM(bspline_basis_derivatives_follow_definition)
 CLAIM(bspline_integral)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num N[MOST_KNOTS * (HIGHEST + 1)], integral[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int i = 0; i < K.n; i++)
@@ -483,7 +483,7 @@ as the control polygon of a function, and what the section on convergence compar
 CLAIM(greville_abscissae_are_the_identity)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS], s[HIGHEST + 1];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int i = 0; i < K.n; i++)

@@ -16,7 +16,7 @@ enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate
 static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = kind};
+    struct G(knot_vector) K = {.kind = kind};
     num c[MOST_KNOTS * dim], s[HIGHEST + 1], x[HIGHEST + 1], P[dim], Q[dim];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -95,7 +95,7 @@ after the first level.
 CLAIM(deboor_level_gives_points_of_lower_degree)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], s[HIGHEST + 1], x[HIGHEST + 1], N[HIGHEST + 1];
     num tau = unknown(T, "a", 0), t = parameter(T, "t");
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
@@ -142,7 +142,7 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
 CLAIM(deboor_evaluates_bspline_curve)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], P[dim], Q[dim], t = parameter(T, "t");
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -182,7 +182,7 @@ another degree, only has to evaluate its polar form there.
 CLAIM(bspline_points_are_values_of_the_blossom)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS], s[HIGHEST + 1];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, 1, c);
@@ -212,7 +212,7 @@ CLAIM(bspline_points_are_values_of_the_blossom)
 CLAIM(bspline_blossom_is_symmetric_and_affine)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS], x[HIGHEST + 1], P, Q, between;
     num b = parameter(T, "b"), b1 = sub(from_int(1), b), v = unknown(T, "v", 0);
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
@@ -258,7 +258,7 @@ The sum of the B-splines is 1 on the domain, so that a curve is a mean of its po
 CLAIM(bspline_curve_moves_with_its_points)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS * dim], moved[MOST_KNOTS * dim], M[dim * dim], v[dim], P[dim], Q[dim], t = parameter(T, "t");
     for (int m = 0; m < dim * dim; m++)
         M[m] = unknown(T, "m", m);
@@ -310,7 +310,7 @@ at a knot of multiplicity $m$, and in general different ones after it.
 CLAIM(bspline_curve_is_smooth_at_knots)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS], L[HIGHEST + 2], R[HIGHEST + 2];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, 1, c);
@@ -348,7 +348,7 @@ which the length of the first interval stands and not that of the domain.
 CLAIM(clamped_ends_interpolate)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     char pattern[] = {(char)('1' + p), '1', '1', (char)('1' + p), '\0'};
     num c[MOST_KNOTS], s[HIGHEST + 1];
     (void)G(knots_good)(T, p, pattern, &K);
@@ -383,7 +383,7 @@ CLAIM(clamped_ends_interpolate)
 CLAIM(bspline_difference_is_derivative_spline)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS * dim], e[MOST_KNOTS * dim], d[MOST_KNOTS * dim], s[HIGHEST + 1], r[HIGHEST + 1];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         int torn = 0;
@@ -419,7 +419,7 @@ CLAIM(bspline_difference_is_derivative_spline)
 static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = kind};
+    struct G(knot_vector) K = {.kind = kind};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], s[HIGHEST + 1], t = parameter(T, "t");
     num D[(HIGHEST + 2) * dim], E[(HIGHEST + 2) * dim];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {

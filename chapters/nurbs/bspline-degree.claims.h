@@ -14,7 +14,7 @@ with one segment, in its Bézier form.
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
 /* The knots of degree p+1: every knot of the domain once more. */
-static void G(elevated_knots)(const struct G(knots) * K, struct G(knots) * L)
+static void G(elevated_knots)(const struct G(knot_vector) * K, struct G(knot_vector) * L)
 {
     *L = *K;
     for (int place = K->place[K->p]; place <= K->place[K->n]; place += 2)
@@ -27,7 +27,7 @@ static void G(elevated_knots)(const struct G(knots) * K, struct G(knots) * L)
 static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS];
-    struct G(knots) K = {.kind = kind}, L;
+    struct G(knot_vector) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (K.place[p] == K.place[p + 1] || K.place[K.n - 1] == K.place[K.n])
@@ -37,7 +37,7 @@ static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
         for (int last = 0; last <= 1; last++) {
             if (!G(spans_over)(&K, L.n, p + 1, L.place, last, span))
                 continue;
-            G(bspline_elevate)(spline(p, K.n, dim, K.u, c), L.n, L.u, span, d);
+            G(bspline_elevate)(over(&K, dim, c), L.n, L.u, span, d);
             for (int e = 0; e < dim; e++)
                 d[(L.n - 1) * dim + e] = fault(T, d[(L.n - 1) * dim + e], d[(L.n - 2) * dim + e]);
             G(same_spline)(T, dim, &K, c, &L, d);
@@ -130,7 +130,7 @@ CLAIM(bezier_reduction_inverts_elevation)
 static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS], down[MOST_KNOTS];
-    struct G(knots) K = {.kind = kind}, L;
+    struct G(knot_vector) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], back[MOST_KNOTS * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (K.place[p] == K.place[p + 1] || K.place[K.n - 1] == K.place[K.n])
@@ -140,11 +140,11 @@ static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
             if (!G(spans_over)(&K, L.n, p + 1, L.place, 0, span) || !G(spans_over)(&L, K.n, p, K.place, last, down))
                 continue;
             G(free_control_points)(T, K.n, dim, c);
-            G(bspline_elevate)(spline(p, K.n, dim, K.u, c), L.n, L.u, span, d);
+            G(bspline_elevate)(over(&K, dim, c), L.n, L.u, span, d);
             for (int e = 0; T->faulty && e < dim; e++)
                 for (int i = 0; i < L.n; i++)
                     d[i * dim + e] = add(d[i * dim + e], from_int(i * i * i * i));
-            G(bspline_reduce)(spline(p + 1, L.n, dim, L.u, d), K.n, K.u, down, back);
+            G(bspline_reduce)(over(&L, dim, d), K.n, K.u, down, back);
             about(T, "the points before elevation");
             for (int i = 0; i < K.n * dim; i++)
                 same(T, back[i], c[i]);
@@ -154,9 +154,9 @@ static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
             int off = 0;
             for (int i = 0; i < L.n * dim; i++)
                 d[i] = from_int(i < dim);
-            G(bspline_reduce)(spline(p + 1, L.n, dim, L.u, d), K.n, K.u, down, back);
+            G(bspline_reduce)(over(&L, dim, d), K.n, K.u, down, back);
             num again[MOST_KNOTS * dim];
-            G(bspline_elevate)(spline(p, K.n, dim, K.u, back), L.n, L.u, span, again);
+            G(bspline_elevate)(over(&K, dim, back), L.n, L.u, span, again);
             for (int i = 0; i < L.n * dim; i++) {
 #if FIELD
                 off += !is_zero_f(sub(again[i], d[i]));

@@ -16,7 +16,7 @@ enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate
 static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = kind};
+    struct G(knot_vector) K = {.kind = kind};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], s[HIGHEST + 1];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num h = sub(K.u[p + 1], K.u[p]);
@@ -93,7 +93,7 @@ and $u_{\mu+1}$. Exchange its ends, and the same points describe another polar f
 CLAIM(points_come_back_from_bezier_points)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], s[HIGHEST + 1], x[HIGHEST + 1], P[dim];
     num from = unknown(T, "f", 0), length = positive(T, "l", 0), to = add(from, length);
     G(free_control_points)(T, p + 1, dim, b);
@@ -124,14 +124,14 @@ CLAIM(points_come_back_from_bezier_points)
 static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = kind}, L, R;
+    struct G(knot_vector) K = {.kind = kind}, L, R;
     num c[MOST_KNOTS * dim], left[MOST_KNOTS * dim], right[MOST_KNOTS * dim], v[MOST_KNOTS], w[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
         for (int place = K.place[p]; place < K.place[K.n]; place++) {
             int s = G(multiplicity_at)(&K, place), mu = G(span_of_interval)(K.count, K.place, place);
             num t = G(knot_for)(T, &K, place, "s");
-            G(bspline_split)(spline(p, K.n, dim, K.u, c), mu, s, t, v, left, w, right);
+            G(bspline_split)(over(&K, dim, c), mu, s, t, v, left, w, right);
             L = R = K;
             L.n = mu - s + 1, L.count = L.n + p + 1;
             R.n = K.n - mu + p, R.count = R.n + p + 1;
@@ -222,7 +222,7 @@ no index of the continuation is off by one.
 CLAIM(periodic_spline_closes)
 {
     int p = T->degree, most = p > 4 ? p : 4;
-    struct G(knots) U = {0}, V;
+    struct G(knot_vector) U = {0}, V;
     char pattern[MOST_KNOTS];
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], v[MOST_KNOTS], first[HIGHEST + 1], last[HIGHEST + 1];
     for (int m = p > 1 ? p : 2; m <= most; m++)

@@ -21,7 +21,8 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :zh: 规范化参数变换
 :printed: u=(t-t_r)/(t_{r+1}-t_r),\quad t_r\le t<t_{r+1}
 :holds-by: span_parameter_is_a_bijection
-:needs: empty_span_has_no_parameter | the span $[t_r,t_{r+1})$ is not empty
+:needs: empty_span_has_no_parameter | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span
+  $[t_r,t_{r+1})$ is not empty
 :figure: matrices_of_merging_knots
 :::
 
@@ -309,7 +310,8 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :zh: B 样条基在区间上为 u 的多项式
 :printed: N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}a_{ji}u^j,\quad t\in[t_r,t_{r+1})
 :holds-by: printed_double_sum_gives_the_basis
-:needs: empty_span_has_no_parameter | the span is not empty
+:needs: empty_span_has_no_parameter | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+  empty
 :figure: both_matrices
 :::
 */
@@ -429,8 +431,10 @@ the sums has room for.
 :printed: a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
   \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j}
 :holds-by: printed_double_sum_gives_the_basis column_by_differences_is_the_function
-:needs: full_powers_sum_to_nothing | only the $\tau_\lambda>t_r$ are summed
-:needs: empty_span_has_no_parameter | the span is not empty
+:needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
+  summed
+:needs: empty_span_has_no_parameter | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+  empty
 :figure: matrices_of_merging_knots
 
 The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and what the powers allow.

@@ -15,14 +15,14 @@ enum { MOST_POINTS = 40, MOST_COORDINATES = 3 * (MOST_POINTS + 1) };
 
 /* The knots of a pattern, numbered from 1: t, and place with four times the number of the distinct knot, so that new
  * knots inside interval j have the places 4j+1, 4j+2, 4j+3. */
-struct G(knots) {
+struct G(knot_vector) {
     int count, place[MOST_KNOTS];
     num t[MOST_KNOTS];
 };
 
-static inline struct G(knots) G(pattern)(trial *T, const char *pattern)
+static inline struct G(knot_vector) G(pattern)(trial *T, const char *pattern)
 {
-    struct G(knots) K;
+    struct G(knot_vector) K;
     K.count = G(knots_of_pattern)(T, pattern, K.t + 1, K.place + 1);
     for (int i = 1; i <= K.count; i++)
         K.place[i] *= 4;
@@ -30,7 +30,7 @@ static inline struct G(knots) G(pattern)(trial *T, const char *pattern)
 }
 
 /* mu with t_mu < tau <= t_{mu+1}, and 0 if tau <= t_1. */
-static inline int G(left_of)(const struct G(knots) * K, int place)
+static inline int G(left_of)(const struct G(knot_vector) * K, int place)
 {
     int mu = 0;
     while (mu < K->count && K->place[mu + 1] < place)
@@ -40,7 +40,7 @@ static inline int G(left_of)(const struct G(knots) * K, int place)
 
 /* The knot at a place that has one; else a number of the interval, every name another number.  What is proved about two
  * numbers of one interval is an identity, so that their order does not matter to it. */
-static inline num G(number_at)(trial *T, const struct G(knots) * K, int place, const char *name)
+static inline num G(number_at)(trial *T, const struct G(knot_vector) * K, int place, const char *name)
 {
     for (int i = 1; i <= K->count; i++)
         if (K->place[i] == place)
@@ -55,8 +55,8 @@ static inline num G(number_at)(trial *T, const struct G(knots) * K, int place, c
 }
 
 /* The printed insertion of the number at a place, with that place. */
-static inline void G(insert_at)(int n, int k, int dim, const struct G(knots) * K, int place, num tau, const num r[],
-                                const num w[], struct G(knots) * V, num S[], num z[])
+static inline void G(insert_at)(int n, int k, int dim, const struct G(knot_vector) * K, int place, num tau,
+                                const num r[], const num w[], struct G(knot_vector) * V, num S[], num z[])
 {
     int mu = G(left_of)(K, place);
     V->count = K->count + 1;

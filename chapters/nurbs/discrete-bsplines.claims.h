@@ -14,7 +14,7 @@ other in the place of $t$.
 
 /* K and new knots: one at the fraction `at` of the first interval of the domain, two in the last, one more at each inner knot
  * of multiplicity at most p. */
-static void G(finer_knots)(trial *T, const struct G(knots) * K, struct G(knots) * L)
+static void G(finer_knots)(trial *T, const struct G(knot_vector) * K, struct G(knot_vector) * L)
 {
     int p = K->p, lowest = K->place[p], highest = K->place[K->n];
     *L = *K;
@@ -36,7 +36,7 @@ static void G(finer_knots)(trial *T, const struct G(knots) * K, struct G(knots) 
 
 /* a[j n + i] = alpha_i(j) for the points j of L whose knot v_j is in the domain of K, and 0 for the others;
  * with_v_j: v_j stands for the last of the knots that follow it. */
-static void G(all_discrete)(const struct G(knots) * K, const struct G(knots) * L, int with_v_j, num a[])
+static void G(all_discrete)(const struct G(knot_vector) * K, const struct G(knot_vector) * L, int with_v_j, num a[])
 {
     int p = K->p;
     num x[HIGHEST + 1], part[HIGHEST + 1];
@@ -54,7 +54,7 @@ static void G(all_discrete)(const struct G(knots) * K, const struct G(knots) * L
 }
 
 /* Whether the domain begins and ends with a span, which every refinement of these patterns then does as well. */
-static int G(ends_are_spans)(const struct G(knots) * K)
+static int G(ends_are_spans)(const struct G(knot_vector) * K)
 {
     return K->place[K->p] < K->place[K->p + 1] && K->place[K->n - 1] < K->place[K->n];
 }
@@ -77,7 +77,7 @@ static int G(ends_are_spans)(const struct G(knots) * K)
 CLAIM(discrete_bsplines_satisfy_refinement_equation)
 {
     int p = T->degree;
-    struct G(knots) K = {0}, L;
+    struct G(knot_vector) K = {0}, L;
     num a[MOST_KNOTS * MOST_KNOTS], N[MOST_KNOTS * (HIGHEST + 1)], M[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (!G(ends_are_spans)(&K))
@@ -131,7 +131,7 @@ $v_{j+r}-u_i$ may be large and its partner negative. The signs are those of the 
 CLAIM(discrete_bsplines_are_nonnegative)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS}, L;
+    struct G(knot_vector) K = {.kind = LENGTHS}, L;
     num a[MOST_KNOTS * MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (!G(ends_are_spans)(&K))
@@ -180,7 +180,7 @@ the field stops at four functions; that no minor is negative is known in general
 CLAIM(bspline_collocation_is_product_of_insertions)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS}, L;
+    struct G(knot_vector) K = {.kind = LENGTHS}, L;
     num A[MOST_KNOTS * MOST_KNOTS], B[MOST_KNOTS * MOST_KNOTS], c[MOST_KNOTS], d[MOST_KNOTS], v[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (!G(ends_are_spans)(&K))
@@ -199,7 +199,7 @@ CLAIM(bspline_collocation_is_product_of_insertions)
                 for (int one = 0; one < L.n; one++) {
                     for (int i = 0; i < L.n; i++)
                         c[i] = from_int(i == one);
-                    G(bspline_insert)(spline(p, L.n, 1, L.u, c), nu, x, v, d);
+                    G(bspline_insert)(over(&L, 1, c), nu, x, v, d);
                     for (int j = 0; j <= L.n; j++) {
                         if (j == one || j == one + 1)
                             nonnegative(T, d[j]);
@@ -242,7 +242,7 @@ a number of steps that grows with the cube of the order, where the minors themse
 CLAIM(bspline_collocation_is_totally_nonnegative)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num M[2 * MOST_KNOTS * MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         int rows = 0;
@@ -290,9 +290,9 @@ theorem says that nothing else can go wrong.
 :::
 */
 /* The determinant for sites in places of K; a site on an interval comes with others there, in order. */
-static void G(decide_collocation)(trial *T, const struct G(knots) * pattern, const int site[])
+static void G(decide_collocation)(trial *T, const struct G(knot_vector) * pattern, const int site[])
 {
-    struct G(knots) K = *pattern;
+    struct G(knot_vector) K = *pattern;
     int n = K.n, p = K.p, top = K.place[K.count - 1], h = 0, regular = 1;
     num at[MOST_KNOTS], M[MAX_ORDER * MAX_ORDER], x = from_int(0);
     for (int place = 0; place <= top; place++) {
@@ -328,7 +328,7 @@ static void G(decide_collocation)(trial *T, const struct G(knots) * pattern, con
 CLAIM(schoenberg_whitney)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS};
+    struct G(knot_vector) K = {.kind = LENGTHS};
     char pattern[MOST_KNOTS];
     for (int n = p + 1; n <= 4; n++)
         for (int bits = 0; bits < 1 << (n + p); bits++) {

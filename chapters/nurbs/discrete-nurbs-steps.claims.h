@@ -478,7 +478,7 @@ CLAIM(index_of_another_interval_is_another_point)
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot
 :hypothesis: clamped_start_has_no_such_point | for (4.1.9): $t'>t_k$ when $t_k$ is a $k$-fold knot
-:needs: negative_weight_loses_a_new_point | positive weights
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights
 :figure: insertion_to_the_curve
 :::
 */

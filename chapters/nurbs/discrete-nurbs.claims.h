@@ -186,8 +186,8 @@ which the later proof answers in another way than the definition of the $\alpha$
 :printed: r_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}r_{i,k}^{(T)}\Big/\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)},
   \quad w_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
-:needs: negative_weight_loses_a_new_point | positive weights: otherwise a new weight may be $0$, and there is no new point though the
-  curve is there
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights: otherwise a new weight may
+  be $0$, and there is no new point though the curve is there
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
 :hypothesis: knot_at_an_outer_end_has_no_shares | the same at ends that are single knots

@@ -426,7 +426,8 @@ CLAIM(confluent_vandermonde_determinant_is_product)
 :zh: 方程组有唯一解
 :printed: hence (4.4.6) has exactly one solution
 :holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
-:needs: node_listed_twice_makes_h_singular | the $\tau_i$ differ: equal nodes have to be counted by multiplicity
+:needs: node_listed_twice_makes_h_singular | the sentence itself: different $\tau_i$ | the $\tau_i$ differ: equal
+  nodes have to be counted by multiplicity
 :figure: osculating_polynomial
 
 The determinant is a product of factorials and differences, none of them 0.
@@ -671,8 +672,8 @@ CLAIM(places_count_the_rows)
 :printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
   \prod_{v=0}^{l_u-1}v!\Big)
 :holds-by: printed_weights_give_divided_difference
-:needs: counting_from_one_shifts_the_weights | the elements of the last column are counted from 0, as
-  $i=0,1,\dots,k$ says
+:needs: counting_from_one_shifts_the_weights | the range printed beside it, $i=0,1,\dots,k$ | the elements of the last
+  column are counted from 0, as $i=0,1,\dots,k$ says
 :::
 
 :::{claim} counting_from_one_shifts_the_weights

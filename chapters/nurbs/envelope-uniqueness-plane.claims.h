@@ -141,8 +141,9 @@ CLAIM(osculating_plane_meets_the_origin_once)
   $\mathbf r_i$ are coplanar, so that the family is one of plane curves
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment
-:needs: vanishing_curvature_says_nothing_about_the_points | for all $t$ of the span; at one $t$, which is what the
-  alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf r''=0$ there
+:needs: vanishing_curvature_says_nothing_about_the_points | the sentence is about the whole span | for all $t$ of the
+  span; at one $t$, which is what the alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf
+  r''=0$ there
 :figure: points_off_the_plane
 
 If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all

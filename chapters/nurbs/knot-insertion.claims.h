@@ -17,7 +17,7 @@ enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate
 static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = kind}, L;
+    struct G(knot_vector) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], v[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -27,7 +27,7 @@ static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
             num x = G(knot_for)(T, &K, place, "s");
             G(put_knot)(&K, place, x, &L);
             int mu = G(span_of_interval)(K.count, K.place, place);
-            G(bspline_insert)(spline(p, K.n, dim, K.u, c), mu, x, v, d);
+            G(bspline_insert)(over(&K, dim, c), mu, x, v, d);
             if (T->faulty && p > 0)
                 for (int e = 0; e < dim; e++)
                     d[mu * dim + e] = d[(mu - 1) * dim + e];
@@ -93,7 +93,7 @@ $y$ in different spans and with different multiplicities, depending on which cam
 CLAIM(bspline_insertions_commute)
 {
     int p = T->degree;
-    struct G(knots) K = {0}, X, Y;
+    struct G(knot_vector) K = {0}, X, Y;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], e[MOST_KNOTS * dim], f[MOST_KNOTS * dim], v[MOST_KNOTS],
         w[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
@@ -107,12 +107,12 @@ CLAIM(bspline_insertions_commute)
                 if (at == then && at % 2 == 1)
                     y = add(x, mul(parameter(T, "q"), sub(K.u[mu + 1], x)));
                 G(put_knot)(&K, at, x, &X);
-                G(bspline_insert)(spline(p, K.n, dim, K.u, c), mu, x, v, d);
-                G(bspline_insert)(spline(p, K.n + 1, dim, X.u, d), nu + 1, y, v, e);
+                G(bspline_insert)(over(&K, dim, c), mu, x, v, d);
+                G(bspline_insert)(over(&X, dim, d), nu + 1, y, v, e);
                 y = fault(T, y, mul(from_ratio(1, 2), add(x, y)));
                 G(put_knot)(&K, then, y, &Y);
-                G(bspline_insert)(spline(p, K.n, dim, K.u, c), nu, y, v, d);
-                G(bspline_insert)(spline(p, K.n + 1, dim, Y.u, d), mu, x, w, f);
+                G(bspline_insert)(over(&K, dim, c), nu, y, v, d);
+                G(bspline_insert)(over(&Y, dim, d), mu, x, w, f);
                 for (int i = 0; i < (K.n + 2) * dim; i++)
                     same(T, f[i], e[i]);
             }
@@ -139,7 +139,7 @@ curve. The triangle that arises is de Boor's: to evaluate and to insert a knot a
 CLAIM(repeated_insertion_is_deboor)
 {
     int p = T->degree;
-    struct G(knots) K = {0}, L;
+    struct G(knot_vector) K = {0}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], e[MOST_KNOTS * dim], w[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -188,7 +188,7 @@ weights.
 CLAIM(inserted_points_divide_edges)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS};
+    struct G(knot_vector) K = {.kind = LENGTHS};
     num c[MOST_KNOTS], d[MOST_KNOTS], sum[MOST_KNOTS], v[MOST_KNOTS];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num a = positive(T, "a", 0), b = positive(T, "b", 0), x = add(K.u[p], a);
@@ -200,7 +200,7 @@ CLAIM(inserted_points_divide_edges)
         for (int one = 0; one < K.n; one++) {
             for (int i = 0; i < K.n; i++)
                 c[i] = from_int(i == one);
-            G(bspline_insert)(spline(p, K.n, 1, K.u, c), p, x, v, d);
+            G(bspline_insert)(over(&K, 1, c), p, x, v, d);
             for (int i = 0; i <= K.n; i++) {
                 sum[i] = add(sum[i], d[i]);
                 if ((i == one || i == fault(T, one + 1, one + 2)) && 0 < i && i < K.n)
@@ -225,7 +225,7 @@ them on its own, Boehm's algorithm one knot after the other.
 */
 
 /* The knots that are added, one after the other, to K and to the points c, by Boehm's insertion. */
-static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struct G(knots) * L, num d[])
+static void G(refined)(trial *T, const struct G(knot_vector) * K, const num c[], struct G(knot_vector) * L, num d[])
 {
     int p = K->p, lowest = K->place[p], highest = K->place[K->n];
     num e[MOST_KNOTS * dim], v[MOST_KNOTS], x = from_int(0);
@@ -238,7 +238,7 @@ static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struc
         for (int more = 0; more < times && G(multiplicity_at)(L, place) <= p; more++) {
             if (more == 0)
                 x = G(knot_for)(T, K, place, last ? "r" : "s");
-            G(bspline_insert)(spline(p, L->n, dim, L->u, d), G(span_of_interval)(L->count, L->place, place), x, v, e);
+            G(bspline_insert)(over(L, dim, d), G(span_of_interval)(L->count, L->place, place), x, v, e);
             G(put_knot)(L, place, x, L);
             for (int i = 0; i < L->n * dim; i++)
                 d[i] = e[i];
@@ -251,7 +251,7 @@ static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struc
 static void G(check_refinement_keeps_curve)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS];
-    struct G(knots) K = {.kind = kind}, L;
+    struct G(knot_vector) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], boehm[MOST_KNOTS * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -259,7 +259,7 @@ static void G(check_refinement_keeps_curve)(trial *T, int kind)
         for (int last = 0; last <= 1; last++) {
             if (!G(spans_over)(&K, L.n, p, L.place, last, span))
                 continue;
-            G(bspline_refine)(spline(p, K.n, dim, K.u, c), L.n, L.u, span, d);
+            G(bspline_refine)(over(&K, dim, c), L.n, L.u, span, d);
             if (T->faulty && L.n > p + 1)
                 G(bspline_blossom)(G(on_span)(p, dim, K.u, span[p], c), L.u + p, d + p * dim);
             about(T, "the points of repeated insertion");

@@ -17,7 +17,7 @@ enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate
 static void G(check_removal_inverts_insertion)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = kind};
+    struct G(knot_vector) K = {.kind = kind};
     num b[MOST_KNOTS * dim], c[MOST_KNOTS * dim], back[MOST_KNOTS * dim], defect[dim], u[MOST_KNOTS], v[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, b);
@@ -26,7 +26,7 @@ static void G(check_removal_inverts_insertion)(trial *T, int kind)
             if (s > p + 1)
                 continue;
             num x = G(knot_for)(T, &K, place, "s");
-            G(bspline_insert)(spline(p, K.n, dim, K.u, b), mu, x, u, c);
+            G(bspline_insert)(over(&K, dim, b), mu, x, u, c);
             c[(mu - s + 1) * dim] = fault(T, c[(mu - s + 1) * dim], add(c[(mu - s + 1) * dim], from_int(1)));
             G(bspline_remove)(spline(p, K.n + 1, dim, u, c), mu + 1, s, v, back, defect);
             about(T, "the knots");
@@ -102,13 +102,13 @@ the defect how far that one vertex moves.
 CLAIM(reinsertion_misses_by_the_defect)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], d[MOST_KNOTS * dim], defect[dim], v[MOST_KNOTS], w[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
         for (int place = K.place[p] + 2; place < K.place[K.n]; place += 2) {
             int s = G(multiplicity_at)(&K, place), r = G(span_of_interval)(K.count, K.place, place), off = 0;
-            G(bspline_remove)(spline(p, K.n, dim, K.u, c), r, s, v, b, defect);
+            G(bspline_remove)(over(&K, dim, c), r, s, v, b, defect);
             G(bspline_insert)(spline(p, K.n - 1, dim, v, b), r - 1, K.u[r], w, d);
             for (int i = 0; i < K.n; i++) {
                 num gap = sub(c[i * dim], d[i * dim]);
@@ -147,7 +147,7 @@ defect, a combination of points, knows of it.
 :::
 */
 /* The jump of the derivative of order r at the knot of this place, from left to right, over r!. */
-static num G(jump_at)(const struct G(knots) * K, const num c[], int place, int r)
+static num G(jump_at)(const struct G(knot_vector) * K, const num c[], int place, int r)
 {
     num left[HIGHEST + 1], right[HIGHEST + 1], at = K->u[G(span_of_interval)(K->count, K->place, place)];
     G(spline_powers)(K->n, K->p, 1, K->u, K->place, c, 0, place - 2, at, left);
@@ -158,7 +158,7 @@ static num G(jump_at)(const struct G(knots) * K, const num c[], int place, int r
 CLAIM(knot_is_removable_iff_derivative_does_not_jump)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = LENGTHS};
+    struct G(knot_vector) K = {.kind = LENGTHS};
     num c[MOST_KNOTS], one[MOST_KNOTS], b[MOST_KNOTS], v[MOST_KNOTS], defect, unit;
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, 1, c);
@@ -167,8 +167,8 @@ CLAIM(knot_is_removable_iff_derivative_does_not_jump)
             int order = p - s + 1 + fault(T, 0, p == 0 ? 0 : s > 1 ? 1 : -1);
             for (int i = 0; i < K.n; i++)
                 one[i] = from_int(i == r - s); /* a point that the jump sees */
-            G(bspline_remove)(spline(p, K.n, 1, K.u, c), r, s, v, b, &defect);
-            G(bspline_remove)(spline(p, K.n, 1, K.u, one), r, s, v, b, &unit);
+            G(bspline_remove)(over(&K, 1, c), r, s, v, b, &defect);
+            G(bspline_remove)(over(&K, 1, one), r, s, v, b, &unit);
             num jump = G(jump_at)(&K, c, place, order), unit_jump = G(jump_at)(&K, one, place, order);
             about(T, "defect and jump are in proportion");
             same(T, mul(defect, unit_jump), mul(jump, unit));

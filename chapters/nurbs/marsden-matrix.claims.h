@@ -113,7 +113,8 @@ CLAIM(cofactor_is_signed_minor)
 :printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i},\quad
   j=0,\dots,k-1
 :holds-by: printed_cofactor_formula_gives_the_basis
-:needs: empty_span_makes_g_singular | the span is not empty
+:needs: empty_span_makes_g_singular | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+  empty
 :figure: both_matrices
 
 For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$; where the source says so, both have
@@ -309,7 +310,8 @@ CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
 :zh: det G ≠ 0
 :printed: \det\mathbf G_{r,k,T}\ne0
 :holds-by: marsden_determinant_is_product marsden_determinant_is_positive
-:needs: empty_span_makes_g_singular | the span is not empty
+:needs: empty_span_makes_g_singular | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+  empty
 :figure: both_matrices
 
 More is true: $\det G=\prod_{a\le r<b,\ b-a\le k-1}(t_b-t_a)\big/\prod_{j=0}^{k-1}\binom{k-1}j>0$.
@@ -425,7 +427,7 @@ CLAIM(empty_span_makes_g_singular)
 :zh: 由线性无关性推出 det G ≠ 0
 :printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
 :holds-by: singular_g_makes_powers_dependent
-:needs: independent_functions_do_not_suffice | the basis that is used is that of the powers on the left of (4.4.21); the
+:hypothesis: independent_functions_do_not_suffice | the basis that is used is that of the powers on the left of (4.4.21); the
   independence of the B-splines alone does not say that $k$ combinations of them are independent
 
 A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of the B-splines is then a consequence.

@@ -104,7 +104,8 @@ CLAIM(elementary_symmetric_is_sum_over_subsets)
 :zh: 定理 4.4.2 Marsden 恒等式
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
 :holds-by: marsden_identity marsden_identity_for_every_pattern
-:needs: marsden_identity_ends_with_the_span | $t$ lies in the span whose functions are summed
+:needs: marsden_identity_ends_with_the_span | the theorem names the span | $t$ lies in the span whose functions are
+  summed
 :figure: marsden_identity
 :::
 */
@@ -260,8 +261,8 @@ functions is one level of de Boor's algorithm for the coefficients.
 :zh: 证明只用 deBoor 递推公式
 :printed: a short new proof is given, which needs only de Boor's formula (2.1.1)
 :holds-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
-:needs: one_level_needs_the_span | that $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span, which (2.1.1) says with
-  the functions of order 1, by induction
+:needs: one_level_needs_the_span | (2.1.1), which the proof cites | that $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on
+  the span, which (2.1.1) says with the functions of order 1, by induction
 :figure: marsden_identity
 
 (2.1.1) is not in the text at hand; it is read as the recursion together with the functions of order 1 from which it
@@ -281,7 +282,8 @@ begins.  As the step of the recursion alone it does not suffice: then the suppor
 :printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
   W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
 :holds-by: one_level_moves_to_the_coefficients
-:needs: one_level_needs_the_span | the functions at the ends, $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish on the span
+:needs: one_level_needs_the_span | (2.1.1), which the proof cites | the functions at the ends, $N_{r-k+1,k-1}$ and
+  $N_{r+1,k-1}$, vanish on the span
 :figure: marsden_identity
 
 The denominators that occur are differences of knots on the two sides of the span.

@@ -23,7 +23,7 @@ of the curve and the curve does not jump, and then with the square of the larges
   $t_{n+1}$ suffice ($t_2=\dots=t_k$, $t_{n+1}=\dots=t_{n+k-1}$): otherwise $r_1$, a vertex of every polygon, keeps its distance
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide: otherwise every
   polygon keeps the edge over which the curve jumps
-:needs: negative_weight_makes_a_pole | positive weights
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
 :reading: first_vertex_stays_off_the_curve | the polygon is the whole polygon, as after (4.1.1): the hypothesis is needed
 :reading: polygon_is_within_the_bound_of_the_spline | only the part of the polygon over the domain is meant: true for unclamped knots, too,
   with the same bound

@@ -22,7 +22,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through part of the boundary of a convex set once
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more; else the curve is
   not continuous
-:needs: mixed_weights_bend_both_ways | positive weights
+:needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | positive weights
 :figure: convex_polygon_convex_spline
 
 For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, so by the
@@ -44,8 +44,7 @@ polygon (`periodic_curves_of_convex_polygons_are_convex`).
   homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
   treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
   at $t',\dots,t'$.
-:degrees: 2..6 sampled 6
-:scope: n stands for the order k
+:degrees: k = 2..6 sampled 6
 :control: the second vertex counted one too low
 :::
 */
@@ -57,12 +56,12 @@ CLAIM(inserted_parameters_become_vertices)
         snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
         for (int first = 1; first <= 3; first++)
             for (int second = first; second <= 4; second++) {
-                struct G(knots) K = G(pattern)(T, pattern), V;
+                struct G(knot_vector) K = G(pattern)(T, pattern), V;
                 if (first == second && first % 2 == 0)
                     continue;
                 int n = K.count - k, place[2] = {2 * first, 2 * second + (first == second)};
                 num tau[2], c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS];
-                struct G(knots) old = K;
+                struct G(knot_vector) old = K;
                 tau[0] = G(number_at)(T, &K, place[0], "tau");
                 tau[1] = G(number_at)(T, &K, place[1], "sigma");
                 for (int i = 1; i <= n; i++)
@@ -215,7 +214,8 @@ another.
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
-:needs: hulls_of_unrelated_knots_are_not_nested | the sets of knots increase
+:needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
+  increase
 :figure: hulls_of_knot_sets
 
 In a decreasing sequence of sets the intersection of the first $m$ is the last.
@@ -242,7 +242,8 @@ corollary 4.1.1 is that of the $T'_m$.
 :holds-by: inserted_polygons_stay_convex inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
-:needs: hulls_of_unrelated_knots_are_not_nested | the sets of knots increase
+:needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
+  increase
 :figure: hulls_of_knot_sets
 
 What is decided is that the sets decrease.  The limit of a decreasing sequence of compact sets is their intersection, and
@@ -307,8 +308,8 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   parameter, turn left in their order or are on one line
 :method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.  The points by the
   kernel, the areas exactly.
-:degrees: 2..4
-:scope: n stands for the order k; the stated curves
+:degrees: k = 2..4
+:scope: the stated curves
 :control: the third point thrown across the line of the first two
 :::
 */
@@ -360,8 +361,8 @@ itself. Cutting the corners of the closed polygon works as before, and this is w
 :then: the Bézier points of all intervals, joined, are a closed convex polygon that runs round once
 :method: That polygon is what one gets by inserting every knot until its multiplicity is $k-1$; it is a polygon for which the
   theorem holds.  Convexity by `exact/decide/hull.h`.
-:degrees: 3..4
-:scope: n stands for the order k; the stated curves
+:degrees: k = 3..4
+:scope: the stated curves
 :control: the second point moved across the line of its neighbours
 :::
 */

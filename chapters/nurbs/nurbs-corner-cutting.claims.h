@@ -33,7 +33,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   edge $r_0r_1$: then the knots have to be in the domain, $t_k\le\tau\le t_{n+1}$
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same with intervals closed on the right, and $\tau=t_1$ excluded as well; when $t_k$ is a
   $k$-fold knot it is not inserted again
-:needs: mixed_weights_cut_beside_the_edges | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :figure: cutting_corners
 
 Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  A knot outside the domain makes the weight of an end
@@ -58,15 +58,15 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
 :method: Both sums by the recursion of de Boor and Cox as it is defined; $\tau$, $t$, $c_i$ and the distinct knots are
   variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
-:degrees: 1..6 sampled 7
-:scope: n stands for the order k; the distinct knots variables for k up to 5, numbers above
+:degrees: k = 1..6 sampled 7
+:scope: the distinct knots variables for k up to 5, numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
 */
-static void G(compare_curves)(trial *T, int k, const struct G(knots) * K, int place)
+static void G(compare_curves)(trial *T, int k, const struct G(knot_vector) * K, int place)
 {
     int n = K->count - k;
-    struct G(knots) V;
+    struct G(knot_vector) V;
     num c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS], x = parameter(T, "p");
     num tau = G(number_at)(T, K, place, "tau");
     for (int i = 1; i <= n; i++)
@@ -98,7 +98,7 @@ CLAIM(printed_insertion_keeps_the_curve)
         } else {
             snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
         }
-        struct G(knots) K = G(pattern)(T, pattern);
+        struct G(knot_vector) K = G(pattern)(T, pattern);
         for (int i = 1; FIELD && k > 5 && i <= K.count; i++) /* 0, 1, 3, 6, 10, ...; places are multiples of 4 */
             K.t[i] = from_int(K.place[i] / 4 * (K.place[i] / 4 + 1) / 2);
         for (int place = K.place[k]; place <= K.place[K.count - k + 1]; place += 2) /* knots, and numbers between */
@@ -116,8 +116,7 @@ CLAIM(printed_insertion_keeps_the_curve)
 :then: $0\le\alpha_i\le1$ for $\mu-k+2\le i\le\mu$; for $\tau=t_{\mu+1}$ the first of them is $1$
 :method: Numerators and denominators of $\alpha_i$ and $1-\alpha_i$ are sums of these differences, so that it remains true when some
   of them are $0$, knots being multiple; no denominator vanishes, as each contains $\tau-t_\mu$.
-:degrees: 2..8
-:scope: n stands for the order k
+:degrees: k = 2..8
 :control: $i=\mu+1$ taken with the formula of the middle case
 :::
 */
@@ -311,7 +310,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
-:needs: mixed_weights_cut_beside_the_edges | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
   exist; or $A$ is taken as the hull
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
@@ -354,7 +353,7 @@ CLAIM(inserted_points_divide_the_edges)
 :printed: \boldsymbol r_{i,k}^{(T,T')}=(1-s_i)\boldsymbol r_{i-1}+s_i\boldsymbol r_i,\qquad
   s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]
 :holds-by: inserted_points_divide_the_edges printed_insertion_keeps_the_curve
-:needs: vanishing_weight_loses_the_new_point | positive weights
+:needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: where_hypotheses_are_needed
@@ -420,8 +419,7 @@ see it in the points.
 :then: for $m\le k-1$ the factors $\alpha_i$ with $(t_\mu,t_{\mu+1}]$ are those with $[t_{\mu+m},t_{\mu+m+1})$, for all $i$; for
   $m\ge k$ the first repeats $r_\mu$, the second $r_{\mu+m-k+1}$, and the old points are all kept
 :method: All $\alpha_i$ by the printed cases, with the knots variables.
-:degrees: 2..6
-:scope: n stands for the order k
+:degrees: k = 2..6
 :control: the second with $\mu+m+1$ for $\mu+m$
 :::
 */
@@ -433,7 +431,7 @@ CLAIM(both_conventions_of_the_span_are_right)
         for (int i = 0; i < 2 * k + 3; i++)
             pattern[i] = i == k + 1 ? (char)('0' + m) : '1';
         pattern[2 * k + 3] = '\0';
-        struct G(knots) K = G(pattern)(T, pattern);
+        struct G(knot_vector) K = G(pattern)(T, pattern);
         int mu = k + 1, right = fault(T, mu + m, mu + m + 1), n = K.count - k;
         num tau = K.t[mu + 1], one = from_int(1);
         for (int i = 2; i <= n; i++) {
@@ -455,8 +453,7 @@ CLAIM(both_conventions_of_the_span_are_right)
 :given: order $k$, ends of multiplicity $k$ and two simple knots between; $\tau=t_{n+1}=\dots=t_{n+k}$, which is in $(t_n,t_{n+1}]$
 :then: $\alpha_i=1$ for $i\le n$ and $\alpha_{n+1}=0$: the new points are $r_1,\dots,r_n,r_n$
 :method: All $\alpha_i$ by the printed cases, with the knots variables.
-:degrees: 2..6
-:scope: n stands for the order k
+:degrees: k = 2..6
 :control: $\tau=t_n$, in $(t_{n-1},t_n]$
 :::
 */
@@ -465,7 +462,7 @@ CLAIM(clamped_end_may_be_inserted_again)
     int k = T->degree, n = k + 2, mu = fault(T, n, n - 1);
     char pattern[MOST_KNOTS];
     snprintf(pattern, sizeof pattern, "%d11%d", k, k);
-    struct G(knots) K = G(pattern)(T, pattern);
+    struct G(knot_vector) K = G(pattern)(T, pattern);
     for (int i = 1; i <= n + 1; i++)
         same(T, G(printed_alpha)(k, mu, K.t, K.t[mu + 1], i), from_int(i <= n));
 }
@@ -476,7 +473,7 @@ CLAIM(clamped_end_may_be_inserted_again)
 :zh: s_i ∈ [0,1]
 :printed: s_i\in[0,1]
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
-:needs: mixed_weights_cut_beside_the_edges | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :figure: mixed_weights_and_convexity
 :::
 
@@ -485,7 +482,7 @@ CLAIM(clamped_end_may_be_inserted_again)
 :zh: 内接折线
 :printed: hence $\Gamma_k^{(T)}(T')$ is an inscribed polygon of $\Gamma_k^{(T)}(\Phi)$
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
-:needs: mixed_weights_cut_beside_the_edges | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: cutting_corners
@@ -517,8 +514,8 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
   $10^i$, and $\frac1{1000}$ inside; every knot and every middle of an interval inserted $k$ times
 :then: after each insertion the polygon is convex with the same orientation, and every new vertex is on its edge of the polygon before
 :method: The printed formulas in rationals, $\mu$ by comparing; convexity by `exact/decide/hull.h`; on the edge: no turn, and between the ends.
-:degrees: 2..4
-:scope: n stands for the order k; the stated curves
+:degrees: k = 2..4
+:scope: the stated curves
 :control: the second point exchanged with the third
 :::
 */
@@ -585,16 +582,15 @@ With the new weights, which the notation does not show; in the second equation t
   of `bspline_refine`
 :method: The field, all knots, weights and points variables.  For more knots by induction: every two neighbours in the order may be
   exchanged.
-:degrees: 2..6 sampled 7
-:scope: n stands for the order k
+:degrees: k = 2..6 sampled 7
 :control: the second knot inserted with the weights of the old polygon
 :::
 */
 /* Inserts at two places, one after the other. */
-static void G(insert_twice)(trial *T, int n, int k, int dim, const struct G(knots) * K, const int place[2],
-                            const num tau[2], const num r[], const num w[], struct G(knots) * V, num S[], num z[])
+static void G(insert_twice)(trial *T, int n, int k, int dim, const struct G(knot_vector) * K, const int place[2],
+                            const num tau[2], const num r[], const num w[], struct G(knot_vector) * V, num S[], num z[])
 {
-    struct G(knots) U;
+    struct G(knot_vector) U;
     num P[MOST_COORDINATES], y[MOST_POINTS];
     G(insert_at)(n, k, dim, K, place[0], tau[0], r, w, &U, P, y);
     for (int i = 1; i <= n; i++)
@@ -608,7 +604,7 @@ CLAIM(knots_are_inserted_in_any_order)
     int k = T->degree, n = k + 2, p = k - 1;
     char pattern[MOST_KNOTS];
     snprintf(pattern, sizeof pattern, "%d11%d", k, k);
-    struct G(knots) K = G(pattern)(T, pattern), V, U;
+    struct G(knot_vector) K = G(pattern)(T, pattern), V, U;
     num r[MOST_COORDINATES], w[MOST_POINTS], S[MOST_COORDINATES], z[MOST_POINTS], R[MOST_COORDINATES], y[MOST_POINTS];
     num H[MOST_COORDINATES], D[MOST_COORDINATES];
     for (int i = 1; i <= n; i++) {
@@ -651,7 +647,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
 :hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
-:needs: mixed_weights_cut_beside_the_edges | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain

@@ -32,8 +32,8 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :printed: r_i^{[0]}=r_i,\quad r_i^{[r]}(t)=\frac{(t-t_i)w_i^{[r-1]}r_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}r_{i-1}^{[r-1]}}
   {(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}},\quad r=1,\dots,k-1,\ i=j-k+r+1,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
-:needs: weight_of_a_level_may_vanish | positive weights: otherwise a weight of a level may vanish and stop the algorithm, where the
-  curve has a point
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | positive weights: otherwise a weight of a level may
+  vanish and stop the algorithm, where the curve has a point
 :figure: deboor_triangle
 :::
 */
@@ -265,6 +265,7 @@ CLAIM(other_interval_gives_other_point)
 :printed: The algorithm is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any fixed $t$ of an interval half-open on the right,
   $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
+:meant: the intervals are printed | The parameters of the printed intervals.
 :reading: rational_triangle_gives_the_point | for the printed intervals: true
 :reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
 :figure: missing_end
@@ -340,7 +341,8 @@ weights of the levels, which are means of the given ones, are positive.
 :zh: 几何意义为对控制多边形的 k-1 层割角
 :printed: Geometrically algorithm 4.1.1, too, means $k-1$ levels of corner cutting of the control polygon
 :holds-by: every_level_divides_its_edges weights_of_levels_are_positive
-:needs: negative_weight_divides_outside | positive weights: with others an edge may be divided outside
+:needs: negative_weight_divides_outside | definition 4.1.1: $w_i>0$ | positive weights: with others an edge may be
+  divided outside
 :figure: deboor_triangle
 
 Level $r$ puts one point on each of the $k-r$ edges of the polygon of level $r-1$ that belongs to the interval.  At $t=t_j$ some

@@ -22,7 +22,8 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
   $T$: the curve (4.1.1) is the NURBS curve of order $k$ of $T$, the $\tilde r_i$ are its control points and
   $\tilde r_1\tilde r_2\cdots\tilde r_n$ is its control polygon
 :checked-by: basis_is_a_partition_of_unity nurbs_point_is_the_weighted_mean outer_knots_do_not_count
-:needs: negative_weight_makes_a_pole | positive weights: with a negative one the denominator may vanish
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights: with a negative one the
+  denominator may vanish
 :reading: outer_knots_do_not_count | the partition is without end; $t_2,\dots,t_{n+k-1}$ are all that counts on the domain
 :reading: control_point_of_space_is_not_enough | the points are points of space in homogeneous coordinates: the factor of the
   coordinates counts, so that a control point is a point together with its weight
@@ -451,7 +452,7 @@ This is a polynomial spline in four-dimensional space; the rational curve is its
 :hypothesis: no_interval_no_curve | $t_k<t_{n+1}$
 :hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
   $t_{n+1}=\dots=t_{n+k}$: otherwise both quotients are $0/0$ there
-:needs: negative_weight_makes_a_pole | positive weights
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
 :figure: nurbs_definition
 
 The equation of both forms is true wherever $w(t)\ne0$; what has to be added concerns the range of $t$ that is printed with it.
@@ -603,7 +604,8 @@ but of other points; the star in the printed formula leaves open which is meant.
   idle
 :reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots: true as well, but then
   they are not the given ones
-:needs: simple_knots_need_other_points | the condition on the knots: otherwise the starred data differ from the given ones
+:needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | the
+  condition on the knots: otherwise the starred data differ from the given ones
 :figure: bezier_knots
 
 The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask anything of them, but for the last value of $t$.

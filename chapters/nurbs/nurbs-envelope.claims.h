@@ -449,8 +449,8 @@ the right and knows nothing of the other; the source says so in passing, and it 
 :zh: 节点处的偏导矢取右极限
 :printed: the partial derivatives at a point $t_i$ are understood as limits from the right
 :holds-by: member_of_span_touches_curve
-:needs: corner_has_two_tangents | the limit is from the right; from the left the curve has, at a $(k-1)$-fold knot,
-  another direction than the member of the span on the right
+:needs: corner_has_two_tangents | the limit is printed from the right | the limit is from the right; from the left the
+  curve has, at a $(k-1)$-fold knot, another direction than the member of the span on the right
 :figure: knot_sides
 
 The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.
@@ -500,7 +500,7 @@ CLAIM(corner_has_two_tangents)
   t_j\le\tau<t_{j+1}\},\quad j=k,k+1,\dots,n,\ r=1,\dots,k-2,\ k\ge3
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
-:needs: negative_weight_takes_a_point_away | the weights are positive
+:needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: nurbs_envelope_families
 
 This is existence: every member touches the curve, in the point of its own parameter, and nothing else is said here;

@@ -36,7 +36,7 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
 CLAIM(nurbs_point_is_the_quotient)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], P[dim], Q[dim], H[(HIGHEST + 1) * (dim + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_nurbs)(T, K.n, dim, R, w);
@@ -96,7 +96,7 @@ edges; the first is cheaper. They are the same curve level by level.
 CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], S[MOST_KNOTS * dim], z[MOST_KNOTS], H[MOST_KNOTS];
     num s[HIGHEST + 1], x[HIGHEST + 1], N[HIGHEST + 1];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
@@ -153,7 +153,7 @@ insertion of the section before, applied to homogeneous points, in higher ones.
 CLAIM(nurbs_insertion_keeps_curve)
 {
     int p = T->degree;
-    struct G(knots) K = {0}, L;
+    struct G(knot_vector) K = {0}, L;
     num H[MOST_KNOTS * dim], R[MOST_KNOTS * dim], w[MOST_KNOTS], S[MOST_KNOTS * dim], z[MOST_KNOTS], v[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_nurbs)(T, K.n, dim, H, w);
@@ -200,7 +200,7 @@ CLAIM(nurbs_insertion_keeps_curve)
 CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], H[MOST_KNOTS * dim], S[MOST_KNOTS * dim], z[MOST_KNOTS], v[MOST_KNOTS];
     num d[MOST_KNOTS * dim], weight[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
@@ -215,8 +215,8 @@ CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
             G(nurbs_insert)(nurbs(p, K.n, dim, K.u, R, w), mu, x, v, S, z);
             if (T->faulty && p > 0)
                 z[mu] = z[mu - 1];
-            G(bspline_insert)(spline(p, K.n, 1, K.u, w), mu, x, v, weight);
-            G(bspline_insert)(spline(p, K.n, dim, K.u, H), mu, x, v, d);
+            G(bspline_insert)(over(&K, 1, w), mu, x, v, weight);
+            G(bspline_insert)(over(&K, dim, H), mu, x, v, d);
             about(T, "the weights");
             for (int i = 0; i <= K.n; i++)
                 same(T, z[i], weight[i]);
@@ -233,7 +233,7 @@ CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
 
 /* The points and weights of one segment in d coordinates, 1 <= d <= 3: free; in the field the coefficients of the
  * homogeneous curve in powers about t are. */
-static void G(segment_data)(trial *T, const struct G(knots) * K, int d, num t, num R[], num w[])
+static void G(segment_data)(trial *T, const struct G(knot_vector) * K, int d, num t, num R[], num w[])
 {
 #if FIELD
     static const char *const name[] = {"a", "b", "c"}; /* the knots are x */
@@ -278,7 +278,7 @@ of the curve numerator and denominator have no derivatives left, but their quoti
 CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], H[MOST_KNOTS], D[(HIGHEST + 2) * dim];
     num a[HIGHEST + 2], b[HIGHEST + 2], q[HIGHEST + 2];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
@@ -359,7 +359,7 @@ CLAIM(quotient_derivatives_follow_the_field)
 }
 
 /* The knots of the next segment: simple ones, then in the field the clamped ones of Bézier. */
-static int G(next_segment)(trial *T, int p, int k, struct G(knots) * K)
+static int G(next_segment)(trial *T, int p, int k, struct G(knot_vector) * K)
 {
     char pattern[MOST_KNOTS];
     int apart = k == 0 ? (1 << (2 * p + 1)) - 1 : 1 << p;
@@ -371,7 +371,7 @@ static int G(next_segment)(trial *T, int p, int k, struct G(knots) * K)
 }
 
 /* D[r][e], r = 0, ..., 3: derivatives at t of the d+1 homogeneous coordinates, the weight last. */
-static void G(homogeneous_derivatives)(const struct G(knots) * K, int d, const num R[], const num w[], num t,
+static void G(homogeneous_derivatives)(const struct G(knot_vector) * K, int d, const num R[], const num w[], num t,
                                        num D[4][4])
 {
     num H[MOST_KNOTS], s[HIGHEST + 1];
@@ -416,7 +416,7 @@ times the one for the curve itself. This gives a formula for the other side of t
 CLAIM(nurbs_curvature_from_homogeneous_coordinates)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num R[MOST_KNOTS * 2], w[MOST_KNOTS], D[4][4], t = parameter(T, "t");
     for (int k = G(next_segment)(T, p, 0, &K); k > 0; k = G(next_segment)(T, p, k, &K)) {
         G(segment_data)(T, &K, 2, t, R, w);
@@ -456,7 +456,7 @@ CLAIM(nurbs_curvature_from_homogeneous_coordinates)
 CLAIM(nurbs_torsion_from_homogeneous_coordinates)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knot_vector) K = {0};
     num R[MOST_KNOTS * 3], w[MOST_KNOTS], D[4][4], M[16], t = parameter(T, "t");
     for (int k = G(next_segment)(T, p, 0, &K); k > 0; k = G(next_segment)(T, p, k, &K)) {
         G(segment_data)(T, &K, 3, t, R, w);
@@ -504,7 +504,7 @@ static void G(same_points)(trial *T, int count, const num a[], const num b[])
 CLAIM(kernels_move_with_their_knots)
 {
     int p = T->degree, span[MOST_KNOTS];
-    struct G(knots) K = {0}, F, E;
+    struct G(knot_vector) K = {0}, F, E;
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], moved[MOST_KNOTS], finer[MOST_KNOTS], a = positive(T, "a", 0);
     num b = unknown(T, "b", 0), c[2][MOST_KNOTS * dim], d[2][MOST_KNOTS * dim], v[MOST_KNOTS], v2[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {

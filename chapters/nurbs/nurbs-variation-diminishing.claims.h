@@ -203,8 +203,8 @@ Between curve and polygon stands a third count, that of the polygon after an ins
 :method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the
   sides on which one interval ends and the next one begins; jumps are counted.  Polygons by
   `exact/decide/crossings.h`.
-:degrees: 2..4
-:scope: n stands for the order k; the stated curves
+:degrees: k = 2..4
+:scope: the stated curves
 :control: the polygon taken without its first vertex
 :::
 */
@@ -228,8 +228,8 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the
   polygon with knots inserted $\le$ those of the polygon
 :method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
-:degrees: 2..4
-:scope: n stands for the order k; the stated curves
+:degrees: k = 2..4
+:scope: the stated curves
 :control: the ends of the polygon not counted
 :::
 */
@@ -375,7 +375,7 @@ change can arise.
 :hypothesis: cut_corner_lies_on_the_line | and counts as one intersection, not as infinitely many points
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when
   $t_1=t_k$
-:needs: insertion_with_mixed_weights_crosses_more | positive weights
+:needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | positive weights
 :reading: averages_between_neighbours_keep_sign_changes | crossings
 :reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
@@ -479,7 +479,7 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
-:needs: mixed_weights_cross_more | positive weights
+:needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | positive weights
 :reading: designed_splines_cross_no_more | crossings
 :reading: designed_splines_meet_no_more | common points, a piece on the line counting once
 :figure: line_and_cut_corners
@@ -503,8 +503,7 @@ heights matter.
 :then: $a\,x(t)+b\,y(t)+c=\sum_iN_{i,k}(t)w_i(ax_i+by_i+c)\big/\sum_iN_{i,k}(t)w_i$ on both intervals
 :method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line
   may be taken as the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
-:degrees: 1..6 sampled 7
-:scope: n stands for the order k
+:degrees: k = 1..6 sampled 7
 :control: the constant $c$ left out at the last vertex
 :::
 */
@@ -758,8 +757,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :then: the curve is the rational Bézier curve of degree $k-1$ of the same points and weights in $(t-x_0)/(x_1-x_0)$;
   with equal weights it is $\sum N_{i,k}r_i$
 :method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
-:degrees: 1..6 sampled 7
-:scope: n stands for the order k
+:degrees: k = 1..6 sampled 7
 :control: the first two weights exchanged; for $k=1$ the point moved
 :::
 */

@@ -10,23 +10,28 @@
 enum { HIGHEST = 16 }; /* degree */
 enum { LENGTHS = 1, INTEGERS };
 
-struct G(knots) {
+/* A knot vector (节点矢量) of n points of degree p: which of the count = n+p+1 knots are equal is known by their places.  A
+ * curve over it is made in the call by over(&K, dim, c). */
+struct G(knot_vector) {
     int kind; /* 0: all distinct knots are variables of the field for p <= 4.  LENGTHS: the knots are x_0, x_0 + h_1,
                         x_0 + h_1 + h_2, ... with positive variables h, for statements about signs, which are read off
                         coefficients.  INTEGERS: they are 0, 1, 3, 6, 10, ..., for higher degrees                  */
-    int p, n, count; /* count = n+p+1 */
+    int p, n, count;
     num u[MOST_KNOTS];
     int place[MOST_KNOTS];
 };
 
+/* The spline over the knot vector K of the points c of dim coordinates. */
+#define over(K, dim, c) spline((K)->p, (K)->n, (dim), (K)->u, (c))
+
 /* The kind of knots that K has in degree p: in the field INTEGERS in the place of variables for p > 4. */
-static inline int G(kind_for)(const struct G(knots) * K, int p)
+static inline int G(kind_for)(const struct G(knot_vector) * K, int p)
 {
     return FIELD && p > 4 && K->kind == 0 ? INTEGERS : K->kind;
 }
 
 /* Fills K from a pattern; returns whether it is good for degree p: no multiplicity above p+1, and a domain. */
-static inline int G(knots_good)(trial *T, int p, const char *pattern, struct G(knots) * K)
+static inline int G(knots_good)(trial *T, int p, const char *pattern, struct G(knot_vector) * K)
 {
     int kind = G(kind_for)(K, p);
     K->p = p;
@@ -84,7 +89,7 @@ static inline int G(next_pattern)(trial *T, int p, int k)
  * ends; for p > 3 simple knots, clamped ends, and every multiplicity j of u_p with p+2-j of u_{p+1}, the other knots simple.
  * Returns the number of the next pattern, 0 after the last.  The loop over all of them:
  *     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K))                     */
-static inline int G(segment_knots)(trial *T, int p, int k, struct G(knots) * K)
+static inline int G(segment_knots)(trial *T, int p, int k, struct G(knot_vector) * K)
 {
     char pattern[MOST_KNOTS];
     k = G(next_pattern)(T, p, k);
@@ -115,7 +120,7 @@ static inline int G(segment_knots)(trial *T, int p, int k, struct G(knots) * K)
 /* Several segments: an inner knot of every multiplicity 0, ..., p+1 between ends that are simple, clamped, and clamped and
  * double; for p <= 2 then also all patterns of 2p+3 knots that are good for degree p.  Over integers
  * only simple and clamped ends.  Used as segment_knots. */
-static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
+static inline int G(several_knots)(trial *T, int p, int k, struct G(knot_vector) * K)
 {
     char pattern[MOST_KNOTS];
     k = G(next_pattern)(T, p, k);
@@ -240,9 +245,9 @@ static inline void G(free_control_points)(trial *T, int n, int dim, num c[])
 }
 
 /* L: the knots of K and one more, x, at a place; an odd place is the interval on its left.  L may be K. */
-static inline void G(put_knot)(const struct G(knots) * K, int place, num x, struct G(knots) * L)
+static inline void G(put_knot)(const struct G(knot_vector) * K, int place, num x, struct G(knot_vector) * L)
 {
-    struct G(knots) old = *K;
+    struct G(knot_vector) old = *K;
     int at = 0;
     while (at < old.count && old.place[at] <= place)
         at++;
@@ -256,7 +261,7 @@ static inline void G(put_knot)(const struct G(knots) * K, int place, num x, stru
 }
 
 /* A number of the interval of a span: in the field a variable, which may be any number. */
-static inline num G(in_interval)(trial *T, const struct G(knots) * K, int mu, const char *name)
+static inline num G(in_interval)(trial *T, const struct G(knot_vector) * K, int mu, const char *name)
 {
 #if FIELD
     (void)K, (void)mu;
@@ -267,14 +272,14 @@ static inline num G(in_interval)(trial *T, const struct G(knots) * K, int mu, co
 }
 
 /* A knot for a place: in an interval a number of it, elsewhere the knot that is there. */
-static inline num G(knot_for)(trial *T, const struct G(knots) * K, int place, const char *name)
+static inline num G(knot_for)(trial *T, const struct G(knot_vector) * K, int place, const char *name)
 {
     int mu = G(span_of_interval)(K->count, K->place, place);
     return place % 2 == 0 ? K->u[mu] : G(in_interval)(T, K, mu, name);
 }
 
 /* How many knots have this place. */
-static inline int G(multiplicity_at)(const struct G(knots) * K, int place)
+static inline int G(multiplicity_at)(const struct G(knot_vector) * K, int place)
 {
     int many = 0;
     for (int i = 0; i < K->count; i++)
@@ -284,7 +289,7 @@ static inline int G(multiplicity_at)(const struct G(knots) * K, int place)
 
 /* For each of the m points of degree q over v, a span of K that contains a non-empty interval [v_l, v_{l+1}] of the domain,
  * j <= l <= j+q: for the first such l, or for the last.  Returns whether every point has one. */
-static inline int G(spans_over)(const struct G(knots) * K, int m, int q, const int place[], int last, int span[])
+static inline int G(spans_over)(const struct G(knot_vector) * K, int m, int q, const int place[], int last, int span[])
 {
     for (int j = 0; j < m; j++) {
         int found = 0;
@@ -302,8 +307,8 @@ static inline int G(spans_over)(const struct G(knots) * K, int m, int q, const i
 /* Compare: the spline of the points d over L, of degree q >= p, is the spline of the free points c over K, of degree p, on
  * every interval of L in its domain: their coefficients in powers of t minus the knot on the left.  In the field the c are
  * variables, and the comparison is made for the coefficient of each of them, after d was seen to be linear in them. */
-static inline void G(same_spline)(trial *T, int dim, const struct G(knots) * K, const num c[],
-                                  const struct G(knots) * L, const num d[])
+static inline void G(same_spline)(trial *T, int dim, const struct G(knot_vector) * K, const num c[],
+                                  const struct G(knot_vector) * L, const num d[])
 {
     int p = K->p, q = L->p;
     num N[MOST_KNOTS * (HIGHEST + 1)], M[MOST_KNOTS * (HIGHEST + 1)];

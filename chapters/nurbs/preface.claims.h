@@ -42,6 +42,8 @@ Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
 :zh: 连续阶数可调
 :printed: NURBS curves share with B-spline curves that their order of continuity can be chosen
 :holds-by: sides_agree_up_to_order_less_multiplicity
+:meant: the opening speaks of what B-splines are used for: an order that is guaranteed | An order of continuity that
+  every such curve has.
 :reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion: true
 :reading: one_order_more_jumps | as the exact order: one order more is not continuous in general
 :figure: knot_sides
@@ -254,8 +256,8 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :printed: De Boor's recursion and Boehm's insertion of a knot are the main tools for evaluating and converting NURBS; their merit is
   that they compute stably and simply
 :holds-by: recursion_subtracts_data_only weights_of_levels_are_positive
-:needs: weight_of_a_level_may_vanish | positive weights, and $t$ in the interval: with weights of both signs a weight of a level may
-  be a difference, even $0$
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | positive weights, and $t$ in the interval: with
+  weights of both signs a weight of a level may be a difference, even $0$
 :figure: deboor_triangle
 
 Stable is read as: the rounded result is the exact one for points and weights that were changed relatively by a few

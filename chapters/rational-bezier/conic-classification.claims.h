@@ -17,8 +17,10 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 :zh: 用定理 3.4.1 将曲线隐式化
 :printed: By theorem 3.4.1 the curve (3.1.5) can be made implicit.
 :holds-by: implicit_form_is_the_resultant kind_in_any_coordinates
-:needs: determinant_may_vanish_identically | $R_0$, $R_1$, $R_2$ do not lie on a line, as in the frame of (3.1.5).
-:needs: determinant_needs_the_middle_weight | The weights are positive, so $\omega_1\ne0$.
+:needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do
+  not lie on a line, as in the frame of (3.1.5).
+:needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights
+  are positive, so $\omega_1\ne0$.
 
 For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
 degenerate conic.
@@ -288,10 +290,12 @@ CLAIM(discriminant_in_special_coordinates)
 :printed: By analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
   $\omega>1$.
 :holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
-:needs: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line, as in the frame of (3.1.5): $l\ne0$,
-  $y_1\ne0$.
-:needs: weight_minus_one_is_a_parabola | The weights are positive, so $\omega>0$.
-:needs: weight_zero_is_a_segment | The weights are positive, so $\omega\ne0$.
+:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
+  on a line, as in the frame of (3.1.5): $l\ne0$, $y_1\ne0$.
+:needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are
+  positive, so $\omega>0$.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are
+  positive, so $\omega\ne0$.
 :figure: classification_by_weight
 
 With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
@@ -440,9 +444,12 @@ its hypotheses is needed, and an example without it stands beside.
   $I_1=\frac{\omega_1^2}{\omega_0\omega_2}$ of definition 3.2.2: it is an ellipse, a parabola or a hyperbola for $I_1<1$,
   $I_1=1$ or $I_1>1$.
 :holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
-:needs: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line, as in the frame of (3.1.5).
-:needs: opposite_weights_are_a_hyperbola | $\omega_0\omega_2>0$, as for positive weights.
-:needs: weight_zero_is_a_segment | $\omega_1\ne0$, as for positive weights.
+:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
+  on a line, as in the frame of (3.1.5).
+:needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_0\omega_2>0$, as for positive weights.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_1\ne0$, as for
+  positive weights.
 :reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity: true,
   also where these are counted on the curve itself.
 :figure: classification_by_weight

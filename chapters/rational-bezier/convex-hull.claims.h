@@ -15,8 +15,9 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 :zh: 凸包性
 :printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
 :holds-by: curve_points_are_convex_combinations
-:needs: curve_leaves_hull_with_negative_weight | $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
-:needs: curve_leaves_hull_outside_the_interval | $0\le t\le1$.
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
+:needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
 :reading: curve_points_have_hull_certificates | Read without the shares: membership in the hull is a linear problem, decided with a certificate for
   designed polygons, weights that are $0$ included.
 :reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
@@ -31,7 +32,8 @@ Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common n
 :zh: 各系数非负
 :printed: B_i^n(t)\,\omega_i/\omega(t)\ge0
 :holds-by: curve_points_are_convex_combinations
-:needs: share_with_negative_weight_is_negative | $\omega_i>0$.
+:needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_i>0$.
 :figure: convex_hull
 :::
 */

@@ -42,7 +42,9 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :zh: 保凸性
 :printed: a plane rational Bézier curve preserves convexity
 :holds-by: curve_turns_like_its_triangles curvature_is_a_sum_over_triangles wronskian_of_three_bernstein_functions
-:needs: mixed_weights_lose_convexity | positive weights
+:needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:meant: the usual convex polygon, whose interior it bounds with its chord; the section does not define it | A polygon
+  is convex if with its chord it bounds a convex region.
 :reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex region; then
   all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
@@ -468,7 +470,8 @@ CLAIM(mixed_weights_lose_convexity)
 :zh: 证明途径: 离散割角
 :printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
 :holds-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
-:needs: subdivision_fails_for_mixed_weights | positive weights
+:needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights
 :figure: convex_halves
 
 The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,

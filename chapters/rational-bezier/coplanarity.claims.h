@@ -18,7 +18,8 @@ hypothesis: no weight is $0$.
 :zh: 平面曲线的控制顶点共面
 :printed: if a rational Bézier curve is plane, its vertices are coplanar
 :holds-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
-:needs: vertex_of_weight_zero_leaves_the_plane | positive weights; it is enough that no weight is $0$
+:needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights; it is enough that no weight is $0$
 :figure: weight_zero_out_of_plane
 
 For every degree the Bernstein functions are independent by `powers_in_every_degree`, and the rest is linear.
@@ -306,7 +307,7 @@ CLAIM(collocation_determinant_does_not_vanish)
 :zh: 约去权因子
 :printed: \omega_iz_i=0\ \Rightarrow\ z_i=0,\quad i=0,1,\dots,n
 :holds-by: plane_function_determines_the_vertices
-:needs: weight_zero_hides_the_vertex | $\omega_i\ne0$
+:needs: weight_zero_hides_the_vertex | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_i\ne0$
 :figure: weight_zero_out_of_plane
 :::
 */

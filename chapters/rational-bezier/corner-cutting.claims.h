@@ -64,7 +64,8 @@ CLAIM(equal_weights_give_polynomial_triangle)
 :zh: 递归求值与作图
 :printed: From the theorem follow the recursive evaluation of a rational Bézier curve and its geometric construction
 :holds-by: triangle_ends_on_the_curve triangle_level_by_level
-:needs: intermediate_weight_can_vanish | positive weights: otherwise a point of the construction may be missing
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights: otherwise a point of the construction may be missing
 
 The evaluation is $\mathbf R(c)=\mathbf R_n^n(c)$; the construction divides each edge in the ratio
 $\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$.
@@ -111,8 +112,8 @@ have a pole for that.
 :printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf
   R_i^{r-1}(c)$
 :holds-by: cut_coefficients_are_convex
-:needs: negative_weight_breaks_convexity | positive weights: otherwise, on a perfectly regular curve, a coefficient
-  is negative
+:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights: otherwise, on a perfectly regular curve, a coefficient is negative
 :figure: cut_leaves_the_edge
 :::
 
@@ -121,7 +122,8 @@ have a pole for that.
 :zh: 几何意义:递归割角
 :printed: The geometric meaning of the theorem is again recursive corner cutting
 :holds-by: cut_coefficients_are_convex triangle_level_by_level
-:needs: negative_weight_breaks_convexity | positive weights
+:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights
 :::
 
 :::{claim} cut_coefficients_are_convex

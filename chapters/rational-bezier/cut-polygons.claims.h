@@ -18,9 +18,10 @@ projection to points of space, which divides by weights; it does no harm as long
 :reading: quarter_circle_error_is_quartered | each piece cut at one fixed ratio, or at ratios kept away from $0$ and
   $1$: holds, with the order $h^2$ in the length $h$ of the longest piece; cut in the middle, the error is divided
   by 4 each time
-:needs: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step
+:hypothesis: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step
   a piece may stay long for ever
-:needs: linear_weights_of_both_signs_have_a_pole | positive weights
+:needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  positive weights
 :figure: cut_polygons_converge
 
 Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the

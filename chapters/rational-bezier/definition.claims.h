@@ -224,8 +224,8 @@ CLAIM(rational_point_is_weighted_mean)
 :printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
 :holds-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
-:needs: weights_of_both_signs_make_a_pole | $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no
-  point.
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
 :figure: homogeneous_line
 
 The derivatives of this quotient, which the next sections need, are decided here as well.
@@ -352,8 +352,11 @@ is for those who do.
 :zh: 规定权为正的用意
 :printed: To guarantee the convex hull property and to avoid $\omega(t)=0$ one usually prescribes $\omega_i>0$.
 :holds-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
-:needs: weights_of_both_signs_make_a_pole | $\omega_i>0$, for $\omega(t)\ne0$.
-:needs: curve_leaves_hull_with_negative_weight | $\omega_i>0$, for the convex hull property.
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_i>0$,
+  for $\omega(t)\ne0$.
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_i>0$, for the convex hull property.
+:meant: the words: to guarantee, one prescribes | Positive weights suffice; that they are necessary is not said.
 :reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The
   sentence does not say so: it says that they suffice.
 :figure: weights_and_poles
@@ -444,7 +447,10 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
 :printed: Experiments show that the curve approaches the point $\mathbf R_i$ when $\omega_i$ grows, which can be used to
   adjust its shape.
 :holds-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
-:needs: growing_negative_weight_pushes_away | $\omega_i>0$.
+:needs: growing_negative_weight_pushes_away | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_i>0$.
+:meant: the ends of the curve, which property 3.2.4 keeps in the end points | No point of the curve moves away from
+  $R_i$, and those that move come nearer.
 :reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless
   the weight is theirs: nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
 :figure: growing_weight
@@ -643,6 +649,8 @@ weights together.  Other readings are tried, and they fail already for a segment
 :zh: 几何不变性与仿射不变性
 :printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
 :holds-by: affine_image_of_the_curve_is_the_curve_of_the_images
+:meant: the properties are those of the curve (3.2.2), whose points are the $R_i$ | The map is applied to the points
+  $R_i$.
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
   of definition 3.2.1, to whose first three coordinates the map is applied.  A linear map still maps the curve; a
   translation does not, unless the weights are $1$.
@@ -726,6 +734,7 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :zh: 关于 t 与 1−t 的对称性
 :printed: The curve is symmetric in the parameters $t$ and $1-t$.
 :holds-by: reversed_points_and_weights_reverse_the_curve
+:meant: the curve (3.2.2) has its weights with its points | The control points are taken backwards with their weights.
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
 :figure: reversed_polygon
 

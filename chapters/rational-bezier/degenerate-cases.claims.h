@@ -15,6 +15,7 @@ arise so.
 :zh: 可退化性:权相等时为 Bézier 曲线
 :printed: For $\omega_i=\omega$, $i=0,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2)
 :holds-by: equal_weights_give_polynomial_curve
+:meant: the words: for equal weights it degenerates | One direction; the converse is not said.
 :reading: polynomial_line_with_unequal_weights | read as "exactly when": the converse, which is not claimed, fails;
   one polynomial map has other points with unequal weights
 :reading: unit_invariants_give_polynomial_curve | up to a change of parameter the condition is $I_i=1$ for all $i$,
@@ -144,10 +145,12 @@ CLAIM(unit_invariants_give_polynomial_curve)
 :zh: 被还原性:参数变换使 Bézier 曲线带上等比权
 :printed: With $t=\alpha u/(1-u+\alpha u)$, $0\le u\le1$, the Bézier curve (1.3.2) becomes the rational Bézier curve
   $\sum_{i=0}^nB_i^n(u)\alpha^i\mathbf P_i\Big/\sum_{i=0}^nB_i^n(u)\alpha^i$
-:holds-by: geometric_weights_reparametrize_bezier geometric_weights_term_by_term alpha_runs_the_interval_once
-:needs: negative_alpha_has_a_pole | $\alpha>0$, which positive weights $\alpha^i$ mean: for every $\alpha<0$ the
-  denominator $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
-:needs: zero_alpha_collapses | $\alpha>0$: for $\alpha=0$ the curve collapses to $\mathbf P_0$
+:holds-by: geometric_weights_term_by_term alpha_runs_the_interval_once
+:confirmed-by: geometric_weights_reparametrize_bezier
+:needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\alpha>0$, which
+  positive weights $\alpha^i$ mean: for every $\alpha<0$ the denominator $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
+:needs: zero_alpha_collapses | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\alpha>0$: for $\alpha=0$
+  the curve collapses to $\mathbf P_0$
 :figure: geometric_weights
 
 It is (3.2.10) with $a=\alpha$, $b=1$.
@@ -307,6 +310,7 @@ CLAIM(zero_alpha_collapses)
 :zh: Bézier 曲线可还原为有理形式
 :printed: Regarded as a degenerate case of (3.2.2), the Bézier curve can also be restored to (3.2.2)
 :holds-by: geometric_weights_reparametrize_bezier
+:meant: the property displays the curve to which the other one is restored | To a curve of the form (3.2.2).
 :reading: geometric_weights_reparametrize_bezier | to a curve of the form (3.2.2), the one displayed: holds
 :reading: unit_invariants_give_polynomial_curve | to which curves (3.2.2) with the same points: exactly to those with
   $I_1=\dots=I_{n-1}=1$

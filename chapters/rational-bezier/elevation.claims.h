@@ -30,9 +30,10 @@ the products $\omega_iR_i$.
 :zh: n 次有理 Bézier 曲线也是 n+1 次的
 :printed: the curve of degree $n$ with weights $\omega_i$ and vertices $\mathbf R_i$ is the curve of degree $n+1$
   with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$
-:holds-by: bernstein_function_in_the_next_degree elevation_keeps_rational_curve
-:needs: elevated_vertex_may_be_at_infinity | positive weights; otherwise the new vertices need not exist, though the
-  curve has no pole
+:holds-by: bernstein_function_in_the_next_degree
+:confirmed-by: elevation_keeps_rational_curve
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights; otherwise the new vertices need not exist, though the curve has no pole
 :figure: elevation_cuts_corners
 :::
 
@@ -41,7 +42,8 @@ the products $\omega_iR_i$.
 :zh: 升阶前后为同一曲线
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(t)\omega_i}
   =\frac{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i\hat{\mathbf R}_i}{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i}
-:holds-by: bernstein_function_in_the_next_degree elevation_keeps_rational_curve
+:holds-by: bernstein_function_in_the_next_degree
+:confirmed-by: elevation_keeps_rational_curve
 :::
 
 :::{claim} bernstein_function_in_the_next_degree
@@ -150,8 +152,8 @@ CLAIM(elevated_vertex_may_be_at_infinity)
 :zh: 升阶后的权因子
 :printed: \hat\omega_i=\left(1-\frac i{n+1}\right)\omega_i+\frac i{n+1}\omega_{i-1},\quad i=0,1,\dots,n+1;
   \quad\omega_{-1}=\omega_{n+1}=0
-:holds-by: bernstein_function_in_the_next_degree elevation_through_the_power_basis elevated_points_as_printed
-  numbers_outside_the_polygon_do_not_matter
+:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
+:confirmed-by: elevation_through_the_power_basis elevated_points_as_printed
 
 The agreement $\omega_{-1}=\omega_{n+1}=0$ only gives the formula a meaning at its two ends: the factor there is $0$,
 and any other numbers would do.
@@ -163,9 +165,10 @@ and any other numbers would do.
 :printed: \hat{\mathbf R}_i=\frac{(1-\frac i{n+1})\omega_i}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_i
   +\frac{\frac i{n+1}\omega_{i-1}}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_{i-1},\quad
   i=0,1,\dots,n+1;\quad\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0
-:holds-by: bernstein_function_in_the_next_degree elevated_points_as_printed elevation_keeps_rational_curve
-  numbers_outside_the_polygon_do_not_matter
-:needs: elevated_vertex_may_be_at_infinity | positive weights, so that no denominator vanishes
+:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
+:confirmed-by: elevated_points_as_printed elevation_keeps_rational_curve
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights, so that no denominator vanishes
 :figure: elevation_cuts_corners
 :::
 
@@ -311,7 +314,8 @@ corner $R_i$.
 :zh: 升阶的几何意义是割角
 :printed: geometrically (3.2.9) again cuts the corners of the polygon
 :holds-by: elevation_cuts_corners
-:needs: elevated_vertex_may_leave_the_edge | positive weights; otherwise the new vertex may lie outside the edge
+:needs: elevated_vertex_may_leave_the_edge | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights; otherwise the new vertex may lie outside the edge
 :figure: elevation_mixed_weights
 :::
 
@@ -440,8 +444,10 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
 :title: Elevation can be repeated for ever
 :zh: 升阶可无限次进行
 :printed: elevation can be repeated without end
-:holds-by: elevation_cuts_corners repeated_elevation_in_one_formula repeated_elevation_computed
-:needs: elevated_vertex_may_be_at_infinity | positive weights; with mixed ones already the first step may fail
+:holds-by: elevation_cuts_corners repeated_elevation_in_one_formula
+:confirmed-by: repeated_elevation_computed
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights; with mixed ones already the first step may fail
 :figure: elevation_mixed_weights
 
 Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
@@ -545,7 +551,8 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :zh: 升阶多边形序列收敛到曲线
 :printed: the sequence of elevated polygons converges to $\mathbf R(t)$
 :holds-by: elevated_polygons_converge powers_in_every_degree
-:needs: elevation_fails_at_a_pole | positive weights, so that no polygon of the sequence lacks a vertex
+:needs: elevation_fails_at_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights, so
+  that no polygon of the sequence lacks a vertex
 :figure: elevation_converges
 
 The convergence is uniform and of order $1/N$, not better: for the parabola the distance of the $i$-th vertex is exactly

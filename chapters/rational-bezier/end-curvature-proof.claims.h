@@ -195,28 +195,32 @@ believed.
 :title: The first derivative at t = 0
 :zh: t=0 处一阶导矢
 :printed: \mathbf R'(0)=n\,\omega_1\mathbf a_1/\omega_0
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
+:holds-by: end_derivative_vectors_in_every_degree
+:confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
 :::{statement} wang-ch3:prop-3.2.4-step-5
 :title: The second derivative at t = 0
 :zh: t=0 处二阶导矢
 :printed: \mathbf R''(0)=n(n-1)\,\omega_2\mathbf a_2/\omega_0+f_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
+:holds-by: end_derivative_vectors_in_every_degree
+:confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
 :::{statement} wang-ch3:prop-3.2.4-step-6
 :title: The third derivative at t = 0
 :zh: t=0 处三阶导矢
 :printed: \mathbf R'''(0)=n(n-1)(n-2)\,\omega_3\mathbf a_3/\omega_0+g_2\mathbf a_2+g_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
+:holds-by: end_derivative_vectors_in_every_degree
+:confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
 :::{statement} wang-ch3:prop-3.2.4-step-7
 :title: What the coefficients f_1, g_1, g_2 depend on
 :zh: f_1、g_1、g_2 的依赖关系
 :printed: Here $f_1$, $g_2$, $g_1$ are determined by the weights and $n$.
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
+:holds-by: end_derivative_vectors_in_every_degree
+:confirmed-by: end_derivative_vectors_at_both_ends
 
 They are, with $\omega'=n(\omega_1-\omega_0)$ and $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$, the derivatives of $\omega$ at $0$:
 

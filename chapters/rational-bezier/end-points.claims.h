@@ -21,11 +21,14 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :printed: At $t=0$ and $t=1$ the curve passes through the end points of its B-net and is tangent to the end edges.
 :holds-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points
   end_derivatives_at_one_with_repeated_points
-:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
-:needs: zero_weight_turns_the_end_tangent | $\omega_k\ne0$ and $\omega_{n-h}\ne0$ (simple ends: $\omega_1$,
-  $\omega_{n-1}$), for the tangent to be that of the edge.
-:needs: negative_weight_reverses_the_end_tangent | $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$, for the curve to
-  leave towards $R_k$ and to arrive from $R_{n-h}$: otherwise the edge is on the tangent, but behind the end point.
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
+:needs: zero_weight_turns_the_end_tangent | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_k\ne0$ and $\omega_{n-h}\ne0$ (simple ends: $\omega_1$, $\omega_{n-1}$), for the tangent to be that of the
+  edge.
+:needs: negative_weight_reverses_the_end_tangent | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$, for the curve to leave towards $R_k$ and to arrive from
+  $R_{n-h}$: otherwise the edge is on the tangent, but behind the end point.
 :figure: end_tangents
 
 The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that
@@ -252,8 +255,10 @@ CLAIM(multiplicities_fit_into_the_polygon)
 :title: At t = 0: the end point, and derivatives that vanish
 :zh: t=0 处的端点与零导矢
 :printed: \mathbf R(0)=\mathbf R_0,\quad\mathbf R^{(l)}(0)=\mathbf 0,\quad l=1,2,\dots,k-1
-:holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
-:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
+:holds-by: end_derivatives_in_every_degree
+:confirmed-by: end_derivatives_at_zero_with_repeated_points
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_0\ne0$.
 :::
 */
 
@@ -298,8 +303,10 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
 :title: At t = 1: the end point, and derivatives that vanish
 :zh: t=1 处的端点与零导矢
 :printed: \mathbf R(1)=\mathbf R_n,\quad\mathbf R^{(m)}(1)=\mathbf 0,\quad m=1,2,\dots,h-1
-:holds-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
-:needs: zero_end_weight_loses_the_end_point | $\omega_n\ne0$; the example is to be read in reversed order.
+:holds-by: end_derivatives_in_every_degree
+:confirmed-by: end_derivatives_at_one_with_repeated_points
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_n\ne0$; the example is to be read in reversed order.
 :::
 
 :::{claim} end_derivatives_at_one_with_repeated_points
@@ -340,8 +347,10 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :title: At t = 0: the first derivative that does not vanish
 :zh: t=0 处首个非零导矢
 :printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)
-:holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
-:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
+:holds-by: end_derivatives_in_every_degree
+:confirmed-by: end_derivatives_at_zero_with_repeated_points
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $\omega_0\ne0$.
 :figure: end_tangents
 :::
 
@@ -352,7 +361,8 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :class: misprint
 :refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
 :corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
-:corrected-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
+:corrected-by: end_derivatives_in_every_degree
+:confirmed-by: end_derivatives_at_one_with_repeated_points
 :striking: 3
 :figure: end_derivatives
 

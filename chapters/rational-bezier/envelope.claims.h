@@ -76,8 +76,8 @@ control polygon, and the polar form says of which curve.
 :printed: the points of level $r$ of the recursion, with their weights, are the control polygon of a rational curve
   of degree $n-r$ that belongs to the parameter $c$
 :holds-by: member_is_a_polar_curve
-:needs: member_may_lose_a_point | the weights are positive; else a weight $\omega_i^r(c)$ may vanish and its point
-  does not exist
+:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights are
+  positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
 :figure: triangle_point_at_infinity
 :::
 */
@@ -126,7 +126,8 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
   contact at $t=c$, for every $c$ of $[a,b]$
 :holds-by: member_touches_curve
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
-:needs: member_may_lose_a_point | the weights are positive
+:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights are
+  positive
 :figure: envelope_cusp
 
 The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.

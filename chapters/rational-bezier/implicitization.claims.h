@@ -86,7 +86,8 @@ the half line and its end: what goes wrong further on goes wrong there.
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse
-:needs: parameter_change_needs_two_ends | the interval is not a point, $a<b$
+:needs: parameter_change_needs_two_ends | (3.4.3) is written for an interval $[a,b]$ | the interval is not a point,
+  $a<b$
 
 $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$.
 :::
@@ -210,8 +211,8 @@ CLAIM(curve_in_the_new_parameter)
 :zh: 曲线上点所满足的两个方程
 :printed: \sum_{i=0}^na_iu^{n-i}=0,\quad\sum_{i=0}^nb_iu^{n-i}=0
 :holds-by: equations_of_a_point
-:needs: base_point_satisfies_the_equations | the weights are positive, so that the denominator does not vanish for
-  $u\ge0$; else both equations may hold for every $(x,y)$
+:needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights
+  are positive, so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
 
 Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ and $W(u)>0$.
 :::
@@ -540,9 +541,10 @@ determinant is identically 0.
 :holds-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :hypothesis: elevated_curve_has_no_equation | $A$, $B$, $W$ have no common zero (no base point, $u=\infty$
   included); else $F$ is 0 for all $(x,y)$
-:needs: end_weight_zero_gives_no_equation | the weights are positive; with $\omega_0=0$ the first column vanishes
-:needs: space_curve_and_its_shadow | the curve is plane; for a curve of space $F=0$ is only the cylinder over its
-  projection
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights
+  are positive; with $\omega_0=0$ the first column vanishes
+:needs: space_curve_and_its_shadow | theorem 3.4.1 is about a curve $F(x,y)=0$ | the curve is plane; for a curve of
+  space $F=0$ is only the cylinder over its projection
 :reading: equation_vanishes_on_the_curve | every point of the curve satisfies $F=0$: true without any hypothesis
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve: false; there are the
   points of the other parameters, and isolated points

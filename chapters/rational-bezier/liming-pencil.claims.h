@@ -254,7 +254,8 @@ CLAIM(limings_pencil_misses_one_conic)
 :zh: 仿射坐标
 :printed: \mathbf R=\mathbf R(x,y)=\mathbf R_1+x(\mathbf R_0-\mathbf R_1)+y(\mathbf R_2-\mathbf R_1)
 :holds-by: affine_coordinates_exist
-:needs: collinear_points_are_no_frame | $R_0$, $R_1$, $R_2$ do not lie on a line: they form an affine frame.
+:needs: collinear_points_are_no_frame | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not
+  lie on a line: they form an affine frame.
 :::
 
 :::{claim} affine_coordinates_exist
@@ -326,8 +327,8 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
 :holds-by: limings_pencil_in_the_frame every_scaling_takes_the_normal_form
 :hypothesis: scaled_lines_change_lambda | The equations of the lines are scaled so that $l_1l_2=\pm xy$ and
   $l_3^2=(x+y-1)^2$ in the frame; otherwise $\lambda$ of (3.1.4) is another number than $\lambda$ of (3.1.3).
-:needs: half_circle_has_no_frame | $l_1$ and $l_2$ meet.  With parallel tangents, as of a half circle, (3.1.3) is
-  right and there is no $R_1$.
+:needs: half_circle_has_no_frame | the line before: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
+  With parallel tangents, as of a half circle, (3.1.3) is right and there is no $R_1$.
 :reading: limings_pencil_in_the_frame | $\lambda$ is the same in both: true with the minus sign when the lines are
   written as determinants of their points.
 :reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter: always true, with one of the two

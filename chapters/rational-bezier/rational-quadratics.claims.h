@@ -99,7 +99,9 @@ written as quotients of three weights (权因子), of which only the one ratio $
   $g_2=\frac{\omega_2t}{\omega_1(1-t)}$ with constants $\omega_0,\omega_1,\omega_2$.
 :holds-by: each_pair_of_ratios_has_one_parameter
 :hypothesis: ratios_do_not_exist_at_the_ends | $0<t<1$; the ends $R_0$ and $R_2$ come back in (3.1.5).
-:needs: ratios_of_lengths_need_weights_of_one_sign | The weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
+:needs: ratios_of_lengths_need_weights_of_one_sign | $g_1$, $g_2$ are introduced as quotients of lengths, and
+  $\omega_0\omega_2/\omega_1^2>0$ is said below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
+  lengths.
 :::
 */
 
@@ -204,7 +206,9 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
   {(1-t)^2\omega_0+2(1-t)t\omega_1+t^2\omega_2}$, $0\le t\le1$, represents the arc of the conic that $R_0,R_1,R_2$
   determine.
 :holds-by: rational_quadratic_of_the_arc each_pair_of_ratios_has_one_parameter
-:needs: complementary_arc_leaves_the_triangle | The weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
+:needs: complementary_arc_leaves_the_triangle | $g_1$, $g_2$ are introduced as quotients of lengths, and
+  $\omega_0\omega_2/\omega_1^2>0$ is said below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
+  lengths.
 :figure: tangent_ratios
 
 The arc goes from $R_0$ to $R_2$ inside the triangle.  Besides the three points the constant
@@ -297,7 +301,8 @@ CLAIM(complementary_arc_leaves_the_triangle)
   $g_1g_2=\frac{\omega_0\omega_2}{\omega_1^2}>0$ cannot be changed.
 :holds-by: weights_with_one_constant_give_one_curve constant_is_read_off_the_curve
 :hypothesis: sign_of_the_middle_weight_changes_the_arc | The new weights, too, are of one sign.
-:needs: segment_does_not_fix_the_constant | $R_0$, $R_1$, $R_2$ form a triangle.
+:needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$
+  form a triangle.
 :figure: middle_weight_sign
 :::
 

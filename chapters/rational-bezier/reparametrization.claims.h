@@ -24,8 +24,8 @@ proof line by line, and the definition of the $I_i$.
 :printed: t=au/[au+b(1-u)],\quad 0\le u\le1
 :definition: yes
 :checked-by: fractional_change_runs_once projective_change_of_unit_interval_is_fractional
-:needs: linear_curve_with_opposite_ratios_has_a_pole | $a$ and $b$ of one sign, which positive weights give; with
-  $a/b<0$ the denominator vanishes inside $[0,1]$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  $a$ and $b$ of one sign, which positive weights give; with $a/b<0$ the denominator vanishes inside $[0,1]$
 :figure: reparametrization
 
 Every projective map of the parameter line that fixes $0$ and $1$ has this form, so nothing is lost by it.
@@ -102,7 +102,8 @@ CLAIM(projective_change_of_unit_interval_is_fractional)
 :zh: 新参数下的曲线
 :printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i\mathbf
   R_i}{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i}
-:holds-by: fractional_change_keeps_curve fractional_change_term_by_term
+:holds-by: fractional_change_term_by_term
+:confirmed-by: fractional_change_keeps_curve
 
 An identity: $a$ and $b$ may be any numbers, as long as the denominators do not vanish.
 :::
@@ -228,7 +229,8 @@ CLAIM(invariants_by_definition)
 :printed: a=\sqrt[n]{\omega_n^{*}/\omega_n},\quad b=\sqrt[n]{\omega_0^{*}/\omega_0}
 :definition: yes
 :checked-by: end_weights_give_the_factors
-:needs: negated_weights_have_no_real_factors | positive weights, for even $n$: otherwise the roots need not be real
+:needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights, for even $n$: otherwise the roots need not be real
 :::
 */
 
@@ -284,10 +286,10 @@ CLAIM(negated_weights_have_no_real_factors)
   into the rational Bézier curve of the same degree with the same points and shape, in the parameter $u$ and with
   the weights $\omega_i^*$
 :holds-by: equal_invariants_give_same_curve end_weights_give_the_factors fractional_change_runs_once
-:needs: equal_invariants_reach_the_other_arc | positive weights: with a negative one the other arc of the conic has
-  the same $I_1$
-:needs: linear_curve_with_opposite_ratios_has_a_pole | positive weights: for $n=1$ there is no condition at all, and
-  the curve may even become unbounded
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights: with a negative one the other arc of the conic has the same $I_1$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+  positive weights: for $n=1$ there is no condition at all, and the curve may even become unbounded
 :figure: equal_invariants_other_arc
 :::
 
@@ -460,7 +462,8 @@ CLAIM(equal_invariants_mean_geometric_ratios)
 :zh: 由末项求公比
 :printed: For $i=n$, (3.2.11) gives $q=a/b$
 :holds-by: equal_powers_of_positive_numbers
-:needs: quotient_is_lost_up_to_sign | positive weights; otherwise for even $n$ only $q=\pm a/b$
+:needs: quotient_is_lost_up_to_sign | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights;
+  otherwise for even $n$ only $q=\pm a/b$
 :::
 
 From $q^n=(a/b)^n$ the source concludes $q=a/b$.  That is a statement on positive numbers, and for even $n$ on no others.
@@ -532,8 +535,8 @@ CLAIM(quotient_is_lost_up_to_sign)
 :zh: 因子把旧权变为新权
 :printed: a^ib^{n-i}\omega_i=\omega_i^*, so that (3.2.14) is (3.2.13)
 :holds-by: end_weights_give_the_factors
-:needs: equal_invariants_reach_the_other_arc | positive weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left
-  side is $1$ for $i=1$, the right side $-1$
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is $1$ for $i=1$, the right side $-1$
 :::
 
 :::{claim} end_weights_give_the_factors
@@ -822,7 +825,8 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :printed: When $I_i=I_i^*$, $i=1,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape and only the
   parameter is distributed differently along them
 :holds-by: equal_invariants_give_same_curve fractional_change_runs_once
-:needs: equal_invariants_reach_the_other_arc | positive weights
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights
 :figure: reparametrization
 
 The distribution need not differ: for $\omega_i^*=c\,\omega_i$ it is the same, as $q=1$.

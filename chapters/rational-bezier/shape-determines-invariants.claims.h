@@ -26,6 +26,8 @@ set run in the same direction; the same map of the parameter; or congruent curve
   and only if $I_i=I_i^*$, $i=1,\dots,n-1$
 :holds-by: backward_run_flattens_the_first_edges end_curvature_contains_one_invariant end_torsion_contains_two_invariants
   equal_invariants_give_same_curve
+:meant: property 3.2.10, which the theorem turns round, and the sentence before it, by which only the distribution of
+  the parameter differs | The same shape is the same point set.
 :reading: backward_run_flattens_the_first_edges | same point set, the reading of property 3.2.10: holds
 :reading: end_torsion_contains_two_invariants | same point set in the same direction: holds
 :reading: plane_cubic_cannot_run_backwards | same point set, and for $n=3$ nothing asked of the edges: holds as
@@ -34,14 +36,15 @@ set run in the same direction; the same map of the parameter; or congruent curve
   differently; the source excludes this reading
 :reading: congruent_cubics_with_other_invariants | congruent curves: "only if" fails; the motion may exchange the
   ends, and with them the weights (so for $n=4,5$ as well: congruent_curves_beyond_cubics)
-:needs: equal_invariants_reach_the_other_arc | positive weights, for "if"
-:needs: segment_has_two_invariants | $n=2$: the three points not collinear
-:needs: palindromes_of_degree_four | $n=4$: edges not coplanar at one end at least; without it the point set, run
-  backwards, has other invariants
-:needs: common_factor_hides_the_weights | $n=5$: edges not coplanar; a plane quintic can be one and the same map for
-  weights with different invariants
-:needs: space_palindromes_beyond_degree_five | $n\le5$: for $n\ge6$ the point set, run backwards, can have other
-  invariants
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights, for "if"
+:needs: segment_has_two_invariants | the theorem | $n=2$: the three points not collinear
+:needs: palindromes_of_degree_four | the theorem | $n=4$: edges not coplanar at one end at least; without it the point
+  set, run backwards, has other invariants
+:needs: common_factor_hides_the_weights | the theorem | $n=5$: edges not coplanar; a plane quintic can be one and the
+  same map for weights with different invariants
+:needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: for $n\ge6$ the point set, run backwards, can
+  have other invariants
 :figure: shape_and_invariants
 
 The direction "if" is property 3.2.10 and needs nothing but positive weights.  For "only if" let the two curves have
@@ -528,7 +531,8 @@ the other end to symmetry.
 :zh: 充分性即性质 3.2.10
 :printed: That (3.2.12) gives the same shape is property 3.2.10
 :holds-by: equal_invariants_give_same_curve
-:needs: equal_invariants_reach_the_other_arc | positive weights
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights
 :::
 
 :::{statement} wang-ch3:thm-3.2.1-proof-start
@@ -536,6 +540,8 @@ the other end to symmetry.
 :zh: 曲线始端的曲率与挠率相等
 :printed: As the curves have the same shape, curvature and torsion agree all along, in particular at the start
 :holds-by: backward_run_flattens_the_first_edges
+:meant: the sentence before the theorem, by which curves of one shape differ in their parameter alone | The same shape
+  is the same point set.
 :reading: backward_run_flattens_the_first_edges | same point set: holds, but that the start of one curve is the
   start of the other is to be shown, by steps (1) and (2) above
 :reading: congruent_cubics_with_other_invariants | congruent curves: fails; the starts need not correspond

@@ -15,7 +15,8 @@ A designer sees $\omega$: it is the ratio in which the curve divides the median 
 :printed: \mathbf R_s=\mathbf R^*(u)\big|_{u=1/2}=\frac1{1+\omega}\left(\frac{\mathbf R_0}2+\frac{\mathbf R_2}2\right)
   +\frac\omega{1+\omega}\mathbf R_1
 :holds-by: shoulder_point_of_the_curve
-:needs: shoulder_point_at_infinity | The weights are positive, so $\omega\ne-1$.
+:needs: shoulder_point_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are
+  positive, so $\omega\ne-1$.
 :figure: shoulder_point
 
 On (3.1.5) itself this is the point of $t=\frac{\sqrt{\omega_0}}{\sqrt{\omega_0}+\sqrt{\omega_2}}$, which is $\frac12$ only
@@ -95,7 +96,9 @@ $\omega$ has to be said, and a print that does not say it can be read either way
 :printed: $R_s$ lies on the median of $\triangle R_1R_0R_2$ to its base, and the curve divides this median into two parts
   in the ratio $1:\omega$.
 :holds-by: curve_divides_the_median
-:needs: negative_weight_leaves_the_median | The weights are positive, so $\omega>0$.
+:needs: negative_weight_leaves_the_median | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights
+  are positive, so $\omega>0$.
+:meant: corollary 3.5.1, which names the parts | The parts are taken from the vertex.
 :reading: curve_divides_the_median | The parts are taken from the vertex, $\|R_1R_s\|:\|R_sM\|=1:\omega$, as in corollary
   3.5.1: true.
 :reading: median_from_the_base_is_the_other_way | The parts are taken from the base.
@@ -214,8 +217,10 @@ vertex.
   $R_0R_2$ in the shoulder point $R_s$.  If $\frac{\|R_sM\|}{\|R_1R_s\|}=\omega$, the curve is an ellipse, a parabola or a
   hyperbola for $\omega<1$, $\omega=1$ or $\omega>1$.
 :holds-by: shoulder_ratio_is_the_root_of_the_invariant sign_of_the_discriminant kind_in_any_coordinates
-:needs: flat_triangle_has_a_shoulder_point | $R_0R_1R_2$ is a triangle.
-:needs: weight_zero_has_ratio_zero | The weights are positive, so $\omega_1\ne0$.
+:needs: flat_triangle_has_a_shoulder_point | the corollary names the triangle and its median | $R_0R_1R_2$ is a
+  triangle.
+:needs: weight_zero_has_ratio_zero | the corollary names the triangle and its median | The weights are positive, so
+  $\omega_1\ne0$.
 :figure: shoulder_point
 
 The ratio is $\frac{|\omega_1|}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all weights with $\omega_0\omega_2>0$, not only for

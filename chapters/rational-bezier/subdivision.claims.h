@@ -109,8 +109,8 @@ the points: run first, it tells where the division is not possible.
   R_{i-1}^{r-1}(c)+\frac{\lambda\omega_i^{r-1}(c)}{\omega_i^r(c)}\mathbf R_i^{r-1}(c)
 :definition: yes
 :checked-by: triangle_in_closed_form triangle_level_by_level
-:needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular
-  curve
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular curve
 :figure: triangle_point_at_infinity
 
 The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in
@@ -171,11 +171,11 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
 :printed: For every $c\in(a,b)$, with $\lambda=(c-a)/(b-a)$, the parts of $\mathbf R(t)$ over $[a,c]$ and $[c,b]$
   are rational Bézier curves of degree $n$ with weights and points from the triangle (3.3.2), (3.3.3)
 :holds-by: subdivision_left_half subdivision_right_half
-:needs: intermediate_weight_can_vanish | positive weights
-:needs: cut_at_an_end_is_empty | $c\in(a,b)$: for $c=a$ the left formula has the argument $(t-a)/0$, and its points
-  all coincide; for $c=b$ likewise the right one
-:needs: cut_outside_can_fail | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may vanish although all
-  $\omega_i>0$
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:needs: cut_at_an_end_is_empty | the theorem: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
+  $(t-a)/0$, and its points all coincide; for $c=b$ likewise the right one
+:needs: cut_outside_can_fail | the theorem: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
+  vanish although all $\omega_i>0$
 :figure: subdivision_triangle
 
 The formulas (3.3.1) themselves follow, one branch at a time.
@@ -349,7 +349,7 @@ coincide would not give that point.
   \omega_i}=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)\mathbf R_i^i(c)}
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)},\quad a\le t\le c
 :holds-by: subdivision_left_half
-:needs: intermediate_weight_can_vanish | positive weights
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
 
 As an identity it holds for every $t$.
 :::
@@ -364,7 +364,7 @@ As an identity it holds for every $t$.
 :corrected: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)\mathbf R_n^{n-i}(c)}
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)},\quad c\le t\le b
 :corrected-by: subdivision_right_half
-:needs: intermediate_weight_can_vanish | positive weights
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
 :striking: 6
 :figure: right_half_misprint
 

@@ -63,7 +63,9 @@ CLAIM(line_form_of_the_curve)
 :zh: 跨越处是分子的根
 :printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
 :holds-by: sign_of_the_curve_is_that_of_the_numerator
-:needs: curve_changes_sides_at_a_pole | positive weights, or only $\omega(t)\ne0$
+:needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights,
+  or only $\omega(t)\ne0$
+:meant: the last clause of the property | Crossings.
 :reading: designed_curves_cross_no_more | crossings, which are roots of odd multiplicity
 :reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
   clause of the property
@@ -435,7 +437,8 @@ CLAIM(curve_inside_the_line_has_too_many_roots)
 :zh: 正因子不改变变号数
 :printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
 :holds-by: positive_factors_keep_sign_changes
-:needs: mixed_weights_change_sign_changes | positive weights
+:needs: mixed_weights_change_sign_changes | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+  weights
 :figure: line_crossings
 :::
 
@@ -514,6 +517,7 @@ CLAIM(mixed_weights_change_sign_changes)
 :zh: 变号数即 B 网跨越直线的次数
 :printed: V[y_0,y_1,\dots,y_n]=I(\mathbf B,L)
 :holds-by: sign_changes_are_polygon_crossings
+:meant: the last clause of the property | Crossings.
 :reading: touching_polygon_has_no_sign_change | intersections taken as common points, against the last clause of the property
 :::
 

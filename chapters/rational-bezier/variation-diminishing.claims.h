@@ -20,8 +20,11 @@ computed, and a third time from the cutting of corners for every degree.
 :printed: for a plane rational Bézier curve and every line $L$ of its plane, $I(\mathbf R,L)\le I(\mathbf B,L)$, where the
   number $I$ of intersections is how often $L$ is crossed
 :holds-by: averages_between_neighbours_keep_sign_changes elevation_cuts_corners powers_in_every_degree
-  elevated_polygons_converge bernstein_collocation_is_totally_positive
-:needs: mixed_weights_cross_more | positive weights
+  elevated_polygons_converge
+:confirmed-by: bernstein_collocation_is_totally_positive
+:needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
+  polygon.
 :reading: designed_curves_cross_no_more | crossings, counted along the curve and along the polygon, as the last clause
   says; also when edges, ends or the whole curve are on the line
 :reading: designed_curves_meet_no_more | common points, ends and tangents included and counted along the curve, if the

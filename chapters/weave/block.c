@@ -22,7 +22,7 @@ const struct block *block_named(const struct book *book, const char *name, enum 
 
 int role_of(const char *key)
 {
-#define KEY(tag, key, has_text) key,
+#define KEY(tag, key, form) key,
     static const char *const keys[ROLES] = {ROLE_LIST(KEY)};
 #undef KEY
     int r = 0;
@@ -31,12 +31,12 @@ int role_of(const char *key)
     return r;
 }
 
-int role_has_text(int r)
+role_form form_of(int r)
 {
-#define TEXT(tag, key, has_text) has_text,
-    static const int with_text[ROLES] = {ROLE_LIST(TEXT)};
-#undef TEXT
-    return with_text[r];
+#define FORM(tag, key, form) form,
+    static const role_form forms[ROLES] = {ROLE_LIST(FORM)};
+#undef FORM
+    return forms[r];
 }
 
 int kind_of(const struct block *b)
@@ -88,7 +88,13 @@ int read_degrees(const struct block *b, struct degrees *d)
     *d = (struct degrees){0};
     if (text == NULL)
         return 1;
-    if (strcmp(text, "all") == 0) {
+    const char *equals = strchr(text, '=');
+    if (equals != NULL) {
+        char *letter = trimmed(copy_of(text, (size_t)(equals - text)));
+        snprintf(d->letter, sizeof d->letter, "%s", letter);
+        text = equals + 1 + strspn(equals + 1, " ");
+    }
+    if (strcmp(text, "all") == 0 || sscanf(text, "all from %d", &d->low) == 1) {
         d->all = 1;
         return 1;
     }
@@ -97,10 +103,24 @@ int read_degrees(const struct block *b, struct degrees *d)
     return read >= 2 && d->low >= 0 && d->high >= d->low;
 }
 
-struct link read_link(const char *value)
+/* What stands before the next bar, or NULL; *value is what follows it. */
+static char *before_bar(const char **value)
 {
-    const char *bar = strchr(value, '|');
+    const char *bar = strchr(*value, '|');
     if (bar == NULL)
-        return (struct link){NULL, trimmed(whole_copy(value))};
-    return (struct link){trimmed(copy_of(value, (size_t)(bar - value))), trimmed(whole_copy(bar + 1))};
+        return NULL;
+    char *part = trimmed(copy_of(*value, (size_t)(bar - *value)));
+    *value = bar + 1;
+    return part;
+}
+
+struct link read_link(const char *value, role_form form)
+{
+    struct link link = {0};
+    if (form != PLACE_TEXT)
+        link.claim = before_bar(&value);
+    if (form == PLACE_TEXT || form == CLAIM_PLACE_TEXT)
+        link.place = before_bar(&value);
+    link.text = trimmed(whole_copy(value));
+    return link;
 }

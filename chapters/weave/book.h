@@ -5,7 +5,7 @@
 #include "chapters/judge/claim.h"
 #include "chapters/weave/text.h"
 
-enum block_kind { CLAIM_BLOCK, STATEMENT_BLOCK, SOURCE_BLOCK };
+enum block_kind { CLAIM_BLOCK, STATEMENT_BLOCK, LETTERS_BLOCK, SOURCE_BLOCK };
 
 struct option {
     char *key, *value;
@@ -61,7 +61,7 @@ const char *value_of(const struct block *b, const char *key);
 const struct block *block_named(const struct book *book, const char *name, enum block_kind kind);
 /* The role of that key, or ROLES. */
 int role_of(const char *key);
-int role_has_text(int r);
+role_form form_of(int r);
 /* Whether the claim is run in the type, by its option `types`; decisions and counterexamples are rational unless it says
  * otherwise. */
 int has_type(const struct book *book, const struct block *b, number_type t);
@@ -70,14 +70,15 @@ int is_compiled(const struct book *book, const struct block *b);
 int kind_of(const struct block *b);
 /* The degrees that a claim visits; 0 where the option cannot be read. */
 struct degrees {
+    char letter[16]; /* empty: that of the chapter */
     int low, high, sampled, all;
 };
 int read_degrees(const struct block *b, struct degrees *d);
-/* claim | text, each trimmed: the claim or NULL, and the text. */
+/* claim | text, claim | place | text or place | text, each trimmed; NULL is what is not there, but for the text. */
 struct link {
-    char *claim, *text;
+    char *claim, *place, *text;
 };
-struct link read_link(const char *value);
+struct link read_link(const char *value, role_form form);
 
 /* The register as C tables, and as JSON for everybody else.  0 on success, else a line on stderr. */
 int write_register_c(const struct book *book, const char *path);

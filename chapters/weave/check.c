@@ -12,8 +12,8 @@ static int is_one_of(const char *word, const char *const words[])
     return 0;
 }
 
-#define KEY(tag, key, has_text) key,
-#define PLACE(tag, key)         key,
+#define KEY(tag, key, form) key,
+#define PLACE(tag, key)     key,
 static const char *const role_keys[] = {ROLE_LIST(KEY) NULL};
 static const char *const data_keys[] = {DATA_LIST(PLACE) NULL};
 
@@ -78,15 +78,18 @@ static void check_body(const struct book *book, const struct block *b)
 
 static void check_claim(const struct book *book, const struct block *b)
 {
-    static const char *const known[] = {"title", "zh",      "given", "let",     "then",    "method", "kind",
-                                        "types", "degrees", "scope", "control", "defines", NULL};
+    static const char *const known[] = {"title",   "zh",    "given", "let",    "then",    "method",  "kind", "types",
+                                        "degrees", "scope", "over",  "argued", "control", "defines", NULL};
     static const char *const needed[] = {"title", "zh", "given", "then", "method", "control", NULL};
     struct degrees d;
     check_keys(b, known, data_keys, needed);
     if (kind_of(b) == KINDS)
         complain(b->file, b->line, "'%s': unknown kind '%s'", b->name, value_of(b, "kind"));
     if (!read_degrees(b, &d))
-        complain(b->file, b->line, "'%s': degrees are written as 1..6 or 1..6 sampled 12", b->name);
+        complain(b->file, b->line, "'%s': degrees are written as 1..6, k = 1..6 sampled 12, all or all from 2",
+                 b->name);
+    if (value_of(b, "argued") != NULL && strchr(value_of(b, "argued"), '|') == NULL)
+        complain(b->file, b->line, "'%s': what is argued is written as cases | text", b->name);
     check_types(b);
     check_body(book, b);
 }
@@ -102,7 +105,7 @@ static void check_link(const struct book *book, const struct block *b, int r, co
     int is_counterexample = kind_of(target) == COUNTEREXAMPLE;
     if (r == REFUTED_BY && !is_counterexample)
         complain(b->file, b->line, "'%s' is refuted by '%s', which is no counterexample", b->name, name);
-    if (r != REFUTED_BY && !role_has_text(r) && is_counterexample)
+    if (r != REFUTED_BY && form_of(r) == CLAIM_LIST && is_counterexample)
         complain(b->file, b->line, "'%s' lists the counterexample '%s' under %s", b->name, name, role_keys[r]);
 }
 
@@ -112,18 +115,38 @@ static void check_links(const struct book *book, const struct block *b)
         int r = role_of(b->option[k].key);
         if (r == ROLES)
             continue;
-        if (role_has_text(r)) {
-            struct link link = read_link(b->option[k].value);
+        if (form_of(r) != CLAIM_LIST) {
+            struct link link = read_link(b->option[k].value, form_of(r));
             if (link.claim != NULL)
                 check_link(book, b, r, link.claim);
-            else if (r != READING)
+            else if (form_of(r) != PLACE_TEXT && r != READING)
                 complain(b->file, b->option[k].line, "'%s' has a %s that no claim tries: claim | text", b->name,
                          role_keys[r]);
+            if (form_of(r) == CLAIM_PLACE_TEXT && link.claim != NULL && link.place == NULL)
+                complain(b->file, b->option[k].line, "'%s': where does the source state it? claim | place | text",
+                         b->name);
+            if (form_of(r) == PLACE_TEXT && (link.place == NULL || link.text[0] == '\0'))
+                complain(b->file, b->option[k].line, "'%s': %s is written as place | text", b->name, role_keys[r]);
         } else {
             char *words = whole_copy(b->option[k].value);
             for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " "))
                 check_link(book, b, r, word);
         }
+    }
+}
+
+/* Where a reading fails and claims decide that the statement holds, it is said what the text itself means. */
+static void check_readings(const struct book *book, const struct block *b)
+{
+    if (value_of(b, "meant") != NULL || value_of(b, "hypothesis") != NULL || value_of(b, "holds-by") == NULL)
+        return;
+    for (int k = 0; k < b->options; k++) {
+        struct link link = read_link(b->option[k].value, CLAIM_TEXT);
+        if (role_of(b->option[k].key) != READING || link.claim == NULL)
+            continue;
+        const struct block *target = block_named(book, link.claim, CLAIM_BLOCK);
+        if (target != NULL && kind_of(target) == COUNTEREXAMPLE)
+            complain(b->file, b->option[k].line, "'%s' holds, and so read it fails: which reading is meant?", b->name);
     }
 }
 
@@ -159,14 +182,24 @@ static void check_statement(const struct book *book, const struct block *b)
     if (figure != NULL && !contains(&book->figures, figure))
         complain(b->file, b->line, "'%s': there is no FIGURE(%s)", b->name, figure);
     check_links(book, b);
+    check_readings(book, b);
     check_source_of(book, b);
 }
 
 static void check_source(const struct block *b)
 {
-    static const char *const known[] = {"author", "title", "zh", "year", "publisher", "part", NULL};
+    static const char *const known[] = {"author", "title", "zh", "year", "publisher", "part", "letter", NULL};
     static const char *const needed[] = {"author", "title", NULL}, *const none[] = {NULL};
     check_keys(b, known, none, needed);
+}
+
+/* The letters of a chapter: what the variables of its claims stand for, unless a claim says otherwise. */
+static void check_letters(const struct block *b)
+{
+    static const char *const known[] = {"over", "degree", NULL}, *const none[] = {NULL};
+    check_keys(b, known, none, none);
+    if (strcmp(b->name, b->chapter) != 0)
+        complain(b->file, b->line, "the letters of chapter '%s' are called '%s'", b->chapter, b->name);
 }
 
 void check_book(const struct book *book)
@@ -177,6 +210,8 @@ void check_book(const struct book *book)
             check_claim(book, b);
         else if (b->kind == STATEMENT_BLOCK)
             check_statement(book, b);
+        else if (b->kind == LETTERS_BLOCK)
+            check_letters(b);
         else
             check_source(b);
         if (block_named(book, b->name, b->kind) != b)

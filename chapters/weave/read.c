@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const block_word[] = {"claim", "statement", "source"};
+static const char *const block_word[] = {"claim", "statement", "letters", "source"};
 
 /* The kind of block that ":::{kind} name" begins, or -1; *name is what follows. */
 static int block_begins(const char *line, const char **name)

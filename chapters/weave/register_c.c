@@ -42,7 +42,7 @@ static void put_option(FILE *out, const char *field, const struct block *b, cons
 #define TYPE_NAME(tag, name, suffix, kernels) #tag "_TYPE",
 #define SUFFIX(tag, name, suffix, kernels)    #suffix,
 #define KIND(tag, name)                       #tag,
-#define ROLE(tag, key, has_text)              #tag,
+#define ROLE(tag, key, form)                  #tag,
 #define PLACE(tag, key)                       "IN_" #tag,
 static const char *const type_tags[] = {NUMBER_TYPE_LIST(TYPE_NAME)};
 static const char *const suffixes[] = {NUMBER_TYPE_LIST(SUFFIX)};
@@ -75,6 +75,30 @@ static void put_data(FILE *out, const struct block *b, int index)
     fputs("    {.name = NULL}};\n", out);
 }
 
+/* What the variables of a claim stand for: what its block says, before what the letters of the chapter say. */
+static char *over_of(const struct book *book, const struct block *b)
+{
+    const struct block *letters = block_named(book, b->chapter, LETTERS_BLOCK);
+    const char *own = value_of(b, "over"), *all = letters != NULL ? value_of(letters, "over") : NULL;
+    char *over = whole_copy(own != NULL ? own : "");
+    return all != NULL ? joined(over, ';', all) : over;
+}
+
+/* The letter of its degrees, its own before that of the chapter. */
+static const char *letter_of(const struct book *book, const struct block *b, const struct degrees *d)
+{
+    const struct block *letters = block_named(book, b->chapter, LETTERS_BLOCK);
+    const char *letter = letters != NULL ? value_of(letters, "degree") : NULL;
+    return d->letter[0] != '\0' ? d->letter : letter;
+}
+
+static void put_argument(FILE *out, const char *argued)
+{
+    struct link link = read_link(argued != NULL ? argued : "", PLACE_TEXT);
+    put_field(out, "argued_for", link.place);
+    put_field(out, "argued", link.text);
+}
+
 static void put_claim(FILE *out, const struct book *book, const struct block *b, int index)
 {
     struct degrees d;
@@ -90,6 +114,9 @@ static void put_claim(FILE *out, const struct book *book, const struct block *b,
     put_option(out, "control", b, "control");
     put_option(out, "scope", b, "scope");
     put_option(out, "defines", b, "defines");
+    put_field(out, "over", over_of(book, b));
+    put_field(out, "letter", letter_of(book, b, &d));
+    put_argument(out, value_of(b, "argued"));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
     fprintf(out,
@@ -123,15 +150,17 @@ static void put_claims(FILE *out, const struct book *book)
 
 /* ---- statements ------------------------------------------------------------------------------------ */
 
-static void put_link(FILE *out, int r, const char *name, const char *text)
+static void put_link(FILE *out, int r, const struct link *link)
 {
-    fprintf(out, "    {%s, ", role_tags[r]);
-    if (name == NULL)
-        fputs("NULL", out);
-    else
-        put_string(out, name);
-    fputs(", ", out);
-    put_string(out, text);
+    const char *const parts[] = {link->claim, link->place, link->text};
+    fprintf(out, "    {%s", role_tags[r]);
+    for (int k = 0; k < 3; k++) {
+        fputs(", ", out);
+        if (parts[k] != NULL)
+            put_string(out, parts[k]);
+        else
+            fputs("NULL", out);
+    }
     fputs("},\n", out);
 }
 
@@ -142,19 +171,26 @@ static void put_links(FILE *out, const struct block *b, int index)
         int r = role_of(b->option[k].key);
         if (r == ROLES)
             continue;
-        if (role_has_text(r)) {
-            struct link link = read_link(b->option[k].value);
-            put_link(out, r, link.claim, link.text);
+        if (form_of(r) != CLAIM_LIST) {
+            struct link link = read_link(b->option[k].value, form_of(r));
+            put_link(out, r, &link);
         } else {
             char *words = whole_copy(b->option[k].value);
             for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " "))
-                put_link(out, r, word, "");
+                put_link(out, r, &(struct link){word, NULL, whole_copy("")});
         }
     }
-    fputs("    {HOLDS_BY, NULL, NULL}};\n", out);
+    fputs("    {HOLDS_BY, NULL, NULL, NULL}};\n", out);
 }
 
-static void put_statement(FILE *out, const struct block *b, int index)
+/* The letter that the source of a statement has for degrees. */
+static const char *letter_of_source(const struct book *book, const struct block *b)
+{
+    const struct block *source = block_named(book, copy_of(b->name, strcspn(b->name, ":")), SOURCE_BLOCK);
+    return source != NULL ? value_of(source, "letter") : NULL;
+}
+
+static void put_statement(FILE *out, const struct book *book, const struct block *b, int index)
 {
     const char *rank = value_of(b, "striking");
     fputs("    {.id = ", out);
@@ -166,6 +202,7 @@ static void put_statement(FILE *out, const struct block *b, int index)
     put_option(out, "corrected", b, "corrected");
     put_option(out, "figure", b, "figure");
     put_field(out, "note", b->note);
+    put_field(out, "letter", letter_of_source(book, b));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
     fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .links = links_%d},\n", b->line,
@@ -180,7 +217,7 @@ static void put_statements(FILE *out, const struct book *book)
     fputs("\nstatic const statement statements[] = {\n", out);
     for (int k = 0; k < book->blocks; k++)
         if (book->block[k].kind == STATEMENT_BLOCK)
-            put_statement(out, &book->block[k], k);
+            put_statement(out, book, &book->block[k], k);
     fputs("    {.id = NULL}};\n\n", out);
 }
 
@@ -201,6 +238,7 @@ static void put_sources(FILE *out, const struct book *book)
         put_option(out, "year", b, "year");
         put_option(out, "publisher", b, "publisher");
         put_option(out, "part", b, "part");
+        put_option(out, "letter", b, "letter");
         fputs("},\n", out);
     }
     fputs("    {.key = NULL}};\n\n", out);

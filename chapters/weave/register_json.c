@@ -42,7 +42,7 @@ static json_t *data_json(const struct block *b)
 
 #define NAME(tag, name, suffix, kernels) #name,
 #define KIND(tag, name)                  name,
-#define ROLE(tag, key, has_text)         key,
+#define ROLE(tag, key, form)             key,
 #define CLASS(name)                      name,
 static const char *const type_names[] = {NUMBER_TYPE_LIST(NAME)};
 static const char *const kind_names[] = {KIND_LIST(KIND)};
@@ -97,7 +97,7 @@ int write_register_json(const struct book *book, const char *path)
             json_array_append_new(claims, claim_json(book, b));
         else if (b->kind == STATEMENT_BLOCK)
             json_array_append_new(statements, other_json(b, "id"));
-        else
+        else if (b->kind == SOURCE_BLOCK)
             json_array_append_new(sources, other_json(b, "key"));
     }
     json_t *whole = json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", "cagd-register-1", "lists", lists_json(),

@@ -381,8 +381,8 @@ class Readme(Case):
         runs = [r for c in claims for r in c["types"].values()]
         kinds = collections.Counter("counterexample" if c["kind"] == "counterexample" else c["evidence"] for c in claims)
         sampled = sum(kinds[e] for e in ("sampled", "measured", "enclosed"))
-        self.assertIn(f"{len(claims)} claims: {kinds['proved']} proved, {kinds['decided']} decided, {sampled} sampled, "
-                      f"{kinds['counterexample']} counterexamples, 0 not as expected", text)
+        self.assertIn(f"{len(claims)} claims: {kinds['proved']} proved, {kinds['decided']} decided, {kinds['argued']} argued, "
+                      f"{sampled} sampled, {kinds['counterexample']} counterexamples, 0 not as expected", text)
         caught = sum(r["control_caught"] for r in runs)
         self.assertIn(f"{sum(r['compared'] for r in runs)} comparisons in {len(runs)} runs; {caught} of {len(runs)} controls "
                       "caught", text)

@@ -16,6 +16,11 @@ TYPES = "field rational interval double"
 
 INDEX = """# A chapter (一章)
 
+:::{letters} chapter
+:over: t
+:degree: p
+:::
+
 ```{toctree}
 :maxdepth: 1
 
@@ -34,9 +39,13 @@ FIRST = r"""/*
 :printed: a=b,
   \ b="c"
 :holds-by: sum_is_zero
-:needs: ratio_fails | a hypothesis that is stated
+:needs: ratio_fails | section 1 | a hypothesis that is stated
 :hypothesis: ratio_fails | a hypothesis that is not
 :reading: a way to read it
+:meant: the title | what is meant
+:confirmed-by: range_is_decided
+:argued: every n | by induction
+:cites: a book | a theorem
 :figure: picture
 :striking: 2
 
@@ -59,7 +68,9 @@ A remark: with a colon.
 :given: numbers
 :then: their sum is 0
 :method: by computing it
-:degrees: 1..6 sampled 12
+:degrees: k = 1..6 sampled 12
+:over: h#: lengths
+:argued: every k | by words
 :types: field rational
 :defines: kernel
 :control: a term left out
@@ -191,7 +202,9 @@ class Good(Weaving):
         text = self.register()
         c = self.claim(text, "sum_is_zero")
         self.assertIn(".kind = IDENTITY, .degree_low = 1, .degree_high = 6, .degree_sampled = 12, .all_degrees = 0", c)
-        self.assertIn('.defines = "kernel"', c)
+        self.assertIn('.defines = "kernel", .over = "h#: lengths;t", .letter = "k"', c)
+        self.assertIn('.argued_for = "every k", .argued = "by words"', c)
+        self.assertIn('.over = "t", .letter = "p"', self.claim(text, "every_degree"))
         self.assertIn(f'.file = "chapter/first.claims.h", .line = {line_of(FIRST, ":::{claim} sum_is_zero")},', c)
         self.assertIn("[FIELD_TYPE] = claim_sum_is_zero_f, [RATIONAL_TYPE] = claim_sum_is_zero_q, }}", c)
         self.assertIn(".kind = COUNTEREXAMPLE", self.claim(text, "ratio_fails"))
@@ -203,10 +216,12 @@ class Good(Weaving):
 
     def test_links_and_texts(self):
         text = self.register()
-        for link in ('{HOLDS_BY, "sum_is_zero", ""}', '{NEEDS, "ratio_fails", "a hypothesis that is stated"}',
-                     '{HYPOTHESIS, "ratio_fails", "a hypothesis that is not"}', '{READING, NULL, "a way to read it"}',
-                     '{REFUTED_BY, "ratio_fails", ""}', '{CORRECTED_BY, "sum_is_zero", ""}',
-                     '{CORRECTED_BY, "range_is_decided", ""}'):
+        for link in ('{HOLDS_BY, "sum_is_zero", NULL, ""}', '{NEEDS, "ratio_fails", "section 1", "a hypothesis that is stated"}',
+                     '{HYPOTHESIS, "ratio_fails", NULL, "a hypothesis that is not"}', '{READING, NULL, NULL, "a way to read it"}',
+                     '{MEANT, NULL, "the title", "what is meant"}', '{CONFIRMED_BY, "range_is_decided", NULL, ""}',
+                     '{ARGUED, NULL, "every n", "by induction"}', '{CITES, NULL, "a book", "a theorem"}',
+                     '{REFUTED_BY, "ratio_fails", NULL, ""}', '{CORRECTED_BY, "sum_is_zero", NULL, ""}',
+                     '{CORRECTED_BY, "range_is_decided", NULL, ""}'):
             self.assertIn(link, text)
         self.assertIn(r'.printed = "a=b, \\ b=\"c\""', text)
         self.assertIn('.note = "A remark: with a colon."', text)
@@ -236,15 +251,15 @@ class Good(Weaving):
     def test_data(self):
         text = self.register()
         data = text[text.index("static const datum data_"):]
-        for row in ('{.name = "R", .text = "(0,1/2) (-3,0x1.8p-3)", .place = IN_DATA, .rows = 2, .columns = 2, .value = values_3_0}',
-                    '{.name = "w", .text = "1 0.5 w1", .place = IN_DATA, .rows = 3, .columns = 1, .value = values_3_1}',
-                    '{.name = "n", .text = "2", .place = IN_DATA, .rows = 1, .columns = 1, .value = values_3_2}',
-                    '{.name = "F", .text = "\\"y^2; x^3\\"", .place = IN_DATA, .rows = 1, .columns = 0, .value = values_3_3}',
-                    '{.name = "n", .text = "3", .place = IN_INSTEAD, .rows = 1, .columns = 1, .value = values_3_4}',
-                    """{.name = "R''(0)", .text = "(4,0)", .place = IN_RESULT, .rows = 1, .columns = 2, .value = values_3_5}"""):
+        for row in ('{.name = "R", .text = "(0,1/2) (-3,0x1.8p-3)", .place = IN_DATA, .rows = 2, .columns = 2, .value = values_4_0}',
+                    '{.name = "w", .text = "1 0.5 w1", .place = IN_DATA, .rows = 3, .columns = 1, .value = values_4_1}',
+                    '{.name = "n", .text = "2", .place = IN_DATA, .rows = 1, .columns = 1, .value = values_4_2}',
+                    '{.name = "F", .text = "\\"y^2; x^3\\"", .place = IN_DATA, .rows = 1, .columns = 0, .value = values_4_3}',
+                    '{.name = "n", .text = "3", .place = IN_INSTEAD, .rows = 1, .columns = 1, .value = values_4_4}',
+                    """{.name = "R''(0)", .text = "(4,0)", .place = IN_RESULT, .rows = 1, .columns = 2, .value = values_4_5}"""):
             self.assertIn(row, data)
-        self.assertIn('values_3_0[] = {"0", "1/2", "-3", "0x1.8p-3"}', text)
-        self.assertIn('values_3_3[] = {"y^2; x^3"}', text)
+        self.assertIn('values_4_0[] = {"0", "1/2", "-3", "0x1.8p-3"}', text)
+        self.assertIn('values_4_3[] = {"y^2; x^3"}', text)
 
     def test_json(self):
         self.register()
@@ -273,6 +288,32 @@ class Good(Weaving):
         r = self.weave(chapters=("chapter", "sources"))
         self.assertEqual(r.returncode, 1)
         self.assertIn("chapter/first.claims.h:4: 'source:1.1' is of no source", r.stderr)
+
+
+    def test_letters_of_a_source(self):
+        (self.root / "sources").mkdir()
+        (self.root / "sources" / "index.md").write_text(
+            ":::{source} source\n:author: A\n:title: A book\n:letter: k\n:::\n", encoding="utf-8")
+        self.assertIn('.letter = "k", .chapter = "chapter", .file = "chapter/first.claims.h", .line = 4,',
+                      self.register(chapters=("chapter", "sources")))
+
+
+class BadWords(Weaving):
+    def test_forms(self):
+        for old, new, *words in ((":meant: the title | what is meant", ":meant: what is meant", "place | text"),
+                                 (":argued: every n | by induction", ":argued: by induction", "place | text"),
+                                 (":cites: a book | a theorem", ":cites: a book |", "place | text"),
+                                 (":argued: every k | by words", ":argued: by words", "cases | text"),
+                                 (":confirmed-by: range_is_decided", ":confirmed-by: ratio_fails", "the counterexample"),
+                                 (":degrees: k = 1..6", ":degrees: k = 1...6", "degrees are written")):
+            with self.subTest(new):
+                at = ":::{claim} sum_is_zero" if "degrees" in new or "by words" in new else None
+                self.spoiled("first.claims.h", old, new, *words,
+                             at=at or (":::{statement} source:1.1" if "confirmed" in new else None))
+
+    def test_letters_are_those_of_their_chapter(self):
+        self.spoiled("index.md", ":::{letters} chapter", ":::{letters} other", "chapter")
+        self.spoiled("index.md", ":degree: p", ":degre: p", "unknown option")
 
 
 class BadData(Weaving):
@@ -324,7 +365,7 @@ class BadClaims(Weaving):
     def test_bad_degrees(self):
         for degrees in ("6", "1-6", "6..1", "-1..2", "any"):
             with self.subTest(degrees):
-                self.spoiled("first.claims.h", ":degrees: 1..6 sampled 12", f":degrees: {degrees}", "degrees",
+                self.spoiled("first.claims.h", ":degrees: k = 1..6 sampled 12", f":degrees: {degrees}", "degrees",
                              at=":::{claim} sum_is_zero")
 
     def test_no_body(self):
@@ -405,9 +446,22 @@ class BadLinks(Weaving):
                      at=":::{statement} source:1.2")
 
     def test_a_hypothesis_is_tried(self):
-        for key in ("needs", "hypothesis"):
-            with self.subTest(key):
-                self.spoiled("first.claims.h", f":{key}: ratio_fails | ", f":{key}: ", "no claim tries", key, at=f":{key}: a")
+        self.spoiled("first.claims.h", ":hypothesis: ratio_fails | ", ":hypothesis: ", "no claim tries", "hypothesis",
+                     at=":hypothesis: a")
+        self.spoiled("first.claims.h", ":needs: ratio_fails | ", ":needs: ", "does not exist", "'section 1'",
+                     at=":::{statement} source:1.1")
+        self.spoiled("first.claims.h", ":needs: ratio_fails | section 1 | ", ":needs: ratio_fails | ", "where does the source",
+                     at=":needs: ratio_fails | a")
+
+    def test_a_reading_that_fails(self):
+        text = FIRST.replace(":hypothesis: ratio_fails | a hypothesis that is not\n", "")
+        text = text.replace(":reading: a way to read it", ":reading: ratio_fails | a way to read it")
+        self.write("first.claims.h", text)
+        self.assertEqual(self.weave().returncode, 0)
+        text = text.replace(":meant: the title | what is meant\n", "")
+        self.write("first.claims.h", text)
+        (self.root / "register.c").unlink()
+        self.refused("first.claims.h", line_of(text, ":reading: ratio_fails"), "which reading is meant")
 
 
 class BadChapters(Weaving):

@@ -55,7 +55,7 @@ static void test_an_identity_is_proved(void **state)
     assert_true(r->as_expected);
     assert_int_equal(r->outcome, HOLDS);
     assert_int_equal(r->evidence, PROVED);
-    assert_string_equal(r->scope, "every value of x0, y0");
+    assert_string_equal(r->scope, "all data");
     static const outcome expected[] = {HOLDS, HOLDS, UNDECIDED, HOLDS}; /* intervals confirm nothing */
     static const int cases[] = {1, 24, 12, 24};
     for (number_type t = 0; t < NUMBER_TYPES; t++) {
@@ -75,7 +75,8 @@ static void test_evidence_is_that_of_the_strongest_type(void **state)
 {
     (void)state;
     static const evidence expected[] = {PROVED, SAMPLED, ENCLOSED, MEASURED};
-    static const char *const scope[] = {"every value of x0, y0", "24 instances", "12 instances", "24 instances"};
+    static const char *const scope[] = {"all data", "24 random instances", "12 random instances",
+                                        "24 random instances"};
     const claim list[] = {{IN(FIELD_TYPE, _f, square_of_sum)},
                           {IN(RATIONAL_TYPE, _q, square_of_sum)},
                           {IN(INTERVAL_TYPE, _i, square_of_sum)},
@@ -98,7 +99,7 @@ static void test_every_degree_is_visited(void **state)
     const claim identity = {EVERYWHERE(power_of_degree), .degree_low = 1, .degree_high = 4, .degree_sampled = 30};
     claim_result *r = judge_one(&identity);
     assert_true(r->as_expected);
-    assert_string_equal(r->scope, "n = 1 to 4; every value of t");
+    assert_string_equal(r->scope, "n = 1 to 4; all data");
     assert_int_equal(r->by[FIELD_TYPE].cases, 4);
     assert_int_equal(r->by[FIELD_TYPE].degree_high, 4);
     assert_int_equal(r->by[RATIONAL_TYPE].cases, 24);
@@ -120,7 +121,7 @@ static void test_every_degree_is_visited(void **state)
 
     const claim all = {IN(FIELD_TYPE, _f, square_of_sum), .all_degrees = 1};
     r = judge_one(&all);
-    assert_string_equal(r->scope, "all n; every value of x0, y0");
+    assert_string_equal(r->scope, "every n; all data");
     free_results(r, 1);
 }
 
@@ -257,7 +258,7 @@ static void test_a_crowded_field_grows(void **state)
     assert_int_equal(r->by[FIELD_TYPE].faults, 0);
     assert_int_equal(r->by[FIELD_TYPE].compared, 1); /* of the last attempt only */
     assert_int_equal(r->by[FIELD_TYPE].exhibits, 1);
-    assert_string_equal(r->scope, "every value of x0..x39");
+    assert_string_equal(r->scope, "all data");
     free_results(r, 1);
 
     const claim most = {IN(FIELD_TYPE, _f, too_many_variables)};
@@ -277,7 +278,7 @@ static void test_signs(void **state)
     claim_result *r = judge_one(&c);
     assert_true(r->as_expected);
     assert_int_equal(r->evidence, PROVED);
-    assert_string_equal(r->scope, "every value of a0, t and every positive value of w3, s");
+    assert_string_equal(r->scope, "all positive data");
     for (number_type t = 0; t < NUMBER_TYPES; t++)
         assert_true(r->by[t].control_caught);
     assert_int_equal(r->by[RATIONAL_TYPE].outcome, HOLDS);
@@ -699,11 +700,13 @@ static void test_no_claims(void **state)
 /* Results as judge_claims would leave them: good claims by evidence, and one that went wrong. */
 static const claim proved = {.name = "proved"}, decided = {.name = "decided"}, sampled = {.name = "sampled"},
                    against = {.name = "against", .kind = COUNTEREXAMPLE}, wrong = {.name = "wrong"};
-static const claim_result results[] = {{.claim = &proved, .as_expected = 1, .evidence = PROVED},
-                                       {.claim = &decided, .as_expected = 1, .evidence = DECIDED},
-                                       {.claim = &sampled, .as_expected = 1, .evidence = SAMPLED},
-                                       {.claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED},
-                                       {.claim = &wrong, .as_expected = 0, .evidence = NO_EVIDENCE}};
+static char against_scope[] = "the stated instance";
+static const claim_result results[] = {
+    {.claim = &proved, .as_expected = 1, .evidence = PROVED},
+    {.claim = &decided, .as_expected = 1, .evidence = DECIDED},
+    {.claim = &sampled, .as_expected = 1, .evidence = SAMPLED},
+    {.claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED, .scope = against_scope},
+    {.claim = &wrong, .as_expected = 0, .evidence = NO_EVIDENCE}};
 enum { RESULTS = sizeof results / sizeof *results };
 
 static statement_result verdict_of(const statement_link links[], int is_definition)
@@ -712,59 +715,63 @@ static statement_result verdict_of(const statement_link links[], int is_definiti
     return derive(&s, results, RESULTS);
 }
 
-/* What the roles present have to lead to, said the other way round than in verdict.c. */
+static int in(unsigned roles, role r) { return roles >> r & 1; }
+
+/* What the roles present have to lead to, said the other way round than in verdict.c.  The reading fails. */
 static verdict expected_verdict(unsigned roles, int is_definition)
 {
-    unsigned for_it = roles & (1u << HOLDS_BY | 1u << CHECKED_BY), condition = roles & 1u << HYPOTHESIS;
-    if (roles & 1u << REFUTED_BY)
+    int for_it = in(roles, HOLDS_BY) || in(roles, CHECKED_BY);
+    if (in(roles, REFUTED_BY))
         return VERDICT_FAILS;
     if (is_definition)
         return VERDICT_DEFINITION;
-    if (for_it)
-        return condition ? VERDICT_CONDITIONAL : VERDICT_HOLDS;
-    return roles & 1u << READING && !condition ? VERDICT_UNDECIDED : VERDICT_OPEN;
+    if (for_it && in(roles, HYPOTHESIS))
+        return VERDICT_CONDITIONAL;
+    if (in(roles, READING) && !in(roles, HYPOTHESIS) && !(for_it && in(roles, MEANT)))
+        return VERDICT_UNDECIDED;
+    return for_it ? VERDICT_HOLDS : VERDICT_OPEN;
 }
 
 static void test_every_combination_of_roles(void **state)
 {
     (void)state;
     static const char *const good[ROLES] = {
-        [HOLDS_BY] = "proved", [REFUTED_BY] = "against", [CORRECTED_BY] = "decided", [HYPOTHESIS] = "against",
-        [NEEDS] = "against",   [READING] = "sampled",    [CHECKED_BY] = "sampled"};
+        [HOLDS_BY] = "proved",    [CONFIRMED_BY] = "sampled", [REFUTED_BY] = "against", [CORRECTED_BY] = "decided",
+        [HYPOTHESIS] = "against", [NEEDS] = "against",        [READING] = "against",    [CHECKED_BY] = "decided"};
     for (unsigned roles = 0; roles < 1u << ROLES; roles++)
         for (int is_definition = 0; is_definition <= 1; is_definition++)
             for (int bad = -1; bad < 2 * ROLES; bad++) { /* the role whose claim went wrong, or is missing */
-                if (bad >= 0 && !(roles >> bad % ROLES & 1))
+                if (bad >= 0 && (!in(roles, (role)(bad % ROLES)) || form_of_role[bad % ROLES] == PLACE_TEXT))
                     continue;
                 statement_link links[ROLES + 1];
                 int count = 0;
                 for (int k = 0; k < ROLES; k++)
-                    if (roles >> k & 1) {
+                    if (in(roles, (role)k)) {
                         const char *name = bad == k ? "wrong" : bad == ROLES + k ? "missing" : good[k];
-                        links[count++] = (statement_link){(role)k, name, ""};
+                        links[count++] = (statement_link){(role)k, name, form_of_role[k] == PLACE_TEXT ? "" : NULL, ""};
                     }
-                links[count] = (statement_link){HOLDS_BY, NULL, NULL};
+                links[count] = (statement_link){HOLDS_BY, NULL, NULL, NULL};
                 statement_result r = verdict_of(links, is_definition);
                 assert_int_equal(r.as_expected, bad < 0);
                 assert_int_equal(r.verdict, bad < 0 ? expected_verdict(roles, is_definition) : VERDICT_OPEN);
+                int words = in(roles, ARGUED) || in(roles, CITES);
+                int held = in(roles, HOLDS_BY) || in(roles, CHECKED_BY);
                 if (bad >= 0) {
-                    assert_int_equal(r.evidence, NO_EVIDENCE);
-                    continue;
-                }
-                assert_int_equal(r.corrected, roles >> CORRECTED_BY & 1);
-                assert_int_equal(r.corrected_evidence, r.corrected ? DECIDED : NO_EVIDENCE);
-                int held = (roles & (1u << HOLDS_BY | 1u << CHECKED_BY)) != 0;
-                evidence weakest = roles >> CHECKED_BY & 1 ? SAMPLED : PROVED;
-                if (r.verdict == VERDICT_FAILS) {
-                    assert_int_equal(r.evidence, DECIDED);
-                    assert_string_equal(r.decided_by->claim->name, "against");
-                } else if (held) {
-                    assert_int_equal(r.evidence, weakest);
-                    assert_string_equal(r.decided_by->claim->name, weakest == SAMPLED ? "sampled" : "proved");
+                    assert_int_equal(r.as_printed.evidence, NO_EVIDENCE);
                 } else {
-                    assert_int_equal(r.evidence, NO_EVIDENCE);
-                    assert_null(r.decided_by);
+                    evidence correction = in(roles, REFUTED_BY) && words ? BY_ARGUMENT : DECIDED;
+                    assert_int_equal(r.as_corrected.evidence, in(roles, CORRECTED_BY) ? correction : NO_EVIDENCE);
+                    if (r.verdict == VERDICT_FAILS)
+                        assert_int_equal(r.as_printed.evidence, DECIDED);
+                    else if (held && r.verdict != VERDICT_UNDECIDED)
+                        assert_int_equal(r.as_printed.evidence, words                   ? BY_ARGUMENT
+                                                                : in(roles, CHECKED_BY) ? DECIDED
+                                                                                        : PROVED);
+                    else
+                        assert_int_equal(r.as_printed.evidence, NO_EVIDENCE);
+                    assert_true((r.refuted_by != NULL) == (r.verdict == VERDICT_FAILS));
                 }
+                free_statement_result(&r);
             }
 }
 
@@ -773,33 +780,40 @@ static void test_evidence_is_that_of_the_weakest_claim(void **state)
     (void)state;
     static const char *const orders[][3] = {{"proved", "decided", "sampled"}, {"sampled", "proved", "decided"}};
     for (int k = 0; k < 2; k++) {
-        const statement_link links[] = {{HOLDS_BY, orders[k][0], ""},
-                                        {HOLDS_BY, orders[k][1], ""},
-                                        {HOLDS_BY, orders[k][2], ""},
-                                        {CORRECTED_BY, orders[k][0], ""},
-                                        {CORRECTED_BY, orders[k][1], ""},
-                                        {CORRECTED_BY, orders[k][2], ""},
-                                        {HOLDS_BY, NULL, NULL}};
+        const statement_link links[] = {{HOLDS_BY, orders[k][0], NULL, ""},
+                                        {HOLDS_BY, orders[k][1], NULL, ""},
+                                        {HOLDS_BY, orders[k][2], NULL, ""},
+                                        {CORRECTED_BY, orders[k][0], NULL, ""},
+                                        {CORRECTED_BY, orders[k][1], NULL, ""},
+                                        {CORRECTED_BY, orders[k][2], NULL, ""},
+                                        {HOLDS_BY, NULL, NULL, NULL}};
         statement_result r = verdict_of(links, 0);
         assert_int_equal(r.verdict, VERDICT_HOLDS);
-        assert_int_equal(r.evidence, SAMPLED);
-        assert_string_equal(r.decided_by->claim->name, "sampled");
-        assert_int_equal(r.corrected_evidence, SAMPLED);
-        assert_string_equal(r.corrected_by->claim->name, "sampled");
+        assert_int_equal(r.as_printed.evidence, SAMPLED);
+        assert_int_equal(r.as_corrected.evidence, SAMPLED);
+        free_statement_result(&r);
     }
 }
 
-static void test_a_reading_in_words_has_no_claim(void **state)
+static void test_readings(void **state)
 {
     (void)state;
-    const statement_link words[] = {{READING, NULL, "one way"}, {READING, NULL, "another"}, {HOLDS_BY, NULL, NULL}};
+    const statement_link words[] = {
+        {READING, NULL, NULL, "one way"}, {READING, NULL, NULL, "another"}, {HOLDS_BY, NULL, NULL, NULL}};
     statement_result r = verdict_of(words, 0);
     assert_true(r.as_expected);
-    assert_int_equal(r.verdict, VERDICT_UNDECIDED);
-    const statement_link none[] = {{HOLDS_BY, NULL, NULL}};
+    assert_int_equal(r.verdict, VERDICT_UNDECIDED); /* a reading in words has no claim */
+    free_statement_result(&r);
+    const statement_link none[] = {{HOLDS_BY, NULL, NULL, NULL}};
     r = verdict_of(none, 0);
     assert_true(r.as_expected);
     assert_int_equal(r.verdict, VERDICT_OPEN);
+    free_statement_result(&r);
+    const statement_link good[] = {
+        {HOLDS_BY, "proved", NULL, ""}, {READING, "sampled", NULL, ""}, {HOLDS_BY, NULL, NULL, NULL}};
+    r = verdict_of(good, 0);
+    assert_int_equal(r.verdict, VERDICT_HOLDS); /* no reading fails */
+    free_statement_result(&r);
 }
 
 static void test_result_of(void **state)
@@ -807,7 +821,140 @@ static void test_result_of(void **state)
     (void)state;
     assert_ptr_equal(result_of("sampled", results, RESULTS), &results[2]);
     assert_null(result_of("missing", results, RESULTS));
+    assert_null(result_of("sample", results, RESULTS));
+    assert_null(result_of("sampled_claim", results, RESULTS));
     assert_null(result_of("proved", results, 0));
+}
+
+/* ---- Scopes ------------------------------------------------------------------------------------------ */
+
+static char weighted_names[] = "x0 w1 t", weighted_positive[] = "w1", plain_names[] = "x3 w0 beta0", odd_names[] = "h7",
+            no_names[] = "";
+static const claim weighted = {.name = "weighted",
+                               .scope = "simple knots",
+                               .over = "x#: points; w#: weights;t",
+                               .degree_high = 6},
+                   plain = {.name = "plain", .scope = "", .over = "x#: points; w#: weights; beta", .letter = "k"},
+                   odd = {.name = "odd", .scope = "simple knots", .letter = "m", .all_degrees = 1, .degree_low = 2},
+                   stretched = {.name = "stretched", .scope = "", .argued_for = "every n", .argued = "by induction"},
+                   worded = {.name = "worded", .scope = "", .argued_for = "", .argued = "by continuity"},
+                   high = {.name = "high", .scope = ""}, instances = {.name = "instances", .scope = ""};
+#define RUN_IN_FIELD(c, low, high_, names, positive_names)                                                             \
+    {                                                                                                                  \
+        .claim = &c, .as_expected = 1, .evidence = PROVED, .computed = PROVED,                                         \
+        .by =                                                                                                          \
+        { [FIELD_TYPE] = {                                                                                             \
+              .ran = 1, .degree_low = low, .degree_high = high_, .variables = names, .positive = positive_names} }     \
+    }
+static const claim_result scoped[] = {
+    RUN_IN_FIELD(weighted, 1, 6, weighted_names, weighted_positive),
+    RUN_IN_FIELD(plain, 3, 9, plain_names, no_names),
+    RUN_IN_FIELD(odd, 0, 0, odd_names, no_names),
+    RUN_IN_FIELD(stretched, 1, 4, no_names, no_names),
+    RUN_IN_FIELD(worded, 1, 4, no_names, no_names),
+    RUN_IN_FIELD(high, 7, 8, no_names, no_names),
+    {.claim = &instances,
+     .as_expected = 1,
+     .evidence = SAMPLED,
+     .computed = SAMPLED,
+     .by = {[RATIONAL_TYPE] = {.ran = 1, .cases = 24}}},
+};
+
+static void assert_finding(const char *letter, evidence e, const char *scope, const char *argued_for,
+                           const statement_link links[])
+{
+    const statement s = {.id = "source:1", .letter = letter, .links = links};
+    statement_result r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+    assert_true(r.as_expected);
+    assert_int_equal(r.as_printed.evidence, e);
+    assert_string_equal(r.as_printed.scope, scope);
+    assert_string_equal(r.as_printed.argued_for, argued_for);
+    free_statement_result(&r);
+}
+#define BY(name)                                                                                                       \
+    {                                                                                                                  \
+        HOLDS_BY, name, NULL, ""                                                                                       \
+    }
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL}})
+
+static void test_the_scope_is_what_all_claims_have_in_common(void **state)
+{
+    (void)state;
+    assert_finding(NULL, PROVED, "n = 1 to 6; simple knots; all points, all positive weights, every t", "",
+                   LINKS(BY("weighted")));
+    assert_finding("k", PROVED, "k = 3 to 9; all points and weights, every β", "", LINKS(BY("plain")));
+    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β", "", LINKS(BY("plain")));
+    assert_finding("n", PROVED, "every m from 2 on; simple knots; all data", "", LINKS(BY("odd")));
+    for (int turned = 0; turned < 2; turned++) /* weights positive in one are positive in both */
+        assert_finding("n", PROVED,
+                       turned ? "n = 2 to 6; simple knots; all points, all positive weights, every β and t"
+                              : "n = 2 to 6; simple knots; all points, all positive weights, every t and β",
+                       "", turned ? LINKS(BY("plain"), BY("weighted")) : LINKS(BY("weighted"), BY("plain")));
+    assert_finding(
+        "n", PROVED,
+        "n = 1 to 6; every m from 2 on; simple knots; all points, all positive weights, every t, all other data", "",
+        LINKS(BY("weighted"), BY("odd")));
+    assert_finding("n", SAMPLED, "n = 2 to 8; all points and weights, every β; 24 random instances", "",
+                   LINKS(BY("plain"), BY("instances")));
+    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β", "",
+                   LINKS(BY("plain"), {CONFIRMED_BY, "instances", NULL, ""}));
+}
+
+static void test_claims_without_a_common_case(void **state)
+{
+    (void)state;
+    const statement s = {.id = "source:1", .links = LINKS(BY("stretched"), BY("high"))};
+    statement_result r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+    assert_false(r.as_expected);
+    assert_int_equal(r.verdict, VERDICT_OPEN);
+    assert_string_equal(r.as_printed.scope, "no n");
+    free_statement_result(&r);
+}
+
+static void test_arguments(void **state)
+{
+    (void)state;
+    assert_finding("n", PROVED, "n = 1 to 4", "every n", LINKS(BY("stretched")));
+    assert_finding("n", PROVED, "n = 2 to 4; all points and weights, every β", "", /* plain ends at 8 */
+                   LINKS(BY("stretched"), BY("plain")));
+    assert_finding("n", PROVED, "n = 2 to 4; all points and weights, every β", "every n; n > 9",
+                   LINKS(BY("stretched"), BY("plain"), {ARGUED, NULL, "n > 9", "text"}));
+    assert_finding("n", BY_ARGUMENT, "n = 1 to 4", "", LINKS(BY("worded")));
+    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {ARGUED, NULL, "", "text"}));
+    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {CITES, NULL, "place", "text"}));
+    assert_finding("n", SAMPLED, "24 random instances", "", LINKS(BY("instances"), {CITES, NULL, "place", "text"}));
+}
+
+static void test_a_claim_that_needs_words_is_argued(void **state)
+{
+    (void)state;
+    const claim needs = {EVERYWHERE(square_of_sum), .argued_for = "", .argued = "words"},
+                adds = {EVERYWHERE(square_of_sum), .argued_for = "every n", .argued = "words"};
+    claim_result *r = judge_one(&needs);
+    assert_int_equal(r->computed, PROVED);
+    assert_int_equal(r->evidence, BY_ARGUMENT);
+    free_results(r, 1);
+    r = judge_one(&adds);
+    assert_int_equal(r->evidence, PROVED);
+    free_results(r, 1);
+}
+
+static void test_finding_words(void **state)
+{
+    (void)state;
+    char scope_text[] = "n = 1 to 4", every[] = "every n", none[] = "";
+    const struct {
+        finding f;
+        const char *words;
+    } list[] = {{{PROVED, scope_text, none}, "proved for n = 1 to 4"},
+                {{PROVED, scope_text, every}, "proved for n = 1 to 4; argued for every n"},
+                {{BY_ARGUMENT, none, none}, "argued"},
+                {{NO_EVIDENCE, none, none}, ""}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        char *words = finding_words(&list[k].f);
+        assert_string_equal(words, list[k].words);
+        free(words);
+    }
 }
 
 int main(void)
@@ -840,8 +987,13 @@ int main(void)
         unit(test_no_claims),
         unit(test_every_combination_of_roles),
         unit(test_evidence_is_that_of_the_weakest_claim),
-        unit(test_a_reading_in_words_has_no_claim),
+        unit(test_readings),
         unit(test_result_of),
+        unit(test_the_scope_is_what_all_claims_have_in_common),
+        unit(test_claims_without_a_common_case),
+        unit(test_arguments),
+        unit(test_a_claim_that_needs_words_is_argued),
+        unit(test_finding_words),
     };
     return run_unit_tests(tests);
 }
