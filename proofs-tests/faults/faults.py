@@ -1,15 +1,17 @@
 """Planted faults: one operator, operand, condition, statement or constant at a time is changed, and a test must notice.
 
-    faults.py ROOM [--per-function N] [--sample N] [--seed S] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
+    faults.py ROOM [--per-function N] [--one-in N] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
               [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
 ROOM is kernels, exact, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
 gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
 by the tests of its room, those of its file first, until one fails, crashes or takes ten times its usual time; in the kernels by
-the claims that define the kernel, by all claims, and by the unit test.  A fault that survives is printed, and the exit status is 1.
+the claims that define the kernel, by all claims, and by the unit test under both sanitizers, which sees what is read or written
+behind the end of an array and changes no result.  A fault that survives is printed, and the exit status is 1.
 
-Without --sample and --per-function every fault is tried; --per-function N takes from each function N of them, of kinds as different
-as possible.  --slow tries the tests that take long as well.  equivalent.txt lists the faults that no test can notice, each with
+Without --one-in and --per-function every fault is tried.  Both choose by the hash of a fault's name, which is made of file, function,
+kind and the line before and after: whether it is chosen does not depend on what is edited elsewhere.  --one-in N takes those whose hash is
+divisible by N; --per-function N takes from each function N of them, of kinds as different as possible.  --slow tries the tests that take long as well.  equivalent.txt lists the faults that no test can notice, each with
 its reason; they are left out, and with --equivalent they alone are tried.  --again tries those that survived in the output of
 a former run.  For the kernels, --chapters builds only these
 chapters, with those whose claims they name, for faults in the kernels that they define, and --types only these number types.
@@ -17,10 +19,10 @@ chapters, with those whose claims they name, for faults in the kernels that they
 import argparse
 import collections
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
-import random
 import re
 import shlex
 import shutil
@@ -110,7 +112,7 @@ class Fit(Room):
 class Kernels(Room):
     """Judged by cagd verify, and by the unit test what no claim sees."""
     optimised = "-O0"
-    tests = {"test_kernels": ["proofs-tests/unit/test_kernels"]}
+    tests = {"test_kernels_checked": ["proofs-tests/unit/test_kernels_checked"]}
 
     def units(self):
         return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}
@@ -151,28 +153,30 @@ def clang(root, flags, *more):
 
 
 def all_faults(room, flags):
-    found = []
+    """Every fault of a room with its number and its hash; faults of one name differ in which of them it is."""
+    found, named = [], collections.Counter()
     for unit, files in room.units().items():
         command = clang(ROOT, flags, "-Xclang", "-ast-dump=json", "-fsyntax-only", unit)
         for f in planter.Planter(planter.Tree(command, ROOT, set(files))).found:
-            found.append({**f, "unit": unit, "number": len(found) + 1})
+            name = " | ".join(f[key] for key in ("file", "function", "kind", "old", "new"))
+            named[name] += 1
+            digest = hashlib.sha256(f"{name} | {named[name]}".encode()).digest()
+            found.append({**f, "unit": unit, "number": len(found) + 1, "hash": int.from_bytes(digest[:8], "big")})
     return found
 
 
-def per_function(faults, most, seed):
-    """From each function as many, the kinds that were taken least often first."""
-    taken, by_function = collections.Counter(), {}
+def per_function(faults, most):
+    """From each function as many, the kinds that were not taken yet first, among them those of the smallest hash."""
+    by_function = {}
     for f in faults:
         by_function.setdefault((f["file"], f["function"]), []).append(f)
     chosen = []
-    for key, here in by_function.items():
-        random.Random(f"{seed} {key}").shuffle(here)
-        own = set()
+    for here in by_function.values():
+        own = collections.Counter()
         for _ in range(min(most, len(here))):
-            f = min(here, key=lambda f: (f["kind"] in own, taken[f["kind"]]))
+            f = min(here, key=lambda f: (own[f["kind"]], f["hash"]))
             here.remove(f)
-            own.add(f["kind"])
-            taken[f["kind"]] += 1
+            own[f["kind"]] += 1
             chosen.append(f)
     return chosen
 
@@ -210,8 +214,6 @@ class Copy:
                   f"-DCMAKE_C_FLAGS_DEBUG={room.optimised} -w", f"-DCMAKE_CXX_FLAGS_DEBUG={room.optimised} -w",
                   "-DCAGD_TYPES=" + ";".join(a.types), *configured)
         self.verified = isinstance(room, Kernels)
-        if self.verified and a.chapters:
-            self.tests = {}
         self.targets = [words[0].split("/")[-1] for words in self.tests.values()] + ["cagd"] * self.verified
         self.usual = {}
 
@@ -299,8 +301,7 @@ def main():
     parser.add_argument("room", choices=ROOMS)
     comma = {"type": lambda text: text.split(","), "default": []}
     parser.add_argument("--per-function", type=int)
-    parser.add_argument("--sample", type=int, help="only N faults, chosen at random")
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--one-in", type=int, metavar="N", help="only the faults whose hash is divisible by N")
     parser.add_argument("--file", **comma, help="only faults in these files; the end of the path suffices")
     parser.add_argument("--function", **comma)
     parser.add_argument("--shard", help="K/N: only the K-th of N parts")
@@ -327,9 +328,9 @@ def main():
         again = {re.sub(r":\d+:", ":", line, count=1) for line in a.again.read_text().splitlines() if line.startswith("SURVIVES")}
         chosen = [f for f in chosen if re.sub(r":\d+:", ":", told("SURVIVES", f), count=1) in again]
     if a.per_function:
-        chosen = per_function(chosen, a.per_function, a.seed)
-    if a.sample:
-        chosen = random.Random(a.seed).sample(chosen, min(a.sample, len(chosen)))
+        chosen = per_function(chosen, a.per_function)
+    if a.one_in:
+        chosen = [f for f in chosen if f["hash"] % a.one_in == 0]
     left_out = sum(is_known(f) for f in chosen)
     chosen = [f for f in chosen if is_known(f) == a.equivalent]
     if a.shard:
