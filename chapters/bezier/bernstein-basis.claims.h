@@ -57,6 +57,7 @@ $1-t$ that both sides share are two more variables.  An identity in all these va
 :method: The three terms are $c\frac ni\,UtV$, $c\frac{n-i}i\,UtV$ and $c\,UtV$, compared with $n-i$, $i$, $t$, $c$,
   $U$, $V$ all variables.  For $i=0$ the relation is $(1-t)^n=(1-t)(1-t)^{n-1}$.
 :degrees: all
+:over: i n_minus_i c: i; t U V: t
 :control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$
 :::
 */
@@ -83,6 +84,7 @@ same function one degree higher, and is the whole reason why the degree of a cur
   $B_i^n=(1-\frac i{n+1})B_i^{n+1}+\frac{i+1}{n+1}B_{i+1}^{n+1}$
 :method: With $n-i$, $i$, $t$, $c$, $U$, $V$ variables, both sides of each relation are one element of the field.
 :degrees: all
+:over: i n_minus_i c: i; t U V: t
 :control: the factor $\frac{i+1}{n+1}$ taken as $\frac i{n+1}$
 :::
 */
@@ -114,6 +116,7 @@ CLAIM(bernstein_raised_by_one_degree)
   $c$, $W$, $X$ variables both relations are equalities in the field.  For $i=0$ and $i=n$ one term is absent,
   and its factor $i$ or $n-i$ is $0$.
 :degrees: all
+:over: i n_minus_i c: i; t W X: t
 :control: the sign between the two terms of the derivative
 :::
 */
@@ -148,6 +151,8 @@ its derivative has the sign of $i-nt$.
 :method: The numerators and denominators of $\pm(i-nt)$ are polynomials in $i$, $n-i$ and $s$ with positive
   coefficients.  If $i=0$ or $i=n$ one of the two intervals is empty.
 :degrees: all
+:scope: 0 < i < n, 0 < t < 1
+:over: i n_minus_i s: -
 :control: the sign after the node expected as before it
 :::
 */
@@ -200,6 +205,8 @@ a weighted average, and the sign is right inside the unit interval alone.  Both 
 :then: $B_i^n(t)>0$ for $i=0,\dots,n$
 :method: Each value of the kernel, as a quotient of polynomials in $s$, has positive coefficients only.
 :degrees: 0..10 sampled 20
+:scope: 0 < t < 1
+:over: s: -
 :control: $t$ taken as $-\frac s{1+s}$
 :::
 */
@@ -223,6 +230,8 @@ points.
 :then: $(-1)^iB_i^n(-s)>0$ and $(-1)^{n-i}B_i^n(1+s)>0$ for $i=0,\dots,n$
 :method: As polynomials in $s$ these have positive coefficients only.
 :degrees: 0..10 sampled 20
+:scope: t < 0 and t > 1
+:over: s: -
 :control: the sign $(-1)^i$ at $1+s$ as well
 :::
 */
@@ -359,6 +368,7 @@ polynomial that vanishes on an interval therefore has no coefficient different f
 :then: the coefficients $c$ of `bernstein_to_power` have $\sum c_kt^k=\sum b_iB_i^n(t)$
 :method: Both sums at a variable $t$, the $b_i$ variables, the right one from the definition.
 :degrees: 0..7 sampled 12
+:over: x#: coefficients
 :defines: bernstein_to_power
 :control: the last coefficient with the other sign
 :::
@@ -383,6 +393,7 @@ CLAIM(bernstein_to_power_keeps_polynomial)
 :then: the coefficients $b$ of `bernstein_from_power` have $\sum b_iB_i^n(t)=\sum c_kt^k$
 :method: Both sums at a variable $t$, the $c_k$ variables, the left one from the definition.
 :degrees: 0..7 sampled 12
+:over: x#: coefficients
 :defines: bernstein_from_power
 :control: the last coefficient with the other sign
 :::
@@ -407,6 +418,7 @@ CLAIM(power_to_bernstein_keeps_polynomial)
 :then: `bernstein_from_power` after `bernstein_to_power`, and the other way round, give them back
 :method: Both compositions on variables; the kernels are also called with their result in place of their argument.
 :degrees: 0..10 sampled 16
+:over: x#: coefficients
 :control: the coefficients reversed between the two conversions
 :::
 */
@@ -487,6 +499,7 @@ CLAIM(linear_precision)
 :method: The three sums from the definition, at a variable $t$, all coefficients variables; for every pair of the
   degrees, and with the factors exchanged.
 :degrees: 0..5 sampled 8
+:over: a# b#: coefficients
 :defines: bernstein_product
 :control: the factor $\frac1{\binom{n+m}0}$ of $c_0$ taken as $\frac12$
 :::

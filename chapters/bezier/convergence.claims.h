@@ -50,6 +50,7 @@ Bernstein.  That is the convergence; the formulas below say it without the urn.
   $w_j(i,N+1)=\frac i{N+1}w_j(i-1,N)+(1-\frac i{N+1})w_j(i,N)$ in the field, which is one elevation: induction on
   $N$.  `bezier_elevate`, three times over, is compared with it as well.
 :degrees: 0..6 sampled 9
+:over: N; i; x#: points
 :control: $[N-i]_{n-j}$ taken as $(N-i)^{n-j}$
 :::
 */
@@ -95,6 +96,8 @@ CLAIM(elevated_points_in_closed_form)
   distances tend to $0$, the polygon is linear.
 :types: field
 :degrees: 1..6
+:scope: 0 ≤ t ≤ 1, N ≥ 2n
+:over: x h: -
 :control: $h=\frac1{2n}$ put in the place of $h=0$
 :::
 */
@@ -135,6 +138,7 @@ multiplies these by $t^2$ and $(1-t)^2$ at most.
   $t^2$ and $(1-t)^2$
 :method: The polygons by the kernel, the right sides from the definition, everything a variable.
 :degrees: 2..6 sampled 12
+:over: x#: coefficients
 :control: $t^2$ taken as $t$
 :::
 */

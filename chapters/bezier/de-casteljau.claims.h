@@ -117,6 +117,7 @@ reversed polygon gives the same curve backwards.
 :then: the curve of the mapped points is the mapped curve
 :method: Map, points and $t$ are variables.
 :degrees: 0..6 sampled 12
+:over: m# v#: affine maps
 :control: the last point is not moved
 :::
 */
@@ -180,6 +181,7 @@ fixed by its values at arguments $0$ and $1$, these are the points $b_i$, and th
 :then: $b[u_1,\dots,u_n]=\sum_{S\subseteq\{1,\dots,n\}}\ \prod_{k\in S}u_k\prod_{k\notin S}(1-u_k)\;b_{|S|}$
 :method: The kernel against the sum over all $2^n$ subsets, arguments and coordinates variables.
 :degrees: 0..6 sampled 8
+:over: u#: arguments
 :defines: bezier_blossom
 :control: the first argument taken as the last as well
 :::
@@ -219,6 +221,7 @@ CLAIM(blossom_is_sum_over_subsets)
 :then: exchanging two neighbouring arguments changes nothing, hence no permutation does
 :method: The kernel before and after each exchange, everything a variable; these exchanges generate all permutations.
 :degrees: 2..6 sampled 12
+:over: x#: coefficients; u#: arguments
 :control: the second of the two arguments is put in both places
 :::
 */
@@ -248,6 +251,7 @@ CLAIM(blossom_is_symmetric)
 :then: $b[\dots,(1-a)u_k+av,\dots]=(1-a)\,b[\dots,u_k,\dots]+a\,b[\dots,v,\dots]$ for every $k$
 :method: The three values of the kernel, everything a variable.
 :degrees: 1..6 sampled 12
+:over: x#: coefficients; u#: arguments; v: argument; a: factor
 :control: the factors $1-a$ and $a$ on the right exchanged
 :::
 */
@@ -410,6 +414,7 @@ At an end only the nearest points count: the derivative of order $r$ there depen
   $b(0)=b_0$, $b(1)=b_n$, $b'(0)=n(b_1-b_0)$, $b'(1)=n(b_n-b_{n-1})$
 :method: The derivatives of the definition at the two integers against the alternating sums, every coordinate a variable.
 :degrees: 0..6 sampled 10
+:over: t: -
 :control: the points at $t=1$ counted one too low, where there is one
 :::
 */
@@ -475,6 +480,7 @@ matter; that it does not is another way to say that the blossom is symmetric.
   right part at $\frac{t-v}{1-v}$
 :method: All six polygons by the kernel, everything a variable.
 :degrees: 0..6 sampled 12
+:over: x#: coefficients; s t: parameter value
 :control: the right part split at $t$
 :::
 */
@@ -501,6 +507,7 @@ CLAIM(splits_commute)
 :then: the curve of `bezier_on_interval` at $x$ is $b((1-x)u+xv)$
 :method: The curves of the kernel's points and of the given ones, both from the definition, everything a variable.
 :degrees: 0..6 sampled 10
+:over: u v p: parameter value
 :defines: bezier_on_interval
 :control: $u$ and $v$ exchanged
 :::
@@ -526,6 +533,7 @@ CLAIM(interval_kernel_gives_the_part)
   $\sum g_iB_i^n(x)=\sum f_iB_i^n\bigl(\frac{y-a}{b-a}\bigr)$ at $y=c+x(d-c)$
 :method: Both sums from the definition, everything a variable.
 :degrees: 0..6 sampled 10
+:over: f#: coefficients; a h c d: interval; p: parameter value
 :defines: bernstein_on_interval
 :control: the interval $[a,b]$ taken backwards
 :::

@@ -153,6 +153,7 @@ arrays, and read nothing that was not written, is part of the claim.
 :then: the result is $\sum_iB_{i,n}(t)P_i$; no place beyond the ends of `P`, `R` and `Q` is read or written, and none is read before it is written
 :method: The function as printed, on arrays that count, against the definition; everything a variable.
 :degrees: 0..6 sampled 12
+:over: x#: points
 :control: the inner loop from $i=1$ on
 :::
 */
@@ -244,6 +245,7 @@ static num G(bez_to_points)(struct G(program) * run, int n, int npoints, const s
 :then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_3$
 :method: The program as printed, against the definition at $\frac iN$, one case for each $N$.
 :degrees: 1..6 sampled 12
+:over: x#: points
 :control: the first step taken before the first point
 :::
 */

@@ -41,6 +41,7 @@ claim has a thousand of them in the wrong place.
   $\Delta^2b_j$: for $u,v$ in $[0,1]$ an average of these
 :method: The piece by `bezier_on_interval`, the blossom by its sum over subsets of arguments, everything a variable.
 :degrees: 2..6 sampled 9
+:over: x#: coefficients; u v: parameter value
 :control: the first power of $v-u$
 :::
 */
@@ -244,6 +245,7 @@ Between the first two of these lines stands another, which is the next entry.  F
 :then: each of the five expressions is $P_{0,n}(t)$
 :method: Each expression as printed, against the definition, everything a variable.
 :degrees: 1..6 sampled 10
+:over: x#: points
 :control: $t^i$ in the place of $t^{i-1}$ in the second sum of the second line; for $n=1$, where there is none, the last point left out
 :::
 */

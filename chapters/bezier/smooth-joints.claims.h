@@ -78,6 +78,7 @@ For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
   $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
 :method: Derivatives at the ends by the kernel; everything a variable.
 :degrees: 1..6 sampled 10
+:over: u# v# w#: points; a
 :control: $\frac{a\,q_1+p_{n-1}}{1+a}$
 :::
 */
@@ -274,6 +275,7 @@ Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
 :then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$, then
   $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
 :method: Derivatives at the ends by the kernel; everything a variable.
+:over: q#: points
 :control: $Q_2=P_1-2(Q_1-P_2)$
 :::
 */
@@ -361,6 +363,7 @@ in each, the denominator is the third power of the length of the first.
 :given: $P',P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
 :then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
 :method: An identity with everything a variable.
+:over: u# v#: derivatives; a
 :control: divided by $a^2$
 :::
 */

@@ -80,6 +80,7 @@ a curve in $w$.  At $u=0$ they are the first row of the net itself.
   `bezier_surface_transpose` the same holds with $u$ and $w$ exchanged
 :method: The curve of the kernel's points, from the definition, against the double sum; everything a variable.
 :degrees: 0..4 sampled 8
+:over: t: u
 :defines: bezier_surface_line bezier_surface_transpose
 :control: the line at $1-u$
 :::
@@ -119,6 +120,8 @@ CLAIM(parameter_lines_are_bezier_curves)
 :then: $B_i^n(u)B_j^m(w)>0$, and their sum is 1
 :method: The functions are the surfaces of nets with one point 1 and the others 0, by the kernel; their coefficients in $r,s$ are positive.
 :degrees: 0..4 sampled 8
+:scope: 0 < u < 1, 0 < w < 1
+:over: s r: -
 :control: $w$ taken as $-\frac r{1+r}$
 :::
 */
@@ -149,6 +152,7 @@ CLAIM(surface_functions_sum_to_one_and_are_positive)
 :method: The kernel against the double sum of derivatives of the basis from the definition: in the field of rational functions,
   in the other number types power by power.
 :degrees: 0..3 sampled 7
+:over: t: u
 :defines: bezier_surface_derivatives
 :control: the derivatives at $(w,u)$
 :::
@@ -203,6 +207,7 @@ with every vector is a volume.
   and $P_w$.  The coordinates are variables but for one net of numbers, since $N$ is of degree two in the points: $x$ of all
   points is variable, then $y$, then $z$, the others being numbers.
 :degrees: 1..2 sampled 6
+:over: t: u
 :defines: bezier_surface_normal
 :control: the normal of the net with $u$ and $w$ exchanged
 :::
@@ -322,6 +327,7 @@ A piece between parameters $u_0,u_1$ and $w_0,w_1$ is found as for curves, in on
 :then: the surface of the net of `bezier_surface_part` at $(a,b)$ is $P\bigl((1-a)u_0+au_1,(1-b)w_0+bw_1\bigr)$
 :method: Both double sums from the definition; $a$ and $b$, the ends and the points are variables.
 :degrees: 0..3 sampled 6
+:over: u# w# a b t: parameter value; x#: points
 :defines: bezier_surface_part
 :control: $w_0$ and $w_1$ exchanged
 :::

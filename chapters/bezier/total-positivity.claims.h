@@ -35,6 +35,7 @@ coefficients.  At increasing parameters its sign can be read off.
 :method: The determinant of the kernel's values, without division, against the product, in variables $t_i$.  So values at
   $n+1$ different parameters determine the coefficients.
 :degrees: 0..5 sampled 8
+:over: t#: parameter values
 :control: one binomial coefficient left out of the product
 :::
 */
@@ -85,6 +86,8 @@ static void G(scaled_values)(int n, num s, num row[])
   continuity no minor is negative when parameters coincide or reach $0$ and $1$.
 :types: field rational
 :degrees: 1..5 sampled 12
+:scope: increasing parameter values in (0, 1)
+:over: x#: -
 :control: the first two parameters exchanged
 :::
 */
@@ -151,6 +154,8 @@ positive.
   block being left.
 :types: field
 :degrees: 1..4
+:scope: increasing parameter values in (0, 1); all coefficients
+:over: x#: -; g#: -
 :control: the first two parameters exchanged
 :::
 */
@@ -293,7 +298,7 @@ curve.
 :method: $V$ depends on signs only, and of what stands before $a$ and after $b$ only on the nearest sign that is not $0$, or
   on there being none: $81$ cases for $p$, $a$, $b$, $s\in\{-1,0,1\}$.  For given signs of $a$ and $b$ the values
   $\lambda=0,\frac14,\frac12,\frac34,1$ give $c$ every sign it can have.
-:scope: sequences of every length, averages with every $\lambda$ from 0 to 1
+:scope: sequences of every length, averages with every λ from 0 to 1
 :control: the average extrapolated, $\lambda=2$ as well
 :::
 */
@@ -327,6 +332,8 @@ The matrices of these steps are totally nonnegative too: no minor is negative.
   with no negative coefficient; in rationals the elimination of `total_positivity.h` decides the matrix at random $t$.
 :types: field rational
 :degrees: 1..4 sampled 12
+:scope: 0 < t < 1
+:over: s: -
 :control: the first two rows exchanged
 :::
 */

@@ -57,6 +57,8 @@ power series at $t$, by a recursion that shares nothing with it.
 :method: The kernel against the quotient of power series in the parameter, whose numerator and denominator come from the recursion of
   de Boor and Cox by its letter.
 :degrees: 1..2 sampled 6
+:scope: clamped or simple knots, numbers in the ratio 0, 1, 3, 7 for n > 1
+:over: y#: points; x#: knots
 :defines: nurbs_basis
 :control: the weights taken backwards
 :::
@@ -90,6 +92,8 @@ a fit knows about weights is in this one formula.
 :method: In the field $w_m\,\partial/\partial w_m$ of the quotient $\sum w_kN_kP_k/\sum w_kN_k$, its coefficients in a power series at $t$ being
   differentiated as rational functions; in the other number types the quotient rule for the series.
 :degrees: 1..2 sampled 6
+:scope: clamped or simple knots, numbers in the ratio 0, 1, 3, 7 for n > 1
+:over: y#: points; x#: knots
 :defines: nurbs_by_weights
 :control: the weights taken backwards
 :::
@@ -144,6 +148,8 @@ That its rows have the sum 0 says that a common factor of the weights changes no
   probabilities $R_m$: symmetric, with row sums 0
 :method: In the field the quotient is differentiated; in the other number types by the quotient rule.
 :degrees: 1..3 sampled 8
+:scope: clamped or simple knots, numbers in the ratio 0, 1, 3, 7 for n > 1
+:over: y#: points; x#: knots
 :defines: nurbs_basis_by_weights
 :control: the weights taken backwards
 :::
@@ -190,6 +196,8 @@ Newton's method needs second derivatives as well.  They follow from the formula 
 :method: In the field the quotient is differentiated twice; in the other number types the quotient rule is taken twice,
   $\frac{A_{mk}}w-\frac{A_mw_k+A_kw_m+Aw_{mk}}{w^2}+\frac{2Aw_mw_k}{w^3}$.
 :degrees: 1..2 sampled 8
+:scope: clamped or simple knots, numbers in the ratio 0, 1, 3, 7 for n > 1
+:over: y#: points; x#: knots
 :defines: nurbs_by_two_weights
 :control: the weights taken backwards
 :::

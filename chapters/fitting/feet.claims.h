@@ -85,6 +85,7 @@ the foot changes the distance in the second order only, and the gradient is that
 :then: the derivative of $\frac12|C-Q|^2$ by $\varepsilon$ at $0$ is $D\cdot\partial C/\partial\lambda$, whatever $t_1$ and $t_2$ are
 :method: The distance at the moved foot as a quotient of power series in $\varepsilon$; $x,y,w,t,k,t_1,t_2$ are variables.  The
   end points are no restriction: a similarity brings any two different points there, and multiplies distances by a number.
+:over: x y: conic; k: normal distance; a b: movement of the foot
 :control: the foot $t+\frac12$ of another point
 :::
 */
@@ -113,6 +114,7 @@ $\varphi'$, which lowers the curvature of the distance.
 :then: the second derivative of $\frac12|C-Q|^2$ by $\lambda$ is
   $|C_\lambda|^2+D\cdot C_{\lambda\lambda}-\frac{(C_\lambda\cdot C'+D\cdot C_\lambda')^2}{\varphi'}$, whatever $t_2$ is
 :method: Twice the coefficient of $\varepsilon^2$ of the distance at the moved foot, against the formula with the derivatives of the kernels.
+:over: x y: conic; k: normal distance; a b: movement of the foot
 :control: $t_1$ of the opposite sign
 :::
 */
@@ -145,6 +147,7 @@ $\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}$ with $\Delta$ diagonal, for no foo
 :method: The four sides, everything variables; the determinant by the kernel from the whole matrix.  Other numbers of unknowns than 2 follow by
   the same block elimination.
 :degrees: 1..3 sampled 8
+:over: a# b# c# d#: matrices; g# h#: right sides
 :control: $S=A+B\Delta^{-1}B^T$
 :::
 */
@@ -208,6 +211,7 @@ plane has one direction across the curve, hence one equation a point; space has 
   $\det(C',C_a)\det(C',C_b)/|C'|^2$
 :method: All coordinates are variables; $TT^T=C'C'^T/|C'|^2$ has no root.  The degree is the dimension.
 :degrees: 2..3 sampled 3
+:over: a# b# c#: vectors
 :control: the projection along $C_a$ in the place of that along $C'$
 :::
 */
@@ -251,6 +255,7 @@ All this is about one foot, and a point has many.  To find the nearest one for c
 :method: $\varphi$ is a rational function of $t$, $y_i$ and $w_i$, which the field reduces; its degrees are read off.  Since
   $P'w-Pw'$ is of degree $2n-2$, no curve of degree $n$ and no $Q$ have more than that many feet, unless $\varphi=0$ for all $t$.
 :degrees: 2..3
+:over: y#: points
 :control: the rational curve is said to have the degree $3n-1$
 :::
 */

@@ -32,6 +32,7 @@ multiplies them by a geometric progression.  In the derivatives these two freedo
   projection across the curve both columns are 0
 :method: The kernel of the derivatives by the weights against that of the derivative by $t$, everything variables.
 :degrees: 1..4 sampled 9
+:over: y#: points
 :control: $n-i$ in the place of $i$
 :::
 */
@@ -65,6 +66,7 @@ CLAIM(weights_have_flat_directions)
 :then: with $D=C-Q$ the squared distance $|D|^2$ is the same at $u$ and $t$, and $D\cdot\frac{dC}{du}=D\cdot\frac{dC}{dt}\cdot\frac{ab}{(au+b(1-u))^2}$, so that a foot is a foot
 :method: The two curves by their weights, everything variables.
 :degrees: 1..3 sampled 8
+:over: y# q#: points; a b: parameter change
 :control: the parameter $u$ for both
 :::
 */
@@ -212,6 +214,7 @@ The worst case is a line.  A point that moves along the line, or a weight that c
 :then: across the curve the derivatives by all weights and by all $x_m$ are 0, and those by $y_m$ are $R_m$ times the speed: of $n-1$ weights and $2n+2$ coordinates at most $n+1$ numbers are determined
 :method: The determinants with $C'$, the points $x_m$, weights and $t$ variables.
 :degrees: 1..4 sampled 8
+:over: x#: points
 :control: the last point one above the axis
 :::
 */

@@ -29,6 +29,7 @@ The pull on the curve is $\rho'(s)\sqrt s$, up to a factor: $\sqrt s$ for square
 :given: $a>0$ and $s=r^2$, $r>0$
 :then: at $r=a$ both pieces have the value $a^2$ and the slope $1$; $\rho''$ is $0$ before and $-\frac1{2a^2}$ after it; for $r\ge a$ the pull is $a$
 :method: Derivatives by $s$ are those by $r$ over $2r$, taken in the field.
+:over: a; r
 :control: the second piece without its $-a^2$
 :::
 */
@@ -61,6 +62,7 @@ then tends to 0, so that a point far away is forgotten.
 :let: $\rho'(s)=\frac1{1+s/a^2}$ at $s=r^2$, so that the pull is $\frac{r}{1+r^2/a^2}$
 :then: $\frac a2-\frac r{1+r^2/a^2}=\frac{(a-r)^2}{2a\,(1+r^2/a^2)}\ge0$
 :method: The identity in the field; what is squared is not negative.
+:over: a; r
 :control: $a$ in the place of $\frac a2$
 :::
 */
@@ -131,6 +133,7 @@ For a given mean square of the residuals $-2\log L$ is a function of the one unk
   $\mathrm{AIC}=n\log\frac{\chi^2}n+2(k+1)$ but for a constant, and $\mathrm{BIC}$ the same with $\log n$ in the place of $2$
 :method: $g'=n/v+(\chi^2/v)'$, the second derivative taken in the field, the first one being that of the logarithm.
 :degrees: all
+:over: n: -; c: χ²; v
 :control: the mean over $n-1$
 :::
 */
@@ -164,6 +167,7 @@ So no table and no numerical integration is needed: for whole $\nu$ the probabil
 :then: $\frac{dA}{d\theta}=\frac{3\cdot5\cdots(\nu-1)}{2\cdot4\cdots(\nu-2)}c^{\nu-1}$ for even $\nu$, $\frac{2\cdot4\cdots(\nu-1)}{3\cdot5\cdots(\nu-2)}c^{\nu-1}$ for odd $\nu$
 :method: $\frac{dc}{d\theta}=-s$, $\frac{ds}{d\theta}=c$, $s^2=1-c^2$: the derivative is a polynomial in $c$, term by term $(c^{j}s)'=(j+1)c^{j+1}-jc^{j-1}$.
 :degrees: 2..12 sampled 24
+:over: c: angle
 :control: the last coefficient doubled
 :::
 */

@@ -43,6 +43,7 @@ sections of their own.
 :then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
 :method: The sum of the angles is formed on the other side, from the tangent $\frac{a+b}{1-ab}$ of half of it; $a$, $b$ and $r$
   are variables.
+:over: a b: angle but π; r: radius
 :control: the angle with the tangent $\frac{a-b}{1+ab}$
 :::
 */
@@ -80,6 +81,7 @@ apart; neither depends on where the point began.
 :method: The steps one after the other, first point and $a$ variables.  The step is linear, so its $n$-th power is found
   by doing it.
 :degrees: 1..8 sampled 20
+:over: x y: first point; a: angle but π
 :control: $\cos\Delta\theta$ replaced by 1
 :::
 */
@@ -184,6 +186,7 @@ To first order, which is what the approximation means.  What the second order do
 :then: at $a=0$ the rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the printed step,
   $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
 :method: The matrix as a rational function of $a$, differentiated in the field; chain rule.
+:over: a: angle but π
 :control: the derivative with respect to $a$ taken for that with respect to $\Delta\theta$
 :::
 */
@@ -222,6 +225,7 @@ says nothing about it.
 :given: any point, any $\varepsilon$
 :then: the row times the matrix is $(x-\varepsilon y,\ \varepsilon x+y)$; the determinant is $1+\varepsilon^2$, the trace 2
 :method: Identities in $x$, $y$ and $\varepsilon$.
+:over: x y: point; e: ε
 :control: the matrix transposed
 :::
 */
@@ -378,6 +382,7 @@ of about a hundred steps ends with a radius larger by a fifth.
 :method: The steps one after the other, in the field with the point and $\varepsilon$ variables; the factor of one step is the
   determinant.
 :degrees: 1..8 sampled 24
+:over: x y: first point; e: ε
 :control: $n-1$ steps
 :::
 */
@@ -399,6 +404,8 @@ CLAIM(small_steps_multiply_the_radius)
 :then: $(1+\varepsilon^2)^n-1-n\varepsilon^2\ge0$, so the radius is larger after every step and exceeds every bound
 :method: The power is formed by multiplication; its difference from $1+n\varepsilon^2$ has no negative coefficient.
 :degrees: 1..8 sampled 24
+:scope: ε > 0
+:over: e: -
 :control: $n+1$ in the place of $n$ in the product $n\varepsilon^2$
 :::
 */
@@ -457,6 +464,7 @@ CLAIM(small_step_of_zero_stays)
 :given: any point, any $\varepsilon$
 :then: $(P_{n+1}-P_n)\cdot P_n=0$ and $|P_{n+1}-P_n|^2=\varepsilon^2|P_n|^2$, whence $|P_{n+1}|^2=|P_n|^2+\varepsilon^2|P_n|^2$ by Pythagoras
 :method: Identities in the point and $\varepsilon$.
+:over: x y: point; e: ε
 :control: the step of the second way
 :::
 */
@@ -499,6 +507,7 @@ $\sqrt{1+\varepsilon^2}$.  The angle is not $\Delta\theta=\varepsilon$, but a li
 :method: The steps against the binomial theorem, $\mathrm{Re}(1+i\varepsilon)^n=\sum_k(-1)^k\binom n{2k}\varepsilon^{2k}$ and the same for
   the imaginary part.
 :degrees: 1..8 sampled 24
+:over: x y: first point; e: ε
 :control: the signs of the binomial theorem left out
 :::
 */

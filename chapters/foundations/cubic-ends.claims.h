@@ -31,6 +31,7 @@ what the lengths of the velocities do.
 :then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
   coefficients
 :method: Both ways round with everything a variable: values and derivatives by the definition.
+:over: q#: end points; v#: end tangents; x# y#: coefficients
 :control: $\dot Q_1$ left out of $B$
 :::
 */
@@ -359,6 +360,7 @@ CLAIM(other_lengths_give_another_cubic)
   Q_1|$, $|\dot Q_0|$
 :method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes
   one to the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
+:over: x# y#: coefficients; a: angle but π; m#: translations
 :control: the lengths of $P(1-t)$ not exchanged
 :::
 */

@@ -39,6 +39,7 @@ among them.
   by the polynomial with the sum $-\frac ba$ and the product $\frac{b^2-ac}{a^2}$ of its roots leaves a constant for every cubic with
   $a\ne0$: that remainder is computed for free coefficients.
 :defines: cubic_delta cubic_double_point_polynomial cubic_double_point
+:over: s u: parameter value; l# m# n#: vectors; x# y#: coefficients
 :control: $\delta=b^2-4ac$
 :::
 */
@@ -141,6 +142,7 @@ CLAIM(delta_does_not_tell_graphs)
 :then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a
   cubic with $P'(t_1)=0$ somewhere has $\delta=0$
 :method: The derivative at $t_0$ by the kernel, everything a variable; for the converse $C=-3At_1^2-2Bt_1$.
+:over: x# y#: coefficients; t1: parameter value
 :control: $t_0=-\frac ba$
 :::
 */
@@ -188,6 +190,7 @@ grow: the cusps are a curve in the plane of the lengths.
 :then: $\delta=-4\alpha\beta\,w^2\bigl((\alpha-2)(\beta-2)-1\bigr)$ with $w=2(Q_1-Q_0)\times(M-Q_0)$; the turning at the ends is
   $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$
 :method: The cubic of the ends, the kernels, everything a variable.  For $\alpha=\beta=1$ the curve is a parabola.
+:over: x# y#: triangles; alpha; beta
 :control: $(\alpha-2)(\beta-2)-2$
 :::
 */
@@ -280,6 +283,8 @@ way.  The result is a map of the quadrant of the lengths with three borders.
   two parameters in $(0,1)$: a loop.  There is no other loop: it needs $(\alpha-2)(\beta-2)>1$, that is both more than 2, or both less
   than $\frac32$; in the second case let $\alpha\ge\beta$: it needs $g_2>0$, $\beta>\alpha(3-2\alpha)$, so $\alpha>1$, and $g_1<0$,
   $\beta(3-2\alpha)<4-3\alpha$, which contradict each other by the last identity.
+:scope: the tangents along the sides of a triangle
+:over: x# y#: triangles; alpha p: α; beta q: β
 :control: $3-\alpha$ in the place of $3-2\alpha$ in $f_2$ and in the last identity
 :::
 */
@@ -346,6 +351,7 @@ CLAIM(signs_decide_the_form)
 :method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double
   point, as $\delta>0$ or, for $\lambda=\mu$, $a=0$ and the polynomial is the constant $b^2\ne0$.  In opposite senses there is no zero on
   the arc, so neither inflection nor cusp, and no loop: for that neither value may be negative, $\lambda\ge3\mu$ and $\mu\ge3\lambda$.
+:over: q#: end points; e#: directions; l: λ; m: μ
 :control: $\lambda-2\mu$ in the place of $\lambda-3\mu$
 :::
 */

@@ -65,6 +65,7 @@ static num G(printed_difference)(int order, const num c[], num t, num delta)
 :given: any $A$, $B$, $C$, $D$, any $t$ and $\delta$
 :then: $P(t+\delta)-P(t)$, $\Delta P(t+\delta)-\Delta P(t)$ and $\Delta^2P(t+\delta)-\Delta^2P(t)$ are the three printed expressions
 :method: The differences of the sums of powers at $t,\dots,t+3\delta$, everything a variable; one coordinate, any one.
+:over: x#: coefficients; d: δ
 :control: $t-\delta$ in the place of $t+\delta$
 :::
 */
@@ -183,6 +184,7 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
   depend on the place: at any $t$ the alternating sum of $P(t),\dots,P(t+n\delta)$ is the same
 :method: The kernel against alternating sums of the definition, at 0 and at a variable $t$.
 :degrees: 1..6 sampled 12
+:over: x# y#: coefficients; d: δ
 :defines: power_differences
 :control: the place $t$ taken in the difference of order $n-1$
 :::
@@ -260,6 +262,7 @@ CLAIM(step_from_zero_reaches_one_step_only)
 :then: after $i$ steps the first row is $P(i\delta)$
 :method: `power_differences`, then `power_difference_step` again and again, against the sum of powers.
 :degrees: 1..6 sampled 8
+:over: x# y#: coefficients; d: δ
 :control: the last difference taken as 0
 :::
 */
@@ -298,6 +301,7 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
   at $t+\delta$
 :method: The kernels on the alternating sums at $t$, against those at $t+\delta$.
 :degrees: 1..6 sampled 12
+:over: x# y#: coefficients; d: δ
 :defines: power_difference_step power_scaled_difference_step
 :control: the differences at $t+2\delta$
 :::

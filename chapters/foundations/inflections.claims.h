@@ -27,6 +27,7 @@ of degree two, the vector product of its first two derivatives.
 :given: any coefficients in space, any $t$
 :then: $P'=3At^2+2Bt+C$, $P''=6At+2B$, $P'''=6A$
 :method: The kernel against the printed expressions, everything a variable.
+:over: x# y# z#: coefficients
 :control: $3At$ in the place of $3At^2$
 :::
 */
@@ -183,6 +184,7 @@ $(t,t^4)$ has $K=0$ at $t=0$ and stays on one side.
 :then: $|P'|^2P''=(P'\cdot P'')\,P'+(P'\times P'')\times P'$; so $P'\times P''=0$ gives $P''=gP'$ with $g=\frac{P'\cdot P''}{|P'|^2}$, and
   conversely $P'\times gP'=0$
 :method: Identities in the six components and $g$.
+:over: u# v#: derivatives; g
 :control: $P'\times(P'\times P'')$
 :::
 */
@@ -260,6 +262,7 @@ P$ cancel, because $A\times A=0$; the quadratic one is $A\times B$, and it can v
   written out.  In space each of the three coordinates of the vector product is such a polynomial, and one of them is not 0 everywhere
   unless the cubic is a line.
 :defines: cubic_minors cubic_inflection_polynomial
+:over: x# y# d#: coefficients
 :control: the factor 2 in the place of the first 3
 :::
 */

@@ -28,6 +28,7 @@ may meet none of them.
 :method: The differences of the data by $n$ passes of subtraction, $\binom tk=\frac{t(t-1)\cdots(t-k+1)}{k!}$; at the $n+1$ places, and at a
   variable $t$ for the values of a curve with variable coefficients.  Other parameters and other kinds of data need other formulas.
 :degrees: 1..6 sampled 10
+:over: p#: data; x#: coefficients
 :control: the last difference left out
 :::
 */

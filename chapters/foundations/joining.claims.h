@@ -129,6 +129,7 @@ CLAIM(joined_pieces_are_not_closed)
 :method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
   variable.
 :types: field
+:over: p#: points; v# w# z#: derivatives; l: λ; b: β; u
 :control: $\phi(u)=\frac u\lambda$
 :::
 */
@@ -176,6 +177,7 @@ learned by heart.
 :then: $\dot P_{\mathrm I}=\alpha_1U$ and $\dot P_{\mathrm{II}}=\alpha_2U$ satisfy the condition; conversely, the condition makes
   $\dot P_{\mathrm{II}}/\alpha_2=\dot P_{\mathrm I}/\alpha_1$, and $|\dot P_{\mathrm{II}}|=\lambda|\dot P_{\mathrm I}|$
 :method: Identities in $U$, $\alpha_1$, $\alpha_2$ and $\dot P_{\mathrm I}$.
+:over: a#: lengths; u# v#: vectors
 :control: $\lambda$ inverted
 :::
 */
@@ -291,6 +293,7 @@ curvature that grows without bound.
 :then: $\frac{(P'\times P'')\times P'}{|P'|^4}$, the derivative of the unit tangent by the arc length, is the same for both, so is
   $K^2$; $P'\times P''$ is multiplied by $\lambda^3$
 :method: Both sides with everything a variable; neither contains $\beta$.
+:over: u# v#: derivatives; l: λ; b: β
 :control: $\lambda$ in the place of $\lambda^2$
 :::
 */
@@ -485,6 +488,7 @@ CLAIM(equal_curvatures_to_different_sides)
   with unit tangent $U$, curvature vector $k$ and speed $\alpha_i$ has
 :then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
 :method: An identity with everything a variable.
+:over: a#: lengths; u# k#: vectors; m#: numbers μ
 :control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
 :::
 */
@@ -519,6 +523,7 @@ CLAIM(curvature_vector_forces_the_condition)
 :then: the curve of `power_on_interval` at $u$ is $P((1-u)t_0+ut_1)$, and that is $P(t_0+(t_1-t_0)u)$
 :method: The kernel's coefficients in the sum of powers, against the sum of powers at either parameter; everything a variable.
 :degrees: 1..6 sampled 12
+:over: x# y#: coefficients; r s: parameter value; u: parameter value
 :defines: power_on_interval
 :control: $t_0$ and $t_1$ exchanged
 :::
@@ -557,6 +562,7 @@ printed rows are its four terms.
 :given: any $A,B,C,D$ of space, any $t_0$, $t_1$
 :then: the coefficients by the kernel are the four printed rows
 :method: Each row, everything a variable.
+:over: x# y# z#: coefficients; r s: parameter value
 :control: the factor 2 in the place of the 3 of the second row
 :::
 */
@@ -596,6 +602,7 @@ their lengths do not.
 :then: the $k$-th derivative of the piece at $u$ is $(t_1-t_0)^kP^{(k)}(t_0+(t_1-t_0)u)$; the square of the length of the first one is
   $(t_1-t_0)^2|P'|^2$
 :method: Both derivatives by the definition, everything a variable.
+:over: x# y# z#: coefficients; r s u: parameter value
 :control: the first power for every $k$
 :::
 */
@@ -637,6 +644,8 @@ CLAIM(derivatives_of_a_piece)
 :then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
 :method: Both have no negative coefficient in $a,b',b''$; every pair of parameters with $t_0\le t_1<1$ is of this form, and $t_1=1$ is a
   limit.
+:scope: 0 ≤ t0 ≤ t1 < 1
+:over: a b#: -
 :control: $t_0-t_1$
 :::
 */
@@ -709,6 +718,7 @@ The text that is at hand ends before the formula.
   the sum of powers; the derivatives as limits of quotients, $\frac{t}{u}$ at 0 and $\frac{1-t}{1-u}$ at 1, which are
   $\frac p{pu+q(1-u)}$ and $\frac q{pu+q(1-u)}$.
 :degrees: 1..6 sampled 8
+:over: x# y#: coefficients; p; q; u
 :control: the weights $p^{n-i}q^i$
 :::
 */

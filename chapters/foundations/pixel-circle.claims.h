@@ -73,6 +73,8 @@ CLAIM(unit_height_is_not_unit_distance)
   $\cos\theta=1-\frac1{2r^2}$
 :method: The point by the rotation, in the field with $a$ and $r$ variables; then $r=\frac{1+a^2}{2a}$; and
   $2r^2(1-\cos\theta)-1=2r^2\bigl(1-\frac1{2r^2}-\cos\theta\bigr)$.
+:scope: 0 < θ < π
+:over: a: -; r: radius
 :control: the distance as $r\sin\theta$
 :::
 */
@@ -133,6 +135,8 @@ and the positive root.
 :given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $0<a<1$, $r=\frac1{\sin\theta}$
 :then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta>0$; the determinant is 1
 :method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive: it is the root.
+:scope: 0 < θ < π/2
+:over: a: -
 :control: $r^2+1$ in the place of $r^2-1$
 :::
 */

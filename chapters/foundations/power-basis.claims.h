@@ -171,6 +171,7 @@ CLAIM(quadratic_curve_is_in_use)
 :then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
 :method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve
   is a line.
+:over: x# y# z#: coefficients
 :control: a coefficient $c_3$ added
 :::
 */
@@ -285,6 +286,7 @@ Horner's rule (秦九韶算法) takes the powers apart: the cubic is written in 
 :then: `power_point` gives $\sum_kc_kt^k$
 :method: The kernel against the sum of powers, each by repeated multiplication; everything a variable.
 :degrees: 0..7 sampled 16
+:over: x# y# z#: coefficients
 :defines: power_point
 :control: the coefficients taken backwards
 :::

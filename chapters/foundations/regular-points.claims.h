@@ -41,6 +41,8 @@ enum { dim = 2 };
 :then: $|v|^2$ is the sum of the squares of the components, positive when one of them is not 0, and 0 for the zero vector
 :method: All 8 choices of components that are 0; the kernel's square of the norm has only positive coefficients in the others.
   Signs do not matter for squares.
+:scope: all vectors of space
+:over: v#: -
 :control: the square of the last component subtracted
 :::
 */
@@ -107,6 +109,7 @@ direction; each of the two parameters has its one tangent, the point has two.
 :method: The quotient is formed in the field, $h=0$ put in, and compared with the derivative by the kernel.
 :types: field
 :degrees: 1..6
+:over: x# y# z#: coefficients; h
 :defines: power_hodograph power_derivatives
 :control: $P'(t)$ with the coefficient $n-1$ in the place of $n$
 :::
@@ -293,6 +296,7 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
   $(0,-1)$ with $u$
 :method: Identities in $u$.
+:over: u
 :control: the same direction on both sides
 :::
 */
@@ -414,7 +418,7 @@ CLAIM(natural_line_is_regular)
 :then: $0\le\phi\le1$, and both ends are reached: by continuity the same segment; moreover $\phi(1-t)=1-\phi(t)$
 :result: φ(0), φ(1) = 0 1
 :method: Signs of $\phi$ and $1-\phi$ on the interval by root counts; the symmetry as polynomials.
-:scope: t from 0 to 1
+:scope: 0 ≤ t ≤ 1
 :control: another coefficient of $t$
 :::
 */
@@ -454,6 +458,7 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :instead: q = 9
 :then: $\phi'(t)=k\,(w^2-p)$; so $\phi'=0$ exactly for $w=\pm\sqrt p$; at these $\phi(t)=\frac{p-w}q$, the other one of the two
 :method: Identities in $w$: $\phi-\frac{p-w}q=\frac{w(w^2-p)}{q^2}$.
+:over: w
 :control: another denominator of $t$
 :::
 */
@@ -526,7 +531,7 @@ CLAIM(point_moves_backward_in_between)
 :then: $\phi'$ is positive at the ends, negative in the middle, and has two roots, both changes of sign, in $(0,1)$
 :result: φ'(t) = 6 -3/2 6; roots, changes of sign = 2 2
 :method: Root counts and values, exactly.
-:scope: t from 0 to 1
+:scope: 0 ≤ t ≤ 1
 :control: twice the coefficient of $t$
 :::
 */

@@ -38,6 +38,8 @@ step, which makes them as large as the coefficients, and begins the table with t
 :then: $\Delta^3P_0$ is six times $A/2^{3m}$, and the differences of order 4 and more are 0
 :method: The table of a cubic as one of degree four by the kernel, so that the fourth difference comes from five points; everything but the
   step a variable.
+:scope: δ = 1/256
+:over: c#: coefficients
 :control: twice the step
 :::
 */
@@ -110,6 +112,7 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :given: any $A,B,C,D$ in space, any $\delta\ne0$
 :then: the rows of `power_differences`, divided by $1,\delta,\delta^2,\delta^3$, are the printed ones
 :method: The kernel against the printed expressions, everything a variable.
+:over: x# y# z#: coefficients; d: δ
 :control: $3A$ in the last row
 :::
 */
@@ -149,6 +152,7 @@ belongs to the first, the formulas that stand above the sentence to the second.
 :given: any four rows $d_0,\dots,d_3$ with three coordinates, any $\delta$
 :then: `power_scaled_difference_step` multiplies them from the left by the matrix with 1 in the diagonal and $\delta$ to the right of it
 :method: The kernel against the product of the matrices, everything a variable.
+:over: x# y# z#: rows; d: δ
 :control: $\delta$ to the left of the diagonal
 :::
 */
@@ -197,6 +201,7 @@ points, and the rows of (1-4-5) only that of their own, small, size.
 :then: the first row is $P(1)=A+B+C+D$
 :method: The table and its steps; in binary64 within the running error bound.
 :degrees: 1..6 sampled 8
+:over: x#: coefficients
 :control: one step less
 :::
 */
@@ -262,6 +267,7 @@ CLAIM(stepping_is_exact_for_short_coefficients)
 :then: the error of the point is $e_0+ne_1+\binom n2e_2+\binom n3e_3$
 :method: The table is linear: the kernel on the errors alone, $n$ steps, against the sum.
 :degrees: 1..24
+:over: e#: errors
 :control: $\binom n3$ left out
 :::
 */

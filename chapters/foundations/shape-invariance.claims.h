@@ -184,6 +184,8 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :result: f(s) = 3/8
 :method: The derivative by the definition.  $p_0=p_1=p$ is $q=0$ in the second; a point in the origin is the claim above; the other cases are
   these with another direction of the line, or with $t$ and $1-t$ exchanged.
+:scope: 0 < t < 1; all points on a line through the origin
+:over: p q: -; t: -
 :control: $p_0=p$ in the first case
 :::
 */
@@ -291,7 +293,7 @@ is an arc of an irreducible cubic curve, with inflections exactly at $P_0^*$ and
 :result: P' × P'' = "-180*t^2 + 180*t"
 :method: $P'\times P''$ as a polynomial of $t$, by the kernels for cubics; its sign on the open interval and on the closed
   one by root counts.
-:scope: t from 0 to 1
+:scope: 0 ≤ t ≤ 1
 :control: $P_0^*$ in the origin
 :::
 */
@@ -356,6 +358,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :given: any points, any translation $m$, any $t$
 :then: $P^*(t)-(P(t)+m)=-3t(1-t)\,m$, which is not 0 for $0<t<1$, $m\ne0$
 :method: An identity in $t$, the points and $m$.  The source has $m=(-3,-2)$.
+:over: m#: translations
 :control: the last point is not translated
 :::
 */
@@ -395,6 +398,7 @@ The functions are polynomials in the source; nothing here uses it, so they are v
 :then: $\sum\phi_i\,(Q_iT)=\bigl(\sum\phi_iQ_i\bigr)T$, whether $T$ is a rotation or not
 :method: Both sides with every function, point and entry a variable; $3n+3$ coordinates, 9 entries.
 :degrees: 1..6 sampled 12
+:over: f#: functions; m#: matrices; x# y# z#: points
 :control: the last point is not mapped
 :::
 */
@@ -509,6 +513,7 @@ to itself needs a constant sum, and the print does not say which of the two is m
   sum is 1, and then for every $m$
 :method: Both sides with every function, point and component of $m$ a variable.
 :degrees: 1..6 sampled 12
+:over: f#: functions; m#: translations; x# y# z#: points
 :control: the last function left out of the sum
 :::
 */
@@ -544,6 +549,7 @@ CLAIM(translation_adds_the_sum_of_the_functions)
   where the points went
 :method: Both curves by de Casteljau's algorithm on doubled points, at a variable $t$ with variable points and $m$.
 :degrees: 1..6 sampled 12
+:over: m#: translations
 :control: the curve translated by $m$
 :::
 */
@@ -639,7 +645,7 @@ CLAIM(shape_is_kept_without_the_sum_one)
 :then: $\sigma-1$ is negative on $(0,1)$, and the smallest value of $\sigma$ is the one at $t_0$
 :result: σ(t) = "3*t^2 - 3*t + 1"; σ(t_0) = 1/4
 :method: Signs of two polynomials on the interval, by root counts: of $\sigma-1$, and of $\sigma-\sigma(t_0)$.
-:scope: t from 0 to 1
+:scope: 0 ≤ t ≤ 1
 :control: the sum $(1-t)^3+3(1-t)^2t+3(1-t)t^2+t^3$
 :::
 */
@@ -686,6 +692,7 @@ A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.
 :then: $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
 :method: Both sides with everything a variable.
 :degrees: 1..6 sampled 12
+:over: t#: matrices; m#: translations; x# y# z#: coefficients
 :control: $m$ added to the last coefficient as well
 :::
 */
@@ -822,6 +829,7 @@ them.
   changes nothing
 :method: `power_on_interval` and `power_point` against the sum of powers, everything a variable.
 :degrees: 1..6 sampled 10
+:over: x# y#: coefficients; s u: parameter value
 :control: the second piece at $su$
 :::
 */

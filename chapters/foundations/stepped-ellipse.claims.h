@@ -33,6 +33,7 @@ the second way: the determinant becomes 1, the points no longer drift, and the s
 :given: any point, any $\varepsilon$
 :then: the row times $T$ is $x'=x-\varepsilon y$, $y'=y+\varepsilon x'$; $\det T=1$, the trace of $T$ is $2-\varepsilon^2$
 :method: Identities in $x$, $y$ and $\varepsilon$.
+:over: x y: point; e: ε
 :control: $y'=y+\varepsilon x$
 :::
 */
@@ -75,6 +76,7 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :then: the step $T$ with $\varepsilon=2\sin\delta$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
   $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle terms of both chains are equal to the outer ones
 :method: All sums of angles from the tangents of their halves; $a$, $b$, $r$ variables.
+:over: a b: angle but π; r: radius
 :control: $\varepsilon=2\sin\Delta\theta$
 :::
 */
@@ -147,6 +149,7 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :given: any $r$, any $\theta$ and $\delta$ with the tangents $a$ and $b$ of their halves
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
 :method: An identity in $a$, $b$ and $r$, term by term as printed.
+:over: a b: angle but π; r: radius
 :control: the factor 2 of the product $xy$ left out
 :::
 */
@@ -169,6 +172,7 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
 :then: $x_n^2+y_n^2-\varepsilon x_ny_n=x_0^2+y_0^2-\varepsilon x_0y_0$
 :method: The steps one after the other, in the field with the point and $\varepsilon$ variables.
 :degrees: 1..8 sampled 24
+:over: x y: first point; e: ε
 :control: the form $x^2+y^2$
 :::
 */
@@ -190,6 +194,8 @@ CLAIM(second_form_is_invariant)
 :given: $0<s<1$, $s=\frac\varepsilon2$
 :then: $x^2+y^2-2sxy=\frac{1-s}2(x+y)^2+\frac{1+s}2(x-y)^2$, both coefficients positive
 :method: An identity in $s$, $x$, $y$; $s=\frac\sigma{1+\sigma}$ with $\sigma>0$ for the signs.
+:scope: 0 < s < 1
+:over: x y: point; s: -
 :control: $1-s$ and $1+s$ exchanged
 :::
 */
@@ -233,6 +239,8 @@ of second order, and both are half the sine to first order.
 :then: $r^2(1+s)-(x^2+y^2)=\frac s{1-s}(x-y)^2$ and $(x^2+y^2)-r^2(1-s)=\frac s{1+s}(x+y)^2$; so the radius is between
   $r\sqrt{1-s}$ and $r\sqrt{1+s}$, both reached, on the diagonals, and $\frac{c^2}{1-s}=1+s$ makes $E=\sqrt{1+s}-1$
 :method: $r^2$ is eliminated by the equation; identities in $s$, $x$, $y$, with $s=\frac\sigma{1+\sigma}$.
+:scope: 0 < s < 1
+:over: x y: point; s: -
 :control: the two circles exchanged
 :::
 */
@@ -263,6 +271,8 @@ static num G(square_above)(num k, num h)
 :given: $0<s<1$
 :then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
 :method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
+:scope: 0 < s < 1
+:over: s: -
 :control: $\frac s4$ in the place of $\frac s2$
 :::
 */
@@ -382,6 +392,8 @@ CLAIM(printed_error_is_twice_the_error)
 :given: $0<s<1$
 :then: $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
 :method: $(1+\frac s2)^2-(1+s)=\frac{s^2}4$ and $(1+s)-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
+:scope: 0 < s < 1
+:over: s: -
 :control: $\frac{s^2}{16}$ in the place of $\frac{s^2}8$
 :::
 */
@@ -494,6 +506,7 @@ CLAIM(second_orbit_never_closes)
 :instead: n = 5
 :then: $P_n=P_0$, and $P_{n/2}=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_n$
 :method: All steps with variable $P_0$.
+:over: x y: first point
 :control: one step less
 :::
 */

@@ -30,6 +30,7 @@ formula of the curvature.
 :then: $\frac{(P',P'',P''')}{\dot s^6K^2}=\frac{(P',P'',P''')}{|P'\times P''|^2}$, the torsion, with $\dot s^2=|P'|^2$ and
   $K^2=\frac{|P'\times P''|^2}{|P'|^6}$
 :method: The kernels for the square of the curvature and for the torsion, everything a variable.
+:over: u# v# w#: derivatives
 :control: $\dot s^4$
 :::
 */
@@ -164,6 +165,7 @@ static void G(rows_in_coefficients)(const num c[], num t, int power_of_last, num
 :given: any cubic in space, any $t$
 :then: $(P',P'',P''')=-12\,(A,B,C)$, also with the rows written out in coefficients
 :method: The derivatives by the kernel, the mixed products as determinants of 9 entries, everything a variable.
+:over: x# y# z#: coefficients
 :control: $12\,(A,B,C)$
 :::
 */
@@ -279,6 +281,7 @@ three powers of the parameter one by one, so when the determinant vanishes $P(t)
 :method: Identities with everything a variable.  If the determinant is 0, each of the three products that is not 0 is the normal of
   a plane that holds the curve; if all are 0 the curve is a line.  Conversely a curve in a plane has its differences, so
   $A,B,C$, in one plane, and the determinant is 0.
+:over: x# y# z#: coefficients
 :control: the last normal with the factor $t^2$
 :::
 */

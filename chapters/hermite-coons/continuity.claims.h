@@ -118,6 +118,7 @@ CLAIM(equal_limits_do_not_make_a_continuous_function)
 :method: $q$ is multiplied out in powers of $x$; everything a variable.  By Taylor's formula every $q$ with these $k+1$ equalities is of
   this form with some $r$.
 :degrees: 0..4 sampled 8
+:over: p# r#: coefficients; x: x₀
 :control: the exponent $k$
 :::
 */
@@ -244,6 +245,7 @@ CLAIM(tangent_turns_back_at_a_smooth_parameter)
 :then: the curve $(x,f)$ with the derivatives $(1,f')$, $(0,f'')$ has $P'\times P''=f''$, $|P'|^2=1+f'^2$, so the square of its curvature is
   $\frac{f''^2}{(1+f'^2)^3}$
 :method: The kernels of differential geometry; everything a variable.  The denominator is positive.
+:over: f#: derivatives
 :control: $(1+f'^2)^2$
 :::
 */
@@ -297,6 +299,7 @@ static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
 :then: $P(\phi(0))=P(0)$, and $(P\circ\phi)'(0)=\lambda P'(0)$: the value is kept for every $\phi$, the derivative only for $\lambda=1$
 :method: $P\circ\phi$ is multiplied out in powers of $u$; everything a variable.
 :degrees: 1..5 sampled 8
+:over: c#: coefficients; l b: parameter change
 :control: the derivative expected to be kept
 :::
 */

@@ -66,6 +66,7 @@ static void G(any_corners)(trial *T, num M[16])
 :then: all three terms of the patch are $q(u)Mq(w)^T$, so the patch is; it is also $UHMH^TW^T$
 :method: The frame with the functions $q$ multiplied out from their factors, the patch by `coons_patch`, the product by the printed
   matrix $H$; everything variable.
+:over: m#: corner data
 :control: the twist $11_{uw}$ left out of $u1_w$
 :::
 */
@@ -115,6 +116,7 @@ All three terms of the Boolean sum are then the same surface, and of $1+1-1$ cop
 :then: `hermite_tensor` is the derivative of $UHMH^TW^T$; its values, first derivatives and twists at the corners are $M$
 :method: The sixteen coefficients $HMH^T$ and the derivatives of the powers; everything variable.
 :defines: hermite_tensor
+:over: m#: corner data
 :control: $M$ transposed
 :::
 */

@@ -84,6 +84,7 @@ static void G(borders_are_kept)(trial *T, int m)
 :given: corners, and at a border any value of its curve and of the blending functions of its parameter
 :then: the patch at $u=0$, $u=1$, $w=0$, $w=1$ is the value of $0w$, $1w$, $u0$, $u1$
 :method: On a border the functions of the other parameter are 1 and 0 and the curves across are at their corners; no other property is used.
+:over: m#: corners; x#: border curves; f#: blending functions
 :control: one of the curves across does not end at its corner
 :::
 */
@@ -96,6 +97,7 @@ CLAIM(four_curves_are_borders) { G(borders_are_kept)(T, 2); }
 :given: any blending values with the sums $\alpha$ at $u$ and $\beta$ at $w$, any data, a shift $v$ of all curves and corners
 :then: the point moves by $\bigl(1-(1-\alpha)(1-\beta)\bigr)v$: by $v$ wherever one of the sums is 1
 :method: The kernel with both sets of data; everything variable.
+:over: a# b#: blending functions; x# y#: border curves; m#: corners; v: shift
 :control: the corners are not moved
 :::
 */
@@ -209,6 +211,7 @@ the straight one between two corners; and this is what the third surface has the
 :then: $P_s-P_3$ is the border curve on each of the four borders; for $u=0,1$ it is $P_2$, for $w=0,1$ it is $P_1$ that equals $P_3$
 :method: On a border one pair of blending functions has its values at the end, and the curves across are at corners; the values of the
   other pair and of the border curve are variables.
+:over: f#: blending functions; x#: border curves; m#: corners
 :control: $f_0$ and $f_1$ exchanged in $P_2$
 :::
 */
@@ -275,6 +278,7 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 :then: `coons_patch` is $-[-1\;a]\begin{bmatrix}0&B\\A&M\end{bmatrix}\begin{bmatrix}-1\\b\end{bmatrix}$, which is the printed sum
 :method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable.
 :defines: coons_patch
+:over: a# b#: blending functions; x# y#: border data; m#: corner data
 :control: the matrix of the corners transposed
 :::
 */
@@ -379,6 +383,7 @@ CLAIM(blendings_without_sum_one_move_the_patch)
 :then: the patch has degree at most 3 in $u$ and in $w$
 :method: The fourth difference $\sum_k(-1)^k\binom4kP(u+k,w)$ is 0 for all $u$ and $w$, and that in $w$ too; everything variable.  A rational
   function whose fourth difference is 0 is a polynomial of degree at most 3.
+:over: f# g#: blending functions; x# y# a# b#: border curves; m#: corners
 :control: a curve $u0$ of degree 4
 :::
 */
@@ -438,6 +443,7 @@ in more than the corners: from each of two borders the corner inherits a mixed d
 :then: on all four borders the value of the patch and its derivative across are the given ones
 :method: At $u=0$ and $u=1$ the values and the derivatives of the four functions are rows of the unit matrix, and what
   runs across has its values and derivatives in $M$; likewise for $w$.  No other property is used.
+:over: m#: corner data; x#: border data; f#: blending functions
 :control: one twist differs between the curve and $M$
 :::
 */

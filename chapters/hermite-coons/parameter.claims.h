@@ -251,6 +251,7 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 :method: The point by `bezier_casteljau`, the functions by their powers, everything a variable.  Of the points with $x=t$ no other satisfies
   both equations.
 :degrees: 1..6 sampled 10
+:over: f# g#: coefficients
 :control: $f$ and $g$ exchanged
 :::
 */
@@ -317,6 +318,7 @@ CLAIM(no_two_projections_give_the_circle)
   $x^2+y^2+z^2-2$
 :method: Identities.  A point of both cylinders has $x+y+z=0$, and then it is on the circle; or $y=z$, where $x^2+xy+y^2=1$ is an ellipse,
   $(x+\frac y2)^2+\frac34y^2=1$.
+:over: x#: points
 :control: $(y+z)(x+y+z)$ on the right
 :::
 */
@@ -402,6 +404,7 @@ CLAIM(closed_curve_is_no_pair_of_graphs)
 :then: $(x^2+y^2-1)-(x^2+z^2-1)=(y-z)(y+z)$
 :method: An identity.  Where both brackets on the left vanish one factor on the right does; and where one factor and the first bracket
   vanish so does the second.
+:over: x# y# z#: points
 :control: $(y-z)^2$ on the right
 :::
 */
@@ -445,6 +448,7 @@ The rest of the list says what is gained.  Most items are properties of Bézier 
 :then: $P_1+(P_2-P_1)t=(1-t)P_1+tP_2$ is the curve of `bezier_casteljau`, its derivative by `bezier_derivatives` is $P_2-P_1$, and its
   distance from $P_1$ is $t$ times the length: $|P(t)-P_1|^2=t^2|P_2-P_1|^2$
 :method: Each form, everything a variable.
+:over: x# y#: points
 :control: the two points exchanged in the first form
 :::
 */
@@ -503,6 +507,7 @@ graph has.
 :then: the first two coordinates of the curve in space are the curve in the plane
 :method: The kernel in two and in three dimensions, everything a variable.
 :degrees: 1..6 sampled 10
+:over: x# y# z#: points
 :control: the plane of the first and the third coordinate
 :::
 */

@@ -158,7 +158,8 @@ static void add_variables(scope *s, const claim *c, const type_result *b)
         int many = 1, positive = is_among(name, n, b->positive);
         if (!find_noun(c->over, name, n, &noun, &length, &many))
             noun = NULL;
-        meet_quantity(s, noun, length, many, positive);
+        if (noun == NULL || length != 1 || *noun != '-') /* "s: -": the phrases of the scope say it already */
+            meet_quantity(s, noun, length, many, positive);
     }
 }
 

@@ -44,6 +44,7 @@ $i=4$, and there both ask for $c_3=-5$ and $c_4=5$, where $-9$ and $1$ are print
 :then: `shape_basis_printed` gives the eight functions, and `shape_factors_printed` the values $\nu_i$, $\varphi_i$ of their
   linear factors
 :method: The eight formulas written out one by one, $\beta$ and $t$ variables.
+:degrees: 7..7
 :defines: shape_basis_printed shape_factors_printed
 :control: $-\beta$ in the place of $\beta$
 :::
@@ -124,6 +125,7 @@ fixes them.
 :then: $B_{i,7}=\hat B_i$ for $i\ne3,4$, and $B_{3,7}=(35+5\beta-5\beta t)(1-t)^4t^3$,
   $B_{4,7}=(35+5\beta t)(1-t)^3t^4$
 :method: The kernel against the formulas, $\beta$ and $t$ variables.
+:degrees: 7..7
 :control: the printed digit 9 in $B_3$
 :::
 */
@@ -150,6 +152,8 @@ CLAIM(two_digits_are_corrected)
 :then: the sum of the eight functions is $1+(x-35-5\beta)(s^5t^3+s^3t^5)+(2y-70)s^4t^4$; so it is 1 for all $t$ only for
   $x=35+5\beta$, $y=35$
 :method: $\beta$, $t$, $x$ and $y$ are variables.  The three products are linearly independent.
+:degrees: 7..7
+:over: x y: linear factor
 :control: the sum without the factor 2
 :::
 */
@@ -193,6 +197,7 @@ $\beta$.
 :given: any $\beta$, and the numbers $c$, none of which is 0
 :then: the coefficient of $t^8$ in function $i$ is $(-1)^{7-i}c_i\beta$
 :method: The Bernstein coefficients from the kernel, taken to powers of $t$ by `bernstein_to_power`.
+:degrees: 7..7
 :control: the sign left out
 :::
 */
@@ -273,7 +278,8 @@ space changes with $\beta$.
   $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$ in $\beta$, since the rows before $r$ leave a lower and those after it an
   upper triangle.  The greatest common divisor of the nine is computed; its squarefree part
   has these two roots and no other.  The two ranks by elimination.
-:scope: all complex beta
+:degrees: 7..7
+:scope: every complex β
 :control: only the last two of the determinants
 :::
 */
@@ -425,6 +431,7 @@ CLAIM(printed_functions_do_not_sum_to_one)
 :given: any $\beta$ and $t$
 :then: $\sum\hat B_i(t)=1-4\beta(1-t)^3t^4$
 :method: Both sides are one polynomial in $\beta$ and $t$.
+:degrees: 7..7
 :control: the exponents 3 and 4 exchanged
 :::
 */
@@ -514,6 +521,7 @@ CLAIM(printed_middle_functions_are_no_mirror_images)
 :given: any $\beta$ and $t$
 :then: $\hat B_i(1-t)=\hat B_{7-i}(t)$ for $i=0,1,2$, and $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$
 :method: The formulas at $1-t$ and at $t$, both variables.
+:degrees: 7..7
 :control: $1-2t$ replaced by $1-t$
 :::
 */
@@ -583,6 +591,7 @@ static void G(function_derivatives)(int printed_ones, int n, int i, num beta, nu
 :then: the derivatives of orders $0,\dots,i-1$ vanish at $t=0$, those of orders $0,\dots,6-i$ at $t=1$;
   $\hat B_0(0)=\hat B_7(1)=1$
 :method: The derivatives of the polynomial whose Bernstein coefficients the kernel gives, $\beta$ a variable.
+:degrees: 7..7
 :control: the orders at 1 reach one too far
 :::
 */

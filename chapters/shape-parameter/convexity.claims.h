@@ -157,6 +157,7 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
   the signs are strict the four points are on one line, to and fro, and the polygon is not convex; hence there are no
   three changes of sign.  With $f(P_i)=0$ two changes among the other three, and with $f(P_i)=f(P_l)=0$, $P_i\ne P_l$,
   one, are excluded in the same way; with $P_i=P_l$ one is possible.
+:over: a b c: line
 :control: $D_{ikl}$ and $D_{ijl}$ exchanged
 :::
 */

@@ -31,9 +31,8 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :class: false
 :corrected: true for the corrected functions exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings,
   and for common points unless the curve is on $L$ and the polygon is not; for the printed functions only for $\beta=0$
-:corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries corrected_functions_sum_to_one
-  functions_are_independent_but_for_two_values
-  roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
+:corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero corrected_functions_sum_to_one
+  functions_are_independent_but_for_two_values roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
   third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
   printed_sum_in_closed_form
 :figure: crossings_off_the_polygon
@@ -47,16 +46,45 @@ The way to the correction has two steps.  Algebra first: with two neighbouring d
 entries, so that the signs of thousands of minors are decided by the signs of sixteen entries.  Then the range: the entries
 are linear in $\beta$, and between the neighbouring roots nothing can change.
 
+A minor is a sum over permutations.  All but the identity exchange somewhere the order of two rows, and such a pair of
+entries lies so far apart that two diagonals cannot hold both.
+
+:::{claim} inversions_of_two_diagonals_meet_a_zero
+:title: Where two rows take their columns in the other order one of the two entries is 0
+:zh: 双对角矩阵的子式中仅恒等排列有贡献
+:given: a matrix of any size whose entries $(r,c)$ are 0 but for $r-c=0$ and $r-c=1$; two rows $r<r'$ and two columns $c<c'$
+:then: if the entry $(r,c')$ is not 0, then $r'-c>1$, and the entry $(r',c)$ is 0; so of the sum over the permutations that is a minor
+  only the product of its own diagonal is left
+:method: With $r'=r+1+a$, $c'=c+1+b$ and $r-c'=e$, which is 0 or 1: $r'-c-1=e+1+a+b$ is positive for all $a,b\ge0$.  Every
+  permutation but the identity exchanges the order of some two rows.
+:types: field rational
+:degrees: all
+:over: a b: -
+:control: both orders reversed, $r'=r-1-a$ and $c'=c-1-b$
+:::
+*/
+CLAIM(inversions_of_two_diagonals_meet_a_zero)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), one = from_int(1);
+    num rows_apart = fault(T, add(one, a), neg(add(one, a))), columns_apart = fault(T, add(one, b), neg(add(one, b)));
+    for (int e = 0; e <= 1; e++) {
+        /* r' - c = (r' - r) + (r - c') + (c' - c) */
+        num below = add(rows_apart, add(from_int(e), columns_apart));
+        G(must_be_positive)(T, sub(below, one));
+    }
+}
+
+/*
+
 :::{claim} minors_are_products_of_entries
 :title: A minor of a matrix with two neighbouring diagonals is the product of its diagonal
 :zh: 双对角矩阵的子式
 :given: any $(n+2)\times(n+1)$ matrix whose entries are $0$ but for $E_{i,i}$ and $E_{i+1,i}$, which are variables
 :then: every minor is the product of the entries on its own diagonal
-:method: All minors, by an elimination with pivots.  For every $n$: of two rows $r<r'$ and columns $c'<c$ the entries
-  $(r,c)$ and $(r',c')$ cannot both be different from 0, since that would need $c\le r<r'\le c'+1\le c$; so only the
-  identity counts among the permutations.
+:method: All minors, by an elimination with pivots.  For every $n$ it is `inversions_of_two_diagonals_meet_a_zero`.
 :types: field rational
 :degrees: 2..4 sampled 5
+:over: v# w#: entries
 :control: an entry above the diagonal is not 0
 :::
 */
@@ -104,7 +132,7 @@ CLAIM(minors_are_products_of_entries)
   between the neighbouring roots of the entries.  At every root and once in every gap the elimination of
   `total_positivity.h` decides.
 :degrees: 2..12
-:scope: all real $\beta$
+:scope: every real β
 :control: the range taken to begin 1 below
 :::
 */
@@ -177,6 +205,9 @@ coefficients are 0 but for one, so they do not change their sign.
   $k=(0,0,1,0,\dots)$ there is a root and no change of sign, and the triangle $(0,0),(1,1),(2,0)$ with the points of
   `curve_of_a_triangle_meets_a_line_three_times` has three common points with the line $y=0$.
 :types: field rational
+:degrees: 7..7
+:scope: β < −21/4
+:over: b: -
 :control: $b$ replaced by $2b$ in the parameter
 :::
 */
@@ -202,6 +233,9 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 :then: $B_0$ vanishes at $t=\frac1{1+b}$, which is in $(0,1)$
 :method: The value of the kernel at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
 :types: field rational
+:degrees: 7..7
+:scope: β > 1
+:over: b: -
 :control: $b$ replaced by $2b$ in the parameter
 :::
 */

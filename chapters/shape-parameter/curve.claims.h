@@ -37,6 +37,7 @@ static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 :given: points $P_0,\dots,P_7$ of the plane, any $\beta$ and $t$
 :then: `shape_point_printed` gives $\sum P_i\hat B_i(t)$
 :method: The eight formulas written out one by one, everything a variable.
+:degrees: 7..7
 :defines: shape_point_printed
 :control: the polygon taken backwards
 :::
@@ -190,6 +191,7 @@ The last two curves of the figure, $\beta=-6$ and $-7$, are outside the true ran
 :then: $q_{\beta+h}(t)-q_\beta(t)=h\sum_{k=1}^na_k(P_k-P_{k-1})s^{n+1-k}t^k$
 :method: The kernel at $\beta+h$ and $\beta$, everything a variable.
 :degrees: 2..7 sampled 12
+:over: h: step of β
 :control: the first edge left out
 :::
 */
@@ -241,7 +243,8 @@ Different as parametrized curves; on a line they may be the same set of points. 
 :method: The functions are linear in $\beta$.  The sequences named are in the kernel of the matrix of the Bernstein
   coefficients of their slopes, and its rank leaves room for no others.  Coordinate by coordinate this is a statement on
   polygons.
-:scope: all real beta, all polygons
+:degrees: 7..7
+:scope: every real β, all polygons
 :control: $k_4=k_3$ in the sequences named
 :::
 */
@@ -730,6 +733,7 @@ static void G(free_map)(trial *T, num M[], num v[])
 :then: the curve of the images of the points is the image of the curve
 :method: Map, points, $\beta$ and $t$ are variables.
 :degrees: 2..7 sampled 12
+:over: m# v#: affine maps
 :control: the last point is not moved
 :::
 */
@@ -756,6 +760,8 @@ CLAIM(curve_moves_with_its_points)
 :given: points $P_0,\dots,P_7$ of the plane, any linear map $M$ and vector $v$, any $\beta$ and $t$
 :then: the printed curve of the points $MP_i+v$ is $M\hat q(t)+(1-4\beta(1-t)^3t^4)v$
 :method: Map, points, $\beta$ and $t$ are variables.
+:degrees: 7..7
+:over: m# v#: affine maps
 :control: $v$ without its factor
 :::
 */

@@ -42,6 +42,8 @@ roots.
 :method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of
   odd multiplicity.
 :types: field rational
+:degrees: 7..7
+:over: k#: coefficients
 :control: the last two coefficients exchanged
 :::
 */
@@ -101,10 +103,9 @@ CLAIM(parity_of_the_roots)
 :class: false
 :corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
   $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
-:corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries
-  averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
-  functions_are_independent_but_for_two_values third_function_has_a_zero_for_every_smaller_beta
-  first_function_has_a_zero_for_every_larger_beta
+:corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero
+  averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes functions_are_independent_but_for_two_values
+  third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
 :figure: crossings_off_the_polygon
 
 The sum of the functions plays no part here, so that the misprints do no harm.
@@ -205,7 +206,8 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
   $k_i\ne0$ for small $t>0$, for the last $i$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$,
   $\varphi_0\ge0$ and $\nu_0>0$ for the other end
 :method: The signs of linear polynomials in $\beta$ on the interval.
-:scope: beta from -21/4, which is left out, to 1
+:degrees: 7..7
+:scope: −21/4 < β ≤ 1
 :control: the interval with its left end
 :::
 */

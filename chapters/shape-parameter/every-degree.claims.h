@@ -27,6 +27,7 @@ in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the c
 :method: The Bézier points of the curve, in the sum of Bernstein polynomials of degree $n+1$, against the blend; everything a
   variable.
 :degrees: 2..7 sampled 12
+:over: h: step of β
 :control: $b_0$ and $b_2$ exchanged
 :::
 */
@@ -81,7 +82,7 @@ CLAIM(curve_is_a_blend_of_three_points)
 :then: their factors are all nonnegative exactly in the range; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
   do not grow, for every $t\in[0,1]$
 :method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
-:scope: all real beta
+:scope: every real β
 :control: a range that begins earlier
 :::
 */
@@ -146,7 +147,7 @@ CLAIM(factors_in_closed_form)
 :method: $-l_n$ is the least of the numbers $\frac{n(n-1)}{k(n+1-2k)}$.  All factors are nonnegative on the interval, one
   vanishes at each end and is negative beyond it.
 :degrees: 2..12
-:scope: all real $\beta$
+:scope: every real β
 :control: the interval begins 1 below
 :::
 */
@@ -181,6 +182,7 @@ is at most $\frac12$ from the vertex of the parabola, the bound is approached.
   $\frac{(n+1)^2-4}8$ and $\frac{(n+1)^2}8$, and $\frac{8n(n-1)}{(n+1)^2}\le-l_n\le\frac{8n}{n+3}<8$.  At $n=7$ the left
   bound is attained.
 :degrees: all
+:over: n d: k
 :control: $(n+1)^2$ in the place of $(n+1)^2-4$
 :::
 */
@@ -205,6 +207,7 @@ CLAIM(lower_end_is_between_two_bounds)
   $n(n-1)-(n-j)(n-1-2j)=j(3n-1-2j)$, which is $\ge0$ for $0\le j\le n$
 :method: An identity with $n$ and $j$ variables; for $j=0$ there is equality at $\beta=1$.
 :degrees: all
+:over: n j: k
 :control: $3n-1-j$ in the last factor
 :::
 */
@@ -262,6 +265,7 @@ From four points on it is no longer true, not even for a convex polygon.
 :then: the determinants of $P_1-P_0$, $q-P_0$ and of $P_2-P_1$, $q-P_1$ are $t^2(1-\beta s)$ and $s^2(1-\beta t)$ times
   that of $P_1-P_0$, $P_2-P_0$; both factors do not grow with $\beta$, and are $\ge0$ for $\beta\le1$
 :method: Everything is a variable.
+:degrees: 2..2
 :control: the two factors exchanged
 :::
 */
@@ -294,6 +298,8 @@ CLAIM(quadratic_distance_to_a_line_shrinks)
 :method: Everything is a variable.  If the foot is beyond $P_0$, $u\cdot w<0$, then $u\cdot v<0$ because
   $\lambda,\mu\ge0$; so both terms are $\le0$, and so is $d\cdot w$, half the derivative of $|w|^2$ up to the factor $st$.
    At $P_2$ the same with $s$ and $t$ exchanged.
+:degrees: 2..2
+:over: u# v#: edges; l m: point of the plane
 :control: $t\mu$ replaced by $\mu$
 :::
 */

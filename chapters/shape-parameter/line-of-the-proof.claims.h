@@ -37,6 +37,7 @@ In the plane; in space $u\cdot(X-Q)=0$ is in the same way a plane.
 :then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$
 :method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and
   all of these are such.
+:over: x# q#: points; u#: normal vectors
 :control: $u^\perp=(u_2,u_1)$
 :::
 */
@@ -221,6 +222,7 @@ of $Q\cdot u$, so a line through the origin would not have shown it.
   $4\beta(1-t)^3t^4\,Q\cdot u$
 :method: Everything is a variable.
 :degrees: 2..7 sampled 12
+:over: q#: points; u#: normal vectors
 :control: $P_0$ left without $Q$
 :::
 */

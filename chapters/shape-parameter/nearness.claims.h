@@ -21,16 +21,15 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :class: false
 :corrected: for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
-  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; for $n=2$ no point moves away from the
-  polygon while $-2\le\beta\le1$, for $n=7$ it depends on the polygon
-:corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
-  quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
-  convex_polygon_prefers_beta_one
+  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; whether the curve comes nearer to the
+  polygon depends on the polygon: to some convex ones it does
+:corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :striking: 11
 
-The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three
-points, and polygons of four for which it is false, are treated in `every-degree`.
+The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three points,
+for which no point moves away from the polygon while $-2\le\beta\le1$ (`quadratic_distance_to_a_line_shrinks`,
+`quadratic_distance_to_an_end_shrinks`), and polygons of four for which it is false, are treated in `every-degree`.
 :::
 */
 
@@ -108,6 +107,7 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve,
   some point is farther
 :method: As before.
+:degrees: 7..7
 :scope: one polygon
 :control: the two values of $\beta$ exchanged
 :::
@@ -131,10 +131,11 @@ another one it is lost.
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
 :class: false
 :corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it
-  holds for some convex polygons and fails for others; for $n=2$ and $0<\beta\le1$ the curve is at least as near
+  holds for some convex polygons and fails for others
 :corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
-  quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
+
+For three points and $0<\beta\le1$ the curve is at least as near: `quadratic_distance_to_a_line_shrinks`.
 :::
 
 :::{claim} convex_polygon_prefers_the_bezier_curve

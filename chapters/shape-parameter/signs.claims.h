@@ -73,7 +73,8 @@ some line passes through 0.  At the left end this is $\nu_2$, and not $\nu_1$, w
   larger $\beta$
 :method: The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
   $\varphi_0$ on the two half-lines by their roots and slopes.
-:scope: all real beta
+:degrees: 7..7
+:scope: every real β
 :control: the printed range
 :::
 */
@@ -142,6 +143,7 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ 
 :method: The derivative of the Bézier polynomial with the two coefficients of $F$ against the products; $\nu$, $\varphi$
   and $t$ are variables.
 :degrees: 2..9 sampled 14
+:over: v w: linear factor
 :control: the factor $i+1$ replaced by $i$
 :::
 */
@@ -187,7 +189,8 @@ CLAIM(derivative_of_a_function_factors)
 :method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
   $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
   root at 1.
-:scope: beta from -21/4 to 1
+:degrees: 7..7
+:scope: −21/4 ≤ β ≤ 1
 :control: the printed range for all functions
 :::
 */
@@ -229,7 +232,8 @@ changes of sign.  The function then begins with 0, falls, and has to rise again.
 :method: Signs of linear polynomials on the closed interval.  The coefficients of the quadratic factor for $i=2$ are
   $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both
   signs and vanishes at both ends.  $B_5$ is the mirror image.
-:scope: beta from -7 to -21/4, which is left out
+:degrees: 7..7
+:scope: −7 ≤ β < −21/4
 :control: an interval that reaches into the true range
 :::
 */
@@ -350,6 +354,8 @@ $\beta$ and $\beta t$.
 :then: $\hat B_i$ at $\beta+h$ minus $\hat B_i$ at $\beta$ is $h(b_i+c_it)s^{7-i}t^i$; likewise for the corrected
   functions
 :method: The kernels at $\beta+h$ and $\beta$, all variables.
+:degrees: 7..7
+:over: h: step of β
 :control: the sign of $b_1$
 :::
 */
@@ -386,7 +392,8 @@ CLAIM(slopes_in_beta)
   interval
 :method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
   intervals.
-:scope: all real beta, t from 0 to 1
+:degrees: 7..7
+:scope: every real β, 0 < t < 1
 :control: another number for the change of $i=1$
 :::
 */

@@ -55,7 +55,8 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :zh: 双八次 β-Bezier 曲面，式 (22)
 :printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}\hat B_i(u)\hat B_j(v)$, $u,v\in[0,1]$, $-7\le\beta\le1$
 :definition: yes
-:checked-by: surface_kernel_gives_the_double_sum printed_surface_is_a_curve_of_curves
+:checked-by: printed_surface_is_a_curve_of_curves
+:confirmed-by: surface_kernel_gives_the_double_sum
 :figure: shape_surface
 
 One parameter serves both directions; the kernel has one for each.  The points are in $\mathbb R^d$, $d=2,3$.
@@ -72,6 +73,7 @@ static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 :then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat
   B_j(v)$
 :method: The printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
+:degrees: 7..7
 :control: $u$ and $v$ exchanged
 :::
 */
@@ -250,6 +252,7 @@ CLAIM(surface_leaves_the_hull_at_minus_seven)
 :then: for $u=0$ and $u=1$ the surface is the curve of the first and of the last row of points, corrected with the
   parameter $\gamma$; the ends of these are the corners
 :method: The surface kernel, and `shape_point_printed` twice, against the formulas of the curves; everything a variable.
+:over: z# w#: points; gamma
 :control: the second row in the place of the last
 :::
 */
@@ -293,6 +296,7 @@ CLAIM(surface_has_the_corner_points_and_boundary_curves)
 :given: degrees $7$ and $7$, any $\beta$, $u$ and $v$
 :then: the corrected products add up to 1, the printed ones to $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$
 :method: The double sum of products of the kernels' functions, everything a variable.
+:degrees: 7..7
 :control: the second factor left out
 :::
 */
@@ -410,7 +414,8 @@ may still give one, as $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27
 :method: With $B_i=e_i+\beta d_i$ the coefficients of $\beta$ and $\beta^2$ are $\sum\sum P_{ij}(e_id_j+d_ie_j)$ and
   $\sum\sum P_{ij}d_id_j$.  The
   nets named are in the kernel of the matrix of their Bernstein coefficients, and its rank leaves room for no others.
-:scope: all real beta, all nets
+:degrees: 7..7
+:scope: every real β, all nets
 :control: the coefficient of $\beta^2$ alone
 :::
 */
@@ -657,10 +662,12 @@ the range from $-\frac{21}4$ to 1.
 :printed: from the point of view of approximation the curve is better than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: for $n=2$ and $0<\beta\le1$ no point is farther from the polygon than the point of the Bézier curve; for $n=7$,
-  $\beta=1$ it depends on the polygon
-:corrected-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks convex_polygon_prefers_beta_one
+:corrected: for $\beta=1$ it depends on the polygon: to some convex ones the curve is nearer than the Bézier curve
+:corrected-by: convex_polygon_prefers_beta_one
 :figure: closer_or_not
+
+For three points and $0<\beta\le1$ no point is farther from the polygon than that of the Bézier curve:
+`quadratic_distance_to_a_line_shrinks`.
 :::
 
 :::{statement} deng-zhang-2022:abstract-features
@@ -688,9 +695,8 @@ the range from $-\frac{21}4$ to 1.
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
 :corrected: adjustable it is, but for the polygons of `abstract-adjustable`; whether the curve of $\beta=1$ is nearer to its
-  polygon than that of $\beta=0$ depends on the polygon; for $n=2$, $0<\beta\le1$ it is at least as near
-:corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one quadratic_distance_to_a_line_shrinks
-  quadratic_distance_to_an_end_shrinks
+  polygon than that of $\beta=0$ depends on the polygon
+:corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::
 

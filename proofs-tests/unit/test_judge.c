@@ -838,6 +838,7 @@ static const claim weighted = {.name = "weighted",
                    odd = {.name = "odd", .scope = "simple knots", .letter = "m", .all_degrees = 1, .degree_low = 2},
                    stretched = {.name = "stretched", .scope = "", .argued_for = "every n", .argued = "by induction"},
                    worded = {.name = "worded", .scope = "", .argued_for = "", .argued = "by continuity"},
+                   said = {.name = "said", .scope = "0 < t < 1", .over = "x#: points; w: -"},
                    high = {.name = "high", .scope = ""}, instances = {.name = "instances", .scope = ""};
 #define RUN_IN_FIELD(c, low, high_, names, positive_names)                                                             \
     {                                                                                                                  \
@@ -853,6 +854,7 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(stretched, 1, 4, no_names, no_names),
     RUN_IN_FIELD(worded, 1, 4, no_names, no_names),
     RUN_IN_FIELD(high, 7, 8, no_names, no_names),
+    RUN_IN_FIELD(said, 0, 0, plain_names, no_names),
     {.claim = &instances,
      .as_expected = 1,
      .evidence = SAMPLED,
@@ -885,6 +887,7 @@ static void test_the_scope_is_what_all_claims_have_in_common(void **state)
     assert_finding("k", PROVED, "k = 3 to 9; all points and weights, every β", "", LINKS(BY("plain")));
     assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β", "", LINKS(BY("plain")));
     assert_finding("n", PROVED, "every m from 2 on; simple knots; all data", "", LINKS(BY("odd")));
+    assert_finding("n", PROVED, "0 < t < 1; all points, all other data", "", LINKS(BY("said")));
     for (int turned = 0; turned < 2; turned++) /* weights positive in one are positive in both */
         assert_finding("n", PROVED,
                        turned ? "n = 2 to 6; simple knots; all points, all positive weights, every β and t"
