@@ -1,10 +1,11 @@
 /* ledger.c -- cagd ledger: every statement of the sources with its verdict. */
-#include "chapters/judge/tex.h"
 #include "cli/commands.h"
+#include "cli/layout.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "cli/tex.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -57,7 +58,7 @@ static void print_rows(FILE *out, const statement_result *list, int count)
 /* Counts of verdicts by source key. */
 struct tally {
     char source[32];
-    int verdict[6];
+    int verdict[VERDICTS];
     int total;
 };
 static int tally_statements(const statement_result *list, int count, struct tally tally[], int room)
@@ -123,8 +124,8 @@ static void print_striking(FILE *out, const statement_result *list, int count, i
                 put_data(text, c);
                 fclose(text);
                 fprintf(out, "  %s  %s\n", list[k].statement->id, list[k].statement->title);
-                put_paragraph(out, numbers, 6, 92);
-                put_paragraph(out, then, 6, 92);
+                put_paragraph(out, numbers, 6, page_width(92));
+                put_paragraph(out, then, 6, page_width(92));
                 free(then), free(numbers);
                 shown++;
             }

@@ -1,15 +1,33 @@
 /* page.c -- one statement or one claim as a page. */
 #include "cli/page.h"
 
-#include "chapters/judge/tex.h"
+#include "cli/layout.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "cli/tex.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 92, INDENT = 4 };
+enum { WIDEST = 92, INDENT = 4 };
+
+static void paragraph(const char *text) { put_paragraph(stdout, text, INDENT, page_width(WIDEST)); }
+
+/* The first lines of a page: a title in both languages, an id and where it stands. */
+static void title(const char *english, const char *chinese, const char *id, const char *file, int line)
+{
+    char *text = malloc(strlen(english) + strlen(chinese) + strlen(id) + strlen(file) + 32);
+    if (text == NULL)
+        abort();
+    fputs(style(stdout, BOLD), stdout);
+    sprintf(text, "%s\5 %s", english, chinese);
+    put_paragraph(stdout, text, 0, page_width(WIDEST));
+    fputs(style(stdout, PLAIN), stdout);
+    sprintf(text, "%s\5 (%s:%d)", id, file, line);
+    put_paragraph(stdout, text, 0, page_width(WIDEST));
+    free(text);
+}
 
 static void heading(const char *text) { printf("\n%s%s%s\n", style(stdout, BOLD), text, style(stdout, PLAIN)); }
 
@@ -19,9 +37,9 @@ static void prose(const char *text)
     for (const char *p = text; *p != '\0';) {
         const char *end = strstr(p, "\n\n");
         size_t n = end != NULL ? (size_t)(end - p) : strlen(p);
-        char *paragraph = strndup(p, n), *plain = tex_to_text(paragraph, 1);
-        put_paragraph(stdout, plain, INDENT, WIDTH);
-        free(plain), free(paragraph);
+        char *raw = strndup(p, n), *plain = tex_to_layout(raw, 1);
+        paragraph(plain);
+        free(plain), free(raw);
         p += n;
         if (end != NULL) {
             putchar('\n');
@@ -34,8 +52,8 @@ static void prose(const char *text)
 static void formula(const char *tex)
 {
     int sentence = strchr(tex, '$') != NULL || strpbrk(tex, "\\_^=") == NULL;
-    char *plain = tex_to_text(tex, sentence);
-    put_paragraph(stdout, plain, INDENT, WIDTH);
+    char *plain = tex_to_layout(tex, sentence);
+    paragraph(plain);
     free(plain);
 }
 
@@ -43,13 +61,13 @@ static void labelled(const char *label, const char *text)
 {
     if (text[0] == '\0')
         return;
-    char *plain = tex_to_text(text, 1), *whole;
+    char *plain = tex_to_layout(text, 1), *whole;
     size_t room = strlen(plain) + strlen(label) + 4;
     whole = malloc(room);
     if (whole == NULL)
         abort();
     snprintf(whole, room, "%s  %s", label, plain);
-    put_paragraph(stdout, whole, INDENT, WIDTH);
+    paragraph(whole);
     free(whole), free(plain);
 }
 
@@ -62,17 +80,21 @@ static void print_source_of(const cagd_register *reg, const statement *s)
         k++;
     if (k->key == NULL)
         return;
-    int first = (int)strcspn(k->author, ",("), many = k->author[first] == ',';
-    if (strcmp(k->author, "unknown") != 0)
-        printf("%.*s%s: ", k->author[first] == '(' ? first - 1 : first, k->author, many ? " et al." : "");
-    if (k->title_zh[0] != '\0')
-        printf("%s (%s)", k->title_zh, k->title);
-    else
-        fputs(k->title, stdout);
-    printf(", %s", k->part);
-    if (strcmp(k->year, "unknown") != 0)
-        printf(", %s", k->year);
-    putchar('\n');
+    int first = (int)strcspn(k->author, ",("), many = k->author[first] == ',',
+        named = strcmp(k->author, "unknown") != 0;
+    int chinese = k->title_zh[0] != '\0', dated = strcmp(k->year, "unknown") != 0;
+    char text[1024];
+    snprintf(text, sizeof text, "%.*s%s%s%s%s%s, %s%s%s",
+             !named                    ? 0
+             : k->author[first] == '(' ? first - 1
+                                       : first,
+             k->author,
+             !named ? ""
+             : many ? " et al.: "
+                    : ": ",
+             chinese ? k->title_zh : k->title, chinese ? " (" : "", chinese ? k->title : "", chinese ? ")" : "",
+             k->part, dated ? ", " : "", dated ? k->year : "");
+    put_paragraph(stdout, text, 0, page_width(WIDEST));
 }
 
 /* Whether the text refers to the source, as [KEY] or among others as [KEY; KEY]. */
@@ -99,10 +121,54 @@ static void print_literature(const cagd_register *reg, const char *note, const c
         if (wanted) {
             char line[1024];
             snprintf(line, sizeof line, "%s  %s: %s, %s, %s", s->key, s->author, s->title, s->publisher, s->year);
-            put_paragraph(stdout, line, INDENT, WIDTH);
+            paragraph(line);
             first = 0;
         }
     }
+}
+
+/* The value shown under a name; NULL where none is. */
+static const char *value_of(const type_result *b, const char *name)
+{
+    for (int k = 0; k < b->exhibits; k++)
+        if (strcmp(b->shown[k].name, name) == 0)
+            return b->shown[k].value;
+    return NULL;
+}
+
+/* What was compared is told as a sentence, not in the list of the numbers. */
+static int is_of_comparison(const char *name)
+{
+    return strcmp(name, "compared") == 0 || strcmp(name, "left") == 0 || strcmp(name, "right") == 0 ||
+           strcmp(name, "negative") == 0;
+}
+
+/* "Compared were y and x³ of the point: -4/625 and 8/15625 are not equal." */
+static void print_comparison(const type_result *b)
+{
+    const char *what = value_of(b, "compared"), *left = value_of(b, "left"), *right = value_of(b, "right"),
+               *negative = value_of(b, "negative");
+    char *sentence = NULL;
+    size_t room;
+    FILE *out = open_memstream(&sentence, &room);
+    if (out == NULL)
+        abort();
+    if (what != NULL)
+        fprintf(out, "Compared: %s", what);
+    if (left != NULL && right != NULL)
+        fprintf(out, "%s%s and %s are not equal", what != NULL ? ": " : "", left, right);
+    else if (negative != NULL)
+        fprintf(out, "%s%s is negative", what != NULL ? ": " : "", negative);
+    fclose(out);
+    if (sentence[0] != '\0') {
+        char *plain = tex_to_layout(sentence, 1), *whole = malloc(strlen(plain) + 2);
+        if (whole == NULL)
+            abort();
+        sprintf(whole, "%s.", plain);
+        paragraph(whole);
+        free(plain), free(whole);
+    }
+    free(sentence);
 }
 
 static void print_exhibits(const claim_result *r)
@@ -110,33 +176,48 @@ static void print_exhibits(const claim_result *r)
     const type_result *b = speaking_type(r);
     int width = 0;
     for (int k = 0; b != NULL && k < b->exhibits; k++)
-        if (columns_of(b->shown[k].name) > width)
+        if (!is_of_comparison(b->shown[k].name) && columns_of(b->shown[k].name) > width)
             width = columns_of(b->shown[k].name);
     for (int k = 0; b != NULL && k < b->exhibits; k++) {
-        printf("%*s", INDENT, "");
-        put_padded(stdout, b->shown[k].name, width);
-        printf(" = %s\n", b->shown[k].value);
+        if (is_of_comparison(b->shown[k].name))
+            continue;
+        put_value(stdout, b->shown[k].name, b->shown[k].value, INDENT, width, page_width(WIDEST));
     }
+    if (b != NULL)
+        print_comparison(b);
+}
+
+static void print_type_line(const claim_result *r, number_type t)
+{
+    const type_result *b = &r->by[t];
+    char *text = NULL;
+    size_t room;
+    FILE *out = open_memstream(&text, &room);
+    if (out == NULL)
+        abort();
+    fprintf(out, "%s in %d case%s, %d comparison%s",
+            t == INTERVAL_TYPE && b->outcome == UNDECIDED ? "not refuted" : outcome_name[b->outcome], b->cases,
+            b->cases == 1 ? "" : "s", b->compared, b->compared == 1 ? "" : "s");
+    if (t == DOUBLE_TYPE && r->claim->kind == IDENTITY)
+        fprintf(out, "; largest error %.2g of its bound", b->worst);
+    if (t == INTERVAL_TYPE)
+        fprintf(out, "; widest enclosure %.1e", b->worst);
+    fprintf(out, "; control %s", b->control_caught ? "caught" : "NOT CAUGHT");
+    fclose(out);
+    enum { TYPE_WIDTH = 10 };
+    printf("%*s", INDENT + 2, "");
+    put_padded(stdout, number_type_name[t], TYPE_WIDTH);
+    put_hanging(stdout, text, INDENT + 2 + TYPE_WIDTH, page_width(WIDEST));
+    free(text);
 }
 
 static void print_claim_lines(const claim_result *r)
 {
-    const claim *c = r->claim;
-    printf("%*s%s%s%s: %s\n", INDENT, "", style(stdout, BOLD), c->name, style(stdout, PLAIN), c->title);
-    for (number_type t = 0; t < NUMBER_TYPES; t++) {
-        const type_result *b = &r->by[t];
-        if (!b->ran)
-            continue;
-        printf("%*s  %-9s %s", INDENT, "", number_type_name[t],
-               t == INTERVAL_TYPE && b->outcome == UNDECIDED ? "not refuted" : outcome_name[b->outcome]);
-        printf(" in %d case%s, %d comparison%s", b->cases, b->cases == 1 ? "" : "s", b->compared,
-               b->compared == 1 ? "" : "s");
-        if (t == DOUBLE_TYPE && c->kind == IDENTITY)
-            printf("; largest error %.2g of its bound", b->worst);
-        if (t == INTERVAL_TYPE)
-            printf("; widest enclosure %.1e", b->worst);
-        printf("; control %s\n", b->control_caught ? "caught" : "NOT CAUGHT");
-    }
+    printf("%*s%s%s%s:\n", INDENT, "", style(stdout, BOLD), r->claim->name, style(stdout, PLAIN));
+    put_paragraph(stdout, r->claim->title, INDENT + 2, page_width(WIDEST));
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        if (r->by[t].ran)
+            print_type_line(r, t);
 }
 
 /* What the claim does for a statement that names it. */
@@ -147,8 +228,9 @@ static const char *const role_words[] = {
 void print_claim(const cagd_register *reg, const claim_result *r)
 {
     const claim *c = r->claim;
-    printf("%s%s%s  %s\n", style(stdout, BOLD), c->title, style(stdout, PLAIN), c->title_zh);
-    printf("%s.%s  (%s:%d)\n", c->chapter, c->name, c->file, c->line);
+    char name[256];
+    snprintf(name, sizeof name, "%s.%s", c->chapter, c->name);
+    title(c->title, c->title_zh, name, c->file, c->line);
     heading(c->kind == COUNTEREXAMPLE ? "Counterexample" : "Claim");
     labelled("Given", c->given);
     labelled("let", c->let);
@@ -176,24 +258,36 @@ void print_claim(const cagd_register *reg, const claim_result *r)
                 first = 0;
                 printf("%*s", INDENT, "");
                 put_padded(stdout, role_words[l->role], 17);
-                printf("%s  %s\n", s->id, s->title);
+                char decided[512];
+                snprintf(decided, sizeof decided, "%s\5 %s", s->id, s->title);
+                put_hanging(stdout, decided, INDENT + 17, page_width(WIDEST));
                 break;
             }
     print_literature(reg, "", r, 1);
 }
 
-/* What the claims of a role compute, and why that suffices: each is a step of its kind. */
+/* How many claims a role has. */
+static int count_role(const statement *s, role wanted)
+{
+    int n = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
+        n += l->role == wanted && l->claim != NULL;
+    return n;
+}
+
+/* What the claims of a role compute, and why that suffices: each is a step of its kind, with a number where there are more. */
 static void print_steps(const statement *s, role wanted, const claim_result *results, int count)
 {
-    int first = 1;
+    int number = 0, all = count_role(s, wanted);
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (c == NULL)
             continue;
-        if (!first)
+        if (number++ > 0)
             putchar('\n');
-        first = 0;
-        labelled(kind_name[c->claim->kind], c->claim->title);
+        char what[64];
+        snprintf(what, sizeof what, "%d  %s", number, kind_name[c->claim->kind]);
+        labelled(all > 1 ? what : kind_name[c->claim->kind], c->claim->title);
         labelled("given", c->claim->given);
         labelled("let", c->claim->let);
         labelled("then", c->claim->then);
@@ -257,7 +351,7 @@ static void print_deciders(const statement *s, role wanted, const claim_result *
     fputs(all == 1 ? " decides it." : " decide it together.", out);
     fclose(out);
     text[0] = (char)(text[0] >= 'a' && text[0] <= 'z' ? text[0] - 'a' + 'A' : text[0]);
-    put_paragraph(stdout, text, INDENT, WIDTH);
+    paragraph(text);
     free(text);
 }
 
@@ -297,25 +391,57 @@ static void print_hypotheses(const statement *s, const claim_result *results, in
     }
 }
 
-static void print_readings(const statement *s, const claim_result *results, int count)
+static void print_meant(const statement *s)
 {
-    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
         if (l->role == MEANT) {
             heading("What is meant");
             prose(l->text);
             labelled("by", l->place);
         }
+}
+
+/* The ways to read it, a paragraph each, behind what is known of it. */
+static void print_readings(const statement *s, const claim_result *results, int count)
+{
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         if (l->role != READING)
             continue;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        heading("A reading");
-        prose(l->text);
-        if (c == NULL)
+        char *plain = tex_to_layout(l->text, 1);
+        printf("%*s%-6s", INDENT, "", c == NULL ? "open" : c->claim->kind == COUNTEREXAMPLE ? "false" : "true");
+        put_hanging(stdout, plain, INDENT + 6, page_width(WIDEST));
+        free(plain);
+    }
+}
+
+static int has_reading(const statement *s)
+{
+    const statement_link *l = s->links;
+    while ((l->claim != NULL || l->text != NULL) && l->role != READING)
+        l++;
+    return l->claim != NULL || l->text != NULL;
+}
+
+/* The numbers that show of a reading that it fails. */
+static void print_failing_readings(const statement *s, const claim_result *results, int count)
+{
+    static const char *const ordinals[] = {"first", "second",  "third",  "fourth", "fifth",
+                                           "sixth", "seventh", "eighth", "ninth",  "tenth"};
+    enum { ORDINALS = sizeof ordinals / sizeof *ordinals };
+    int number = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        if (l->role != READING)
             continue;
-        int fails = c->claim->kind == COUNTEREXAMPLE;
-        printf("%*sSo read, it %s.\n", INDENT, "", fails ? "fails" : outcome_name[c->outcome]);
-        if (fails && !is_shown_above(s, l))
+        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (c != NULL && c->claim->kind == COUNTEREXAMPLE && !is_shown_above(s, l)) {
+            char text[64];
+            snprintf(text, sizeof text, "Counterexample to the %s reading", ordinals[number % ORDINALS]);
+            heading(text);
+            prose(c->claim->then);
             print_exhibits(c);
+        }
+        number++;
     }
 }
 
@@ -341,11 +467,11 @@ static void print_finding(const char *before, const finding *f)
         abort();
     fprintf(out, "%s%s%s.", before, words[0] != '\0' ? ": " : "", plain);
     fclose(out);
-    put_paragraph(stdout, whole, INDENT, WIDTH);
+    paragraph(whole);
     free(words), free(plain), free(whole);
 }
 
-static void print_verdict(const statement_result *r)
+static void print_verdict(const statement_result *r, const claim_result *results, int count)
 {
     static const char *const words[] = {"It holds as printed", "It holds under more hypotheses",
                                         "It fails as printed", "It can be read in several ways",
@@ -356,6 +482,8 @@ static void print_verdict(const statement_result *r)
                evidence_name[r->as_printed.evidence]);
     else
         print_finding(words[r->verdict], &r->as_printed);
+    if (r->verdict == VERDICT_UNDECIDED)
+        print_readings(r->statement, results, count);
 }
 
 void print_statement(const cagd_register *reg, const statement_result *r, const claim_result *results, int count,
@@ -363,14 +491,18 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
 {
     const statement *s = r->statement;
     role deciding = s->is_definition ? CHECKED_BY : HOLDS_BY;
-    printf("%s%s%s  %s\n%s  (%s:%d)\n", style(stdout, BOLD), s->title, style(stdout, PLAIN), s->title_zh, s->id,
-           s->file, s->line);
+    title(s->title, s->title_zh, s->id, s->file, s->line);
     print_source_of(reg, s);
     heading("Printed");
     formula(s->printed);
-    print_verdict(r);
+    print_verdict(r, results, count);
     print_hypotheses(s, results, count);
-    print_readings(s, results, count);
+    print_meant(s);
+    if (r->verdict != VERDICT_UNDECIDED && has_reading(s)) {
+        heading("Ways to read it");
+        print_readings(s, results, count);
+    }
+    print_failing_readings(s, results, count);
     print_counterexamples(s, results, count);
     if (r->verdict != VERDICT_FAILS && r->as_printed.evidence != NO_EVIDENCE) {
         heading("Why");
@@ -403,4 +535,51 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
         printf("%*sfigures/gallery/%s.svg\n", INDENT, "", s->figure);
     }
     print_literature(reg, s->note, results, count);
+}
+
+/* What is added to an entry of a table, below it. */
+static void print_addition(const char *before, const char *tex, int indent)
+{
+    char *plain = tex_to_layout(tex, strchr(tex, '$') != NULL), *whole = malloc(strlen(plain) + strlen(before) + 1);
+    if (whole == NULL)
+        abort();
+    sprintf(whole, "%s%s", before, plain);
+    put_paragraph(stdout, whole, indent, page_width(WIDEST));
+    free(plain), free(whole);
+}
+
+void print_table(const cagd_register *reg, const char *id, const statement_result *entries, int count)
+{
+    int width = 0, of[VERDICTS] = {0};
+    for (int k = 0; k < count; k++) {
+        int columns = columns_of(verdict_name[entries[k].verdict]);
+        width = columns > width ? columns : width;
+        of[entries[k].verdict]++;
+    }
+    char text[128];
+    snprintf(text, sizeof text, "A table of %d entries", count);
+    title(text, "", id, entries[0].statement->file, entries[0].statement->line);
+    print_source_of(reg, entries[0].statement);
+    const char *between = "";
+    printf("%*s", INDENT, "");
+    for (verdict v = 0; v < VERDICTS; v++)
+        if (of[v] > 0)
+            printf("%s%s: %d", between, verdict_name[v], of[v]), between = ", ";
+    puts("\n");
+    for (int k = 0; k < count; k++) {
+        const statement *s = entries[k].statement;
+        const char *told = verdict_name[entries[k].verdict];
+        char *plain = tex_to_layout(s->printed, strchr(s->printed, '$') != NULL);
+        int indent = INDENT + width + 2;
+        printf("%*s", INDENT, "");
+        put_padded(stdout, told, width + 2);
+        put_hanging(stdout, plain, indent, page_width(WIDEST));
+        free(plain);
+        if (s->corrected[0] != '\0')
+            print_addition(entries[k].verdict == VERDICT_FAILS ? "right: " : "", s->corrected, indent);
+        for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
+            if (l->role == HYPOTHESIS)
+                print_addition("if ", l->text, indent);
+    }
+    printf("\nEach entry has a page of its own: cagd show %s\n", entries[0].statement->id);
 }

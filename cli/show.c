@@ -32,21 +32,51 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-/* What an id names: a statement, or a claim with or without its chapter; at most one of them is not NULL. */
+/* What an id names: a statement; or a claim, with or without its chapter; or the table whose entries are the statements
+ * ID-row-ROW-COLUMN.  At most one of them is not NULL. */
 struct entry {
     const statement *statement;
     const claim *claim;
+    const char *table;
 };
+
+static int is_of_table(const statement *s, const char *id)
+{
+    size_t n = strlen(id);
+    return strncmp(s->id, id, n) == 0 && strncmp(s->id + n, "-row-", 5) == 0;
+}
+
 static struct entry entry_of(const cagd_register *r, const char *id)
 {
     for (const statement *s = r->statements; s->id != NULL; s++)
         if (strcmp(s->id, id) == 0)
-            return (struct entry){s, NULL};
+            return (struct entry){.statement = s};
+    for (const statement *s = r->statements; s->id != NULL; s++)
+        if (is_of_table(s, id))
+            return (struct entry){.table = id};
     const char *bare = strchr(id, '.') != NULL && strchr(id, ':') == NULL ? strchr(id, '.') + 1 : id;
     for (const claim *c = r->claims; c->name != NULL; c++)
         if (strcmp(c->name, bare) == 0)
-            return (struct entry){NULL, c};
-    return (struct entry){NULL, NULL};
+            return (struct entry){.claim = c};
+    return (struct entry){0};
+}
+
+static int is_nothing(struct entry e) { return e.statement == NULL && e.claim == NULL && e.table == NULL; }
+
+/* The statements of a table, in the order of the register.  The caller frees the list. */
+static const statement **rows_of(const cagd_register *r, const char *table, int *count)
+{
+    *count = 0;
+    for (const statement *s = r->statements; s->id != NULL; s++)
+        *count += is_of_table(s, table);
+    const statement **list = calloc((size_t)*count + 1, sizeof *list);
+    if (list == NULL)
+        abort();
+    int k = 0;
+    for (const statement *s = r->statements; s->id != NULL; s++)
+        if (is_of_table(s, table))
+            list[k++] = s;
+    return list;
 }
 
 /* The claims that an entry names, in the order of the register. */
@@ -54,12 +84,45 @@ static const claim **claims_of_entry(const cagd_register *r, struct entry e, int
 {
     if (e.statement != NULL)
         return claims_of(r, &e.statement, 1, count);
+    if (e.table != NULL) {
+        int rows;
+        const statement **list = rows_of(r, e.table, &rows);
+        const claim **claims = claims_of(r, list, rows, count);
+        free(list);
+        return claims;
+    }
     const claim **one = calloc(1, sizeof *one);
     if (one == NULL)
         abort();
     one[0] = e.claim;
     *count = 1;
     return one;
+}
+
+/* A printed table on one page. */
+static int show_table(const cagd_register *reg, const char *table, const claim_result *results, int count, int json)
+{
+    int rows, good = 1;
+    const statement **list = rows_of(reg, table, &rows);
+    statement_result *derived = calloc((size_t)rows, sizeof *derived);
+    if (derived == NULL)
+        abort();
+    json_t *entries = json_array();
+    for (int k = 0; k < rows; k++) {
+        derived[k] = derive(list[k], results, count);
+        good &= derived[k].as_expected;
+        if (json)
+            json_array_append_new(entries, statement_json(&derived[k], results, count));
+    }
+    if (json)
+        print_json(json_pack("{s:s, s:s, s:O}", "schema", "cagd-table-1", "table", table, "statements", entries));
+    else
+        print_table(reg, table, derived, rows);
+    json_decref(entries);
+    for (int k = 0; k < rows; k++)
+        free_statement_result(&derived[k]);
+    free(derived), free(list);
+    return good;
 }
 
 /* One page, from results among which those of its claims are.  Returns whether it is as expected. */
@@ -74,7 +137,9 @@ static int show_entry(const cagd_register *reg, struct entry e, const claim_resu
     for (int k = 0; k < count; k++)
         results[k] = *result_of(list[k]->name, all, judged);
     int good = results[0].as_expected;
-    if (e.statement != NULL) {
+    if (e.table != NULL) {
+        good = show_table(reg, e.table, results, count, how->asked.json);
+    } else if (e.statement != NULL) {
         statement_result r = derive(e.statement, results, count);
         good = r.as_expected;
         if (how->asked.json)
@@ -108,7 +173,7 @@ static int run(const struct call *call)
         abort();
     for (int k = 0; k < a.patterns.count; k++) {
         struct entry e = entry_of(r, a.patterns.at[k]);
-        if (e.statement == NULL && e.claim == NULL) {
+        if (is_nothing(e)) {
             complain_about(r, a.patterns.at[k], STATEMENTS);
             free(wanted), free(list);
             return EXIT_USAGE;
@@ -145,7 +210,8 @@ const struct command command_show = {
             "Examples:\n"
             "  cagd show wang-ch3:thm-3.3.2\n"
             "  cagd show --numbers wang-ch3:3.2.8\n"
-            "  cagd show elevation_keeps_rational_curve\n",
+            "  cagd show elevation_keeps_rational_curve\n"
+            "  cagd show slides-ch4:table-bezier      a printed table, all entries on one page\n",
     .arguments = CLAIM_NAMES,
     .shared = TAKES_JSON | TAKES_JOBS,
     .options = options,

@@ -2,6 +2,7 @@
 #include "cli/terminal.h"
 
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 int is_terminal(FILE *stream) { return isatty(fileno(stream)); }
@@ -11,6 +12,17 @@ const char *style(FILE *stream, enum style s)
     static const char *const sequence[] = {"\x1b[0m", "\x1b[1m", "\x1b[2m", "\x1b[32m", "\x1b[31m", "\x1b[33m"};
     const char *off = getenv("NO_COLOR");
     return is_terminal(stream) && (off == NULL || *off == '\0') ? sequence[s] : "";
+}
+
+int page_width(int most)
+{
+    enum { LEAST = 40 };
+    struct winsize size;
+    const char *said = getenv("COLUMNS");
+    int columns = said != NULL ? atoi(said) : 0;
+    if (columns <= 0 && is_terminal(stdout) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0)
+        columns = size.ws_col;
+    return columns <= 0 || columns > most ? most : columns < LEAST ? LEAST : columns;
 }
 
 /* Width of the character at s in columns, by the ranges that occur here: combining marks 0, CJK 2. */
@@ -28,6 +40,12 @@ static const char *next_character(const char *s, unsigned long *c)
     while (((unsigned char)*s & 0xC0) == 0x80)
         *c = *c << 6 | ((unsigned char)*s++ & 0x3F);
     return s;
+}
+
+const char *end_of_character(const char *s)
+{
+    unsigned long c;
+    return next_character(s, &c);
 }
 
 int columns_of(const char *s)
@@ -55,37 +73,4 @@ void put_clipped(FILE *out, const char *s, int width)
             break;
     }
     fprintf(out, "%.*s%s", (int)(end - s), s, *end != '\0' ? " ..." : "");
-}
-
-/* Words separated by blanks; a CJK character may be followed by a break. */
-void put_paragraph(FILE *out, const char *s, int indent, int width)
-{
-    int column = 0;
-    while (*s != '\0') {
-        while (*s == ' ' || *s == '\n')
-            s++;
-        const char *end = s;
-        int columns = 0;
-        for (unsigned long c = 0; *end != '\0' && *end != ' ' && *end != '\n';) {
-            end = next_character(end, &c);
-            columns += width_of(c);
-            if (width_of(c) == 2)
-                break;
-        }
-        if (columns == 0)
-            break;
-        int glued = column > 0 && s[-1] != ' ' && s[-1] != '\n';
-        if (column > 0 && column + !glued + columns > width - indent) {
-            fputc('\n', out);
-            column = 0;
-        }
-        if (column == 0)
-            fprintf(out, "%*s", indent, "");
-        else if (!glued)
-            fputc(' ', out), column++;
-        fwrite(s, 1, (size_t)(end - s), out);
-        column += columns;
-        s = end;
-    }
-    fputc('\n', out);
 }

@@ -1,6 +1,6 @@
 /* verify.c -- cagd verify: decides claims, and prints or writes what came out. */
 #include "chapters/judge/certificate.h"
-#include "chapters/judge/tex.h"
+#include "cli/tex.h"
 #include "cli/commands.h"
 #include "cli/manifest.h"
 #include "cli/output.h"

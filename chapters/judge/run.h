@@ -52,7 +52,8 @@ typedef enum verdict {
     VERDICT_FAILS,
     VERDICT_UNDECIDED,
     VERDICT_OPEN,
-    VERDICT_DEFINITION
+    VERDICT_DEFINITION,
+    VERDICTS
 } verdict;
 extern const char *const verdict_name[];
 

@@ -1,6 +1,7 @@
 /* text.c -- a fit in words. */
 #include "cli/fit/fit.h"
 #include "cli/input.h"
+#include "cli/layout.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,4 +1,7 @@
-#include "chapters/judge/tex.h"
+/* tex.c -- formulas for a terminal. */
+#include "cli/tex.h"
+
+#include "cli/layout.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -11,6 +14,7 @@ struct text {
     int tight; /* inside an index or an exponent                        */
     int big;   /* a sum or product sign was the last symbol: room after it */
 };
+
 static void put(struct text *t, const char *s, size_t n)
 {
     if (t->used + n + 1 > t->room) {
@@ -27,6 +31,18 @@ static void put(struct text *t, const char *s, size_t n)
 static void puts_(struct text *t, const char *s) { put(t, s, strlen(s)); }
 
 static int ends_with_blank(const struct text *t) { return t->used > 0 && t->at[t->used - 1] == ' '; }
+
+/* Between the cells and rows of a matrix, or a comma and a semicolon where there is none. */
+static void put_division(struct text *t, char mark)
+{
+    int depth = 0;
+    for (size_t k = 0; k < t->used; k++)
+        depth += (t->at[k] == MATRIX) - (t->at[k] == MATRIX_END);
+    if (depth > 0)
+        put(t, &mark, 1);
+    else
+        puts_(t, mark == NEXT_CELL ? ", " : "; ");
+}
 
 /* A relation or a binary sign stands between blanks; not in indices, where room is short. */
 static void put_relation(struct text *t, const char *s)
@@ -68,7 +84,7 @@ static const struct {
 } faces[] = {{"mathbf", ""}, {"boldsymbol", ""}, {"mathrm", ""}, {"mathit", ""}, {"text", ""}, {"mathcal", ""},
              {"mathfrak", ""}, {"operatorname", ""}, {"textbf", ""}, {"mathbb", ""}, {"emph", ""}, {"textit", ""},
              {"hat", "\xCC\x82"}, {"widehat", "\xCC\x82"}, {"bar", "\xCC\x84"}, {"overline", "\xCC\x84"},
-             {"tilde", "\xCC\x83"}, {"widetilde", "\xCC\x83"}, {"dot", "\xCC\x87"}, {"ddot", "\xCC\x88"},
+             {"tilde", "\xCC\x83"}, {"widetilde", "\xCC\x83"}, {"dddot", "\xE2\x83\x9B"}, {"dot", "\xCC\x87"}, {"ddot", "\xCC\x88"},
              {"vec", "\xE2\x83\x97"}, {"underline", "\xCC\xB2"}};
 /* clang-format on */
 
@@ -276,7 +292,7 @@ static const char *command(const char *s, struct text *out)
     size_t n = (size_t)(e - s);
     if (n == 0) { /* \, \; \{ \\ ... */
         if (*s == '\\')
-            puts_(out, ";  ");
+            put_division(out, NEXT_ROW);
         else if (*s == '{' || *s == '}' || *s == '|' || *s == '%' || *s == '&')
             *s == '|' ? puts_(out, "‖") : put(out, s, 1);
         else if (*s == ',' || *s == ';' || *s == ' ' || *s == ':')
@@ -322,8 +338,8 @@ static const char *command(const char *s, struct text *out)
     }
     if ((n == 5 && strncmp(s, "begin", 5) == 0) || (n == 3 && strncmp(s, "end", 3) == 0)) {
         struct text a = render_group(&e, out->tight);
-        const char *bracket = strstr(a.at, "cases") != NULL ? "{" : strchr(a.at, 'v') == a.at ? "|" : "(";
-        puts_(out, s[0] == 'b' ? bracket : bracket[0] == '{' ? "" : bracket[0] == '(' ? ")" : bracket);
+        char bracket = strcmp(a.at, "cases") == 0 ? '{' : a.at[0] == 'v' ? '|' : a.at[0] == 'b' ? '[' : '(';
+        put(out, s[0] == 'b' ? (char[]){MATRIX, bracket} : (char[]){MATRIX_END}, s[0] == 'b' ? 2 : 1);
         free(a.at);
         return e;
     }
@@ -358,7 +374,7 @@ static int is_binary(const struct text *t)
     size_t n = t->used;
     while (n > 0 && t->at[n - 1] == ' ')
         n--;
-    return n > 0 && strchr("([{=<>,|;/", t->at[n - 1]) == NULL && !(n >= 3 && is_relation(copied(t->at + n - 3)));
+    return n > 0 && strchr("([{=<>,|;/\2\3", t->at[n - 1]) == NULL && !(n >= 3 && is_relation(copied(t->at + n - 3)));
 }
 
 static const char *formula(const char *s, struct text *out, char stop)
@@ -390,7 +406,7 @@ static const char *formula(const char *s, struct text *out, char stop)
         } else if (*s == '~') {
             puts_(out, " "), s++;
         } else if (*s == '&') {
-            puts_(out, ", "), s++;
+            put_division(out, NEXT_CELL), s++;
         } else if (*s == '}') {
             s++;
         } else {
@@ -400,13 +416,27 @@ static const char *formula(const char *s, struct text *out, char stop)
     return *s == '\0' ? s : s + 1;
 }
 
-char *tex_to_text(const char *tex, int mixed)
+/* No line ends in parentheses as short as those of (1 − t). */
+static void tie_short_groups(char *text)
+{
+    enum { SHORT = 20 };
+    for (char *open = strchr(text, '('); open != NULL; open = strchr(open + 1, '(')) {
+        size_t n = strcspn(open + 1, "()");
+        if (open[1 + n] != ')' || n > SHORT)
+            continue;
+        for (char *c = open; c < open + n; c++)
+            *c = (char)(*c == ' ' ? TIE : *c);
+    }
+}
+
+char *tex_to_layout(const char *tex, int mixed)
 {
     struct text out = {0};
     puts_(&out, "");
     const char *s = tex;
     if (!mixed) {
         formula(s, &out, '\0');
+        tie_short_groups(out.at);
         return out.at;
     }
     while (*s != '\0') {
@@ -422,5 +452,13 @@ char *tex_to_text(const char *tex, int mixed)
             put(&out, s++, 1);
         }
     }
+    tie_short_groups(out.at);
     return out.at;
+}
+
+char *tex_to_text(const char *tex, int mixed)
+{
+    char *laid_out = tex_to_layout(tex, mixed), *text = in_one_line(laid_out);
+    free(laid_out);
+    return text;
 }

@@ -1,0 +1,102 @@
+"""The pages of `cagd show` as they are read: their width, their matrices, what they say first.
+
+    python3 test_pages.py CAGD REGISTER.json
+"""
+import os
+import random
+import re
+import subprocess
+import sys
+import unicodedata
+import unittest
+from pathlib import Path
+
+REGISTER_FILE = sys.argv.pop(2)
+CAGD = str(Path(sys.argv.pop(1)).resolve())
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scripts"))
+from register import load  # noqa: E402
+
+REGISTER = load(REGISTER_FILE)
+# Statements whose claims take longer than a page is worth here.
+SLOW = {"wang-ch3:thm-3.4.1", "wang-ch3:thm-3.4.3", "wang-ch4:thm-4.4.3"}
+
+
+def columns(line):
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in line)
+
+
+def show(*ids, width=92):
+    r = subprocess.run([CAGD, "show", *ids], capture_output=True, text=True, env={**os.environ, "COLUMNS": str(width)})
+    assert r.returncode == 0, r.stderr
+    return r.stdout
+
+
+class Width(unittest.TestCase):
+    def test_no_line_is_wider_than_the_page(self):
+        ids = [s["id"] for s in REGISTER["statements"] if s["id"] not in SLOW]
+        some = random.Random(1).sample(ids, 60) + [claim["name"] for claim in random.Random(2).sample(REGISTER["claims"], 20)]
+        for width in (60, 80):
+            for line in show("--numbers", *some, width=width).splitlines():
+                # A name without a blank, such as a file's, is longer than some lines are.
+                self.assertTrue(columns(line) <= width or " " not in line.strip(), f"{width}: {columns(line)}: {line}")
+
+    def test_a_page_is_at_least_forty_and_at_most_ninety_two_columns_wide(self):
+        self.assertEqual(show("wang-ch3:3.2.8", width=10), show("wang-ch3:3.2.8", width=40))
+        self.assertEqual(show("wang-ch3:3.2.8", width=500), show("wang-ch3:3.2.8"))
+
+
+class Matrices(unittest.TestCase):
+    def test_a_determinant_has_a_line_for_each_row(self):
+        lines = show("hu-1987:1-4-torsion-first-determinant").splitlines()
+        at = lines.index("Printed") + 1
+        self.assertEqual([line.count("│") for line in lines[at:at + 3]], [4, 4, 4])
+        left = [columns(line[:line.index("│")]) for line in lines[at:at + 3]]
+        self.assertEqual(len(set(left)), 1, "its rows stand below each other")
+        self.assertIn("= −12", lines[at + 1])
+        self.assertNotIn("= −12", lines[at] + lines[at + 2])
+
+    def test_a_matrix_that_is_wider_than_the_page_stands_in_one_line(self):
+        narrow = show("wang-ch3:3.5.3", width=40)
+        self.assertNotIn("│", narrow)
+        self.assertIn("|−l − x, 2ω(x₁ − x), l − x, 0;", " ".join(narrow.split()))
+
+    def test_no_mark_of_the_layout_is_printed(self):
+        everything = show("hu-1987:1-3-5", "slides-ch4:3-bicubic", "wang-ch3:3.4.1", "slides-ch4:table-bezier", width=60)
+        self.assertEqual(re.findall(r"[\x00-\x09\x0b-\x1f]", everything), [])
+
+
+class Words(unittest.TestCase):
+    def test_readings_say_first_what_is_true(self):
+        page = show("wang-ch3:thm-3.3.2")
+        verdict = page.split("\nVerdict\n")[1].split("\n\n")[0]
+        self.assertEqual([line.split()[0] for line in verdict.splitlines()[1:] if re.match(r"    \S", line)],
+                         ["true", "false", "false"])
+        self.assertIn("Counterexample to the second reading", page)
+
+    def test_a_comparison_is_a_sentence(self):
+        page = show("hu-1987:1-4-torsion-first-determinant")
+        self.assertIn("Compared: the determinant, and -12 (A,B,C): 0 and 12 are not equal.", page)
+        for word in ("compared ", "left ", "right ", "negative "):
+            self.assertNotRegex(page, rf"(?m)^    {word} *= ")
+
+    def test_steps_are_numbered_and_named(self):
+        page = show("wang-ch3:prop-3.2.8")
+        self.assertEqual(re.findall(r"(?m)^    (\d) identity", page), ["1", "2", "3"])
+        self.assertIn("Three identities decide it together.", page)
+
+
+class Tables(unittest.TestCase):
+    def test_a_printed_table_is_one_page(self):
+        entries = [s["id"] for s in REGISTER["statements"] if s["id"].startswith("slides-ch4:table-bezier-row-")]
+        page = show("slides-ch4:table-bezier")
+        self.assertEqual(len(re.findall(r"(?m)^    (?:holds|fails|conditional) ", page)), len(entries))
+        self.assertIn("fails        x(0.35) = 2.248\n                 right: x(0.35) = 2.246\n", page)
+
+    def test_every_row_belongs_to_a_table(self):
+        for s in REGISTER["statements"]:
+            if "-row-" in s["id"]:
+                self.assertIn("A table of ", show(s["id"].split("-row-")[0]).splitlines()[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
