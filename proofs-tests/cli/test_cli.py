@@ -344,7 +344,7 @@ class Ledger(Case):
             first.setdefault(row["id"].split(":")[0], row["id"])
         self.assertEqual(set(first), set(titles))
         for key, identifier in first.items():
-            self.assertIn(titles[key], run("show", identifier).stdout.splitlines()[2])
+            self.assertIn(titles[key], run("show", identifier).stdout.split("\nPrinted\n")[0].replace("\n", " "))
         cited = [(c["name"], key) for c in whole_run()["claims"] for key in re.findall(r"\[([a-z]+(?:-[a-z]+)*-\d{4})", c["method"])]
         self.assertTrue(cited)
         for name, key in cited:
