@@ -109,6 +109,12 @@ class Kernels(unittest.TestCase):
         known = {n for p in self.TEMPLATES for n in self.kernels(p)}
         self.assertEqual(sorted(defined - known), [], "claims that define what is not there")
 
+    def test_no_kernel_has_more_parameters_than_the_guide_says(self):
+        most = int(re.search(r"no kernel has more than (\d+) parameters", (ROOT / "CONTRIBUTING.md").read_text().replace("\n   ", " "))[1])
+        count = {name: 1 + re.search(r"^KERNEL [^\n]*G\(%s\)\(([^)]*)\)" % name, path.read_text(), re.M)[1].count(",")
+                 for path in self.TEMPLATES for name in self.kernels(path)}
+        self.assertEqual(max(count.values()), most, sorted(count.items(), key=lambda c: c[1])[-3:])
+
     def test_no_kernel_compares_or_leaves_the_vocabulary(self):
         for path in self.TEMPLATES:
             text = re.sub(r"/\*.*?\*/", "", path.read_text(), flags=re.S)
