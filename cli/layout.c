@@ -213,10 +213,13 @@ static void put_word(FILE *out, const struct word *w, int line, int *blanks)
 
 /* ---- lines ----------------------------------------------------------------------------------------- */
 
+/* `used` columns of the first line are taken already; the others begin behind `indent` blanks. */
 struct line {
     struct word *word;
-    int count, columns, indent;
+    int count, columns, used, indent;
 };
+
+static int room_in(const struct line *l, int width) { return width - (l->used > 0 ? l->used : l->indent); }
 
 static void put_line(FILE *out, struct line *l)
 {
@@ -228,12 +231,12 @@ static void put_line(FILE *out, struct line *l)
         below = l->word[k].below > below ? l->word[k].below : below;
     }
     for (int at = -above; at <= below && l->count > 0; at++) {
-        int blanks = l->indent;
+        int blanks = l->used > 0 ? 0 : l->indent;
         for (int k = 0; k < l->count; k++)
             put_word(out, &l->word[k], at, &blanks);
         fputc('\n', out);
     }
-    l->count = l->columns = 0;
+    l->count = l->columns = l->used = 0;
 }
 
 /* The next word of the text from s on; at == end where there is none. */
@@ -256,22 +259,25 @@ static struct word next_word(const char *s, const char *begin)
     return w;
 }
 
-void put_paragraph(FILE *out, const char *text, int indent, int width)
+static void fill(FILE *out, const char *text, struct line l, int width)
 {
-    struct line l = {.indent = indent};
     int room = 0, printed = 0;
     for (struct word w = next_word(text, text); w.at < w.end; w = next_word(w.end, text)) {
-        int fits = measure(&w);
-        if (memchr(w.at, MATRIX, (size_t)(w.end - w.at)) != NULL && (!fits || w.columns > width - indent)) {
+        int fits = measure(&w), has_matrix = memchr(w.at, MATRIX, (size_t)(w.end - w.at)) != NULL;
+        if (has_matrix && (!fits || w.columns > width - l.indent)) {
             char *raw = must(strndup(w.at, (size_t)(w.end - w.at))), *flat = in_one_line(raw);
             put_line(out, &l);
-            put_paragraph(out, flat, indent, width);
+            put_paragraph(out, flat, l.indent, width);
             printed = 1;
             free(raw), free(flat);
             continue;
         }
-        if (l.count > 0 && l.columns + !w.glued + w.columns > width - indent)
+        int full = l.count > 0 && l.columns + !w.glued + w.columns > room_in(&l, width);
+        if (full || (l.used > 0 && (w.above > 0 || w.columns > room_in(&l, width)))) {
+            if (l.count == 0)
+                fputc('\n', out);
             put_line(out, &l), printed = 1;
+        }
         if (l.count == room)
             l.word = must(realloc(l.word, (size_t)(room += MOST) * sizeof *l.word));
         w.glued |= l.count == 0;
@@ -285,32 +291,28 @@ void put_paragraph(FILE *out, const char *text, int indent, int width)
     free(l.word);
 }
 
-void put_hanging(FILE *out, const char *text, int indent, int width)
+void put_paragraph(FILE *out, const char *text, int indent, int width)
 {
-    char *lines = NULL;
-    size_t room;
-    FILE *filled = must(open_memstream(&lines, &room));
-    put_paragraph(filled, text, indent, width);
-    fclose(filled);
-    fputs(lines + ((int)strspn(lines, " ") >= indent ? indent : 0), out);
-    free(lines);
+    fill(out, text, (struct line){.indent = indent}, width);
+}
+
+void put_behind(FILE *out, const char *text, int used, int indent, int width)
+{
+    fill(out, text, (struct line){.used = used, .indent = indent}, width);
 }
 
 void put_value(FILE *out, const char *name, const char *value, int indent, int columns, int width)
 {
     char *tied = must(strdup(value));
-    int depth = 0;
+    int depth = 0, own = columns_of(name);
     for (char *c = tied; *c != '\0'; c++) {
         depth += (*c == '(') - (*c == ')');
         *c = (char)(*c == ' ' && depth == 1 ? TIE : *c);
     }
-    int hanging = indent + columns + 3, below = hanging > width / 2;
     fprintf(out, "%*s", indent, "");
-    put_padded(out, name, below ? 0 : columns);
-    fputs(below ? " =\n" : " = ", out);
-    if (below)
-        put_paragraph(out, tied, 2 * indent, width);
-    else
-        put_hanging(out, tied, hanging, width);
+    put_padded(out, name, columns);
+    fputs(" = ", out);
+    put_behind(out, tied, indent + (own > columns ? own : columns) + 3,
+               own > columns ? 2 * indent : indent + columns + 3, width);
     free(tied);
 }

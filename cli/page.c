@@ -175,9 +175,11 @@ static void print_exhibits(const claim_result *r)
 {
     const type_result *b = speaking_type(r);
     int width = 0;
-    for (int k = 0; b != NULL && k < b->exhibits; k++)
-        if (!is_of_comparison(b->shown[k].name) && columns_of(b->shown[k].name) > width)
-            width = columns_of(b->shown[k].name);
+    for (int k = 0; b != NULL && k < b->exhibits; k++) {
+        int columns = columns_of(b->shown[k].name);
+        if (!is_of_comparison(b->shown[k].name) && columns > width && columns <= page_width(WIDEST) / 3)
+            width = columns;
+    }
     for (int k = 0; b != NULL && k < b->exhibits; k++) {
         if (is_of_comparison(b->shown[k].name))
             continue;
@@ -207,7 +209,7 @@ static void print_type_line(const claim_result *r, number_type t)
     enum { TYPE_WIDTH = 10 };
     printf("%*s", INDENT + 2, "");
     put_padded(stdout, number_type_name[t], TYPE_WIDTH);
-    put_hanging(stdout, text, INDENT + 2 + TYPE_WIDTH, page_width(WIDEST));
+    put_behind(stdout, text, INDENT + 2 + TYPE_WIDTH, INDENT + 2 + TYPE_WIDTH, page_width(WIDEST));
     free(text);
 }
 
@@ -260,7 +262,7 @@ void print_claim(const cagd_register *reg, const claim_result *r)
                 put_padded(stdout, role_words[l->role], 17);
                 char decided[512];
                 snprintf(decided, sizeof decided, "%s\5 %s", s->id, s->title);
-                put_hanging(stdout, decided, INDENT + 17, page_width(WIDEST));
+                put_behind(stdout, decided, INDENT + 17, INDENT + 17, page_width(WIDEST));
                 break;
             }
     print_literature(reg, "", r, 1);
@@ -410,7 +412,7 @@ static void print_readings(const statement *s, const claim_result *results, int 
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         char *plain = tex_to_layout(l->text, 1);
         printf("%*s%-6s", INDENT, "", c == NULL ? "open" : c->claim->kind == COUNTEREXAMPLE ? "false" : "true");
-        put_hanging(stdout, plain, INDENT + 6, page_width(WIDEST));
+        put_behind(stdout, plain, INDENT + 6, INDENT + 6, page_width(WIDEST));
         free(plain);
     }
 }
@@ -573,7 +575,7 @@ void print_table(const cagd_register *reg, const char *id, const statement_resul
         int indent = INDENT + width + 2;
         printf("%*s", INDENT, "");
         put_padded(stdout, told, width + 2);
-        put_hanging(stdout, plain, indent, page_width(WIDEST));
+        put_behind(stdout, plain, indent, indent, page_width(WIDEST));
         free(plain);
         if (s->corrected[0] != '\0')
             print_addition(entries[k].verdict == VERDICT_FAILS ? "right: " : "", s->corrected, indent);

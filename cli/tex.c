@@ -75,6 +75,7 @@ static const struct {
     {"cos", "cos"}, {"tan", "tan"}, {"csc", "csc"}, {"det", "det"}, {"lim", "lim"}, {"deg", "deg"}, {"ln", "ln"},
     {"log", "log"}, {"exp", "exp"}, {"sup", "sup"}, {"inf", "inf"}, {"arcsin", "arcsin"}, {"arccos", "arccos"},
     {"left", ""}, {"right", ""}, {"big", ""}, {"Big", ""}, {"bigl", ""}, {"bigr", ""}, {"Bigl", ""}, {"Bigr", ""},
+    {"bigm", " "}, {"Bigm", " "},
     {"displaystyle", ""}, {"limits", ""}, {"nolimits", ""}, {"textstyle", ""}, {"Re", "Re"}, {"bot", "⊥"},
     {"longrightarrow", "⟶"}, {"rightarrow", "→"}, {"star", "*"}, {"ast", "*"}, {"Longleftrightarrow", "⟺"}};
 

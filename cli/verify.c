@@ -1,12 +1,12 @@
 /* verify.c -- cagd verify: decides claims, and prints or writes what came out. */
 #include "chapters/judge/certificate.h"
-#include "cli/tex.h"
 #include "cli/commands.h"
 #include "cli/manifest.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "cli/tex.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"
 #include "exact/words.h"
