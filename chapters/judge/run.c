@@ -111,6 +111,33 @@ static double now(void)
 
 /* ---- one claim in one number type --------------------------------------------------------------- */
 
+/* Adds to a list of words, separated by blanks, those of another one that it lacks.  Frees the other one. */
+static void add_words(char **list, char *more)
+{
+    if (*list == NULL) {
+        *list = more;
+        return;
+    }
+    for (const char *word = more + strspn(more, " "); *word != '\0'; word += strspn(word, " ")) {
+        size_t n = strcspn(word, " "), had = strlen(*list);
+        int known = 0;
+        for (const char *old = *list; *old != '\0' && !known; old += strspn(old, " ")) {
+            size_t m = strcspn(old, " ");
+            known = m == n && strncmp(old, word, n) == 0;
+            old += m;
+        }
+        if (!known) {
+            char *longer = realloc(*list, had + n + 2);
+            if (longer == NULL)
+                abort();
+            sprintf(longer + had, "%s%.*s", had > 0 ? " " : "", (int)n, word);
+            *list = longer;
+        }
+        word += n;
+    }
+    free(more);
+}
+
 static type_result judge_type(const struct plan *p)
 {
     double start = now();
@@ -128,9 +155,8 @@ static type_result judge_type(const struct plan *p)
             r.worst = T.worst;
         if (T.degree > r.degree_high)
             r.degree_high = T.degree;
-        free(r.variables);
-        free(r.positive);
-        r.variables = variables, r.positive = positive;
+        add_words(&r.variables, variables);
+        add_words(&r.positive, positive);
         if (k == 0 || o == FAILS) {
             forget_exhibits(r.shown, r.exhibits);
             r.shown = T.shown, r.exhibits = T.exhibits, r.seed = T.seed;

@@ -14,7 +14,7 @@ typedef struct type_result {
     double worst;                /* see trial.worst                                                         */
     uint64_t seed;               /* of the first failing case                                               */
     int control_caught;          /* the control had the opposite outcome                                    */
-    char *variables;             /* field: the named variables of the largest case, separated by blanks     */
+    char *variables;             /* field: the named variables of all cases, separated by blanks            */
     char *positive;              /* field: those of them that were taken to be positive; see trial.positive */
     exhibit *shown;              /* of the first failing case, or of the first case                         */
     int exhibits;

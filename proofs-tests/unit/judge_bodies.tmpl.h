@@ -113,6 +113,16 @@ static inline void G(cancel)(trial *T, int count)
 static inline void G(forty_variables)(trial *T) { G(cancel)(T, 40); }
 static inline void G(too_many_variables)(trial *T) { G(cancel)(T, FIELD_MAX_VARIABLES + 1); }
 
+/* As many variables as the degree, x_0 taken to be positive: in degree 3 numbers stand in their places. */
+static inline void G(numbers_above_two)(trial *T)
+{
+    num sum = from_int(1), first = T->degree > 2 ? from_int(1) : positive(T, "x", 0);
+    for (int k = 1; k < T->degree && T->degree <= 2; k++)
+        sum = add(sum, unknown(T, "y", k));
+    nonnegative(T, T->planted ? neg(first) : first);
+    same(T, sub(sum, sum), from_int(0));
+}
+
 /* a + w/(1+w) s, of one sign; planted: its negative */
 static inline void G(positive_sum)(trial *T)
 {

@@ -269,6 +269,18 @@ static void test_a_crowded_field_grows(void **state)
     free_results(r, 1);
 }
 
+/* What a claim was proved for is variable in all of its cases, and not in the last one alone. */
+static void test_the_variables_of_all_cases(void **state)
+{
+    (void)state;
+    const claim c = {IN(FIELD_TYPE, _f, numbers_above_two), .degree_low = 1, .degree_high = 3};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_string_equal(r->by[FIELD_TYPE].variables, "x0 y1");
+    assert_string_equal(r->by[FIELD_TYPE].positive, "x0");
+    free_results(r, 1);
+}
+
 /* ---- Signs -------------------------------------------------------------------------------------- */
 
 static void test_signs(void **state)
@@ -974,6 +986,7 @@ int main(void)
         unit(test_undefined_fails),
         unit(test_unable_is_neither_true_nor_false),
         unit(test_a_crowded_field_grows),
+        unit(test_the_variables_of_all_cases),
         unit(test_signs),
         unit(test_coefficients_of_both_signs_decide_nothing),
         unit(test_a_counterexample_fails_and_its_control_holds),
