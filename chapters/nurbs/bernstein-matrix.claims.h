@@ -56,6 +56,7 @@ coefficients: it takes the Bernstein basis to the powers.
 :then: $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, and $g_{ji}$ is as printed, 0 below the diagonal
 :method: The kernels `marsden_coefficients` and `marsden_matrix` at these knots.
 :degrees: 0..7 sampled 8
+:over: x
 :control: rows and columns of $G$ exchanged
 :::
 */

@@ -35,7 +35,7 @@ sections rest on it.
 :then: `bspline_basis` gives $N_{\mu-p,p}(t),\dots,N_{\mu,p}(t)$, and $N_{i,p}=0$ on the span for every other $i$
 :method: The kernel against the recursion of de Boor and Cox by its letter, for each index $i$ of the knot vector.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: bspline_basis_level bspline_basis
 :control: the span of the interval replaced by its neighbour on the left or, in the first interval, on the right
 :::
@@ -73,7 +73,7 @@ is a sum over the knots.
 :method: On an interval a truncated power is the power or $0$.  The sum against the recursion by its letter; to the left of
   all knots, where every power counts, the sum must be $0$.
 :degrees: 0..5 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the first truncated power left out
 :::
 */
@@ -110,7 +110,7 @@ CLAIM(bspline_is_divided_difference)
 :method: All $n$ polynomials of the interval, from the recursion by its letter, are added; the sum must have the coefficients
   $1,0,\dots,0$.
 :degrees: 0..6 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the first B-spline of the span left out
 :::
 */
@@ -185,6 +185,7 @@ What remains are the knots themselves.
   a fraction of polynomials in the lengths with positive coefficients only; at a knot inside the support a value is the
   limit from the right, whose sign the next claim decides.
 :degrees: 0..4 sampled 7
+:over: x: first knot; a b: distance of t from the ends of its interval
 :control: the B-spline before is taken
 :::
 */
@@ -225,6 +226,7 @@ CLAIM(bspline_is_positive_inside_its_support)
   constant coefficient.
 :types: field rational
 :degrees: 0..4 sampled 7
+:over: x: first knot
 :control: the next B-spline is taken
 :::
 */
@@ -273,6 +275,7 @@ determinant says it once more.
   $0\le i<n$, belongs to a span of the domain when $u_p<u_{p+1}$ and $u_{n-1}<u_n$.
 :degrees: 0..4 sampled 7
 :types: field rational
+:over: x: first knot
 :control: the first B-spline taken twice
 :::
 */
@@ -340,7 +343,7 @@ one jumps.  The jump is known exactly, and it is never $0$.
   $(-1)^{p-m}\frac{p!}{(m-1)!}\,(u_{i+p+1}-u_i)\big/\prod_{u_l\ne\xi}(\xi-u_l)\ne0$
 :method: The polynomials of both intervals in powers of $t-\xi$, from the recursion by its letter.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the jump asked for one order lower
 :::
 */
@@ -397,7 +400,7 @@ $(p+1)N_{i,p}/(u_{i+p+1}-u_i)$ a density.
 :method: The rows at $t$ against the coefficients in powers about the same $t$, from the recursion by its letter; the level
   applied to the values of degree $p-1$ must give the first row.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: bspline_basis_derivative_level bspline_basis_derivatives
 :control: the first and the last function exchanged
 :::
@@ -433,7 +436,7 @@ CLAIM(bspline_basis_derivatives_follow_definition)
 :then: $\int N_{i,p}\,dt=\frac{u_{i+p+1}-u_i}{p+1}$
 :method: The polynomial of each interval, from the recursion by its letter, integrated power by power; also outside the domain.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: divided by $p$ or, for $p=0$, by 2
 :::
 */
@@ -475,7 +478,7 @@ as the control polygon of a function, and what the section on convergence compar
 :method: The coefficients of the sum in powers of $t-u_\mu$, from the recursion by its letter, must be $u_\mu,1,0,\dots,0$.
   As the B-splines are independent no other numbers have this property.
 :degrees: 1..6 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: bspline_greville
 :control: the abscissae of the next points
 :::

@@ -49,6 +49,7 @@ static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
   polar form is written in elementary symmetric polynomials of the arguments.  Knots, arguments and points are variables;
   the points of the span alone give the same.
 :degrees: 0..4 sampled 9
+:over: a#: arguments
 :defines: bspline_blossom
 :control: the last argument taken as the first as well
 :::
@@ -66,6 +67,7 @@ CLAIM(blossom_of_a_segment_is_its_polar_form) { G(check_blossom_of_a_segment_is_
 :types: field
 :degrees: 5..7
 :scope: the distinct knots $0,1,3,6,10,\dots$
+:over: a#: arguments
 :control: the last argument taken as the first as well
 :::
 */
@@ -87,7 +89,8 @@ after the first level.
 :method: The sum, with the B-splines from the recursion by its letter, against the polar form in elementary symmetric
   polynomials.  As the $N_{i,p-r}$ of a span are independent, this says what every $d_i^r$ is.
 :degrees: 1..6 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: a: tau
 :defines: bspline_deboor_level
 :control: the parameter of the last level is $t$
 :::
@@ -134,7 +137,7 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
 :method: The kernel against the sum of all $n$ terms, the B-splines from the recursion by its letter; the
   points of the span alone give the same.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: bspline_deboor
 :control: the points taken backwards
 :::
@@ -175,7 +178,7 @@ another degree, only has to evaluate its polar form there.
 :method: The polynomial of the interval from the recursion by its letter, its polar form in elementary symmetric polynomials,
   against the variables $c_i$.
 :degrees: 0..6 sampled 8
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the knots taken one too low
 :::
 */
@@ -205,7 +208,8 @@ CLAIM(bspline_points_are_values_of_the_blossom)
   $f[\dots,(1-b)x_k+bv,\dots]=(1-b)f[\dots,x_k,\dots]+b\,f[\dots,v,\dots]$ for every $k$
 :method: The values of the kernel, everything a variable.
 :degrees: 1..6 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: a# v#: arguments; b: ratio
 :control: the factors $1-b$ and $b$ exchanged
 :::
 */
@@ -251,7 +255,8 @@ The sum of the B-splines is 1 on the domain, so that a curve is a mean of its po
 :then: the curve of the mapped points is the mapped curve
 :method: Map, knots, points and $t$ are variables; by `bspline_deboor`.
 :degrees: 0..6 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: m# v#: affine maps
 :control: the last point is not moved
 :::
 */
@@ -303,7 +308,7 @@ at a knot of multiplicity $m$, and in general different ones after it.
   of the field.
 :types: field
 :degrees: 1..6
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: one order more
 :::
 */
@@ -341,7 +346,7 @@ which the length of the first interval stands and not that of the domain.
   $s'(u_n)=\frac p{u_n-u_{n-1}}(c_{n-1}-c_{n-2})$
 :method: Values and derivatives from the recursion by its letter.
 :degrees: 1..6 sampled 8
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the points at the end taken one too low
 :::
 */
@@ -375,7 +380,7 @@ CLAIM(clamped_ends_interpolate)
 :method: The coefficients of both splines in powers of $t-u_\mu$, from the recursion by its letter; the points of the second
   kernel against those of the first.
 :degrees: 1..6 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: bspline_difference bspline_hodograph
 :control: the factor $p$ taken as $p+1$
 :::

@@ -85,7 +85,8 @@ and $u_{\mu+1}$. Exchange its ends, and the same points describe another polar f
 :method: The polar form in elementary symmetric polynomials, from the powers of $t-a$ that the binomial theorem gives; then
   `bspline_to_bezier` and back, everything a variable.
 :degrees: 0..6 sampled 9
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: f: start of an interval; l: length of an interval; a#: arguments
 :defines: bspline_point_of_bezier
 :control: the ends of the interval exchanged
 :::
@@ -176,6 +177,7 @@ These cases are where an implementation goes wrong, and all of them are tried.
   other knots from the curve
 :method: The knots one by one; the splines in powers on every interval, from the recursion of de Boor and Cox by its letter.
 :degrees: 0..4 sampled 7
+:over: s: t
 :defines: bspline_split
 :control: the last point of the left part and the first of the right part replaced by their neighbours, where there are any
 :::
@@ -193,6 +195,7 @@ CLAIM(split_gives_both_parts_of_bspline) { G(check_split_gives_both_parts_of_bsp
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
+:over: s: t
 :control: the last point of the left part and the first of the right part replaced by their neighbours, where there are any
 :::
 */
@@ -214,7 +217,7 @@ no index of the continuation is off by one.
 :method: The knots and points by their indices; the segments at both ends in powers about the ends, from the recursion of de Boor and Cox
   by its letter.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: bspline_periodic
 :control: the last point of the result is moved
 :::

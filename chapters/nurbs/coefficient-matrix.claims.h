@@ -32,6 +32,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :given: any two different knots $t_r,t_{r+1}$, any $s$
 :then: $t=t_r+s(t_{r+1}-t_r)$ has the parameter $u=s$; so $u$ is 0 at $t_r$, 1 at $t_{r+1}$ and between them in between
 :method: The formula at a variable $s$: each of the two affine maps undoes the other.
+:over: t#: knots; s
 :control: the roles of the two knots exchanged
 :::
 */
@@ -99,6 +100,7 @@ pattern of coincident knots.
 :method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with
   the rule $0/0=0$ decided by the pattern.
 :degrees: 0..5 sampled 7
+:over: t#: knots
 :defines: bspline_matrix
 :control: the matrix of the span before
 :::
@@ -129,6 +131,7 @@ may be taken as integers; and that the B-splines have the sum 1 is a property of
 :then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
 :method: The two matrices of the kernel.
 :degrees: 0..5 sampled 7
+:over: t#: knots; a: factor; b: shift
 :control: the first inner knot is not moved
 :::
 */
@@ -172,6 +175,7 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
   is any coordinate, so one suffices.  Both sides are linear in $w_ir_i$ and in $w_i$, so that degree 5 is contained in
   `matrix_holds_the_powers_of_the_basis`.
 :degrees: 0..4 sampled 7
+:over: t#: knots; x#: points
 :control: the last weight left out
 :::
 */
@@ -264,6 +268,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :method: The sums of the entries of the kernel.  An identity of rational functions of simple knots holds for coincident
   ones, because the denominators are differences of knots on the two sides of the span.
 :degrees: 0..5 sampled 7
+:over: t#: knots
 :control: the last column left out
 :::
 */
@@ -363,6 +368,7 @@ static int G(function_pattern)(trial *T, int k, int m) { return k <= (FIELD ? 5 
 :then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ as printed, limits and all, and $\alpha$ from the cofactors (4.4.9)
 :method: The double sum by its letter, against the recursion of Cox and de Boor.
 :degrees: 0..4 sampled 5
+:over: t#: knots
 :control: the upper limit one less for double knots and more
 :::
 */
@@ -448,6 +454,7 @@ The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and wha
 :then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
 :method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
 :degrees: 0..4 sampled 7
+:over: t#: knots
 :defines: bspline_column_by_differences
 :control: the span taken as the last one of the function
 :::
@@ -503,6 +510,7 @@ For the homogeneous curve (4.1.1).
 :then: `bspline_matrix_by_differences` and `bspline_matrix` give the same matrix
 :method: Entry by entry.  That all multiplicities are covered up to the order 5 is the claim on columns.
 :degrees: 0..4 sampled 7
+:over: t#: knots
 :defines: bspline_matrix_by_differences
 :control: the last two columns exchanged
 :::
@@ -559,6 +567,7 @@ left and those of an ordinary power at the nodes on the right; that is all that 
 :method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$
   right of the span and 0 left of it.
 :degrees: 0..4 sampled 7
+:over: t#: knots
 :control: the data right and left of the span exchanged
 :::
 */
@@ -662,6 +671,7 @@ because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
 :then: the printed second line is 0 for every $t$
 :method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
 :degrees: 0..4 sampled 7
+:over: t#: knots
 :control: powers of one degree more
 :::
 */
@@ -755,6 +765,7 @@ CLAIM(full_powers_sum_to_nothing)
 :then: the two sides agree, and $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{j!(k-1-\mu-j)!}$
 :method: Both sides at $t=t_r+u(t_{r+1}-t_r)$.
 :degrees: 0..6 sampled 12
+:over: t#: knots
 :control: $t_{r+1}-t_r$ in the place of $t_r-t_{r+1}$
 :::
 */

@@ -190,6 +190,7 @@ CLAIM(insertions_commute)
 :then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
 :method: The kernel; signs are read off coefficients.
 :degrees: 1..6 sampled 7
+:over: s: ratio in which τ divides its interval
 :control: $s_i$ without the weights
 :::
 */
@@ -272,7 +273,7 @@ static int G(knots_below)(const struct G(refinement) * r, int place)
 :method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
   knots before $t'$.
 :degrees: 0..6 sampled 6
-:scope: the knots variables for $p\le5$, numbers above
+:scope: the distinct knots variables up to order 6, numbers above
 :control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
 :::
 */
@@ -310,7 +311,7 @@ CLAIM(repeated_insertion_reaches_the_curve)
 :then: $r_\mu^{(T,\{t'\}^{k-1-m})}=r(t')$
 :method: As before; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le5$, numbers above
+:scope: the distinct knots variables up to order 6, numbers above
 :control: one insertion less, for $m<k-1$
 :::
 */
@@ -337,7 +338,7 @@ CLAIM(fewer_insertions_suffice)
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
 :method: As before.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le5$, numbers above
+:scope: the distinct knots variables up to order 6, numbers above
 :control: the value from the left
 :::
 */

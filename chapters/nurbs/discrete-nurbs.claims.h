@@ -92,7 +92,7 @@ itself. It is stronger than the equality of the quotients, which a common factor
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le5$, numbers above
+:scope: the distinct knots variables up to order 6, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
 */
@@ -218,7 +218,7 @@ outside makes the weight of an end smaller, several also those next to it, and a
   true of multiple knots.  More knots one after the other, by (4.1.7).
 :types: field rational
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le3$, numbers above
+:scope: the distinct knots variables up to order 4, numbers above
 :control: the first or the last share, that which is less than $1$, taken as $1$
 :::
 */

@@ -72,6 +72,7 @@ derivatives, and the next one does not vanish.
 :method: The derivatives are those of the rational function of $t$ in the field.
 :types: field
 :degrees: 0..6
+:over: t#: nodes; s#: coefficients; x: -
 :control: the multiplicity of the last node counted as one more
 :::
 */
@@ -181,6 +182,7 @@ is seen to say what osculation means.
 :then: entry $(b(i,j),c)$ of `confluent_vandermonde` is $\frac{d^j}{dt^j}t^c$ at $\tau_i$
 :method: In the field the other side is the formal derivative, elsewhere the falling factorial times the power.
 :degrees: 0..5 sampled 8
+:over: t#: nodes; x: -
 :defines: confluent_vandermonde
 :control: the derivatives at each node taken in the opposite order
 :::
@@ -219,6 +221,7 @@ CLAIM(confluent_vandermonde_holds_derivatives)
 :method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
 :types: field
 :degrees: 0..6
+:over: t#: nodes; c#: coefficients; x: -
 :control: the coefficients $c_0$ and $c_k$ exchanged
 :::
 */
@@ -395,6 +398,7 @@ equal nodes have to be counted as one.
 :method: The determinant of the matrix of derivatives, by sums over all permutations up to $k=3$ and by
   Bird's algorithm, against the product written out factor by factor.
 :degrees: 0..6 sampled 8
+:over: t#: nodes
 :defines: confluent_vandermonde_determinant
 :control: the exponents $l_il_j$ taken as 1
 :::
@@ -491,6 +495,7 @@ the last unknown of the system.  The lemma of the source expands the upper deter
 :method: Every osculation problem has one solution $g$, and $f$ enters by its values only, which are those of $g$; so it
   is enough to know the claim for polynomials $g$.
 :degrees: 0..6 sampled 8
+:over: t#: nodes; c#: coefficients
 :defines: divided_difference
 :control: $c_0$ on the right
 :::
@@ -529,6 +534,7 @@ CLAIM(divided_difference_is_leading_coefficient)
 :then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
 :method: Both determinants are computed from the matrices.
 :degrees: 0..5 sampled 7
+:over: t#: nodes; f#: data of f
 :control: $f$ in the first column, in the place of the powers $t^0$
 :::
 */
@@ -594,6 +600,7 @@ column belongs to which derivative: $b(i,j)$ counts the rows, from 0.
   what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
 :method: The cofactors are determinants of order $k$ of the matrix of derivatives.
 :degrees: 0..5 sampled 7
+:over: t#: nodes; f#: data of f
 :defines: divided_weights
 :control: minors in the place of cofactors
 :::
@@ -736,6 +743,7 @@ from trying functions with a single datum that is not 0.
   divided difference is $\alpha_{ij}$; so the sums agree for all $f$ only when $\gamma=\alpha$
 :method: The table of divided differences on each unit vector of data against the weights of the kernel.
 :degrees: 0..6 sampled 8
+:over: t#: nodes
 :control: the data of the neighbouring unit vector
 :::
 */

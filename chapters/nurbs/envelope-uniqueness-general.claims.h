@@ -65,7 +65,7 @@ recursions.
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the divisor $k-r+1$
 :::
 */
@@ -102,7 +102,7 @@ CLAIM(family_steps_along_the_tangent)
 :method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
   right side by the levels of de Boor's triangle and the derivatives of a segment.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac{r}{k-r+1}$
 :::
 */
@@ -152,6 +152,7 @@ and not a set of lines $t=t_0$.
   the derivative of $P$; $P_\tau$ is what `derivative_by_tau_is_that_of_the_level_before` says.  With positive weights
   $v,V>0$ on the span.
 :degrees: all
+:over: e: step from t to τ; m; Q# v#: derivatives of the level before
 :control: $m$ in the place of $m^2$
 :::
 */
@@ -224,7 +225,7 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 :then: the printed equation
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: $t$ in the place of $\tau$ in the first term
 :::
 */
@@ -283,7 +284,7 @@ includes, the values are limits from the left.
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
 :method: Every expression by its letter, term by term.
 :degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 */
@@ -647,7 +648,8 @@ corners arise.
   corners of a strictly convex polygon in this order, all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have
   one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5
-:scope: the gaps of the knots variables for $k\le4$, the numbers 1, 2, … above; the points, $t$ and $\tau$ variables
+:scope: the gaps of the knots variables up to order 4, numbers above
+:over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x#: -
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
 */

@@ -42,7 +42,7 @@ the whole segment holds for its polar form, and the control points are values of
   all $t$ with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So
   a segment in a plane, on a line or in a plane through the origin has its points there.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the knots from $t_i$ on
 :::
 */
@@ -71,6 +71,7 @@ CLAIM(points_are_polar_values_of_the_segment)
 :then: $(a,b,c)\,n=(n\cdot a)\,b\times c+(n\cdot b)\,c\times a+(n\cdot c)\,a\times b$
 :method: Three coordinates, everything a variable.  If $n=r'\times r''\ne0$ and $n\cdot r_i=(r_i,r',r'')=0$, then all
   $r_i$ are in the plane through the origin with the normal $n$.
+:over: n#: vectors
 :control: $n$ on the left side with the second and third coordinates exchanged
 :::
 */
@@ -218,6 +219,7 @@ and their derivatives its linear part.
   second does.  A linear map that can be inverted keeps parallel vectors parallel, and makes none so.
 :degrees: 2..4 sampled 6
 :scope: the knots numbers in the field
+:over: l#: affine functions
 :control: $c$ left out at the last point
 :::
 */
@@ -305,6 +307,7 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :method: Formal derivatives.  The rule holds for all functions; if the right side is 0 for all $t$ of the span,
   $y'/x'$ is constant and $y=ax+b$, or $x'=0$ for all $t$ and $x$ is constant: a line.
 :degrees: all
+:over: a# b#: coefficients
 :control: the sign of the second term
 :::
 */

@@ -167,7 +167,8 @@ but to solve these equations backwards there is one of them too few.
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$
 :method: The points by (4.1.4), which divides by weights.
 :degrees: 2..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: A# B#: vectors
 :control: $1-\alpha$ and $\alpha$ exchanged
 :::
 */

@@ -71,6 +71,7 @@ $\partial_t\mathbf r^{[k-1]}\ne0$.
 :method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
   have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds and
   $X_t\ne0$.
+:over: dt: t'; ds: τ'; X# Y#: derivatives of the family
 :control: the factor $t'$ in the place of $\tau'$
 :::
 */
@@ -128,7 +129,7 @@ first derivative at $t$, followed as far as $\tau-t$, with the factor $\frac1{k-
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the divisors doubled
 :::
 */
@@ -174,7 +175,7 @@ CLAIM(differences_of_span_give_the_derivative)
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
@@ -235,6 +236,7 @@ tangent of the curve at $t$.
 :method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
   $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
 :degrees: all
+:over: p# w#: coefficients
 :control: $k-1$ in the place of $k-2$
 :::
 */
@@ -337,6 +339,7 @@ r''$, so that the other case is the inflections of the curve and nothing else.
 :method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
   are positive on the span.
 :degrees: all
+:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the sign of the second term
 :::
 */
@@ -363,6 +366,7 @@ CLAIM(first_level_condition_as_printed)
   function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
   $\tau(t)=t$.
 :degrees: all
+:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w^2$ in the place of $w^3$
 :::
 */
@@ -397,6 +401,7 @@ inflection is touched by all.
 :method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
 :degrees: all
+:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w$ left out
 :::
 */
@@ -433,6 +438,7 @@ is one equation in the place of three: what is lost is what decides, $\mathbf r'
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
 :method: Everything a variable.
 :degrees: all
+:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w''$ left out
 :::
 */
@@ -454,6 +460,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
   is 0.
 :degrees: all
+:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w$ in the place of $W$
 :::
 */
@@ -538,6 +545,7 @@ osculating plane passes through it, and is therefore weaker than (4.3.9), which 
 :method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
   product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
   weights, knots and $t$ as variables.
+:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the sign
 :::
 */

@@ -87,6 +87,7 @@ quotient runs through the leg once, forwards.  For positive weights it does, at 
 :method: An identity; the derivative of $\lambda$ is $\frac{w_{j-1}w_j}{(w_{j-1}+xw_j)^2}>0$, compared by
   $\lambda(x+h)-\lambda(x)$ being nonnegative for $h>0$.
 :types: field rational
+:over: x h: ratio in which t divides its span; u: knot; g: length of the span
 :control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
 :::
 */
@@ -276,7 +277,7 @@ it by continuing each segment beyond its knots.
   is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
   `first_level_condition_factors` with $t$ and $\tau$ exchanged.
 :degrees: 2..6 sampled 6
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the segment of the first span for every span
 :::
 */

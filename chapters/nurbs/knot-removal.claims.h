@@ -56,6 +56,7 @@ that is left over there is the defect.
 :method: Insertion by `bspline_insert`, which keeps the curve by `boehm_insertion_keeps_curve`, then removal; everything a
   variable.
 :degrees: 0..4 sampled 8
+:over: s: new knot
 :defines: bspline_remove
 :control: one of the points that removal solves for is moved before
 :::
@@ -73,6 +74,7 @@ CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
+:over: s: new knot
 :control: one of the points that removal solves for is moved before
 :::
 */
@@ -95,7 +97,7 @@ the defect how far that one vertex moves.
   must vanish, and that one is compared with the defect.
 :types: field rational
 :degrees: 0..6 sampled 8
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the defect with the other sign
 :::
 */
@@ -143,6 +145,7 @@ defect, a combination of points, knows of it.
   jump and defect of that unit point, numbers of the knots, have coefficients of one sign only.
 :types: field rational
 :degrees: 0..4 sampled 8
+:over: x: first knot
 :control: the jump of the next order, or for $s=1$ of the order before
 :::
 */

@@ -41,6 +41,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
   product $\omega_{i,k}$ in the field.
 :types: field
 :degrees: 0..6
+:over: t#: knots; x: -
 :defines: marsden_matrix
 :control: the derivatives of order $\mu$
 :::
@@ -78,6 +79,7 @@ column replaced.
   by the unit vector of the row
 :method: `cofactor` leaves out row and column; the other side keeps all $n$ rows.
 :degrees: 1..4 sampled 6
+:over: m#: entries
 :defines: cofactor
 :control: the unit vector of the next row
 :::
@@ -152,6 +154,7 @@ of $u$.  The formula is computed as it stands, with determinants over all permut
 :method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the
   B-splines by their definition.
 :degrees: 0..4 sampled 4
+:over: t#: knots
 :defines: bspline_matrix_by_marsden
 :control: the cofactors transposed
 :::
@@ -233,6 +236,7 @@ representation in powers.
   case distinctions of the other kernel are settled column by column in the section before.
 :degrees: 0..4 sampled 6
 :scope: every multiplicity
+:over: t#: knots
 :control: the knot $t_{r+2}$ is moved for the second matrix
 :::
 */
@@ -330,6 +334,7 @@ does.
 :method: The determinant of the matrix of symmetric functions: over all permutations up to $k=4$, by Bird's algorithm
   above.
 :degrees: 0..4 sampled 7
+:over: t#: knots
 :defines: marsden_determinant
 :control: the pairs with $b-a\le k$
 :::
@@ -368,6 +373,7 @@ CLAIM(marsden_determinant_is_product)
   `marsden_determinant_is_product`, where every factor is positive: $t_a\le t_r<t_{r+1}\le t_b$.
 :types: field
 :degrees: 0..3
+:over: x: first knot
 :control: the determinant with its first two columns exchanged
 :::
 */
@@ -443,6 +449,7 @@ dependence of the rows is one of the powers; that the B-splines are independent 
 :then: $\sum_\mu c_\mu t^\mu=\sum_i(G^Tc)_iN_{i,k}(t)$; so $G^Tc=0$ makes the polynomial vanish, and $c=0$
 :method: Both sides at a variable $t$.
 :degrees: 0..5 sampled 7
+:over: t#: knots; c#: coefficients
 :control: $G$ in the place of its transpose
 :::
 */
@@ -511,6 +518,7 @@ With $\det G\ne0$ the last two steps are the inverse matrix by cofactors and the
 :then: $\det G\,N_{i,k}(t)=\sum_\mu g^*_{\mu i}t^\mu$
 :method: Determinants and cofactors of the kernels; the B-splines by definition.
 :degrees: 0..4 sampled 7
+:over: t#: knots
 :control: the cofactors transposed
 :::
 */
@@ -547,6 +555,7 @@ CLAIM(cofactors_give_powers_of_t)
 :then: $t^\mu=\sum_j\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j$
 :method: Both sides at a variable $u$, also with $t_r=0$, where $t_r^0=1$.
 :degrees: 0..8 sampled 12
+:over: t#: knots
 :control: the roles of the two knots exchanged
 :::
 */

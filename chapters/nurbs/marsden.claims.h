@@ -52,6 +52,7 @@ powers it has the elementary symmetric functions of these knots as coefficients.
   $\mathrm{Sym}_j$ the sum over all subsets of $j$ knots
 :method: The product of the kernel against the sum over the $2^{k-1}$ subsets of the inner knots.
 :degrees: 0..6 sampled 8
+:over: t#: knots; x
 :defines: marsden_coefficients
 :control: the knots $t_i,\dots,t_{i+k-2}$ in the place of $t_{i+1},\dots,t_{i+k-1}$
 :::
@@ -81,6 +82,7 @@ CLAIM(marsden_coefficients_vanish_at_inner_knots)
 :then: `elementary_symmetric` gives for each $j$ the sum over all $i_1<\dots<i_j$ of $x_{i_1}\cdots x_{i_j}$
 :method: The kernel multiplies linear factors one by one; the other side goes through the $2^n$ subsets.
 :degrees: 0..7 sampled 12
+:over: x#: arguments
 :defines: elementary_symmetric
 :control: the last variable taken twice
 :::
@@ -132,6 +134,7 @@ as well.
 :method: The B-splines by their definition.  On the span they are rational functions of the knots whose denominators are
   differences of knots on its two sides; so the identity holds for coincident knots as well.
 :degrees: 0..5 sampled 7
+:over: t#: knots; x
 :control: the coefficient of the first function left out
 :::
 */
@@ -155,6 +158,7 @@ CLAIM(marsden_identity)
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
 :degrees: 0..4 sampled 7
+:over: t#: knots; x
 :control: $x$ and $t$ exchanged on the right
 :::
 */
@@ -231,6 +235,7 @@ With the polynomials of the span in the places of the $N_{i,k}$ it holds for all
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines from the kernel of the basis, at a variable $t$.
 :degrees: 0..7 sampled 12
+:over: x; a: knot
 :control: the coefficient of the last function left out
 :::
 */
@@ -311,6 +316,7 @@ the span, so that the sum loses one term.
 :then: $\sum W_i^0N_{i,k}(t)=\sum W_i^1N_{i,k-1}(t)$ with the printed $W_i^1$ and the printed limits
 :method: All functions by their definition.
 :degrees: 1..5 sampled 7
+:over: t#: knots; W#: coefficients
 :control: the two fractions in $W_i^1$ exchanged
 :::
 */
@@ -391,6 +397,7 @@ but one, and the mean of the two different factors, with the weights of the recu
   \omega_{i,k-1}(x)$ for $i=r-k+2,\dots,r$
 :method: Both sides are products and a sum of two products.
 :degrees: 1..6 sampled 8
+:over: t#: knots; x
 :control: $\omega_{i+1,k-1}$ on the right
 :::
 */
@@ -426,6 +433,7 @@ So each step lowers the order by 1 and leaves a factor behind, until one functio
 :then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
 :method: Each sum by itself, from the definitions.
 :degrees: 0..5 sampled 7
+:over: t#: knots; x
 :control: the sums begin at $i=r-m+2$
 :::
 */
@@ -484,6 +492,7 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
 :types: field
 :degrees: 0..5
+:over: t#: knots; x: -
 :control: the sign $(-1)^\mu$ left out
 :::
 */
@@ -526,6 +535,7 @@ knots.  This is a polar form in disguise: the control value of $t^j$ at the inne
 :then: (4.4.22) for every $j$
 :method: The symmetric functions as sums over subsets, the B-splines by definition.
 :degrees: 0..5 sampled 7
+:over: t#: knots
 :control: the knots $t_i,\dots,t_{i+k-2}$
 :::
 */
@@ -583,6 +593,7 @@ That the two forms (4.4.20) and (4.4.22) agree is a matter of one derivative at 
 :method: The formal derivative in the field against the sum over subsets.
 :types: field
 :degrees: 0..6
+:over: t#: knots; x: -
 :control: the sign $(-1)^j$ left out
 :::
 */

@@ -120,6 +120,7 @@ $p$.
   $|x_i-x_j|\le|i-j|\,h$ term by term, $p\le7$: signs are read off coefficients.
 :degrees: all
 :scope: every p for equal gaps; the monotony argument is the same for every p and run for p = 2 to 7
+:over: p; h; s#: gaps up to h
 :control: $p^2-1$ replaced by $p^2+1$
 :::
 */
@@ -310,6 +311,7 @@ But they are the points of a spline themselves, and insertion makes means of the
   $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
 :method: The kernels for differences and insertion, in both orders; the coefficients by their signs.
 :degrees: 2..6 sampled 8
+:over: s: ratio in which the new knot divides its interval
 :control: the difference taken once only after the insertion, with the spline $f'$
 :::
 */
@@ -351,6 +353,7 @@ CLAIM(second_differences_are_averaged)
 :then: $f(\xi_j)-d_j=\frac k{24}h^2$, and with the gaps halved a quarter of it: the order of convergence is 2 and not higher
 :method: The polar form by the kernel.
 :degrees: 2..6 sampled 9
+:over: h: gap; x: first knot
 :control: one half for a quarter
 :::
 */
@@ -386,6 +389,7 @@ numerator and denominator of the polygon both are near those of the curve, and t
   $\frac k{24}h^2\,(M_X+\max|r_i|M_w)/\min w_i$
 :method: An identity of the four variables.  The projection maps the segments of the homogeneous polygon onto those of the polygon, whose
   points are means of its vertices.
+:over: X; w; E; e
 :control: $r$ in the place of $\rho$ on the right
 :::
 */

@@ -59,7 +59,7 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
   variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
 :degrees: k = 1..6 sampled 7
-:scope: the distinct knots variables for k up to 5, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
 */
@@ -160,6 +160,7 @@ the corners are cut.
   these coincide is decided by whether neighbouring rows follow one another; with $n\ge5$ all cases occur.
 :degrees: 3..6
 :scope: signs for every n, by the last remark
+:over: a#: ratios of α to 1-α; x#: homogeneous points
 :control: two neighbouring rows exchanged in the minors
 :::
 */
@@ -329,6 +330,7 @@ Every new vertex is on an edge, hence in the hull; for hulls it is true of every
 :then: $w'=(1-\alpha)w_{i-1}+\alpha w_i$ and $r'=(1-s)r_{i-1}+sr_i$ satisfy $w'r'=(1-\alpha)w_{i-1}r_{i-1}+\alpha w_ir_i$; and
   $w'>0$, $s\ge0$, $1-s\ge0$
 :method: Identities in the field, and signs of coefficients.  For $\alpha=0$ and $\alpha=1$ it is $s=\alpha$.
+:over: a: ratio of α to 1-α; r#: points
 :control: $s$ taken as $\alpha$, without weights
 :::
 */
@@ -583,6 +585,7 @@ With the new weights, which the notation does not show; in the second equation t
 :method: The field, all knots, weights and points variables.  For more knots by induction: every two neighbours in the order may be
   exchanged.
 :degrees: k = 2..6 sampled 7
+:over: r#: points
 :control: the second knot inserted with the weights of the old polygon
 :::
 */

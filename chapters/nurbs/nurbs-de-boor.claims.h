@@ -72,7 +72,7 @@ end.
   stay where they were
 :method: The kernel against the two recursions by their letter, in the indices of the source.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: nurbs_deboor_level
 :control: the last level is given the weights 1
 :::
@@ -161,7 +161,7 @@ Better with $j$ in the place of $i$, as $i$ has been running up to here.
 :method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
   of $t$: at the right end of a closed interval the recursion gives the limit from the left.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: nurbs_deboor
 :control: the point $r_{j-1}^{[k-2]}(t)$
 :::
@@ -357,7 +357,8 @@ points are the old ones: a ratio is $0$ where $t_i=t_j$.
 :then: $r_i^{[r]}=(1-\lambda)\,r_{i-1}^{[r-1]}+\lambda\,r_i^{[r-1]}$ with $0\le\lambda\le1$, on every level
 :method: The kernel's levels; signs are read off coefficients in $s$, the gaps and the weights.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval
 :control: $\lambda$ and $1-\lambda$ exchanged
 :::
 */
@@ -399,7 +400,8 @@ CLAIM(every_level_divides_its_edges)
 :method: The recursion by its letter; signs are read off coefficients.  Where knots coincide, and at $t=t_j$: the divisors are positive
   (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval
 :control: all weights negative
 :::
 */
@@ -466,6 +468,7 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :let: $\lambda=a\,w/(a\,w+(1-a)\,v)$
 :then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
 :method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
+:over: v w: weight; a: coefficient of de Boor's algorithm
 :control: $v$ and $w$ exchanged
 :::
 */

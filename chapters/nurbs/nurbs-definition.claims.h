@@ -66,7 +66,8 @@ mean.
   weight
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval
 :control: the first of the points of the interval left out
 :::
 */
@@ -146,6 +147,7 @@ there. The matter is not idle: it decides what a program may ask for, and conven
 :method: The recursion by its letter with both knots and with two other variables.  The $N_{i,k}$ with $1\le i\le n$ contain
   $t_1,\dots,t_{n+k}$ only.
 :degrees: 1..6 sampled 6
+:over: y#: other outer knots
 :control: the second knot replaced as well
 :::
 */
@@ -342,7 +344,8 @@ The source does not say that every control point counts, and the curve exists wh
 :then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
 :method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval
 :control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
 :::
 */
@@ -468,7 +471,7 @@ The equation of both forms is true wherever $w(t)\ne0$; what has to be added con
 :method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by
   coordinate.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :defines: nurbs_homogenize nurbs_weight nurbs_point
 :control: the last weight of the span increased by 1 for the kernel
 :::
@@ -530,7 +533,8 @@ The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,
 :then: $r(t)=\sum_{i=1}^nN_{i,k}(t)r_i$
 :method: The rational curve by the kernel against the sum of all terms by the recursion.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: w#: equal weights
 :control: the weight of one point of the span doubled
 :::
 */
@@ -563,7 +567,7 @@ CLAIM(equal_weights_give_bspline)
   $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
 :method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
 :degrees: 1..6 sampled 8
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the weight of one point doubled on one side
 :::
 */
@@ -645,7 +649,7 @@ CLAIM(bezier_knots_give_rational_bezier)
 :then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
 :method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the given points in the place of the new ones
 :::
 */

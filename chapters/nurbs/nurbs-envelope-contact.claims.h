@@ -33,7 +33,8 @@ recursion.
 :then: $w_i^{[r]}(\tau)=w_1$, and $r_i^{[r]}(\tau)$ is the point of level $r$ of de Boor's triangle without weights
 :method: The rational recursion against the kernel of de Boor's levels, one coordinate.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: w#: equal weights
 :control: the first weight different
 :::
 */
@@ -88,7 +89,7 @@ is claimed there does not exist, here as there.
 :method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
   nothing of knots.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: $1-\lambda$ in the place of $\lambda$
 :::
 */
@@ -152,7 +153,7 @@ this leg is a tangent.
 :then: (4.3.3) is (4.3.8)
 :method: Both quotients by their letter, one coordinate.
 :degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: $t-t_j$ and $t_{j+1}-t$ exchanged
 :::
 */
@@ -192,7 +193,7 @@ curve.
   coordinate and for the weight
 :method: The levels of de Boor's triangle in homogeneous coordinates, and the kernel of the derivatives of a segment.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the factors left out
 :::
 */
@@ -240,6 +241,7 @@ the orders determine.
 :method: Quotient rule with $n$ and $m$ as variables.  The two coordinates are any two, so it holds in space as well.
   $m(n-1)-n(m-1)=n-m=r$.
 :degrees: all
+:over: n; m; P#: derivatives; w: weight
 :control: the ratio $\frac{m(m-1)}{n(n-1)}$ for the determinants
 :::
 */

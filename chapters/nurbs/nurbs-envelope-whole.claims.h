@@ -70,7 +70,7 @@ shared by the pieces of the member, and where an index has $t_i=t_{i+k-r}$ no pi
   $i$ with $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor and Cox as it is defined; the right
   side by the kernel.
 :degrees: 2..6 sampled 6
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the polar form of the first segment for every span
 :::
 */

@@ -42,7 +42,7 @@ quotients $0/0$.
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the first point of the span left out
 :::
 */
@@ -104,7 +104,7 @@ the places that are left.
   order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,
   so one suffices.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: one argument $\tau$ of the polar form replaced by $t$
 :::
 */
@@ -146,7 +146,8 @@ CLAIM(member_of_span_is_polar)
   positive.
 :types: field rational
 :degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le3$, numbers above
+:scope: the distinct knots variables up to order 4, numbers above
+:over: y#: ratios in which the parameters divide the span; x#: -
 :control: the weights negative
 :::
 */
@@ -201,7 +202,7 @@ it.
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: level $k-2$ in the place of level $k-1$
 :::
 */
@@ -259,7 +260,7 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
   $w(t)$ and $p(t)$
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
 :degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the recursion of the level at $\tau=t+1$
 :::
 */
@@ -318,7 +319,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :then: the displays (4.3.6) and (4.3.7), each equality
 :method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
 :degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac{k-r}{k-r+1}$ for one level
 :::
 */
@@ -408,7 +409,7 @@ the display is compared too.
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
   number, so the ends of the span are covered, with the derivatives of its polynomials.
 :degrees: 2..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the factor left out
 :::
 */
@@ -525,7 +526,7 @@ to look out for.
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
   coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
 :degrees: 2..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
 */

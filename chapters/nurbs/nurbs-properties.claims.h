@@ -50,7 +50,8 @@ static const char *const G(kinds)[][3] = {
   by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
 :method: All terms of the definition, before and after.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: d: shift of a point; e: increment of a weight
 :control: $\Delta$ doubled on the right
 :::
 */
@@ -160,7 +161,8 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 :then: the curve of the mapped points with the same weights is the mapped curve
 :method: The definition, everything a variable.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
+:over: m# v#: affine maps
 :control: the last point is not moved
 :::
 */
@@ -193,7 +195,7 @@ CLAIM(nurbs_moves_with_its_points)
 :then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
 :method: The definition, everything a variable.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the weights are not reversed
 :::
 */
@@ -452,6 +454,7 @@ alone carries the segment: its points are shared with the next ones.
   space $\tau(t_k)=\frac{k-3}{k-1}\frac{\Delta_1}{\Delta_3}\frac{w_1w_4}{w_2w_3}\frac{(a,b,c)}{|a\times b|^2}$
 :method: The kernels at $t=t_k$; for $k=3$ without the torsion.  With equal $\Delta_i$ these are the formulas of rational Bézier curves.
 :degrees: 2..6 sampled 7
+:over: x: first knot
 :control: $\Delta_1/\Delta_2$ left out
 :::
 */
@@ -508,7 +511,7 @@ CLAIM(clamped_end_is_the_first_point)
 :method: The kernel `bspline_periodic` for the continuation, the derivatives by the kernel on the first and on the last span;
   homogeneous coordinates, one coordinate.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables up to order 5, numbers above
 :control: the order $k-1$ as well
 :::
 */

@@ -504,6 +504,7 @@ heights matter.
 :method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line
   may be taken as the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
 :degrees: k = 1..6 sampled 7
+:over: l#: lines
 :control: the constant $c$ left out at the last vertex
 :::
 */
@@ -758,6 +759,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
   with equal weights it is $\sum N_{i,k}r_i$
 :method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
 :degrees: k = 1..6 sampled 7
+:over: r#: points; f: common weight
 :control: the first two weights exchanged; for $k=1$ the point moved
 :::
 */

@@ -113,6 +113,7 @@ CLAIM(circle_is_a_nurbs_curve)
 :method: The derivatives by the kernel; the cross product has positive coefficients only in $s$ and the gaps of the knots.  On a
   circle the angle then grows; on a quarter $x$ and $y$ keep their signs, as the curve is in the hull of three points,
   so it grows by a quarter turn each time.
+:over: s: ratio in which t divides its interval
 :control: the points taken in the opposite order
 :::
 */
@@ -317,6 +318,7 @@ CLAIM(recursion_subtracts_data_only)
   product with a matrix of $k\times k$ numbers, takes less than $2k^2$ a coordinate, once
 :method: The rule against the sum of powers, everything a variable, and on numbers that count.
 :degrees: 1..8 sampled 16
+:over: a#: coefficients
 :control: the coefficients taken in the opposite order
 :::
 */

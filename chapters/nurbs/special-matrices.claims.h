@@ -29,6 +29,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :then: $\det H=\prod_{i<j}(t_j-t_i)$, and row $i$ of $H$ is $1,t_i,\dots,t_i^k$
 :method: The determinant of the kernel's matrix, and its product formula, against the product of the differences.
 :degrees: 0..5 sampled 8
+:over: t#: nodes
 :control: the order of the last two nodes exchanged in the product
 :::
 */
@@ -88,6 +89,7 @@ not show.
 :then: $[t_0,\dots,t_k]f=\sum f(t_l)/\prod_{j\ne l}(t_l-t_j)$, and the printed sum is $(-1)^k$ times this
 :method: The table of divided differences against both sums.
 :degrees: 0..6 sampled 10
+:over: t#: nodes; f#: values of f
 :control: the sign $(-1)^{k+1}$
 :::
 */
@@ -160,6 +162,7 @@ Nothing in the source says what $\alpha_l$ is.
 :then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
 :method: The weights of `divided_weights`, the B-splines by definition.
 :degrees: 0..5 sampled 7
+:over: t#: knots
 :control: the sum begins at $l=r$
 :::
 */
@@ -245,6 +248,7 @@ formula is proved first; then the printed one is compared with it, and the parit
 :then: the columns of `bspline_matrix_simple` are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
 :degrees: 0..5 sampled 7
+:over: t#: knots
 :defines: bspline_matrix_simple
 :control: the rows in the opposite order
 :::
@@ -271,6 +275,7 @@ CLAIM(simple_matrix_is_the_matrix)
 :then: the printed $a_{ji}$, its exponent read as $k-1-j$, is $(-1)^ka_{ji}$
 :method: The printed formula by its letter against `bspline_matrix`.
 :degrees: 0..4 sampled 7
+:over: t#: knots
 :control: the factor $(-1)^{k+1}$
 :::
 */
@@ -357,6 +362,7 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :then: the columns of `bspline_matrix_uniform` are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
 :degrees: 0..6 sampled 8
+:over: a: first knot; h: gap
 :defines: bspline_matrix_uniform
 :control: the columns in the opposite order
 :::
