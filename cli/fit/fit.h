@@ -51,8 +51,8 @@ void unknown_name(const cagd_fit_result *r, int k, char name[32]);
 void put_rounded(FILE *out, double origin, double value, double error);
 /* A coordinate that is given: ten digits, or as many as tell it from other numbers where ten do not. */
 void put_given(FILE *out, double origin, double x);
-/* A text of the file system as JSON: what is no UTF-8 becomes U+FFFD. */
-json_t *path_json(const char *path);
+/* A text of the file system or of a file as JSON: what is no UTF-8 becomes U+FFFD. */
+json_t *text_json(const char *text);
 
 /* ---- what is printed and written ------------------------------------------------------------------ */
 

@@ -151,17 +151,20 @@ json_t *fit_json(const struct fit *f)
     static const char *const part[] = {"weights", "inner", "ends"};
     const cagd_fit_result *r = f->result;
     const cagd_fit_options *o = &f->options;
-    json_t *free = json_array(), *invariants = json_array();
+    json_t *free = json_array(), *invariants = json_array(), *notes = json_array();
     for (int k = 0; k < 3; k++)
         if (o->free & 1 << k)
             json_array_append_new(free, json_string(part[k]));
     for (int j = 0; j < r->invariants; j++)
         json_array_append_new(invariants, estimate_json(cagd_fit_invariant_estimate(f->result, j)));
-    json_t *points = json_pack("{s:o, s:i, s:i, s:s}", "file", path_json(f->path), "count", f->data.count, "dimension",
-                               f->data.dim, "sigma",
+    for (int k = 0; k < f->points.notes; k++)
+        json_array_append_new(notes, text_json(f->points.note[k]));
+    json_t *points = json_pack("{s:o, s:i, s:i, s:s, s:s, s:o}", "file", text_json(f->path), "count", f->data.count,
+                               "dimension", f->data.dim, "sigma",
                                f->data.sigma == NULL ? "unknown"
                                : f->sigma_given      ? "one"
-                                                     : "column");
+                                                     : "column",
+                               "format", f->points.format, "notes", notes);
     json_t *options =
         json_pack("{s:o, s:s, s:o, s:b, s:o, s:o, s:i, s:I, s:o, s:i}", "free", free, "loss", loss_name[o->loss],
                   "scale", o->loss == CAGD_FIT_SQUARES ? json_null() : real(o->loss_scale), "unordered", o->unordered,

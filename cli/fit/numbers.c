@@ -79,17 +79,17 @@ static size_t character(const char *s)
     return 0;
 }
 
-json_t *path_json(const char *path)
+json_t *text_json(const char *text)
 {
-    char *text;
+    char *whole;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    for (size_t length; *path != '\0'; path += length > 0 ? length : 1) {
-        length = character(path);
-        fprintf(out, "%.*s", length > 0 ? (int)length : 3, length > 0 ? path : "\xEF\xBF\xBD");
+    FILE *out = open_memstream(&whole, &size);
+    for (size_t length; *text != '\0'; text += length > 0 ? length : 1) {
+        length = character(text);
+        fprintf(out, "%.*s", length > 0 ? (int)length : 3, length > 0 ? text : "\xEF\xBF\xBD");
     }
     fclose(out);
-    json_t *json = json_string(text);
-    free(text);
+    json_t *json = json_string(whole);
+    free(whole);
     return json;
 }

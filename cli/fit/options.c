@@ -282,12 +282,20 @@ static const struct topic topics[] = {
      " order mark of UTF-8; lines end with LF, CRLF or CR. A first line without any number names the columns: "
      "x, y, z and sigma (or s, sd, std, stddev), perhaps followed by a unit as in \"x [mm]\"; columns with "
      "other names are passed over. Without such names two columns are x y, four are x y z sigma, and three are"
-     " x y z with --dim 3, x y sigma with --dim 2. Nothing is guessed: a row that does not fit is named by its"
-     " line, and the exit status is 2."},
+     " x y z with --dim 3, x y sigma with --dim 2. Other lines before the first row, such as the title of an airfoil"
+     " or a count, are passed over; an airfoil in Lednicer's order, two counts and both sides from the nose, "
+     "becomes one line. Points are also read from JSON (an array of arrays or of objects with x and y, an object "
+     "with arrays x and y, GeoJSON), from a GPX track, whose degrees become metres in the plane, from a path, polyline "
+     "or polygon in SVG, and from a polyline or points in DXF; of curved pieces only the ends are taken. Such a file "
+     "has"
+     " one line of points. What was read in another way than it stands there is told under Read. Nothing is guessed: a "
+     "row"
+     " that does not fit is named by its line, and the exit status is 2."},
     {"JSON OF A FIT",
      "The fields of the schema cagd-fit-1: \"converged\", of the minimiser; \"at_minimum\", which is false "
      "when it did not converge, and when it was verified that the curve is no minimum; \"points\" (file, "
-     "count, dimension, sigma: column, one or unknown); \"options\"; \"origin\", from which the fit counts "
+     "count, dimension, sigma: column, one or unknown; format; notes: what was read otherwise than it stands there); "
+     "\"options\"; \"origin\", from which the fit counts "
      "coordinates: measured ones less these are exact in binary64; \"minimiser\" (termination, message, "
      "iterations, costs, gradient, history); \"curve\", in the format of CURVES; \"unknowns\", each with name,"
      " kind, index, coordinate, value, from_origin (value without the rounding far from 0), standard_error, "
@@ -324,7 +332,8 @@ const struct command command_fit = {
         "or blanks, with decimal points or, where commas do not separate, decimal commas.  A first line without "
         "numbers "
         "names the columns; three columns without names need --dim 2 (x y sigma) or --dim 3.  Lines that begin with # "
-        "are comments; - is standard input.  Exit status 1: not converged, or to no minimum; with --free none, a foot "
+        "are comments, titles are passed over; also JSON, GeoJSON, GPX, a path of SVG or DXF; - is standard input.  "
+        "Exit status 1: not converged, or to no minimum; with --free none, a foot "
         "that was verified not to be the nearest point.",
     .arguments = FILE_NAME,
     .file = "the points",

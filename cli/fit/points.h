@@ -12,7 +12,17 @@
  * decimal comma; it is possible where commas do not separate fields, and in quotes.  Decimal commas and decimal points
  * do not stand in one file.
  *
- * Columns.  When no field of the first line is a number, it names them.  Of the names, whatever follows the first blank,
+ * Lines before the first row.  Such a line has no number in it; or it begins with a letter, or is one number alone, and
+ * the next line is a row of numbers.  The last one that has as many fields as the rows names the columns; the others, titles
+ * and counts, are passed over, which is noted.  In a table of blanks the names may also be parted otherwise, and a unit in
+ * brackets belongs to the name before it.
+ *
+ * Airfoils in Lednicer's order, two counts and then both sides from the nose, become one line.
+ *
+ * Other formats are told by how they begin: JSON (an array of points, points with x and y, arrays x and y, or GeoJSON), GPX, SVG, DXF.  Of
+ * these a file holds one line of points; of several nothing is chosen.
+ *
+ * Columns.  Of the names, whatever follows the first blank,
  * slash or bracket is a unit.  x, y, and perhaps z are the coordinates; sigma, s, sd, std, stddev or σ is the standard
  * deviation of every coordinate of the point; other columns are passed over.  Names among which neither x nor y is,
  * and no names: two columns are x y, four are x y z sigma, and three are x y z or x y sigma as --dim or
@@ -28,11 +38,17 @@ struct columns {
     const char *sigma; /* name or number, from 1, of the column of standard deviations; NULL: not said */
 };
 
+enum { MOST_NOTES = 8 };
+
 struct points {
-    int count, dim;
-    double *at;    /* coordinate c of point i is at[i*dim + c]    */
-    double *sigma; /* one a point; NULL where the file gives none */
-    int *line;     /* of the file, from 1                         */
+    int count, dim, has_sigma;
+    int room;           /* for so many points                                                           */
+    double *at;         /* coordinate c of point i is at[i*dim + c]                                     */
+    double *sigma;      /* one a point; NULL where the file gives none                                  */
+    int *line;          /* of the file, from 1                                                          */
+    const char *format; /* "table", "JSON", "GeoJSON", "GPX", "SVG", "DXF"                              */
+    int notes;          /* what was read otherwise than as it stands there: sentences without full stop */
+    char *note[MOST_NOTES];
 };
 
 /* 0 on success.  Otherwise -1, nothing to free, and *error with line and column, counted in characters from 1; "-" is standard

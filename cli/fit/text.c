@@ -78,6 +78,21 @@ static void say(const char *name, const char *format, ...)
     end(&l, name);
 }
 
+/* What was read otherwise than as a plain table. */
+static void print_reading(const struct fit *f)
+{
+    const struct points *p = &f->points;
+    struct cagd_line l;
+    int table = strcmp(p->format, "table") == 0;
+    if (table && p->notes == 0)
+        return;
+    FILE *out = begin(&l);
+    fputs(table ? "" : p->format, out);
+    for (int k = 0; k < p->notes; k++)
+        fprintf(out, "%s%s", k > 0 || !table ? "; " : "", p->note[k]);
+    end(&l, "Read");
+}
+
 static void print_heading(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
@@ -91,6 +106,7 @@ static void print_heading(const struct fit *f)
         : f->sigma_given      ? ", with one standard deviation"
                               : ", each with its standard deviation");
     struct cagd_line l;
+    print_reading(f);
     FILE *out = begin(&l);
     if (segments == 1)
         fprintf(out, "rational Bézier curve of degree %d", c->degree);

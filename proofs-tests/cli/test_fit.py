@@ -163,6 +163,189 @@ class Input(Case):
         self.assertIn(b"line 200001, column 3: y: 'oops'", r.stderr)
 
 
+def airfoil(n=31, camber=0.02, place=0.4, thickness=0.12):
+    """The upper and the lower side of an airfoil of NACA's four digits, each from the nose (Jacobs, Ward, Pinkerton 1933)."""
+    sides = [], []
+    for k in range(n):
+        x = (1 - math.cos(math.pi * k / (n - 1))) / 2
+        y = 5 * thickness * (0.2969 * math.sqrt(x) - 0.126 * x - 0.3516 * x**2 + 0.2843 * x**3 - 0.1015 * x**4)
+        c = camber / place**2 * (2 * place * x - x * x) if x < place else camber / (1 - place)**2 * (1 - 2 * place + 2 * place * x - x * x)
+        for side, sign in zip(sides, (1, -1)):
+            side.append([round(x, 5), round(c + sign * y, 5)])
+    return sides
+
+
+class Files(Case):
+    """Files as people have them: what is passed over, turned or joined is named, and the points are the same."""
+
+    UPPER, LOWER = airfoil()
+    SELIG = UPPER[::-1] + LOWER[1:]
+
+    def read(self, text, *options, name="points.csv"):
+        """Points as they were read, the rows of the file they stand in, and what was noted."""
+        out = self.folder / "r.csv"
+        r = run("fit", self.file(text, name), "--json", "--no-verify", "--max-iterations", "1", "--residuals", out, *options)
+        self.assertIn(r.returncode, (0, 1), r)
+        self.assertEqual(r.stderr, b"")
+        points = json.loads(r.stdout)["points"]
+        rows = list(csv.DictReader(out.read_text().splitlines()))
+        at = [[float(row[c]) for c in "xyz" if c in row] for row in rows]
+        return at, [int(row["line"]) for row in rows], points["format"], points["notes"]
+
+    def body(self, rows):
+        return "".join("".join("%10.5f" % x for x in row) + "\n" for row in rows)
+
+    def test_titles(self):
+        for title in "RG-15", "NACA 2412", "CLARK Y AIRFOIL", "Clark Y", "E387  (10.0%)", "61", "Profil \x01 München 12", "x":
+            with self.subTest(title):
+                at, lines, form, notes = self.read(title + "\n" + self.body(self.SELIG))
+                self.assertEqual((at, lines[0], form), (self.SELIG, 2, "table"))
+                self.assertEqual(notes, [f'line 1, "{title.replace(chr(1), " ")}", is passed over'])
+        at, lines, _, notes = self.read("E 387\n61\n\nx/c y/c\n" + self.body(self.SELIG))
+        self.assertEqual((at, lines[0], len(notes)), (self.SELIG, 5, 2))
+        said = " ".join(run("fit", self.file("NACA 2412\n" + self.body(self.SELIG)), "--no-verify").stdout.decode().split())
+        self.assertIn('Read line 1, "NACA 2412", is passed over', said)
+
+    def test_a_first_row_with_a_mistake_is_no_title(self):
+        self.refuses("oops,1\n1,2\n3,4\n", ["line 1, column 1", "x: 'oops' is not a number"])
+        self.refuses("x1 1.5 2.5 3 4\nx2 1.5 2.5 3 4\n", ["line 1", "5 columns"])
+        self.refuses("1\n2\n3\n", ["line 1", "1 column"])
+        self.refuses("1.o 2\n1 2\n", ["line 1", "'1.o' is not a number"])
+
+    def test_names_over_blanks(self):
+        for names in "x [mm]   y [mm]", "    x      y", "X Coordinate   Y Coordinate", "x, y", "x (m)\ty (m)", "x;y", "x, y\nmm, mm":
+            with self.subTest(names):
+                self.assertEqual(self.read(names + "\n" + self.body(self.UPPER))[0], self.UPPER)
+        turned = [[y, x] for x, y in self.UPPER]
+        self.assertEqual(self.read("y [mm]   x [mm]\n" + self.body(turned))[0], self.UPPER)
+        self.assertEqual(self.read("Title\ny [mm]   x [mm]\n" + self.body(turned))[0], self.UPPER)
+
+    def test_lednicer(self):
+        text = "NACA 2412\n       31.      31.\n\n" + self.body(self.UPPER) + "\n" + self.body(self.LOWER)
+        at, lines, _, notes = self.read(text)
+        self.assertEqual(at, self.SELIG)
+        self.assertEqual(lines, [*range(34, 3, -1), *range(37, 67)])
+        self.assertIn("31 points of the upper and 31 of the lower side", notes[1])
+        blunt = [[x, round(y - 0.001, 5)] for x, y in self.LOWER]  # a nose of its own
+        self.assertEqual(self.read("31 31\n" + self.body(self.UPPER + blunt))[0], self.UPPER[::-1] + blunt)
+        for text in "30 31\n" + self.body(self.UPPER + self.LOWER), "31 31\n" + self.body(self.UPPER[::-1] + self.LOWER):
+            self.assertEqual(len(self.read(text)[0]), 63)  # a point as others are
+
+    def test_thousands_are_refused(self):
+        said = "nothing between the thousands"
+        for text in ("x;y\n1,234.5;2\n", "x;y\n1.234,5;2\n", "1'234.5 2'345.5\n", "x;y\n1 234,5;2\n", "1\u202f234,5;2\n",
+                     "1,234.5,2,345.5\n1,235.5,2,346.5\n", "x,y\n1,234.5,2,345.5\n", 'x,y\n"1,234,567",2\n', "1_234;2\n3;4\n"):
+            with self.subTest(text):
+                self.refuses(text, [said])
+
+    def test_json(self):
+        names = [dict(x=x, y=y) for x, y in self.UPPER]
+        for value in (self.UPPER, names, {"x": [x for x, _ in self.UPPER], "y": [y for _, y in self.UPPER]}, {"points": self.UPPER},
+                      [dict(X=x, Y=y, id="p") for x, y in self.UPPER]):
+            at, lines, form, notes = self.read(json.dumps(value))
+            self.assertEqual((at, form, notes), (self.UPPER, "JSON", []))
+        self.assertEqual(self.read("\n".join(map(json.dumps, self.UPPER)))[:2], (self.UPPER, list(range(1, 32))))
+        self.assertEqual(self.read(json.dumps(names, indent=1))[1][:3], [2, 6, 10])
+        three = [p + [0.5] for p in self.UPPER]
+        self.assertEqual(self.read(json.dumps(three), "--dim", "3")[0], three)
+        self.assertEqual(self.read(json.dumps(three), "--dim", "2")[0], self.UPPER)
+        self.assertEqual(self.fit(json.dumps([dict(x=x, y=y, sigma=0.1) for x, y in quadratic(9)]))["points"]["sigma"], "column")
+        for text, words in [("[[1,2],[3]]", ["point 2 has 1 numbers", "expected 2"]), ("[[1,2],[3,null]]", ["point 2", "y is not a number"]),
+                            ("[]", ["no line of points"]), ("[[1,2],", ["line 1", "JSON"]), ("[[1,2,3]]", ["--dim 3", "--dim 2"]),
+                            ('[{"x":1}]', ["point 1", "y is missing"]), ('{"x":[1,2],"y":[1]}', ["different lengths"]),
+                            ('[{"x":1,"y":2,"sigma":0}]', ["sigma is 0"]), ("[[1,2],\n[1e999,3]]", ["line 2", "JSON"]), ('["a"]', ["point 1"]),
+                            ("{}", ["point 1"])]:
+            with self.subTest(text):
+                self.refuses(text, words)
+
+    def test_geojson(self):
+        line = {"type": "LineString", "coordinates": self.UPPER}
+        ring = {"type": "Polygon", "coordinates": [self.UPPER + self.UPPER[:1]]}
+        feature = lambda g: {"type": "Feature", "properties": {}, "geometry": g}
+        for value, wanted in [(line, self.UPPER), (feature(line), self.UPPER), ({"type": "FeatureCollection", "features": [feature(line)]}, self.UPPER),
+                              (ring, self.UPPER + self.UPPER[:1]), ({"type": "GeometryCollection", "geometries": [line]}, self.UPPER),
+                              ({"type": "FeatureCollection", "features": [feature({"type": "Point", "coordinates": q}) for q in self.UPPER]}, self.UPPER),
+                              ({"type": "MultiPoint", "coordinates": [q + [7] for q in self.UPPER]}, self.UPPER)]:
+            at, _, form, notes = self.read(json.dumps(value), name="a.geojson")
+            self.assertEqual((at, form), (wanted, "GeoJSON"))
+            self.assertIn("longitude and latitude", notes[-1])
+        two = {"type": "MultiLineString", "coordinates": [self.UPPER, self.LOWER[:7]]}
+        self.refuses(json.dumps(two), ["2 lines", "of 31, 7 points", "expected one"])
+
+    def test_gpx(self):
+        """Degrees become metres; the distances of the plane are those on the ellipsoid, here to 1e-6 of them."""
+        step = 1e-3
+        track = "".join(f'<trkpt lat="{48 + step * k}" lon=\'{11 + step * k}\'><ele>{500 + k}</ele></trkpt>\n' for k in range(9))
+        text = f'<?xml version="1.0"?>\n<gpx><!-- <trkpt> --><trk><name>a</name><trkseg>\n{track}</trkseg></trk></gpx>'
+        at, lines, form, notes = self.read(text)
+        self.assertEqual((form, lines[0], lines[8], len(at[0])), ("GPX", 3, 11, 2))
+        self.assertIn("metres east and north of 11.0040, 48.0040", notes[0])
+        a, e2 = 6378137, 0.00669437999014
+        s = math.sin(math.radians(48.004))
+        n = a / math.sqrt(1 - e2 * s * s)
+        self.assertAlmostEqual((at[8][0] - at[0][0]) / (8 * math.radians(step) * n * math.cos(math.radians(48.004))), 1, 9)
+        self.assertAlmostEqual((at[8][1] - at[0][1]) / (8 * math.radians(step) * a * (1 - e2) / (1 - e2 * s * s) ** 1.5), 1, 9)
+        self.assertEqual([q[2] for q in self.read(text, "--dim", "3")[0]], list(range(500, 509)))
+        joined = text.replace('<trkpt lat="48.004"', '</trkseg><trkseg><trkpt lat="48.004"')
+        self.assertIn("2 pieces", self.read(joined)[3][1])
+        self.refuses(text.replace("</trk>", "</trk><trk><trkseg>" + track + "</trkseg></trk>"), ["2 tracks", "of 9, 9 points"])
+        self.refuses(text.replace('lat="48.0"', ""), ["line 3", "lat"])
+        self.refuses("<gpx></gpx>", ["no track"])
+
+    def test_svg(self):
+        paths = {"M 0,0 L1 1L2-.5 3,0.25": [[0, 0], [1, 1], [2, -0.5], [3, 0.25]], "m0 0 1 1 1-1.5 1 .75": [[0, 0], [1, 1], [2, -0.5], [3, 0.25]],
+                 "M0 0h1v2H4V5z": [[0, 0], [1, 0], [1, 2], [4, 2], [4, 5], [0, 0]], "M0 0c9 9 9 9 1 2A5 5 0 014 5q1 1 2 2": [[0, 0], [1, 2], [4, 5], [6, 7]]}
+        for d, wanted in paths.items():
+            at, _, form, notes = self.read(f'<svg>\n<path class="d" d="{d}"/></svg>', "--free", "inner")
+            self.assertEqual((at, form), (wanted, "SVG"))
+            self.assertEqual("3 curved pieces" in " ".join(notes), "A5" in d)
+        self.assertEqual(self.read('<svg><polyline points="0,0 1,1 2,0 3,5"/></svg>')[0], [[0, 0], [1, 1], [2, 0], [3, 5]])
+        at, _, _, notes = self.read('<svg><g transform="scale(2)"><polygon points="0 0 1 1 2 0 3 5"/></g></svg>')
+        self.assertEqual((at[4], notes[-1]), ([0, 0], "transformations are not applied"))
+        for d, words in [("M0 0L1", ["expected a number"]), ("L1 1", ["begin with M"]), ("M0 0L1 1M2 2L3 3", ["2 paths", "of 2, 2"])]:
+            self.refuses(f'<svg><path d="{d}"/></svg>', words)
+        self.refuses("<svg></svg>", ["no path"])
+        self.refuses("<html></html>", ["GPX", "SVG"])
+
+    def dxf(self, entities):
+        return "999\na comment\n  0\nSECTION\n  2\nENTITIES\n" + entities + "  0\nENDSEC\n  0\nEOF\n"
+
+    def test_dxf(self):
+        light = "0\nLWPOLYLINE\n 90\n31\n 70\n0\n" + "".join(f" 10\n{x}\n 20\n{y}\n" for x, y in self.UPPER)
+        heavy = "0\nPOLYLINE\n70\n%d\n10\n0\n20\n0\n" + "".join(f"0\nVERTEX\n10\n{x}\n20\n{y}\n30\n{x * y}\n" for x, y in self.UPPER) + "0\nSEQEND\n"
+        single = "".join(f"0\nPOINT\n10\n{x}\n20\n{y}\n" for x, y in self.UPPER)
+        for entities in light, heavy % 0, single, light.replace("\n", "\r\n"), "0\nTEXT\n10\n7\n20\n8\n1\nhello\n" + light:
+            at, _, form, notes = self.read(self.dxf(entities))
+            self.assertEqual((at, form, notes), (self.UPPER, "DXF", []))
+        self.assertEqual(self.read(self.dxf(light.replace("70\n0", "70\n1")))[0], self.UPPER + self.UPPER[:1])
+        self.assertEqual(self.read(self.dxf(heavy % 8))[0], [[x, y, x * y] for x, y in self.UPPER])
+        self.assertIn("1 of the pieces", self.read(self.dxf(light.replace(" 10\n", " 42\n0.5\n 10\n", 2).replace(" 42\n0.5\n", "", 1)))[3][0])
+        self.refuses(self.dxf(light + light), ["2 polylines", "of 31, 31"])
+        self.refuses(self.dxf(""), ["no polyline"])
+        self.refuses(self.dxf(light).replace(" 10\n1.0\n", " 10\nnan\n"), ["'nan' is not a number"])
+        self.refuses("0\nSECTION\n2\nENTITIES\nzero\nx\n", ["line 5", "'zero' is not the code"])
+
+    def test_input_without_end(self):
+        endless = subprocess.Popen(["yes", "1.25,2.5"], stdout=subprocess.PIPE)
+        self.addCleanup(endless.stdout.close)
+        r = run("fit", "-", stdin=endless.stdout)
+        endless.kill()
+        endless.wait()
+        self.assertEqual((r.returncode, r.stdout), (2, b""))
+        self.assertIn(b"standard input: it goes on after 536870912 bytes, the largest size that is read", r.stderr)
+
+    def test_measured_files(self):
+        """Real files, where they lie: an airfoil with a title and its nose twice, outlines, columns of different scales."""
+        folder = ROOT.parent / "shared" / "data"
+        folder = folder if folder.is_dir() else ROOT.parent.parent / "shared" / "data"
+        if not folder.is_dir():
+            self.skipTest(f"{folder} is not there")
+        for name, count, form in [("ffa-w3-211.dat", 80, "table"), ("cuba.geojson", 42, "GeoJSON"), ("newfoundland.csv", 33, "table"), ("roszman1.txt", 25, "table")]:
+            at, _, is_form, notes = self.read((folder / name).read_bytes(), name=name)
+            self.assertEqual((len(at), is_form), (count, form))
+            self.assertEqual(notes[:1], ['line 1, "FFA-W3-211", is passed over'] if name.startswith("ffa") else notes[:1])
+
+
 class Mistakes(Case):
     GOOD = table(quadratic(6))
 
@@ -290,7 +473,7 @@ class Results(Case):
         n = len(d["unknowns"])
         for field in "covariance", "correlations":
             self.assertEqual([len(row) for row in d[field]], [n] * n)
-        self.assertEqual(d["points"], {"file": str(ARCH), "count": 25, "dimension": 2, "sigma": "column"})
+        self.assertEqual(d["points"], {"file": str(ARCH), "count": 25, "dimension": 2, "sigma": "column", "format": "table", "notes": []})
         self.assertEqual(len(d["free_directions"]), n - d["rank"])
         self.assertEqual(d["statistics"]["degrees_of_freedom"], 25 - d["rank"])
         self.assertEqual([u["name"] for u in d["unknowns"]], ["w1", "P1 x", "P1 y"])

@@ -1,0 +1,585 @@
+/* table.c -- points in a table: a line each. */
+#include "cli/fit/reader.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { MOST_FIELDS = 256, MOST_SHOWN = 40, MOST_LEADING = 16 };
+enum role { X, Y, Z, SIGMA, ROLES };
+static const char *const role_name[ROLES] = {"x", "y", "z", "sigma"};
+
+/* A piece of the file, without the quotes around it. */
+struct field {
+    char *at;
+    size_t length;
+    int quoted;
+};
+
+struct table {
+    struct reader in;
+    char separator;    /* ';', '\t', ',', ' '; 0: not known yet  */
+    int comma, point;  /* lines of the first decimal comma and of the first decimal point; 0: none     */
+    int column[ROLES]; /* where each is, from 0; -1: nowhere                                          */
+    int fields;        /* of every line                                                               */
+    int dim;
+    int leading; /* lines before the first row: titles, names, counts                        */
+    struct lead {
+        char *text, *start;
+        int line;
+    } lead[MOST_LEADING];
+};
+
+static int is_blank(char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v'; }
+
+/* The next line that says something, without blanks around it and ended by a zero byte; NULL at the end. */
+static char *next_line(struct table *r)
+{
+    while (r->in.next < r->in.end) {
+        char *line = r->in.next, *stop = line;
+        while (stop < r->in.end && *stop != '\n' && *stop != '\r')
+            stop++;
+        r->in.start = line;
+        r->in.next = stop + (stop + 1 < r->in.end && stop[0] == '\r' && stop[1] == '\n') + 1;
+        r->in.line++;
+        while (stop > line && is_blank(stop[-1]))
+            stop--;
+        *stop = '\0';
+        while (line < stop && is_blank(*line))
+            line++;
+        if (line < stop && *line != '#')
+            return line;
+    }
+    return NULL;
+}
+
+/* ---- fields -------------------------------------------------------------------------------------- */
+
+/* The field that begins at s; returns where it ends, or NULL when a quote is not closed. */
+static char *one_field(char *s, const char *separators, struct field *f)
+{
+    f->quoted = *s == '"';
+    if (!f->quoted) {
+        f->at = s;
+        s += strcspn(s, separators);
+        for (f->length = (size_t)(s - f->at); f->length > 0 && is_blank(f->at[f->length - 1]);)
+            f->length--;
+        return s;
+    }
+    char *to = f->at = ++s; /* a doubled quote is one quote */
+    for (; *s != '\0' && !(*s == '"' && s[1] != '"'); s++)
+        *to++ = *(s += *s == '"');
+    f->length = (size_t)(to - f->at);
+    while (f->length > 0 && is_blank(*f->at))
+        f->at++, f->length--;
+    while (f->length > 0 && is_blank(f->at[f->length - 1]))
+        f->length--;
+    return *s == '"' ? s + 1 : NULL;
+}
+
+/* The fields of a line; -1 and the error when a quote is not closed or something follows it. */
+static int fields_of(const struct table *r, char *line, struct field *field)
+{
+    const char one[] = {r->separator, '\0'};
+    int runs = r->separator == ' ' || r->separator == '\t', count = 0;
+    const char *separators = runs ? r->separator == ' ' ? " \t\f\v" : "\t" : one;
+    for (char *s = line; *s != '\0'; count++) {
+        struct field f;
+        while (is_blank(*s) && strchr(separators, *s) == NULL)
+            s++;
+        if ((s = one_field(s, separators, &f)) == NULL)
+            return refuse(&r->in, NULL, "a quote is opened and not closed");
+        while (is_blank(*s) && strchr(separators, *s) == NULL)
+            s++;
+        if (*s != '\0' && strchr(separators, *s) == NULL)
+            return refuse(&r->in, s, "expected a separator after the closing quote, not '%.*s'", MOST_SHOWN, s);
+        s += *s != '\0';
+        while (runs && *s != '\0' && strchr(separators, *s) != NULL)
+            s++;
+        if (count < MOST_FIELDS)
+            field[count] = f;
+    }
+    if (count > MOST_FIELDS)
+        return refuse(&r->in, NULL, "%d fields, expected at most %d", count, MOST_FIELDS);
+    return count;
+}
+
+/* What the line is separated by: 0 when it has one field only. */
+static char separator_of(const char *line)
+{
+    int quoted = 0, semicolon = 0, tab = 0, comma = 0, blank = 0;
+    for (const char *s = line; *s != '\0'; s++) {
+        quoted ^= *s == '"';
+        if (quoted)
+            continue;
+        semicolon |= *s == ';';
+        tab |= *s == '\t';
+        comma |= *s == ',';
+        if (*s == ' ' && s > line && s[-1] != ',' && s[-1] != ' ')
+            blank |= s[strspn(s, " ")] != ',';
+    }
+    return semicolon ? ';' : tab ? '\t' : blank ? ' ' : comma ? ',' : '\0';
+}
+
+enum number { NUMBER, NO_NUMBER, TWO_MARKS, NOT_FINITE, TOO_LARGE };
+
+/* The number that the field is.  The program keeps the C locale for numbers, in which strtod takes the decimal point and
+ * rounds correctly. */
+static enum number number_of(struct table *r, const struct field *f, double *value)
+{
+    char *stop = f->at + f->length, *end;
+    if (f->length == 0)
+        return NO_NUMBER;
+    char *comma = r->separator != ',' || f->quoted ? memchr(f->at, ',', f->length) : NULL;
+    char *point = memchr(f->at, '.', f->length);
+    if (comma != NULL &&
+        (point != NULL || comma == f->at || !isdigit((unsigned char)comma[-1]) || !isdigit((unsigned char)comma[1])))
+        return NO_NUMBER;
+    char after = *stop;
+    *stop = '\0';
+    if (comma != NULL)
+        *comma = '.';
+    errno = 0;
+    *value = strtod(f->at, &end);
+    if (comma != NULL)
+        *comma = ',';
+    *stop = after;
+    if (end != stop)
+        return NO_NUMBER;
+    if (!isfinite(*value))
+        return errno == ERANGE ? TOO_LARGE : NOT_FINITE;
+    int *mark = comma != NULL ? &r->comma : point != NULL ? &r->point : NULL;
+    if (mark != NULL && *mark == 0)
+        *mark = r->in.line;
+    return r->comma != 0 && r->point != 0 ? TWO_MARKS : NUMBER;
+}
+
+/* How many bytes a mark that people put between thousands has; 0: none is there. */
+static size_t thousands_mark(const char *s)
+{
+    static const char *const marks[] = {",", ".", "'", " ", "_", "\u2019", "\u00a0", "\u202f"};
+    for (size_t k = 0; k < sizeof marks / sizeof *marks; k++)
+        if (strncmp(s, marks[k], strlen(marks[k])) == 0)
+            return strlen(marks[k]);
+    return 0;
+}
+
+/* Whether the field is a number with its thousands apart: 1,234.5 or 12 345 or 1.234.567,8. */
+static int has_thousands(const struct field *f)
+{
+    const char *s = f->at, *stop = f->at + f->length;
+    s += *s == '-' || *s == '+';
+    size_t digits = strspn(s, "0123456789"), groups = 0, mark;
+    const char *first = s + digits;
+    if (digits < 1 || digits > 3 || (mark = thousands_mark(first)) == 0)
+        return 0;
+    for (s = first; s < stop && strncmp(s, first, mark) == 0 && strspn(s + mark, "0123456789") == 3; groups++)
+        s += mark + 3;
+    if (s < stop && (*s == '.' || *s == ',') && *s != *first)
+        s += 1 + strspn(s + 1, "0123456789");
+    return groups > 0 && s == stop;
+}
+
+/* Whether the fields are numbers whose thousands are apart by the comma that separates fields: 1 234.5 2 345.5 for
+ * 1,234.5,2,345.5. */
+static int are_cut_at_thousands(const struct table *r, const struct field *field, int fields)
+{
+    int cut = r->separator == ',' && fields % 2 == 0;
+    for (int k = 0; cut && k < fields; k += 2) {
+        const char *a = field[k].at, *b = field[k + 1].at;
+        size_t sign = *a == '-', whole = strspn(b, "0123456789");
+        cut = !field[k].quoted && field[k].length >= sign + 1 && field[k].length <= sign + 3 &&
+              strspn(a + sign, "0123456789") >= field[k].length - sign && whole == 3 &&
+              (field[k + 1].length == 3 || b[3] == '.');
+    }
+    return cut;
+}
+
+/* Whether some piece of the line is a number, however its fields are separated. */
+static int has_number(const char *line)
+{
+    for (const char *s = line; *(s += strspn(s, " \t,;\"\f\v")) != '\0';) {
+        size_t length = strcspn(s, " \t,;\"\f\v");
+        char *end;
+        strtod(s, &end);
+        if (end > s && end == s + length)
+            return 1;
+        s += length;
+    }
+    return 0;
+}
+
+/* ---- columns ------------------------------------------------------------------------------------- */
+
+/* Whether the field is this name, perhaps with a unit after it. */
+static int is_called(const struct field *f, const char *name)
+{
+    size_t n = strlen(name);
+    return f->length >= n && strncasecmp(f->at, name, n) == 0 && (f->length == n || strchr(" \t[(/", f->at[n]) != NULL);
+}
+
+static int role_of(const struct field *f)
+{
+    static const char *const sigmas[] = {"sigma", "s", "sd", "std", "stddev", "σ"};
+    for (int k = X; k <= Z; k++)
+        if (is_called(f, role_name[k]))
+            return k;
+    for (size_t k = 0; k < sizeof sigmas / sizeof *sigmas; k++)
+        if (is_called(f, sigmas[k]))
+            return SIGMA;
+    return ROLES;
+}
+
+static int is_whole(const struct field *f, const char *name)
+{
+    return strlen(name) == f->length && strncasecmp(f->at, name, f->length) == 0;
+}
+
+/* The column that --sigma-column means, from 0. */
+static int asked_sigma(const struct table *r, const char *asked, const struct field *names, int *column)
+{
+    char *end;
+    long number = strtol(asked, &end, 10);
+    if (*asked != '\0' && *end == '\0') {
+        if (number < 1 || number > r->fields)
+            return refuse(&r->in, NULL, "--sigma-column %s: there are %d columns", asked, r->fields);
+        *column = (int)number - 1;
+        return 0;
+    }
+    for (int k = 0; names != NULL && k < r->fields; k++)
+        if (is_whole(&names[k], asked) || is_called(&names[k], asked)) {
+            *column = k;
+            return 0;
+        }
+    return refuse(&r->in, NULL, "--sigma-column %s: no column is called so%s", asked,
+                  names == NULL ? "; there are no names, expected a number from 1" : "");
+}
+
+/* Columns by their names.  1 when the names say nothing. */
+static int columns_by_name(struct table *r, const struct columns *asked, const struct field *names)
+{
+    for (int k = 0; k < r->fields; k++) {
+        int role = role_of(&names[k]);
+        if (role == ROLES || (role == SIGMA && asked->sigma != NULL))
+            continue;
+        if (r->column[role] >= 0)
+            return refuse(&r->in, NULL, "two columns are called %s", role_name[role]);
+        r->column[role] = k;
+    }
+    if (r->column[X] < 0 && r->column[Y] < 0) {
+        for (int k = 0; k < ROLES; k++)
+            r->column[k] = -1;
+        return 1;
+    }
+    for (int k = X; k <= Y; k++)
+        if (r->column[k] < 0)
+            return refuse(&r->in, NULL, "no column is called %s", role_name[k]);
+    if (asked->dim == 3 && r->column[Z] < 0)
+        return refuse(&r->in, NULL, "--dim 3: no column is called z");
+    if (asked->dim == 2)
+        r->column[Z] = -1;
+    return 0;
+}
+
+/* Columns in their order: coordinates, then the standard deviation, which may have been named already. */
+static int columns_by_order(struct table *r, const struct columns *asked)
+{
+    int known = r->column[SIGMA] >= 0, others = r->fields - known;
+    int dim = asked->dim != 0 ? asked->dim : known ? others : r->fields == 3 ? 0 : r->fields == 4 ? 3 : r->fields;
+    if (dim == 0)
+        return refuse(&r->in, NULL,
+                      "three columns without names can be x y z or x y sigma; say which by --dim 3 or --dim 2");
+    if (dim < 2 || dim > 3 || others < dim || others > dim + !known)
+        return refuse(&r->in, NULL,
+                      asked->dim != 0 ? "%d column%s, expected %d coordinates and perhaps a standard deviation"
+                                      : "%d column%s without names x and y, expected 2 or 3 coordinates and perhaps a "
+                                        "standard deviation",
+                      r->fields, r->fields == 1 ? "" : "s", dim);
+    for (int k = 0, at = 0; k < dim; k++, at++)
+        r->column[k] = at += at == r->column[SIGMA];
+    if (!known && others == dim + 1)
+        r->column[SIGMA] = dim;
+    return 0;
+}
+
+/* From the first line, or from names.  0, or -1 and the error. */
+static int find_columns(struct table *r, const struct columns *asked, const struct field *names, int fields)
+{
+    r->fields = fields;
+    for (int k = 0; k < ROLES; k++)
+        r->column[k] = -1;
+    int by_name = names == NULL ? 1 : columns_by_name(r, asked, names);
+    if (by_name < 0)
+        return -1;
+    if (asked->sigma != NULL && asked_sigma(r, asked->sigma, names, &r->column[SIGMA]) != 0)
+        return -1;
+    for (int k = X; k <= Z; k++)
+        if (r->column[SIGMA] >= 0 && r->column[k] == r->column[SIGMA])
+            return refuse(&r->in, NULL, "--sigma-column %s: that is the column of %s", asked->sigma, role_name[k]);
+    if (by_name == 1 && columns_by_order(r, asked) != 0)
+        return -1;
+    r->dim = r->column[Z] >= 0 ? 3 : 2;
+    return 0;
+}
+
+/* ---- the points ---------------------------------------------------------------------------------- */
+
+static int read_value(struct table *r, const struct field *f, enum role role, double *value)
+{
+    int shown = f->length < MOST_SHOWN ? (int)f->length : MOST_SHOWN;
+    switch (number_of(r, f, value)) {
+    case NO_NUMBER:
+        if (f->length == 0)
+            return refuse(&r->in, f->at, "%s is missing, expected a number", role_name[role]);
+        return refuse(&r->in, f->at, "%s: '%.*s' is not a number%s", role_name[role], shown, f->at,
+                      has_thousands(f) ? ": expected digits with nothing between the thousands" : "");
+    case NOT_FINITE:
+        return refuse(&r->in, f->at, "%s is %.*s, expected a finite number", role_name[role], shown, f->at);
+    case TOO_LARGE:
+        return refuse(&r->in, f->at, "%s: '%.*s' is larger than any binary64 number", role_name[role], shown, f->at);
+    case TWO_MARKS:
+        return refuse(&r->in, f->at,
+                      "%s: '%.*s' has a decimal %s, line %d a decimal %s; expected one of them throughout",
+                      role_name[role], shown, f->at, r->comma == r->in.line ? "comma" : "point",
+                      r->comma < r->point ? r->comma : r->point, r->comma == r->in.line ? "point" : "comma");
+    case NUMBER:
+        break;
+    }
+    if (role == SIGMA && *value <= 0)
+        return refuse(&r->in, f->at, "sigma is %.*s, expected a standard deviation > 0", shown, f->at);
+    return 0;
+}
+
+static int refuse_thousands(const struct table *r)
+{
+    return refuse(&r->in, NULL,
+                  "the numbers seem to have commas between the thousands, and commas part the fields; expected digits "
+                  "with nothing between the thousands");
+}
+
+static int read_row(struct table *r, const struct field *field, int fields, struct points *p)
+{
+    double at[3] = {0}, sigma = 0;
+    if (fields == 2 * r->fields && are_cut_at_thousands(r, field, fields))
+        return refuse_thousands(r);
+    if (fields != r->fields)
+        return refuse(&r->in, NULL, "%d field%s, expected %d", fields, fields == 1 ? "" : "s", r->fields);
+    for (int k = X; k <= Z; k++)
+        if (r->column[k] >= 0 && read_value(r, &field[r->column[k]], (enum role)k, &at[k]) != 0)
+            return -1;
+    if (r->column[SIGMA] >= 0 && read_value(r, &field[r->column[SIGMA]], SIGMA, &sigma) != 0)
+        return -1;
+    p->dim = r->dim;
+    p->has_sigma = r->column[SIGMA] >= 0;
+    return add_point(p, at, sigma, r->in.line) == 0 ? 0 : refuse(&r->in, NULL, "memory is short");
+}
+
+/* ---- before the first row ------------------------------------------------------------------------ */
+
+/* Whether the line begins with a number whose thousands are apart. */
+static int begins_with_thousands(char *line)
+{
+    struct field first = {line, strcspn(line, " \t;"), 0};
+    return has_thousands(&first);
+}
+
+/* Whether a line before all rows that has a number in it may be no row: a number alone, as a count is, or a line that
+ * begins with a letter, as titles do ("NACA 2412").  The next line decides. */
+static int may_be_heading(const struct table *r, const char *line)
+{
+    return separator_of(line) == 0 ||
+           (r->leading == 0 && (isalpha((unsigned char)*line) || (unsigned char)*line >= 0x80));
+}
+
+/* The fields of a heading, separated so, in a copy of it that the caller frees.  Units apart from their names belong to
+ * them: x [mm] is one field.  `gap` separates at two blanks or more. */
+static int heading_fields(const struct table *r, const struct lead *lead, char separator, struct field *field,
+                          char **copy)
+{
+    enum { GAP = '2' };
+    struct table here = *r;
+    struct input_error ignored;
+    here.in.error = &ignored;
+    here.separator = separator == GAP ? '\t' : separator;
+    *copy = strdup(lead->text);
+    if (*copy == NULL)
+        return -1;
+    for (char *s = *copy; separator == GAP && *s != '\0'; s++)
+        if (is_blank(s[0]) && is_blank(s[1]))
+            s[0] = s[1] = '\t';
+    int fields = fields_of(&here, *copy, field), kept = 0;
+    for (int k = 0; k < fields; k++)
+        if (kept == 0 || field[k].length == 0 || strchr("[(", *field[k].at) == NULL)
+            field[kept++] = field[k];
+    return fields < 0 ? fields : kept;
+}
+
+/* Columns from line k before the rows, if it names so many.  1 if it does, 0 if not, -1 and the error.  In blanks a name
+ * x or y without the other is a word of a title, as in Clark Y. */
+static int columns_from(struct table *r, int k, const struct columns *asked, int fields, int only_coordinates)
+{
+    const char separators[] = {r->separator, r->separator == ' ' ? '2' : '\0', '\t', ';', ',', '\0'};
+    struct field field[MOST_FIELDS];
+    const struct lead *lead = &r->lead[k];
+    int found = 0;
+    for (const char *separator = separators; found == 0 && separator < separators + sizeof separators; separator++) {
+        char *copy;
+        if (*separator == '\0' || (separator > separators && r->separator != ' '))
+            continue;
+        int coordinates[2] = {0}, count = heading_fields(r, lead, *separator, field, &copy);
+        for (int j = 0; j < count; j++)
+            if (role_of(&field[j]) <= Y)
+                coordinates[role_of(&field[j])] = 1;
+        int both = coordinates[X] && coordinates[Y], one = coordinates[X] || coordinates[Y];
+        if (count == fields && (both || (!only_coordinates && !(one && r->separator == ' ')))) {
+            struct reader here = r->in;
+            r->in.line = lead->line, r->in.start = lead->start;
+            found = find_columns(r, asked, field, fields) == 0 ? 1 : -1;
+            r->in = here;
+        }
+        free(copy);
+    }
+    return found;
+}
+
+/* The error that line k before the rows is as a row. */
+static int refuse_heading(struct table *r, int k, const struct columns *asked, struct points *p)
+{
+    struct field field[MOST_FIELDS];
+    r->in.line = r->lead[k].line, r->in.start = r->lead[k].start;
+    r->separator = separator_of(r->lead[k].text);
+    r->separator = r->separator != '\0' ? r->separator : ' ';
+    int fields = fields_of(r, r->lead[k].text, field);
+    if (fields < 0 || find_columns(r, asked, NULL, fields) != 0 || read_row(r, field, fields, p) != 0)
+        return -1;
+    return refuse(&r->in, NULL, "this line is not like the others");
+}
+
+/* Whether all fields are numbers. */
+static int is_row_of_numbers(const struct table *r, const struct field *field, int fields)
+{
+    int good = fields >= 2;
+    for (int k = 0; good && k < fields; k++) {
+        struct table here = *r;
+        double value;
+        good = number_of(&here, &field[k], &value) == NUMBER;
+    }
+    return good;
+}
+
+/* What the lines before the first row say: its columns, or nothing. */
+static int read_headings(struct table *r, const struct columns *asked, const struct field *field, int fields,
+                         struct points *p)
+{
+    int names = -1;
+    for (int k = 0; k < r->leading; k++) {
+        char own = separator_of(r->lead[k].text);
+        struct field its[MOST_FIELDS];
+        char *copy;
+        if (!has_number(r->lead[k].text))
+            continue;
+        int like_a_row = own != ' ' && own != '\0' && own == r->separator &&
+                         heading_fields(r, &r->lead[k], own, its, &copy) == fields;
+        if (own != ' ' && own != '\0' && own == r->separator)
+            free(copy);
+        if (like_a_row || !is_row_of_numbers(r, field, fields))
+            return refuse_heading(r, k, asked, p);
+    }
+    for (int only = 1; only >= 0 && names < 0; only--)
+        for (int k = r->leading - 1; k >= 0 && names < 0; k--) {
+            int found = has_number(r->lead[k].text) ? 0 : columns_from(r, k, asked, fields, only);
+            if (found < 0)
+                return -1;
+            names = found ? k : names;
+        }
+    for (int k = 0; k < r->leading; k++)
+        if (k != names)
+            note_of(p, "line %d, \"%.*s\", is passed over", r->lead[k].line, MOST_SHOWN, r->lead[k].text);
+    if (names >= 0)
+        return 0;
+    if (asked->dim == 0 && are_cut_at_thousands(r, field, fields))
+        return refuse_thousands(r);
+    return find_columns(r, asked, NULL, fields);
+}
+
+static int read_rows(struct table *r, const struct columns *asked, struct points *p)
+{
+    struct field field[MOST_FIELDS];
+    for (char *line; (line = next_line(r)) != NULL;) {
+        if (r->fields == 0 && r->leading < MOST_LEADING &&
+            ((!has_number(line) && !begins_with_thousands(line)) || may_be_heading(r, line))) {
+            r->lead[r->leading++] = (struct lead){line, r->in.start, r->in.line};
+            continue;
+        }
+        if (r->separator == 0 && (r->separator = separator_of(line)) == 0)
+            r->separator = ' ';
+        int fields = fields_of(r, line, field);
+        if (fields < 0 || (r->fields == 0 && read_headings(r, asked, field, fields, p) != 0))
+            return -1;
+        if (read_row(r, field, fields, p) != 0)
+            return -1;
+    }
+    for (int k = 0; k < r->leading && p->count == 0; k++)
+        if (has_number(r->lead[k].text))
+            return refuse_heading(r, k, asked, p);
+    if (p->count == 0) {
+        r->in.line = 0;
+        return refuse(&r->in, NULL, "there are no points in it; expected a line for each, such as 1.5, 2.25");
+    }
+    return 0;
+}
+
+/* ---- Lednicer's airfoils -------------------------------------------------------------------------- */
+
+static int is_count(double x) { return x >= 2 && x < 1e6 && x == floor(x); }
+
+/* Points first, ..., last from the nose backwards: x grows from the first to the last one. */
+static int goes_back(const struct points *p, int first, int last) { return p->at[2 * first] < p->at[2 * last]; }
+
+static void swap_points(struct points *p, int i, int j)
+{
+    for (int c = 0; c < 2; c++) {
+        double x = p->at[2 * i + c];
+        p->at[2 * i + c] = p->at[2 * j + c], p->at[2 * j + c] = x;
+    }
+    int line = p->line[i];
+    p->line[i] = p->line[j], p->line[j] = line;
+}
+
+/* Two counts m, n in place of a first point, and then the m points of the upper side and the n of the lower one, each
+ * from the nose: they become one line, from the trailing edge over the nose, which stands there once. */
+static void join_sides(struct points *p)
+{
+    if (p->dim != 2 || p->has_sigma || p->count < 5 || !is_count(p->at[0]) || !is_count(p->at[1]) ||
+        p->at[0] + p->at[1] != p->count - 1)
+        return;
+    int m = (int)p->at[0], n = (int)p->at[1];
+    if (!goes_back(p, 1, m) || !goes_back(p, m + 1, m + n))
+        return;
+    for (int i = 1, j = m; i < j; i++, j--)
+        swap_points(p, i, j);
+    int same = memcmp(p->at + 2 * m, p->at + 2 * (m + 1), 2 * sizeof *p->at) == 0; /* the nose */
+    for (int from = 1, to = 0; from <= m + n; from++)
+        if (from != m + 1 || !same) {
+            memmove(p->at + 2 * to, p->at + 2 * from, 2 * sizeof *p->at);
+            p->line[to++] = p->line[from];
+            p->count = to;
+        }
+    note_of(
+        p,
+        "Lednicer's order, %d points of the upper and %d of the lower side from the nose: read as one line, from the "
+        "trailing edge over the upper side and back",
+        m, n);
+}
+
+int read_table(struct reader *in, const struct columns *asked, struct points *p)
+{
+    struct table r = {.in = *in};
+    if (read_rows(&r, asked, p) != 0)
+        return -1;
+    join_sides(p);
+    return 0;
+}
