@@ -72,16 +72,24 @@ static int unknowns_asked(const cagd_fit_options *o, int dim)
            (o->free & CAGD_FIT_END_POINTS ? 2 * dim : 0);
 }
 
+/* Whether two of the points are measurements of the ends, with an equation each along the curve. */
+static int has_measured_ends(const cagd_fit_options *o)
+{
+    return o->free & CAGD_FIT_END_POINTS && o->ends == CAGD_FIT_ENDS_MEASURED;
+}
+
 static int complain(const struct fit *f, cagd_status status, int where)
 {
     const char *name = name_of_input(f->path);
     int n = f->data.count, dim = f->data.dim, asked = unknowns_asked(&f->options, dim);
+    int more = has_measured_ends(&f->options) ? 2 : 0, equations = n * (dim - 1) + more;
     if (status == CAGD_TOO_FEW)
-        fprintf(stderr,
-                "cagd: %s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points\n",
-                name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", n * (dim - 1),
-                n * (dim - 1) == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
-                asked <= 2 * (dim - 1) ? 2 : (asked + dim - 2) / (dim - 1));
+        fprintf(
+            stderr,
+            "cagd: %s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points%s\n",
+            name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", equations, equations == 1 ? "" : "s",
+            asked, asked == 1 ? "" : "s", asked - more <= 2 * (dim - 1) ? 2 : (asked - more + dim - 2) / (dim - 1),
+            more ? "; --ends exact takes the first and the last one for the ends" : "");
     else if (status == CAGD_BAD_OPTION && asked == 0 && f->options.free != 0)
         fprintf(stderr, "cagd: %s: nothing is free: of what --free names the curve has nothing that could move\n",
                 name);

@@ -30,6 +30,8 @@ struct fit_arguments {
     const char *initial, *residuals, *svg, *curve;
     struct columns columns;
     cagd_fit_options options;
+    const char *ends;  /* as given; NULL: not  */
+    int exact_ends, free_given;
     const char *knots; /* as given; NULL: none */
     double *inner;     /* the inner knots; the caller frees them */
     int inner_knots, degree_given;

@@ -135,6 +135,12 @@ static json_t *history_json(const cagd_fit_result *r)
     return list;
 }
 
+/* The numbers, from 1, of the points that are measurements of the ends; null without. */
+static json_t *end_points_json(const cagd_fit_result *r)
+{
+    return r->end_points[0] < 0 ? json_null() : json_pack("[i, i]", r->end_points[0] + 1, r->end_points[1] + 1);
+}
+
 /* The value, which is then owned by the caller alone; null where the curve is no minimum. */
 static json_t *of_minimum(const struct fit *f, json_t *value)
 {
@@ -201,10 +207,10 @@ json_t *fit_json(const struct fit *f)
                   of_minimum(f, matrix_json(r->flat, r->unknowns, r->free_directions)), "covariance",
                   of_minimum(f, matrix_json(r->unknowns, r->unknowns, r->covariance)), "correlations",
                   of_minimum(f, correlations_json(r)), "invariants", invariants, "conic", of_minimum(f, conic_json(r)));
-    json_t *rest =
-        json_pack("{s:o, s:o, s:b, s:b, s:o, s:o}", "statistics", statistics, "distances", distances, "points_on_curve",
-                  f->result->points_on_curve, "ends_taken_as_exact", f->result->ends_are_exact, "cusp",
-                  has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
+    json_t *rest = json_pack("{s:o, s:o, s:b, s:b, s:o, s:o, s:o}", "statistics", statistics, "distances", distances,
+                             "points_on_curve", f->result->points_on_curve, "ends_taken_as_exact",
+                             f->result->ends_are_exact, "end_points", end_points_json(r), "cusp",
+                             has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
     json_object_update(document, of_unknowns);
     json_object_update(document, rest);
     json_decref(of_unknowns);

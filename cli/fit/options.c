@@ -12,6 +12,7 @@ enum {
     KEY_KNOTS,
     KEY_CONTROL_POINTS,
     KEY_FREE,
+    KEY_ENDS,
     KEY_INITIAL,
     KEY_BETWEEN,
     KEY_LOSS,
@@ -59,6 +60,19 @@ static int parts(struct argp_state *state, const char *text)
         if (*(s += n) == '\0')
             return sum;
     }
+}
+
+/* How free ends are fitted; exact ends are not free. */
+static void read_ends(struct argp_state *state, const char *text, struct fit_arguments *a)
+{
+    a->exact_ends = strcmp(text, "exact") == 0;
+    if (strcmp(text, "sliding") == 0)
+        a->options.ends = CAGD_FIT_ENDS_SLIDE;
+    else if (strcmp(text, "measured") == 0)
+        a->options.ends = CAGD_FIT_ENDS_MEASURED;
+    else if (!a->exact_ends)
+        argp_error(state, "--ends takes measured, exact or sliding, not '%s'", text);
+    a->ends = text;
 }
 
 /* LOW:HIGH with 0 < LOW < 1 < HIGH. */
@@ -128,6 +142,11 @@ static void finish(struct argp_state *state, struct fit_arguments *a)
     if (o->count != 0 && o->count < o->degree + 1)
         argp_error(state, "--control-points %d: a curve of degree %d has at least %d", o->count, o->degree,
                    o->degree + 1);
+    if (a->ends != NULL && a->free_given && a->exact_ends == (o->free & CAGD_FIT_END_POINTS) / CAGD_FIT_END_POINTS)
+        argp_error(state, "--ends %s does not go with --free %s", a->ends,
+                   a->exact_ends ? "that has ends" : "without ends, which are then exact or those of --initial");
+    if (a->exact_ends)
+        o->free &= ~CAGD_FIT_END_POINTS;
     if (a->initial == NULL && o->free == 0)
         argp_error(state, "--free none takes the distances from a given curve, and needs --initial CURVE.json");
     if (a->initial == NULL && !(o->free & CAGD_FIT_INNER_POINTS) && o->degree > 1)
@@ -164,6 +183,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case KEY_FREE:
         o->free = parts(state, arg);
+        a->free_given = 1;
+        break;
+    case KEY_ENDS:
+        read_ends(state, arg, a);
         break;
     case KEY_INITIAL:
         a->initial = arg;
@@ -238,8 +261,13 @@ static const struct argp_option options[] = {
     {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
     {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
     {"free", KEY_FREE, "LIST", 0,
-     "What may move, of weights, inner and ends (default: weights,inner; the ends are then the first "
-     "and the last point); none: only the distances from the curve of --initial",
+     "What may move, of weights, inner and ends (default: all; without ends these are the first and the last point, or "
+     "those of --initial); none: only the distances from the curve of --initial",
+     1},
+    {"ends", KEY_ENDS, "HOW", 0,
+     "measured: the first and the last point are measurements of the ends (default); exact: they are the ends; "
+     "sliding: "
+     "the curve is cut off somewhere beyond them",
      1},
     {"initial", KEY_INITIAL, "CURVE.json", 0, "Where to start; gives degree and knots, and what is not free", 1},
     {"weights-between", KEY_BETWEEN, "LOW:HIGH", 0, "Bounds on the weights", 1},
@@ -260,16 +288,22 @@ static const struct argp_option options[] = {
     {"svg", KEY_SVG, "FILE", 0, "Write a picture", 5},
     {0}};
 
-static const struct option_words words[] = {
-    {"loss", "squares huber cauchy"}, {"free", "weights inner ends weights,inner weights,inner,ends none"}, {0}};
+static const struct option_words words[] = {{"loss", "squares huber cauchy"},
+                                            {"free", "weights inner ends weights,inner weights,inner,ends none"},
+                                            {"ends", "measured exact sliding"},
+                                            {0}};
 
 static const struct topic topics[] = {
     {"FITTED CURVES",
      "cagd fit finds the rational Bézier or NURBS curve that comes closest to measured points: the least sum of squared"
      " orthogonal distances, or of a robust loss of them. The foot points are unknowns of their own; of the "
-     "weights, inner points and end points those in --free move (weights,inner unless said otherwise: the "
-     "curve then begins and ends in the first and the last point), and with none only the distances from the "
-     "curve of --initial are told. Printed are the estimates with standard errors and 95 % intervals, what the"
+     "weights, inner points and end points those in --free move (all unless said otherwise), and with none only the "
+     "distances from the curve of --initial are told. The first and the last point are measurements of the ends of the "
+     "curve, with errors as the others have: their distances count along the curve as well. With --ends exact, or "
+     "without ends in --free, the curve begins and ends in these two points as they are, and no interval knows of "
+     "their "
+     "errors; with --ends sliding it is cut off somewhere beyond them, and weights and ends are not determined. "
+     "Printed are the estimates with standard errors and 95 % intervals, what the"
      " points leave undetermined, the distances, which conic a curve of degree 2 is, and whether the minimum "
      "was verified in interval arithmetic. --json prints all that, the covariance and the iterations; --curve "
      "writes the curve for cagd curve; --residuals writes a table with a row for each point: row, line, "
@@ -305,7 +339,8 @@ static const struct topic topics[] = {
      "\"conic\"; \"statistics\" (chi_squared, reduced_chi_squared, degrees_of_freedom, aic, bic, "
      "scale_squared, scaled_by, level, quantile; of a robust loss chi_squared is the sum of the losses, and "
      "there is no aic, bic and reduced_chi_squared); \"distances\"; \"points_on_curve\": these are no larger "
-     "than roundings; \"ends_taken_as_exact\"; \"cusp\", the parameter of a place where the curve turns on a "
+     "than roundings; \"ends_taken_as_exact\"; \"end_points\", the numbers of the points that are measurements of the "
+     "ends; \"cusp\", the parameter of a place where the curve turns on a "
      "radius no larger than the distances; \"verification\" (status: verified, not verified or not asked; "
      "\"leaving_bounds\": whether the cost grows when weights leave their bounds; with --free none also "
      "refuted, and \"excess\", by how much the foot of a point may be farther than the nearest point of the "
@@ -325,6 +360,7 @@ const struct command command_fit = {
         "  cagd fit points.csv\n"
         "  cagd fit points.csv --degree 3 --svg points.svg --residuals residuals.csv\n"
         "  cagd fit points.csv --control-points 8 --degree 3 --loss huber --scale 2\n"
+        "  cagd fit points.csv --ends exact\n"
         "  cagd fit points.csv --initial arc.json --free weights --json\n"
         "  cagd fit points.csv --initial arc.json --free none --residuals distances.csv\n"
         "  cagd fit points.csv --curve arc.json && cagd curve arc.json --at 1/2\n\v"

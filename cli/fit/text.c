@@ -117,6 +117,10 @@ static void print_heading(const struct fit *f)
     for (int k = 0, said = 0; k < 3; k++)
         if (f->options.free & 1 << k)
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", part[k]);
+    if (r->end_points[0] >= 0 && f->options.unordered)
+        fprintf(out, "; points %d and %d are measurements of its ends", r->end_points[0] + 1, r->end_points[1] + 1);
+    else if (r->end_points[0] >= 0)
+        fputs("; the first and the last point are measurements of its ends", out);
     if (f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS))
         fprintf(out, "; it begins and ends in %s",
                 f->options.unordered ? "two of the points" : "the first and the last point");
@@ -482,9 +486,9 @@ static void print_statistics(const struct fit *f)
     if (f->result->ends_are_exact)
         say("Ends",
             "%s are taken as exact: their errors move the whole curve, weights with it, and "
-            "are not in the standard errors; --free %sinner,ends fits the ends too, which then slide along the curve",
-            f->options.unordered ? "two of the points, at the ends," : "the first and the last point",
-            f->options.free & CAGD_FIT_WEIGHTS ? "weights," : "");
+            "are not in the standard errors; --ends measured, or ends in --free, takes them for measurements as the "
+            "others are",
+            f->options.unordered ? "two of the points, at the ends," : "the first and the last point");
     double cusp;
     if (!nothing_is_free(f) && cagd_fit_has_cusp(r, &cusp))
         say("Cusp",

@@ -49,7 +49,7 @@ static int approach_by_every(int stride, fit_attempt *a)
 static int approach_by_means(int groups, fit_attempt *a)
 {
     fit_problem sample;
-    double *feet = malloc((size_t)groups * sizeof *feet);
+    double *feet = malloc(((size_t)groups + 2) * sizeof *feet);
     int good = feet != NULL && fit_sample_means(a->problem, a->curve, a->feet, groups, &sample, feet);
     if (good) {
         good = fit_problem_equations(&sample) < sample.unknowns || approach_by(&sample, feet, a);

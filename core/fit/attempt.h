@@ -30,7 +30,7 @@ int fit_attempt_append(fit_attempt *attempt, fit_outcome *run);
 int fit_attempt_step(fit_attempt *attempt, int accepted, double length);
 
 /* Decides whether what the minimiser calls converged is a minimum.  It is none when the curve is none; when a point
- * of the curve has so small a share that rounding would take it away; or when a weight runs away, so that the cost
+ * of the curve has so small a share that rounding would take it away; or when a point goes to infinity as its weight goes to 0; or when a weight runs away, so that the cost
  * falls towards a weight 0 or infinity without a minimum.  Then the attempt has failed. */
 void fit_attempt_judge(fit_attempt *attempt);
 #endif

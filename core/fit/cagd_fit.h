@@ -18,12 +18,18 @@
  * one span: then it is the standard form (标准型).  What is left undetermined, such as ends that slide along the curve, is
  * found by the rank of the problem and reported.
  *
- * Ends (端点).  Ends that are not free are the first and the last measured point as they are, with errors that no
- * standard error knows of.  Free ends are fitted as well; but where a curve is cut off is no property of its points,
- * and the ends slide.  The slide is not stopped by a rule, such as that the first and the last point have their feet
- * at the ends: the weights of a piece of a curve change with the cut, which would then hang on two single points,
- * outliers or not, and their standard errors would say how well the cut is known and not the curve.  What does not
- * change with the cut, points, distances and the type of a conic, is reported all the same.
+ * Ends (端点).  Free ends are measured (ENDS_MEASURED): the first and the last point, with errors as the others have, are
+ * measurements of the ends of the curve.  Their feet are the ends of the domain, and their distances count along the
+ * curve as well as across; so every weight, end and invariant has an interval, in which the uncertainty of the cut is.  Of points in
+ * any order those are taken that are nearest to the ends of the initial curve, or that a first fit, with two of the
+ * points as exact ends, ends in.
+ *
+ * Free ends may also slide (ENDS_SLIDE): where a curve is cut off is no property of its points, and as long as no foot
+ * is passed the cut changes weights and ends and not the cost.  What does not change with the cut, points, distances and
+ * the type of a conic, is reported; weights and ends are not determined.
+ *
+ * Ends that are not free are the first and the last measured point as they are, with errors that no standard error
+ * knows of: the intervals of what depends on them are then too short.
  *
  * Nothing free (只求垂足).  With an initial curve and free = 0 the distances of the points from that curve are told, and
  * nothing is estimated.  One point is enough then.  The foot of each is the nearest point of the whole curve,
@@ -63,6 +69,9 @@ typedef struct cagd_fit_data {
 /* What may move, added up. */
 enum { CAGD_FIT_WEIGHTS = 1, CAGD_FIT_INNER_POINTS = 2, CAGD_FIT_END_POINTS = 4 };
 
+/* How free ends are fitted; see above. */
+typedef enum cagd_fit_ends { CAGD_FIT_ENDS_MEASURED, CAGD_FIT_ENDS_SLIDE } cagd_fit_ends;
+
 /* rho(x), x = squared distance in units of the standard deviation; a the scale:
  *     SQUARES x      HUBER x for x <= a^2, else 2 a sqrt(x) - a^2      CAUCHY a^2 log(1 + x/a^2)                  */
 typedef enum cagd_fit_loss { CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY } cagd_fit_loss;
@@ -74,6 +83,7 @@ typedef struct cagd_fit_options {
     int free;                   /* CAGD_FIT_... added up; what is not free stays as in initial; without  */
                                 /* initial the inner points must be free, and ends that are not free are */
                                 /* the first and the last measured point; 0, with initial: only the feet */
+    cagd_fit_ends ends;         /* of free ends                                                          */
     int unordered;              /* 0: the points come in order along the curve; 1: in any order          */
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0                                                                 */
@@ -86,7 +96,7 @@ typedef struct cagd_fit_options {
     int max_iterations; /* >= 1                                                                  */
 } cagd_fit_options;
 
-/* Degree 2 Bézier, weights and inner points free, ordered, squares, scale 1, weights unbounded, one start, seed 1,
+/* Degree 2 Bézier, all free, measured ends, ordered, squares, scale 1, weights unbounded, one start, seed 1,
  * tolerance 1e-14, 200 iterations. */
 CAGD_API cagd_fit_options cagd_fit_defaults(void);
 
@@ -112,7 +122,8 @@ typedef struct cagd_fit_result {
      * length, in the plane with the sign + on the left of the curve */
     int count;
     double *feet, *residuals, *distances;
-    int *foot_at_end;    /* 1 where the foot is an end of the domain and the distance is not orthogonal   */
+    int *
+        foot_at_end; /* 1 where the foot is an end of the domain and the distance is not orthogonal; 0 for end points */
     int feet_at_ends;    /* how many of them                                                            */
     int out_of_order;    /* how many feet are smaller than the one before; 0 for unordered points        */
     double rms, largest; /* of the distances, unscaled                                                  */
@@ -144,7 +155,8 @@ typedef struct cagd_fit_result {
                              /* chi_squared / degrees_of_freedom, of a robust loss the factor of an M-estimate   */
     int ends_are_exact;      /* 1: the ends are measured points whose errors no standard error knows of          */
     double chi_squared, reduced_chi_squared, aic, bic;
-    int degrees_of_freedom; /* N (dim-1) - rank                                                            */
+    int end_points[2];      /* the points that are measurements of the ends of the curve; -1: none              */
+    int degrees_of_freedom; /* N (dim-1) - rank, and one more for each of the end points                       */
     double quantile;        /* 95 % intervals are value +- quantile * standard error: normal with given standard */
                             /* deviations, else Student's t                                                */
     int invariants;         /* of a curve of one span, p-1: I_j = w_j^2/(w_{j-1} w_{j+1}), with standard errors */
@@ -156,7 +168,7 @@ typedef struct cagd_fit_result {
  * the one with the smallest cost.
  *
  * NULL: data, options, result or the points are NULL.  BAD_DATA, with the index.  BAD_OPTION.  BAD_CURVE: the initial
- * curve, or the knots, are none.  TOO_FEW: fewer equations, N (dim-1), than unknowns, or fewer than 2 points; with
+ * curve, or the knots, are none.  TOO_FEW: fewer equations, N (dim-1), with measured ends 2 more, than unknowns, or fewer than 2 points; with
  * nothing free none.  ALL_EQUAL: all points; with nothing free, and the curve is that point, too.  OVERFLOW: squared
  * distances would leave the range of numbers, perhaps with the index of the point whose standard deviation is the
  * reason.  NO_MEMORY. */

@@ -22,6 +22,16 @@ typedef struct sides {
     int first, last;
 } sides;
 
+int fit_held_foot(const fit_problem *p, const fit_curve *curve, int i, double *t, double D[])
+{
+    const int end = fit_end_of(p, i);
+    if (end < 0)
+        return 0;
+    *t = end == 0 ? fit_curve_start(curve) : fit_curve_end(curve);
+    fit_curve_derivatives(curve, *t, D);
+    return 1;
+}
+
 /* ---- One point ---------------------------------------------------------------------------------------- */
 
 /* The smallest distance that a part of the curve surely has, by the sides over it; square[]: the squared distances of
@@ -82,6 +92,9 @@ static double half_loss(const fit_problem *p, int i, double square)
 
 /* ---- Anchors ------------------------------------------------------------------------------------------ */
 
+/* The side on which the foot of point i is held. */
+static int side_of_end(const search *s, int i) { return fit_end_of(s->problem, i) == 0 ? 0 : s->polygon.sides - 1; }
+
 /* The losses of anchor a on all sides. */
 static void anchor_losses(const search *s, int a, double loss[])
 {
@@ -91,6 +104,8 @@ static void anchor_losses(const search *s, int a, double loss[])
     fit_polygon_distances(&s->polygon, fit_point(p, i), 0, s->polygon.sides - 1, loss);
     for (int k = 0; k < s->polygon.sides; k++)
         loss[k] = p->loss == CAGD_FIT_SQUARES ? loss[k] * weight : fit_problem_loss(p, loss[k] * weight, &slope);
+    for (int k = 0; k < s->polygon.sides && fit_end_of(p, i) >= 0; k++)
+        loss[k] = k == side_of_end(s, i) ? loss[k] : HUGE_VAL;
 }
 
 /* Each anchor on the side that it is nearest to.  Returns whether these sides do not decrease; then no others in
@@ -99,7 +114,8 @@ static int take_nearest_sides(search *s)
 {
     for (int a = 0; a < s->anchors; a++) {
         fit_polygon_distances(&s->polygon, fit_point(s->problem, a * s->stride), 0, s->polygon.sides - 1, s->square);
-        s->side[a] = fit_smallest_of(s->polygon.sides, s->square);
+        s->side[a] = fit_end_of(s->problem, a * s->stride) >= 0 ? side_of_end(s, a * s->stride)
+                                                                : fit_smallest_of(s->polygon.sides, s->square);
         if (a > 0 && s->side[a] < s->side[a - 1])
             return 0;
     }
@@ -187,6 +203,9 @@ int fit_feet_guess(const fit_problem *p, const fit_curve *curve, double t[])
     int good = search_new(p, curve, &s);
     for (int i = 0; good && i < p->points; i++) {
         const sides range = sides_of(&s, i);
+        double D[9];
+        if (fit_held_foot(p, curve, i, &t[i], D))
+            continue;
         fit_polygon_distances(&s.polygon, fit_point(p, i), range.first, range.last, s.square);
         int best = range.first;
         for (int k = range.first + 1; k <= range.last; k++)
@@ -201,10 +220,13 @@ int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], do
 {
     search s;
     int good = search_new(p, curve, &s);
-    double square;
+    double square, D[9];
     *cost = 0;
     for (int i = 0; good && i < p->points; i++) {
-        t[i] = nearest_foot(&s, fit_point(p, i), sides_of(&s, i), NULL, &square);
+        if (fit_held_foot(p, curve, i, &t[i], D))
+            square = fit_distance_squared(p->dim, D, fit_point(p, i));
+        else
+            t[i] = nearest_foot(&s, fit_point(p, i), sides_of(&s, i), NULL, &square);
         *cost += half_loss(p, i, square);
     }
     search_free(&s);
@@ -218,6 +240,8 @@ int fit_feet_improve(const fit_problem *p, const fit_curve *curve, const double 
     double square, D[9];
     *gain = 0;
     for (int i = 0; good && i < p->points; i++) {
+        if (fit_held_foot(p, curve, i, &t[i], D))
+            continue;
         t[i] = nearest_foot(&s, fit_point(p, i), sides_of(&s, i), &known[i], &square);
         if (t[i] == known[i])
             continue;

@@ -5,6 +5,10 @@
 #include "core/fit/foot.h"
 #include "core/fit/problem.h"
 
+/* Whether the foot of point i is held at an end of the domain; then *t is that end, and D the curve there and two
+ * derivatives. */
+int fit_held_foot(const fit_problem *problem, const fit_curve *curve, int i, double *t, double D[]);
+
 /* The feet t of all points, found without knowledge of earlier ones, and *cost, half the sum of their losses.  Points
  * in any order: the nearest point of the curve for each.  Points in order along the curve: on a polygon inscribed in
  * the curve the feet, not decreasing, with the smallest sum of losses, and from there the feet on the curve.  Returns

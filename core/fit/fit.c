@@ -18,7 +18,8 @@
 cagd_fit_options cagd_fit_defaults(void)
 {
     return (cagd_fit_options){.degree = 2,
-                              .free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS,
+                              .free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS,
+                              .ends = CAGD_FIT_ENDS_MEASURED,
                               .loss = CAGD_FIT_SQUARES,
                               .loss_scale = 1,
                               .weight_low = 0,
@@ -49,11 +50,56 @@ static cagd_status check(const cagd_fit_data *data, const cagd_fit_options *opti
     return status == CAGD_OK ? fit_check_data(data, options->free == 0, where) : status;
 }
 
+/* The stages of one fit; ends[]: the points that the curve begins and ends in, where its ends are measured and the points
+ * have no order, otherwise NULL. */
+static cagd_status fit_once(const cagd_fit_data *data, const cagd_fit_options *options, const fit_strategy *strategy,
+                            const int ends[], cagd_fit_result **result, int *where)
+{
+    fit_problem p;
+    cagd_status status = fit_problem_make(data, options, strategy, &p, where);
+    for (int end = 0; end < 2 && ends != NULL; end++)
+        p.end_point[end] = ends[end];
+    if (status == CAGD_OK && fit_problem_equations(&p) < p.unknowns)
+        status = CAGD_TOO_FEW;
+    if (status == CAGD_OK && (*result = solve(data, &p)) == NULL)
+        status = CAGD_NO_MEMORY;
+    fit_problem_free(&p);
+    return status;
+}
+
+/* Of points in any order those that measure the ends of the curve are not known.  Where no initial curve says which they
+ * are, a first fit has two of the points as exact ends, and the second one begins with its curve. */
+static cagd_status fit_in_any_order(const cagd_fit_data *data, const cagd_fit_options *options,
+                                    const fit_strategy *strategy, cagd_fit_result **result, int *where)
+{
+    static const double zero[3] = {0};
+    cagd_fit_options exact = *options, measured = *options;
+    cagd_fit_result *first = NULL;
+    cagd_spline curve;
+    int ends[2];
+    exact.free &= ~CAGD_FIT_END_POINTS;
+    if (options->initial == NULL) {
+        cagd_status status = exact.free == 0 ? CAGD_BAD_OPTION : fit_once(data, &exact, strategy, NULL, &first, where);
+        REQUIRE(status == CAGD_OK, status);
+        curve = first->curve;
+        measured.initial = &curve;
+    }
+    const double *origin = first != NULL ? first->origin : zero,
+                 *points = first != NULL ? first->relative : options->initial->points;
+    for (int end = 0; end < 2 && points != NULL; end++)
+        ends[end] = fit_nearest_measured(data, origin, points + end * (measured.initial->count - 1) * data->dim);
+    int known = points != NULL && ends[0] != ends[1];
+    if (!known)
+        measured.ends = CAGD_FIT_ENDS_SLIDE;
+    cagd_status status = fit_once(data, &measured, strategy, known ? ends : NULL, result, where);
+    cagd_fit_free(first);
+    return status;
+}
+
 cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options, const fit_strategy *strategy,
                               cagd_fit_result **result, int *where)
 {
     int ignored;
-    fit_problem p;
     REQUIRE(result != NULL, CAGD_NULL);
     *result = NULL;
     where = where != NULL ? where : &ignored;
@@ -61,13 +107,10 @@ cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options 
     REQUIRE(data != NULL && options != NULL && data->points != NULL, CAGD_NULL);
     cagd_status status = check(data, options, where);
     REQUIRE(status == CAGD_OK, status);
-    status = fit_problem_make(data, options, strategy, &p, where);
-    if (status == CAGD_OK && fit_problem_equations(&p) < p.unknowns)
-        status = CAGD_TOO_FEW;
-    if (status == CAGD_OK && (*result = solve(data, &p)) == NULL)
-        status = CAGD_NO_MEMORY;
-    fit_problem_free(&p);
-    return status;
+    const int measured = options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED;
+    return measured && options->unordered && options->free & CAGD_FIT_INNER_POINTS
+               ? fit_in_any_order(data, options, strategy, result, where)
+               : fit_once(data, options, strategy, NULL, result, where);
 }
 
 cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result, int *where)

@@ -168,7 +168,8 @@ static int alternate(const fit_problem *p, fit_curve *curve, double t[])
     double D[9];
     for (int k = 0; k < p->strategy.alternations; k++) {
         for (int i = 0; i < p->points; i++)
-            fit_foot(curve, fit_point(p, i), &t[i], D);
+            if (!fit_held_foot(p, curve, i, &t[i], D))
+                fit_foot(curve, fit_point(p, i), &t[i], D);
         if (!solve_points(p, t, 1, curve))
             return 0;
     }

@@ -59,6 +59,17 @@ static int runs_away(const fit_objective *f, int k)
     return g * g > 2 * noticed * square && fabs(g) > -log(DBL_EPSILON / 2) * square;
 }
 
+/* Whether point j of the curve goes to infinity while its weight goes to 0 and their product stays: then the curve would
+ * go on with a negative weight, as an arc of more than a half turn has.  Half of the digits of binary64 are lost. */
+static int goes_to_infinity(const fit_objective *f, int j)
+{
+    const double most = 1 / sqrt(DBL_EPSILON);
+    double size = 0;
+    for (int c = 0; c < f->problem->dim; c++)
+        size = fmax(size, fabs(f->curve->points[j * f->problem->dim + c]));
+    return f->curve->weights[j] * most < 1 && size > most;
+}
+
 void fit_attempt_judge(fit_attempt *a)
 {
     const fit_problem *p = a->problem;
@@ -72,7 +83,13 @@ void fit_attempt_judge(fit_attempt *a)
         double w = f->curve->weights[index];
         if (!p->unknown[k].is_weight || fit_unknown_is_on_bound(p, k, f->curve))
             continue;
-        if (is_lost(f, index) || runs_away(f, k))
+        if (goes_to_infinity(f, index))
+            fail(a,
+                 "No minimum was found: point %d of the curve goes to infinity and its weight to 0 (it is %.2g), as "
+                 "where "
+                 "an arc turns by a half turn or more; more control points may help.",
+                 index, w);
+        else if (is_lost(f, index) || runs_away(f, k))
             fail(a,
                  "No minimum was found: the cost falls ever slower while weight %d goes to %s (it is %.2g); other "
                  "starts, or bounds on the weights, may help.",

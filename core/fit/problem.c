@@ -176,6 +176,9 @@ cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *
         .options = o, .strategy = *strategy, .dim = data->dim, .loss = o->loss, .loss_scale = o->loss_scale};
     p->nothing_free = o->free == 0;
     p->unordered = o->unordered || p->nothing_free;
+    int measured = (o->free & CAGD_FIT_END_POINTS) != 0 && o->ends == CAGD_FIT_ENDS_MEASURED;
+    p->end_point[0] = measured ? 0 : -1;
+    p->end_point[1] = measured ? data->count - 1 : -1;
     p->low = o->weight_low, p->high = o->weight_high;
     cagd_status status = make_knots(o, p);
     if (status == CAGD_OK)
@@ -239,7 +242,10 @@ double fit_problem_loss(const fit_problem *p, double x, double *slope)
     return value[0];
 }
 
-int fit_problem_equations(const fit_problem *p) { return p->points * (p->dim - 1); }
+int fit_problem_equations(const fit_problem *p)
+{
+    return p->points * (p->dim - 1) + (p->end_point[0] >= 0) + (p->end_point[1] >= 0);
+}
 
 int fit_problem_roundings(const fit_problem *p) { return 4 * p->degree + 16; }
 

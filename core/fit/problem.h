@@ -32,6 +32,7 @@ typedef struct fit_problem {
     cagd_fit_loss loss;
     double loss_scale;
     int unordered, nothing_free; /* feet alone: those of points in any order            */
+    int end_point[2];            /* the measured points whose feet are the ends of the domain; -1: none */
     int degree, count;
     double *knots;
     int unknowns;
@@ -54,7 +55,7 @@ void fit_problem_curve(const fit_problem *problem, const cagd_spline *given, fit
 /* rho(x) and *slope = rho'(x). */
 double fit_problem_loss(const fit_problem *problem, double x, double *slope);
 
-/* How many equations there are, and how many roundings an entry of the Jacobian suffers. */
+/* How many equations there are, dim-1 for a point and one more for that of an end; and how many roundings an entry of the Jacobian suffers. */
 int fit_problem_equations(const fit_problem *problem);
 int fit_problem_roundings(const fit_problem *problem);
 
@@ -65,6 +66,12 @@ double fit_problem_cost_error(const fit_problem *problem, double cost);
 
 /* Sums the b_i^2; to be called when the points or their precision have changed. */
 void fit_problem_sum_errors(fit_problem *problem);
+
+/* Whether the foot of point i is an end of the domain: 0 the start, 1 the end, -1 no. */
+static inline int fit_end_of(const fit_problem *p, int i)
+{
+    return i == p->end_point[0] ? 0 : i == p->end_point[1] ? 1 : -1;
+}
 
 /* Measured point i in working coordinates. */
 static inline const double *fit_point(const fit_problem *p, int i) { return p->Q + (size_t)i * (size_t)p->dim; }

@@ -1,5 +1,6 @@
 #include "core/fit/result.h"
 
+#include "core/fit/feet.h"
 #include "core/fit/rank.h"
 #include "core/fit/unknowns.h"
 
@@ -67,10 +68,12 @@ static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_resu
     if (!r->feet || !r->residuals || !r->distances || !r->foot_at_end)
         return 0;
     double sum = 0;
+    memcpy(r->end_points, p->end_point, sizeof r->end_points);
     for (int i = 0; i < p->points; i++) {
         const double *q = p->Q + (size_t)i * (size_t)dim;
         double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t = a->objective->feet[i], square = 0;
-        r->foot_at_end[i] = fit_foot(a->objective->curve, q, &t, D) == FOOT_AT_END;
+        r->foot_at_end[i] =
+            !fit_held_foot(p, a->objective->curve, i, &t, D) && fit_foot(a->objective->curve, q, &t, D) == FOOT_AT_END;
         r->feet_at_ends += r->foot_at_end[i];
         r->feet[i] = t;
         for (int c = 0; c < dim; c++) {
@@ -123,11 +126,9 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
     return good;
 }
 
-/* The measured point that is nearest to P, which is told from the origin: for an end that is one of them, but for
- * rounding, that one. */
-static const double *nearest_measured(const cagd_fit_data *data, const double origin[], const double P[])
+int fit_nearest_measured(const cagd_fit_data *data, const double origin[], const double P[])
 {
-    const double *nearest = data->points;
+    int nearest = 0;
     double smallest = HUGE_VAL;
     for (int i = 0; i < data->count; i++) {
         const double *Q = data->points + (size_t)i * (size_t)data->dim;
@@ -135,7 +136,7 @@ static const double *nearest_measured(const cagd_fit_data *data, const double or
         for (int c = 0; c < data->dim; c++)
             square += (Q[c] - origin[c] - P[c]) * (Q[c] - origin[c] - P[c]);
         if (square < smallest)
-            smallest = square, nearest = Q;
+            smallest = square, nearest = i;
     }
     return nearest;
 }
@@ -154,10 +155,10 @@ static void restore_given_points(const cagd_fit_data *data, const cagd_fit_optio
             given &= r->unknown[k].is_weight || r->unknown[k].index != j;
         if (!given || (o->initial == NULL && j > 0 && j < n - 1))
             continue;
-        const double *from = o->initial != NULL ? o->initial->points + j * dim
-                             : o->unordered     ? nearest_measured(data, r->origin, r->relative + j * dim)
-                             : j == 0           ? data->points
-                                                : data->points + (size_t)(data->count - 1) * (size_t)dim;
+        int i = o->unordered ? fit_nearest_measured(data, r->origin, r->relative + j * dim)
+                : j == 0     ? 0
+                             : data->count - 1;
+        const double *from = o->initial != NULL ? o->initial->points + j * dim : data->points + (size_t)i * (size_t)dim;
         memcpy(points + j * dim, from, (size_t)dim * sizeof *points);
         for (int c = 0; c < dim; c++)
             r->relative[j * dim + c] = from[c] - r->origin[c];

@@ -10,8 +10,8 @@ int fit_sample_every(const fit_problem *problem, int stride, fit_problem *sample
 
 /* The domain is divided into `groups` equal parts, and of the points whose feet t lie in one of them the mean is
  * taken: the mean of Q_i - C(t_i), put to the curve at the mean of the t_i, which becomes its foot.  So the curvature
- * of the curve is not in it.  A mean has the precision of its points together.  Parts without points are left out;
- * feet[groups] has room for all. */
+ * of the curve is not in it.  A mean has the precision of its points together.  Parts without points are left out.
+ * The points of the ends stay what they are.  feet[groups + 2] has room for all. */
 int fit_sample_means(const fit_problem *problem, const fit_curve *curve, const double t[], int groups,
                      fit_problem *sample, double feet[]);
 

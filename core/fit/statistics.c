@@ -7,6 +7,17 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Residuals of point i: across the curve, and along it where it is one of an end. */
+static int directions_of(const cagd_fit_data *data, const cagd_fit_result *result, int i)
+{
+    return data->dim - 1 + (i == result->end_points[0]) + (i == result->end_points[1]);
+}
+
+static int equations(const cagd_fit_data *data, const cagd_fit_result *result)
+{
+    return data->count * (data->dim - 1) + (result->end_points[0] >= 0) + (result->end_points[1] >= 0);
+}
+
 static double scaled_square(const cagd_fit_data *data, const cagd_fit_result *result, int i)
 {
     double sum = 0, sigma = data->sigma != NULL ? data->sigma[i] : 1;
@@ -21,12 +32,12 @@ static double scaled_square(const cagd_fit_data *data, const cagd_fit_result *re
 static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options *options,
                                const cagd_fit_result *result)
 {
-    double spread = 0, mean = 0, variance = 0, value[3], count = data->count, normals = data->dim - 1;
+    double spread = 0, mean = 0, variance = 0, value[3], count = data->count;
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < data->count; i++) {
             double s = scaled_square(data, result, i);
             fit_loss(options->loss, options->loss_scale, s, value);
-            double m = value[1] + 2 * s * value[2] / normals;
+            double m = value[1] + 2 * s * value[2] / directions_of(data, result, i);
             if (pass == 0) {
                 spread += value[1] * value[1] * s;
                 mean += m / count;
@@ -34,20 +45,20 @@ static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options
                 variance += (m - mean) * (m - mean) / count;
             }
         }
-    double K = 1 + result->rank / (count * normals) * variance / (mean * mean);
+    double K = 1 + result->rank / (double)equations(data, result) * variance / (mean * mean);
     return mean > 0 ? K * K * spread / result->degrees_of_freedom / (mean * mean) : NAN;
 }
 
 /* The sum of the losses, and what tells fits of the same points apart. */
 static void fill_criteria(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result *result)
 {
-    double n = (double)data->count * (data->dim - 1), k = result->rank, value[3], sum = 0;
+    double n = equations(data, result), k = result->rank, value[3], sum = 0;
     int known = data->sigma != NULL;
     for (int i = 0; i < data->count; i++) {
         fit_loss(options->loss, options->loss_scale, scaled_square(data, result, i), value);
         sum += value[0];
     }
-    int d = result->degrees_of_freedom = data->count * (data->dim - 1) - result->rank;
+    int d = result->degrees_of_freedom = equations(data, result) - result->rank;
     result->chi_squared = sum;
     result->reduced_chi_squared = d > 0 ? sum / d : NAN;
     result->aic = known ? sum + 2 * k : n * log(sum / n) + 2 * (k + 1);

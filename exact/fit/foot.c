@@ -107,12 +107,15 @@ static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *
         b->reason = no_foot;
         return NO_FOOT;
     }
+    const int *held = b->problem->end_points;
     int end = t == first ? 0 : t == last ? 1 : -1;
     if (end >= 0 && is_fixed_end(b, i, end))
         return FOOT_ON_FIXED_END;
     num_i here = from_double_i(t), phi;
     if (!look(b, i, here, v))
         return NO_FOOT;
+    if (end >= 0 && held != NULL && held[end] == i)
+        return FOOT_AT_END;
     if (end >= 0 && sign_i(v->phi) == (end == 0 ? 1 : -1))
         return FOOT_AT_END;
     if (sign_i(v->slope) <= 0) {

@@ -399,6 +399,7 @@ cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, con
                                        .loss_scale = options->loss_scale,
                                        .curve = &curve,
                                        .feet = result->feet,
+                                       .end_points = result->end_points,
                                        .unknowns = result->unknowns,
                                        .unknown = result->unknown,
                                        .held = held,

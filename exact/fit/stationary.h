@@ -9,6 +9,7 @@
  *                 t_i - phi(t_i, box)/phi'(T_i, box) lies in the interior of T_i.  At an end of the domain the sign
  *                 of phi over the box says that the foot stays there; when the box leaves open whether the foot is
  *                 at the end or inside, both cases are enclosed.
+ *                 The feet of the points of measured ends are those ends, whatever the sign of phi is.
  *     gradient    of F: by the envelope theorem sum_i rho'(s_i)/sigma_i^2 D_i.C_a, D_i = C(t_i) - Q_i,
  *                 s_i = |D_i|^2/sigma_i^2.
  *     Hessian     sum_i rho'/sigma_i^2 (C_a.C_b + D.C_ab - (C_a.C' + D.C_a')(C_b.C' + D.C_b')/phi')
@@ -54,6 +55,7 @@ typedef struct cagd_stationary_problem {
     double loss_scale;
     const cagd_spline *curve; /* weights NULL: all 1                                                 */
     const double *feet;
+    const int *end_points; /* the two points whose feet are held at the ends of the domain, -1 for none; NULL: none */
     int unknowns;
     const cagd_fit_unknown *unknown;
     const int *held; /* a stationary_hold of each unknown; NULL: all are free                      */

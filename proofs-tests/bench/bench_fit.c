@@ -8,6 +8,7 @@
  *     bench_fit [PEERS.py]      with the path of bench_fit_peers.py: SciPy as well, where /usr/bin/python3 has it */
 #include "core/fit/cagd_fit.h"
 #include "proofs-tests/bench/plain_ceres.h"
+#include "proofs-tests/fit/options.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -70,7 +71,7 @@ static double *make_points(int N)
 static outcome eliminated(int N, const double *Q)
 {
     cagd_fit_data data = {N, 2, Q, NULL};
-    cagd_fit_options options = cagd_fit_defaults();
+    cagd_fit_options options = options_with_exact_ends();
     cagd_fit_result *r;
     options.initial = &start;
     options.max_iterations = 1000;
@@ -86,7 +87,7 @@ static outcome eliminated(int N, const double *Q)
 static outcome plain(int N, const double *Q)
 {
     cagd_fit_data data = {N, 2, Q, NULL};
-    cagd_fit_options options = cagd_fit_defaults();
+    cagd_fit_options options = options_with_exact_ends();
     plain_outcome p;
     options.initial = &start;
     options.max_iterations = 1000;

@@ -299,8 +299,8 @@ class Files(Case):
             at, _, form, notes = self.read(f'<svg>\n<path class="d" d="{d}"/></svg>', "--free", "inner")
             self.assertEqual((at, form), (wanted, "SVG"))
             self.assertEqual("3 curved pieces" in " ".join(notes), "A5" in d)
-        self.assertEqual(self.read('<svg><polyline points="0,0 1,1 2,0 3,5"/></svg>')[0], [[0, 0], [1, 1], [2, 0], [3, 5]])
-        at, _, _, notes = self.read('<svg><g transform="scale(2)"><polygon points="0 0 1 1 2 0 3 5"/></g></svg>')
+        self.assertEqual(self.read('<svg><polyline points="0,0 1,1 2,0 3,5"/></svg>', "--ends", "exact")[0], [[0, 0], [1, 1], [2, 0], [3, 5]])
+        at, _, _, notes = self.read('<svg><g transform="scale(2)"><polygon points="0 0 1 1 2 0 3 5"/></g></svg>', "--ends", "exact")
         self.assertEqual((at[4], notes[-1]), ([0, 0], "transformations are not applied"))
         for d, words in [("M0 0L1", ["expected a number"]), ("L1 1", ["begin with M"]), ("M0 0L1 1M2 2L3 3", ["2 paths", "of 2, 2"])]:
             self.refuses(f'<svg><path d="{d}"/></svg>', words)
@@ -408,11 +408,13 @@ class Mistakes(Case):
     def test_points_that_do_not_suffice(self):
         self.refuses("1,2\n", ["too few points"])
         self.refuses(table(quadratic(5)), ["too few points", "5 in the plane give 5 equations", "6 unknowns", "at least 6"],
+                     "--degree", "3", "--ends", "exact")
+        self.refuses(table(quadratic(5)), ["too few points", "5 in the plane give 7 equations", "10 unknowns", "at least 8", "--ends exact"],
                      "--degree", "3")
         self.refuses(table([[1.5, 2.5]] * 20), ["all points are equal"])
 
     def test_nothing_free(self):
-        self.refuses(self.GOOD, ["nothing is free", "--free"], "--degree", "1")
+        self.refuses(self.GOOD, ["nothing is free", "--free"], "--degree", "1", "--ends", "exact")
 
     def test_distances_need_a_curve(self):
         path = self.file(self.GOOD)
@@ -433,7 +435,8 @@ class Mistakes(Case):
                 (("--weights-between", "2:3"), ["LOW < 1 < HIGH"]), (("--weights-between", "2"), ["LOW:HIGH"]),
                 (("--starts", "0"), ["--starts"]), (("--tolerance", "0"), ["--tolerance"]),
                 (("--max-iterations", "0"), ["--max-iterations"]), (("--dim", "4"), ["from 2 to 3"]),
-                (("--sigma", "0"), ["> 0"]), (("--frobnicate",), ["frobnicate"]), (("--seed", "-1"), ["--seed"])]:
+                (("--sigma", "0"), ["> 0"]), (("--ends", "free"), ["measured, exact or sliding", "'free'"]),
+                (("--ends", "exact", "--free", "inner,ends"), ["--ends exact", "--free"]), (("--ends", "sliding", "--free", "inner"), ["--ends sliding"]), (("--frobnicate",), ["frobnicate"]), (("--seed", "-1"), ["--seed"])]:
             with self.subTest(options):
                 self.refuses_usage(path, *options, words=words)
 
@@ -475,8 +478,9 @@ class Results(Case):
             self.assertEqual([len(row) for row in d[field]], [n] * n)
         self.assertEqual(d["points"], {"file": str(ARCH), "count": 25, "dimension": 2, "sigma": "column", "format": "table", "notes": []})
         self.assertEqual(len(d["free_directions"]), n - d["rank"])
-        self.assertEqual(d["statistics"]["degrees_of_freedom"], 25 - d["rank"])
-        self.assertEqual([u["name"] for u in d["unknowns"]], ["w1", "P1 x", "P1 y"])
+        self.assertEqual(d["statistics"]["degrees_of_freedom"], 25 + 2 - d["rank"])
+        self.assertEqual([u["name"] for u in d["unknowns"]], ["P0 x", "P0 y", "w1", "P1 x", "P1 y", "P2 x", "P2 y"])
+        self.assertEqual((d["end_points"], d["ends_taken_as_exact"]), ([1, 25], False))
         self.assertEqual((d["verification"]["status"], d["verification"]["strict_minimum"]), ("verified", True))
         self.assertLess(d["verification"]["weight_radius"], d["verification"]["weight_alone"])
         self.assertEqual(self.fit(ARCH, "--no-verify")["verification"], {"status": "not asked"})
@@ -501,7 +505,7 @@ class Results(Case):
 
     def test_the_truth_lies_in_the_intervals(self):
         """The data are made so that it does, as it does 95 times in 100."""
-        w = self.doc["unknowns"][0]
+        w = self.doc["unknowns"][2]
         self.assertTrue(w["low"] < math.cos(math.radians(50)) < w["high"])
         i = self.doc["invariants"][0]
         self.assertAlmostEqual(i["value"], self.doc["curve"]["weights"][1] ** 2, 12)
@@ -578,7 +582,7 @@ class Results(Case):
         self.assertTrue(all(len(line) <= 100 for line in text.splitlines()), text)
         largest = self.doc["distances"]
         for words in ["25 in the plane", "degree 2", "converged", "w1", "P1 x", "95 % interval", "an ellipse", "verified in intervals: a strict local minimum",
-                      f"point {largest['largest_point']} (line {largest['largest_line']})", "3 of 3"]:
+                      f"point {largest['largest_point']} (line {largest['largest_line']})", "7 of 7"]:
             self.assertIn(words, text)
 
     def test_a_loose_tolerance_still_ends_at_orthogonal_feet(self):
@@ -604,7 +608,7 @@ class Fits(Case):
         """The unit of length changes the coordinates, and nothing else."""
         rows = quadratic(30, 0.75, 0.01)
         for unit in 1e-12, 1, 1e12:
-            said = self.text([[unit * x, unit * y] for x, y in rows])
+            said = self.text([[unit * x, unit * y] for x, y in rows], "--ends", "exact")
             for line in ["w1 0.739 0.024 0.691 to 0.791", "I1 0.546 0.036 0.477 to 0.625", "an ellipse at 95 %"]:
                 self.assertIn(line, said)
             numbers = re.search(r"P1 x (\S+) (\S+) (\S+) to (\S+) ", said).groups()
@@ -619,10 +623,10 @@ class Fits(Case):
     def test_far_from_the_origin(self):
         """Points that are exact there too: the same fit, verified, with all digits; and steps of binary64 are said where they are coarse."""
         near = [[round(4096 * x) / 4096, round(4096 * y) / 4096] for x, y in quadratic(60, 0.75, 0.01)]
-        wanted = self.fit(table(near))
+        wanted = self.fit(table(near), "--ends", "exact")
         for shift in 1e6, 1e12:
             rows = [[x + shift, y - shift] for x, y in near]
-            d = self.fit(table(rows))
+            d = self.fit(table(rows), "--ends", "exact")
             v = d["verification"]
             self.assertEqual((v["status"], v["strict_minimum"]), ("verified", True))
             self.assertLessEqual(v["point_radius"], 10 * wanted["verification"]["point_radius"])  # told by decades
@@ -633,7 +637,7 @@ class Fits(Case):
                     c = u["coordinate"]
                     self.assertAlmostEqual(u["from_origin"] + (d["origin"][c] - [shift, -shift][c]), w["value"], 11)
                     self.assertEqual(u["value"], d["origin"][c] + u["from_origin"])
-            said = self.text(rows, "--svg", self.folder / "p.svg")
+            said = self.text(rows, "--ends", "exact", "--svg", self.folder / "p.svg")
             for c, axis in enumerate("xy"):
                 printed = re.search(rf"P1 {axis} (\S+) (\S+) (\S+) to (\S+) ", said).groups()
                 printed = [decimal.Decimal(x) - decimal.Decimal([shift, -shift][c]) for x in (printed[0], *printed[2:])]
@@ -645,8 +649,8 @@ class Fits(Case):
         r = random.Random(5)
         curve = lambda t, w=0.75: [(2 * t * (1 - t) * w + 4 * t * t) / (1 - 2 * t * (1 - t) * (1 - w)), 4 * t * (1 - t) * w / (1 - 2 * t * (1 - t) * (1 - w))]
         rows = [[c + 1e12 + r.gauss(0, 4e-4) for c in curve(i / 2999)] for i in range(3000)]
-        self.assertTrue(self.fit(table(rows))["finer_than_points"])
-        self.assertRegex(self.text(rows), r"Far from 0 .* rounded to steps of 0\.00012, which is more than standard errors")
+        self.assertTrue(self.fit(table(rows), "--ends", "exact")["finer_than_points"])
+        self.assertRegex(self.text(rows, "--ends", "exact"), r"Far from 0 .* rounded to steps of 0\.00012, which is more than standard errors")
         rows = [[c + 1e12 for c in curve(i / 59)] for i in range(60)]
         self.assertTrue(self.fit(table(rows))["points_on_curve"])
 
@@ -675,7 +679,14 @@ class Fits(Case):
             self.assertNotIn(word, said)
 
     def test_ends_of_points_in_no_order(self):
-        self.assertIn("it begins and ends in two of the points", self.text(quadratic(20, 0.75, 0.01), "--unordered"))
+        rows = quadratic(20, 0.75, 0.01)
+        self.assertIn("it begins and ends in two of the points", self.text(rows, "--unordered", "--ends", "exact"))
+        self.assertIn("points 1 and 20 are measurements of its ends", self.text(rows, "--unordered"))
+        mixed = rows[5:] + rows[:5]
+        d, wanted = self.fit(table(mixed), "--unordered"), self.fit(table(rows))
+        self.assertEqual(sorted(d["end_points"]), [15, 16])
+        self.assertAlmostEqual(d["invariants"][0]["value"], wanted["invariants"][0]["value"], 9)
+        self.assertAlmostEqual(d["invariants"][0]["standard_error"], wanted["invariants"][0]["standard_error"], 9)
 
     def test_points_on_a_curve(self):
         for w in 0.3, 1.0, 2.5:
@@ -778,7 +789,7 @@ class Fits(Case):
         self.assertEqual(r.returncode, 1)
         self.assertIn("No statistics", said)
         for word in ("interval ", "standard error ", "Conic ", "Rank ", "Correlations", "AIC", "as good as",
-                     "not determined", "Ends "):
+                     "not determined"):
             self.assertNotIn(word, said)
         return d
 
@@ -803,9 +814,9 @@ class Fits(Case):
         self.assertNotIn("95 % interval ", said)
 
     def test_a_closed_circle_is_not_called_a_conic(self):
-        """Its first and last point are one: the best curve of degree 2 is a line to and fro, with a cusp."""
+        """Its first and last point are one: with exact ends the best curve of degree 2 is a line to and fro, with a cusp."""
         circle = [[math.cos(math.pi * i / 20), math.sin(math.pi * i / 20)] for i in range(40)]
-        said = self.text(circle + circle[:1])
+        said = self.text(circle + circle[:1], "--ends", "exact")
         self.assertNotIn("an ellipse", said)
         self.assertIn("as at a cusp", said)
         self.assertIn("not verified", said)
@@ -820,11 +831,11 @@ class Fits(Case):
 
     def test_free_directions_are_said(self):
         rows = table(quadratic(40, 0.75, 0.01))
-        d = self.fit(rows, "--free", "weights,inner,ends")
+        d = self.fit(rows, "--ends", "sliding")
         self.assertEqual((d["rank"], len(d["unknowns"]), len(d["free_directions"])), (5, 7, 2))
         for v in d["free_directions"]:
             self.assertAlmostEqual(sum(x * x for x in v), 1, 10)
-        text = run("fit", self.file(rows), "--free", "weights,inner,ends").stdout.decode()
+        text = run("fit", self.file(rows), "--ends", "sliding").stdout.decode()
         self.assertIn("5 of 7", text)
         self.assertIn("not determined", text)
 
@@ -837,18 +848,19 @@ class Fits(Case):
     def test_ends_taken_as_exact_are_said(self):
         said = "the first and the last point are taken as exact"
         rows = quadratic(40, 0.75, 0.01)
-        self.assertIn(said, self.text(rows))
-        self.assertIn("--free inner,ends fits", self.text(rows, "--free", "inner"))
-        self.assertTrue(self.fit(table(rows))["ends_taken_as_exact"])
-        for options in ["--free", "weights,inner,ends"], ["--initial", self.start(rows)]:
+        self.assertIn(said, self.text(rows, "--ends", "exact"))
+        self.assertIn("--ends measured", self.text(rows, "--free", "inner"))
+        self.assertTrue(self.fit(table(rows), "--ends", "exact")["ends_taken_as_exact"])
+        self.assertEqual(self.fit(table(rows), "--ends", "exact")["curve"], self.fit(table(rows), "--free", "weights,inner")["curve"])
+        for options in [], ["--ends", "sliding"], ["--initial", self.start(rows), "--free", "weights,inner"]:
             self.assertNotIn(said, self.text(rows, *options))
             self.assertFalse(self.fit(table(rows), *options)["ends_taken_as_exact"])
-        self.assertNotIn(said, self.text([[0, 0], [1, 1], [2, 0]]))
+        self.assertNotIn(said, self.text([[0, 0], [1, 1], [2, 0]], "--ends", "exact"))
 
     def test_ends_are_the_points_to_the_last_bit(self):
         """Working coordinates, here about x = 4, are coarser; the check knows that the curve ends in the points."""
         rows = [[x + 0.05, y] for x, y in quadratic(40, 0.75, 0.01)]
-        d = self.fit(table(rows))
+        d = self.fit(table(rows), "--ends", "exact")
         self.assertEqual([d["curve"]["points"][0], d["curve"]["points"][2]], [rows[0], rows[-1]])
         self.assertEqual(d["verification"]["status"], "verified")
 
@@ -864,8 +876,8 @@ class Fits(Case):
 
     def test_an_undetermined_weight_is_not_called_given(self):
         rows = [[0, 0], [1, 1], [2, 0]]
-        self.assertIn("Conic of a type that the points do not determine", self.text(rows))
-        self.assertEqual(self.fit(table(rows))["conic"]["kind"], "unknown")
+        self.assertIn("Conic of a type that the points do not determine", self.text(rows, "--ends", "exact"))
+        self.assertEqual(self.fit(table(rows), "--ends", "exact")["conic"]["kind"], "unknown")
         self.assertIn("by its given weights", self.text(quadratic(30, 1, 0.01), "--free", "inner"))
 
     def test_no_number_is_infinite(self):
@@ -900,7 +912,7 @@ class Fits(Case):
 
     def test_bounds(self):
         d = self.fit(table(quadratic(40, 0.3, 0.01)), "--weights-between", "1/2:2")
-        w = d["unknowns"][0]
+        w, = [u for u in d["unknowns"] if u["kind"] == "weight"]
         self.assertTrue(w["at_bound"])
         self.assertAlmostEqual(w["value"], 0.5, 12)
         self.assertIsNone(w["standard_error"])
@@ -912,7 +924,7 @@ class Fits(Case):
             rows = quadratic(40, w, 0.01)
             if options:
                 options = options + [self.start(rows)]
-            d = self.fit(table(rows), "--weights-between", "1/2:2", *options)
+            d = self.fit(table(rows), "--weights-between", "1/2:2", *options, *([] if options else ["--ends", "exact"]))
             self.assertAlmostEqual(d["curve"]["weights"][1], bound, 12)
             v = d["verification"]
             self.assertEqual((v["status"], v["strict_minimum"], v["leaving_bounds"], v["bound"]),
@@ -960,7 +972,7 @@ class Fits(Case):
 
     def test_pictures_of_all_kinds(self):
         for text, options in [(table(helix(30, 0.01), names=["x", "y", "z"]), ["--degree", "3"]),
-                              (table(quadratic(3000, 0.75, 0.02)), []), (table(quadratic(3, 0.75)), []),
+                              (table(quadratic(3000, 0.75, 0.02)), []), (table(quadratic(3, 0.75)), ["--ends", "exact"]),
                               (table([[i, 2 * i] for i in range(9)]), []),
                               (table([[5e6 + x, 4e-9 * y] for x, y in quadratic(30)]), []),
                               (table([[x, math.sin(x)] for x in (6 * i / 59 for i in range(60))]),

@@ -13,6 +13,7 @@
  * change of the cost by its rounding allows, sqrt(2 eps cost_condition) `spread`.  An "undetermined" one has its cost alone compared.
  * Where there is no noise, twelve digits of the true weights are asked for besides. */
 #include "core/fit/cagd_fit.h"
+#include "proofs-tests/fit/options.h"
 
 #include <dirent.h>
 #include <float.h>
@@ -94,7 +95,7 @@ static int read_problem(problem *it, const char *folder, const char *name)
         return 0;
     const json_t *given = at(it->file, "options"), *x;
     cagd_fit_options *o = &it->options;
-    *o = cagd_fit_defaults();
+    *o = options_with_exact_ends();
     o->degree = whole(at(given, "degree"));
     o->free = CAGD_FIT_WEIGHTS * listed(at(given, "free"), "weights") +
               CAGD_FIT_INNER_POINTS * listed(at(given, "free"), "inner") +

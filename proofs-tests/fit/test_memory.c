@@ -9,6 +9,7 @@
  * may have called.  So every trial is a process of its own, and such ends are counted; an exception that leaves the library ends a
  * program in another way, and is an error. */
 #include "core/fit/cagd_fit.h"
+#include "proofs-tests/fit/options.h"
 
 #include <limits.h>
 #include <math.h>
@@ -148,7 +149,7 @@ static const struct kind kinds[] = {{"usual", 2, 0, as_usual},       {"all free"
 static cagd_status fit(const struct kind *kind, cagd_fit_result **result)
 {
     cagd_fit_data data = arc(kind->dim, kind->sigma);
-    cagd_fit_options options = cagd_fit_defaults();
+    cagd_fit_options options = options_with_exact_ends();
     kind->change(&options);
     return cagd_fit(&data, &options, result, NULL);
 }

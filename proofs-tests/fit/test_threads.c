@@ -1,6 +1,7 @@
 /* test_threads.c -- several fits at once: in four threads every fit gives the numbers that it gives alone, bit for bit, and
  * nothing is written on standard error.  Built with ThreadSanitizer, which finds what one thread writes and another reads. */
 #include "core/fit/cagd_fit.h"
+#include "proofs-tests/fit/options.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -68,7 +69,7 @@ static cagd_fit_result *fit(const struct kind *kind)
         memcpy(points + i * dim, at, (size_t)dim * sizeof *at);
     }
     cagd_fit_data data = {kind->points, dim, points, NULL};
-    cagd_fit_options options = cagd_fit_defaults();
+    cagd_fit_options options = options_with_exact_ends();
     cagd_fit_result *result;
     kind->change(&options);
     return cagd_fit(&data, &options, &result, NULL) == CAGD_OK ? result : NULL;

@@ -8,6 +8,7 @@
 #include "core/fit/strategy.h"
 #include "core/kernels/kernels_d.h"
 #include "proofs-tests/bench/plain_ceres.h"
+#include "proofs-tests/fit/options.h"
 
 #include <float.h>
 #include <limits.h>
@@ -181,7 +182,7 @@ static void the_model_has_the_second_derivatives(void **state)
             int low = variant / 2;
             cagd_fit_loss loss = variant % 2 ? CAGD_FIT_CAUCHY : CAGD_FIT_SQUARES;
             cagd_fit_data data = sample(curves[k], 43, 0.1, 0.9, 0.05);
-            cagd_fit_options o = cagd_fit_defaults();
+            cagd_fit_options o = options_with_exact_ends();
             fit_problem p;
             int where, n;
             double H[MOST_UNKNOWNS][MOST_UNKNOWNS] = {{0}}, x[MOST_UNKNOWNS], slope[2][MOST_UNKNOWNS], cost,
@@ -272,7 +273,7 @@ static void order_is_kept_for_the_sake_of_what_is_known_best(void **state)
     for (int best = 0; best < 2; best++) {
         double sigma[2] = {best == 0 ? 0.5 : 1, best == 1 ? 0.5 : 1}, t[2], cost;
         cagd_fit_data data = {2, 2, between, sigma};
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         fit_problem p;
         int where;
         o.initial = &u;
@@ -307,7 +308,7 @@ static void vectors_of_any_width_give_the_same(void **state)
     for (int k = 0; k < 18; k++) {
         const int shape = k / 6, rough = k / 3 % 2;
         cagd_fit_data data = sample(curves[shape], N, 0.1, 0.9, shape < 2 ? 0.05 : 0.001);
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         cagd_spline initial = *curves[shape];
         fit_problem p;
         int where, compared = 0;
@@ -389,7 +390,7 @@ static void noise_free_curves_come_back(void **state)
     for (int k = 0; k < 4; k++) {
         const cagd_spline *s = curves[k];
         cagd_fit_data data = sample(s, 60, 0, 1, 0);
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         o.degree = s->degree;
         o.count = s->count;
         o.knots = s->knots;
@@ -408,7 +409,7 @@ static void noise_free_curves_come_back(void **state)
 static void free_ends_slide(void **state)
 {
     cagd_fit_data data = sample(&conic, 50, 0, 1, 0.001);
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     (void)state;
     o.free |= CAGD_FIT_END_POINTS;
     cagd_fit_result *r = fit(&data, &o);
@@ -432,7 +433,7 @@ static void the_plain_formulation_finds_the_same_minimum(void **state)
     (void)state;
     for (int k = 0; k < 3; k++) { /* no foot is at an end */
         cagd_fit_data data = sample(curves[k], 300, 0.02, 0.98, 0.003);
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         o.initial = curves[k];
         cagd_fit_result *fast = fit(&data, &o);
         plain_outcome plain;
@@ -448,7 +449,7 @@ static void the_plain_formulation_finds_the_same_minimum(void **state)
 static void order_does_not_matter_when_there_is_none(void **state)
 {
     cagd_fit_data data = sample(&conic, 101, 0, 1, 0.001);
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     (void)state;
     o.initial = &conic;
     cagd_fit_result *ordered = fit(&data, &o);
@@ -481,7 +482,7 @@ static void order_does_not_matter_when_there_is_none(void **state)
 static void bounds_hold(void **state)
 {
     cagd_fit_data data = sample(&cubic, 60, 0, 1, 0);
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     (void)state;
     o.degree = 3;
     o.weight_high = 1.5;
@@ -503,7 +504,7 @@ static void a_robust_loss_leaves_outliers_out(void **state)
         cagd_fit_data data = sample(&conic, 101, 0, 1, 0.001);
         for (int i = 10; i < 101; i += 20)
             Q[2 * i + 1] += 0.5;
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         cagd_fit_result *squares = fit(&data, &o);
         o.loss = (cagd_fit_loss)loss;
         o.loss_scale = 0.002;
@@ -520,7 +521,7 @@ static void a_robust_loss_leaves_outliers_out(void **state)
 static void place_and_unit_do_not_matter(void **state)
 {
     cagd_fit_data data = sample(&cubic, 80, 0, 1, 0.002);
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     (void)state;
     o.degree = 3;
     cagd_fit_result *here = fit(&data, &o);
@@ -544,7 +545,7 @@ static int is_exact_difference(double x, double c, double d)
 /* Working coordinates lose nothing, however far away the points are, and wherever the nearest of them is. */
 static void working_coordinates_are_exact(void **state)
 {
-    const cagd_fit_options o = cagd_fit_defaults();
+    const cagd_fit_options o = options_with_exact_ends();
     (void)state;
     state_of_noise = 5;
     for (int k = 0; k < 4000; k++) {
@@ -593,7 +594,7 @@ static void shifts_change_nothing(void **state)
             sample(s, N, 0, 1, 0.01);
             for (int m = 0; m < N * dim; m++)
                 near[m] = ldexp(rint(ldexp(Q[m], 12)), -12);
-            cagd_fit_options o = cagd_fit_defaults();
+            cagd_fit_options o = options_with_exact_ends();
             o.degree = s->degree, o.count = s->count, o.knots = s->knots;
             cagd_fit_result *first = NULL;
             for (int j = 0; j < 3; j++) {
@@ -633,7 +634,7 @@ static void shifts_change_nothing(void **state)
 static void the_same_again(void **state)
 {
     cagd_fit_data data = sample(&spline, MOST, 0, 1, 0.01);
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     (void)state;
     o.degree = 3;
     o.count = 6;
@@ -662,7 +663,7 @@ static void random_cubics_come_back(void **state)
             w[m] = exp(noise() * log(4));
         const cagd_spline s = {3, 4, 2, bezier_knots, P, w};
         cagd_fit_data data = sample(&s, POINTS, 0, 1, 0);
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         o.degree = 3;
         cagd_fit_result *r = fit(&data, &o);
         found += r->rms < 1e-10;
@@ -681,7 +682,7 @@ static void the_domain_may_be_any_interval(void **state)
         const double low = k < 4 ? 2 : 0, length = k < 4 ? 5 : 0x1p-30;
         const cagd_spline *s = curves[k % 4];
         cagd_fit_data data = sample(s, 50, 0, 1, 0.01);
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         double knots[16];
         o.degree = s->degree, o.count = s->count, o.knots = s->knots;
         cagd_fit_result *usual = fit(&data, &o);
@@ -709,7 +710,7 @@ static void the_strategy_does_not_change_the_result(void **state)
     for (int many = 0; many < 2; many++)
         for (int given = 0; given < 2; given++) {
             cagd_fit_data data = sample(&cubic, many ? MOST : 70, 0, 1, 0.002);
-            cagd_fit_options o = cagd_fit_defaults();
+            cagd_fit_options o = options_with_exact_ends();
             o.degree = 3;
             o.initial = given ? &cubic : NULL;
             cagd_fit_result *usual = fit(&data, &o), *r;
@@ -763,7 +764,7 @@ static void feet_on_a_given_curve_are_nearest_points(void **state)
         for (int m = 0; m < N * dim; m++)
             Q[m] = (1 + 3 * noise()) * (s == &hairpin && m % 2 == 1 ? 0x1p-6 : 1);
         cagd_fit_data data = {N, dim, Q, NULL};
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         o.free = 0;
         o.initial = s;
         o.starts = 3;
@@ -845,7 +846,7 @@ static void feet_of_points_between_two_parts_are_nearest_points(void **state)
             count += 2;
         }
         cagd_fit_data data = {count, 2, Q, NULL};
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         o.free = 0;
         o.initial = s;
         cagd_fit_result *r = fit(&data, &o);
@@ -865,7 +866,7 @@ static void a_single_point_has_its_distance(void **state)
     double q[] = {1.5, 9}, huge[3];
     cagd_spline point = {2, 3, 2, bezier_knots + 1, equal, NULL}, heavy = ungauged;
     cagd_fit_data data = {1, 2, q, NULL};
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     (void)state;
     o.free = 0;
     o.initial = &ungauged;
@@ -903,7 +904,7 @@ static void refused(const cagd_fit_data *data, const cagd_fit_options *o, cagd_s
 
 static void bad_arguments_are_refused(void **state)
 {
-    const cagd_fit_options good = cagd_fit_defaults();
+    const cagd_fit_options good = options_with_exact_ends();
     const cagd_fit_data data = sample(&conic, 20, 0, 1, 0);
     double sigma[20], points[40];
     (void)state;
@@ -1016,7 +1017,7 @@ static void a_weight_that_goes_to_zero_is_no_minimum(void **state)
         below[2 * i] = x, below[2 * i + 1] = -0.1 * x * (1 - x);
     }
     cagd_fit_data data = {20, 2, below, NULL};
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     cagd_fit_result *r;
     o.initial = &above;
     o.free = CAGD_FIT_WEIGHTS;

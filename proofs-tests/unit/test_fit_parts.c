@@ -1,4 +1,6 @@
 /* test_fit_parts.c -- what a fit is made of, each part against its definition. */
+#include "proofs-tests/fit/options.h"
+
 #include "core/fit/feet.h"
 #include "core/fit/model.h"
 #include "core/fit/order.h"
@@ -38,7 +40,7 @@ static struct made make(const cagd_fit_data *data, const cagd_spline *initial, i
 {
     struct made m;
     int where;
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     o.initial = initial;
     o.free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
     o.unordered = unordered;
@@ -251,7 +253,7 @@ static void the_nearer_of_two_feet_is_found(void **state)
             Q[2 * i + 1] = -0.2 + 0.02 * i;
         }
         cagd_fit_data data = {N, 2, Q, NULL};
-        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_options o = options_with_exact_ends();
         cagd_fit_result *r;
         o.initial = &conic;
         o.free = 0;
@@ -303,7 +305,7 @@ static void the_largest_degree(void **state)
         Q[2 * i] = (i + 0.5) / N, Q[2 * i + 1] = (2 * i + 1.0) / N;
     const cagd_spline line = {DEGREE, DEGREE + 1, 2, k, P, NULL};
     cagd_fit_data data = {N, 2, Q, NULL};
-    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_options o = options_with_exact_ends();
     cagd_fit_result *r;
     o.initial = &line;
     for (int free = 0; free <= CAGD_FIT_END_POINTS; free += CAGD_FIT_END_POINTS) {

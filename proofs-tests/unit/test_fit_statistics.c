@@ -79,7 +79,8 @@ static void conic(double w)
         determined[a] = 1, at_bound[a] = 0;
     data = (cagd_fit_data){N, 2, points, NULL};
     options = (cagd_fit_options){.loss = CAGD_FIT_SQUARES, .loss_scale = 1};
-    result = (cagd_fit_result){.curve = {2, 3, 2, knots, control, weights},
+    result = (cagd_fit_result){.end_points = {-1, -1},
+                               .curve = {2, 3, 2, knots, control, weights},
                                .count = N,
                                .residuals = residuals,
                                .unknowns = 3,
