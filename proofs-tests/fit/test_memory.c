@@ -136,15 +136,31 @@ static void robust(cagd_fit_options *o)
     o->weight_high = 2;
 }
 static void unordered(cagd_fit_options *o) { o->unordered = 1; }
+static void measured_ends(cagd_fit_options *o)
+{
+    o->free |= CAGD_FIT_END_POINTS;
+    o->ends = CAGD_FIT_ENDS_MEASURED;
+}
+static void ends_in_any_order(cagd_fit_options *o)
+{
+    measured_ends(o);
+    o->unordered = 1;
+}
 static void feet_alone(cagd_fit_options *o)
 {
     o->free = 0;
     o->initial = &start;
 }
-static const struct kind kinds[] = {{"usual", 2, 0, as_usual},       {"all free", 2, 1, all_free},
-                                    {"spline", 2, 0, spline},        {"two starts", 2, 1, two_starts},
-                                    {"space", 3, 1, cubic_in_space}, {"robust", 2, 0, robust},
-                                    {"unordered", 2, 0, unordered},  {"feet alone", 2, 1, feet_alone}};
+static const struct kind kinds[] = {{"usual", 2, 0, as_usual},
+                                    {"all free", 2, 1, all_free},
+                                    {"spline", 2, 0, spline},
+                                    {"two starts", 2, 1, two_starts},
+                                    {"space", 3, 1, cubic_in_space},
+                                    {"robust", 2, 0, robust},
+                                    {"unordered", 2, 0, unordered},
+                                    {"feet alone", 2, 1, feet_alone},
+                                    {"measured ends", 2, 1, measured_ends},
+                                    {"ends in any order", 2, 0, ends_in_any_order}};
 
 static cagd_status fit(const struct kind *kind, cagd_fit_result **result)
 {

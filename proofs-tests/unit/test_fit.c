@@ -427,6 +427,49 @@ static void free_ends_slide(void **state)
     cagd_fit_free(r);
 }
 
+/* The curve between measured ends is the one whose ends slide, cut off at the feet of the first and the last point: the
+ * cost and the distances are the same.  The errors of these two along the curve are in the covariance. */
+static void measured_ends_cut_the_curve(void **state)
+{
+    (void)state;
+    for (int space = 0; space < 2; space++)
+        for (int any_order = 0; any_order < 2; any_order++) {
+            const cagd_spline *curve = space ? &in_space : &conic;
+            cagd_fit_data data = sample(curve, 50, 0, 1, 0.001);
+            cagd_fit_options o = cagd_fit_defaults();
+            o.degree = curve->degree;
+            cagd_fit_options slides = o;
+            slides.ends = CAGD_FIT_ENDS_SLIDE;
+            slides.initial = curve;
+            o.unordered = any_order;
+            cagd_fit_result *r = fit(&data, &o), *slid = fit(&data, &slides);
+            const int dim = curve->dim, last = curve->count - 1, turned = r->end_points[0] != 0;
+            assert_int_equal(r->end_points[turned], 0);
+            assert_int_equal(r->end_points[!turned], 49);
+            assert_int_equal(r->rank, r->unknowns);
+            assert_int_equal(r->degrees_of_freedom, 50 * (dim - 1) + 2 - r->rank);
+            assert_true(fabs(r->cost / slid->cost - 1) < 1e-9);
+            assert_true(r->feet[turned ? 49 : 0] == 0 && r->feet[turned ? 0 : 49] == 1);
+            for (int i = 0; i < 50; i++)
+                assert_true(fabs(fabs(r->distances[i]) - fabs(slid->distances[i])) < 1e-9);
+            for (int end = 0; end < 2; end++) { /* orthogonal, though nothing but the minimum says so */
+                int at = end ? last : 0, to = end ? last - 1 : 1, i = r->end_points[end];
+                double along = 0;
+                for (int c = 0; c < dim; c++)
+                    along += r->residuals[i * dim + c] * (r->relative[to * dim + c] - r->relative[at * dim + c]);
+                assert_true(fabs(along) < 1e-10);
+            }
+            for (int k = 0; k < r->unknowns; k++) {
+                double error = sqrt(r->covariance[k * r->unknowns + k]);
+                int end = !r->unknown[k].is_weight && r->unknown[k].index % last == 0;
+                assert_true(!end || (error > 0.0003 && error < 0.003)); /* that of one point, or little less */
+            }
+            assert_true(r->determined[0] && !r->ends_are_exact);
+            cagd_fit_free(r);
+            cagd_fit_free(slid);
+        }
+}
+
 static void the_plain_formulation_finds_the_same_minimum(void **state)
 {
     const cagd_spline *curves[] = {&cubic, &in_space, &spline};
@@ -1046,6 +1089,7 @@ int main(void)
         cmocka_unit_test(vectors_of_any_width_give_the_same),
         cmocka_unit_test(noise_free_curves_come_back),
         cmocka_unit_test(free_ends_slide),
+        cmocka_unit_test(measured_ends_cut_the_curve),
         cmocka_unit_test(the_plain_formulation_finds_the_same_minimum),
         cmocka_unit_test(order_does_not_matter_when_there_is_none),
         cmocka_unit_test(bounds_hold),
