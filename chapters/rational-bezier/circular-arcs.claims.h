@@ -37,6 +37,7 @@ equal units on the axes, as the special coordinates have them.
   $A-C=-\left(\omega^2x_1^2+(1-\omega^2)l^2\right)$
 :method: Identities in $l$, $x_1$, $y_1$, $\omega$ for the kernel's conic of the curve.  For $I_1=\omega^2<1$ the last
   difference is not 0, so that three points on a line satisfy neither condition.
+:over: l
 :control: $l^2-y_1^2$ for $l^2+y_1^2$ in the quotient
 :::
 */
@@ -96,6 +97,8 @@ static num G(scalar)(const num o[], const num a[], const num b[])
 :method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  The
   sides of the chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
 :defines: circular_arc_circle
+:scope: 0 < t < 1
+:over: M# p# q#: points; k: h/l; t: -
 :control: $\omega_2$ doubled
 :::
 */
@@ -143,6 +146,8 @@ CLAIM(arc_and_its_central_angle)
 :method: Identities in $k$, $m$ and $t$; every ratio $l:h$ whose hypotenuse is rational has this form, and for $m$ real
   every ratio has.
 :defines: circular_arc_weights
+:scope: every θ below π/2
+:over: k m: -
 :control: $\cos^2\theta$ for $\cos\theta$
 :::
 */
@@ -189,6 +194,7 @@ For a true triangle $I_1<1$ follows and is not needed; for three points on a lin
 :method: The angle is taken from scalar products of the points.  An identity in $M$, $p$, $q$ and $k$; the kernel depends
   on $h:l$ alone and is given $1$ and $k$, and once more in special coordinates $l$ and $h$.
 :defines: circular_arc_invariant
+:over: M# p# q#: points; k: h/l; l
 :control: the angle at $R_1$ in place of the one at $R_0$
 :::
 */
@@ -247,6 +253,8 @@ CLAIM(base_angle_of_the_triangle)
   curve lies on a circle only if $I_1=\cos^2\theta$
 :method: A rational quadratic touches $R_0R_1$ and $R_1R_2$ in its ends (property 3.2.3), so the triangle of an arc is this
   one up to a motion.  Identities in $r$, $m$ and the weights.
+:scope: every θ below π/2
+:over: r: radius; m: -
 :control: $\cos\theta$ for $\cos^2\theta$ in the bracket
 :::
 */

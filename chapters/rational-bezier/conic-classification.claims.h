@@ -165,6 +165,7 @@ static void G(printed_form)(num l, num x1, num y1, num omega, num S[])
 :given: $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$, the weights $1,\omega,1$, and a point $(x,y)$
 :then: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)$ with the coefficients (3.5.4)
 :method: An identity in $l$, $x_1$, $y_1$, $\omega$, $x$, $y$.
+:over: l
 :control: $C$ without its last term $l^2$
 :::
 */
@@ -227,6 +228,7 @@ CLAIM(determinant_is_not_the_printed_form)
 :then: $S(R^*(u))=0$ for the coefficients (3.5.4), and these are what the three lines of the triangle give
 :method: The point of the curve is put into the form; and the six coefficients are compared with the kernel's, whose
   definition is the resultant.
+:over: l
 :control: $D=\omega^2l^2x_1$ for $D=0$
 :::
 */
@@ -266,6 +268,7 @@ are.  The weights enter this number by the sign of $1-\omega^2$.
 :given: the coefficients (3.5.4) for any $l$, $x_1$, $y_1$, $\omega$
 :then: $AC-B^2=\omega^2l^2y_1^2(1-\omega^2)$, and the $3\times3$ determinant is $-\omega^4l^4y_1^4$
 :method: Identities in the four variables.
+:over: l
 :control: $1-\omega$ for $1-\omega^2$
 :::
 */
@@ -311,6 +314,7 @@ With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for
 :method: Identities in $A$, $B$, $p$, $q$ and $C$ or $e$.  Of the conics with real points that are not degenerate, the
   ellipses, parabolas and hyperbolas are those with no, one and two directions.  For $A=0$ exchange the axes; for $A=C=0$
   the directions are the axes, and $AC-B^2=-B^2<0$.
+:over: A# B# C# e#: conics; p# q#: directions
 :control: $B$ for $2B$ in $f$
 :::
 */
@@ -341,6 +345,8 @@ CLAIM(directions_at_infinity)
 :then: $\frac{4(AC-B^2)}{\omega_1^4d^2}$ is $s>0$, 0, or $\frac{-s}{1+s}<0$
 :method: $\omega_0$, $\omega_1$ and $s$ are variables and $\omega_2$ follows from $I_1$, which is the kernel's invariant of
   the weights; every value of $I_1$ below or above 1 has one $s$.
+:scope: every I_1 > 0
+:over: s: -
 :control: $I_1$ upside down
 :::
 */

@@ -31,6 +31,7 @@ A conic asks for $(A,B,C)\ne(0,0,0)$.  It may be two lines, one line counted twi
 :method: The other side is the formula written out term by term.  For a quadratic polynomial the central difference
   is the derivative, so no derivative is taken.
 :defines: conic_value conic_gradient
+:over: S#: conics; h
 :control: the product $xy$ counted once, not twice
 :::
 */
@@ -59,6 +60,7 @@ CLAIM(conic_value_and_gradient)
   $\begin{pmatrix}A&B&D\\B&C&E\\D&E&F\end{pmatrix}$
 :method: The other side is Bird's algorithm for determinants of any order.
 :defines: conic_delta conic_determinant
+:over: S#: conics
 :control: $E$ taken for $D$ in the last row
 :::
 */
@@ -108,6 +110,7 @@ as $S_1-S_2$, has no $\lambda$.
 :method: $A,\dots,E$ of both conics, both points and $\lambda$ are variables; $F$ is computed so that $(x,y)$ lies on
   both.  Values are sums of terms, not the kernel `conic_value`.
 :defines: conic_pencil
+:over: S# Q#: conics; l: λ; u# v#: points
 :control: the constant term taken from $S_2$ alone
 :::
 */
@@ -139,6 +142,7 @@ CLAIM(pencil_passes_through_common_points)
   and 0 at the others; so a conic through the four points is $AU+CV$, and any two independent ones span them all
 :method: An identity of polynomials in $x$ and $y$, with $S$, $a$ and $b$ variables.  Four points of which no three lie
   on a line are the affine image of such four.
+:over: S#: conics; a# b#: points
 :control: $U$ with $a$ for $a-1$
 :::
 */
@@ -335,6 +339,7 @@ CLAIM(common_points_leave_lambda_free)
 :then: the member of $\lambda$ passes through $P$, and the value at $P$ of the member of $\kappa$ is
   $(\kappa-\lambda)(S_2(P)-S_1(P))$, so no other member does
 :method: Identities in the coefficients of both conics, $P$ and $\kappa$.
+:over: S# Q#: conics; k: κ
 :control: $\lambda=S_1(P)/(S_1(P)+S_2(P))$
 :::
 */
@@ -367,6 +372,7 @@ CLAIM(a_further_point_fixes_lambda)
 :given: conics $S_1$, $S_2$
 :then: $(1-\lambda)S_1+\lambda S_2$ is $S_1$ for $\lambda=0$ and $S_2$ for $\lambda=1$
 :method: The six coefficients, compared in the field.
+:over: S# Q#: conics
 :control: the two ends exchanged
 :::
 */
@@ -400,6 +406,7 @@ CLAIM(pencil_begins_and_ends_with_the_two_conics)
   conic $S$ with $S(x,y)=l_1(x,y)l_2(x,y)$, and its $3\times3$ determinant is 0
 :method: The other sides are a determinant of two vectors and the product of two values, every coefficient a variable.
 :defines: line_through line_pair
+:over: p# q#: points; l#: lines
 :control: the coefficient $B$ doubled
 :::
 */
@@ -449,6 +456,7 @@ common points is now a matter of how the four lines lie.
 :then: $(1-\lambda)l_1l_2+\lambda l_3l_4$ vanishes at the four common points
 :method: The points are computed from the lines by Cramer's rule, all twelve coefficients and $\lambda$ being
   variables.
+:over: l#: lines; k: λ
 :control: the pairs taken as $(l_1,l_3)$ and $(l_2,l_4)$
 :::
 */

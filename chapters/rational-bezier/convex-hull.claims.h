@@ -61,6 +61,8 @@ looked at.  The two ends, where $s$ is $0$ or infinite, are taken by themselves.
 :method: Two equalities of field elements.  As quotients of polynomials in $s$ and the weights the $\lambda_i$ have no negative
   coefficient, so they are not negative where these variables are positive.  A coordinate is any coordinate.
 :degrees: 1..6 sampled 12
+:scope: 0 ≤ t ≤ 1
+:over: s: -
 :control: $\omega_1$ taken with the opposite sign in $\lambda_1$
 :::
 */
@@ -315,6 +317,8 @@ one point at $1$, all the others at $0$.
   $-1$ turns a positive weight into a negative one and $\omega(t)$ positive.  Conversely, weights without opposite signs make
   all shares nonnegative.
 :degrees: 1..6 sampled 12
+:scope: 0 < t < 1
+:over: s v: -
 :control: $\omega_i=v$
 :::
 */

@@ -69,6 +69,8 @@ a variable.
 :method: $\lambda_m=B_m'/B_m=\frac mt-\frac{n-m}{1-t}$ and $B_m''/B_m=\lambda_m'+\lambda_m^2$; the determinant divided by
   $B_iB_jB_k$ is computed in the field with $i$, $j-i$, $k-j$, $n-k$ and $t$ variables; for the sign $t=\frac s{1+s}$.
 :degrees: all
+:scope: all i < j < k; 0 < t < 1
+:over: i p q r s: -
 :control: $t^3(1-t)^3$ taken as $t^2(1-t)^2$
 :::
 */
@@ -145,6 +147,7 @@ polygon whose triangles all turn left has, with positive weights, a curve that a
   of the Bernstein functions on one side and of the homogeneous curve on the other.  That $\omega^3(x'y''-y'x'')$ is
   $\det(P,P',P'')$ is proved with the nine values of $P,P',P''$ as variables, hence for any curve.
 :degrees: 2..5 sampled 8
+:over: v#: -
 :control: the triangle $R_0R_1R_2$ left out
 :::
 */
@@ -187,6 +190,8 @@ three separate parameters says more.
   weights and the points are variables.  The minors by their coefficients, with $t_l=\frac{s_l}{1+s_l}$, $s_1=p_0$, $s_2=s_1+p_1$, $s_3=s_2+p_2$, row $l$
   multiplied by $(1+s_l)^n$.
 :degrees: 2..6
+:scope: 0 < t_1 < t_2 < t_3 < 1
+:over: b# p#: -
 :control: $t_1$ and $t_2$ exchanged in the minors
 :::
 */
@@ -489,6 +494,8 @@ formulas (3.3.1) as they should read, the convergence in the section on subdivis
   quotients of polynomials whose coefficients are not negative.  By Cauchy and Binet the determinants of three of the new
   homogeneous points are sums of the old ones with these minors.
 :degrees: 2..4
+:scope: 0 < λ < 1
+:over: s: -
 :control: the left half run through backwards
 :::
 */

@@ -38,6 +38,7 @@ weights stay, and the value at the vertex takes the place of the coordinate.
 :method: Both sides are one element of the field, with every number a variable.  So the form vanishes on the curve exactly where
   the sum does, $\omega(t)$ being different from $0$; any plane may take the place of $z=0$.
 :degrees: 1..6 sampled 12
+:over: a#: planes
 :control: the constant $d$ left out at the first vertex
 :::
 */
@@ -90,6 +91,7 @@ polynomial, by way of the powers of $t$.
   functions span a space of dimension $n+1$ and are independent.
 :degrees: 1..10 sampled 12
 :defines: bernstein_to_power bernstein_from_power
+:over: b#: coefficients
 :control: the sign $(-1)^{k-i}$ left out
 :::
 */
@@ -229,6 +231,7 @@ The converse needs neither independence nor signs: the form of the plane vanishe
 :method: $z_i=-(ax_i+by_i+d)/c$; the form of the plane, on the curve, is the zero of the field.  Some coordinate has a factor that is
   not $0$ in the equation; that it is $z$ is a matter of names.
 :degrees: 1..6 sampled 12
+:over: a#: planes
 :control: the last vertex lifted by $1$
 :::
 */
@@ -283,6 +286,7 @@ Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points 
 :then: $\det(B_j^n(t_i))=\prod_j\binom nj\prod_{i<j}(t_j-t_i)$, which is not $0$ when the parameters are different
 :method: An identity in the field of the $t_i$; the determinant without division.
 :degrees: 1..4
+:over: t#: parameter values
 :control: the binomial coefficients left out
 :::
 */

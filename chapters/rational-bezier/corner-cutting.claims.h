@@ -135,7 +135,8 @@ have a pole for that.
   that $v$ lies between $p$ and $q$
 :method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive.  By induction on the level all $\omega_i^r$
   are positive, and none is less than the least or more than the largest $\omega_i$.
-:scope: any two neighbouring weights of any level, in every degree
+:scope: any two neighbouring weights of any level, in every degree; 0 < λ < 1
+:over: p# q#: weights; s: -
 :control: the second coefficient with $1-\lambda$ for $\lambda$
 :::
 */
@@ -261,6 +262,7 @@ CLAIM(cut_depends_on_level_edge_and_weights)
   the ratio is one on all edges of level 1 for one $\lambda\in(0,1)$, then $\omega_{i-1}\omega_{i+1}=\omega_i^2$ for
   all $i$.
 :scope: any three neighbouring weights, in every degree
+:over: x# y# z#: weights; q
 :control: $q^3$ for $q^2$
 :::
 */

@@ -40,6 +40,8 @@ fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\la
   with $u=r/(1+r)$, $v=s/(1+s)$ its coefficients are nonnegative.  So
   $\max|\Delta^2b^{[u,v]}|\le(v-u)^2\max|\Delta^2b|$; the ends $0$ and $1$ follow by continuity.
 :degrees: 2..6 sampled 10
+:scope: every interval of [0,1]
+:over: b#: coefficients; r s: -
 :control: $v-u$ for $(v-u)^2$
 :::
 */
@@ -92,6 +94,7 @@ variable, so one computation serves every $n$.
   at the parameters $k/n$, hence so are the polygon, by linear interpolation, and the curve, being $\sum
   B_k^n(t)b_k$ with $\sum B_k^n(t)\frac kn=t$.  Polygon and curve are at most $\frac{n^2}4\max|\Delta^2b|$ apart.
 :degrees: all
+:over: b#: coefficients; n j k g#: -
 :control: $g_j=j(n-k)$ for $j\le k$
 :::
 */
@@ -155,6 +158,7 @@ down to the points of space.
 :method: An identity.  So the distance of the images is at most $(\|P-Q\|+\|Q/v\||w-v|)/w$: with $w$ at least the
   least weight and $Q/v$ in the convex hull of the points, a constant times the distance of the homogeneous points.
 :scope: every degree
+:over: v#: weights
 :control: $P/w$ for $Q/v$ on the right
 :::
 */
@@ -234,6 +238,7 @@ cuts every piece is not enough, if the ratios may change.  And the weights have 
   y2)-(\frac12+\frac y2)=\frac{y(1-2y)}4$, whose right side is nonnegative for $0<y\le\frac14$ ($y=1/(4+s)$,
   $s\ge0$), give the bound by induction.  The piece over $[u,u+h]$ is computed with $u$ and $h$ variable.
 :scope: every number of steps
+:over: s: -; u h: interval
 :control: $\lambda_k=\frac12$ in the step
 :::
 */
@@ -264,6 +269,7 @@ CLAIM(crowded_cuts_do_not_converge)
 :then: $\omega(t)=0$ at $t=p/(p+q)$, which is in $(0,1)$: no sequence of bounded polygons converges there
 :method: Computed as rational functions of $p$ and $q$.
 :scope: n = 1
+:over: p# q#: weights
 :control: the weight $+q$
 :::
 */

@@ -51,6 +51,7 @@ static inline void G(free_weights)(trial *T, int n, num w[])
 :method: Each map is computed on variables and undone by the other arithmetic operation, written out here.
 :degrees: 1..6 sampled 12
 :defines: rational_homogenize rational_dehomogenize
+:over: H#: points; h#: weights
 :control: two neighbouring weights exchanged
 :::
 */
@@ -93,6 +94,7 @@ CLAIM(homogeneous_points_carry_their_weight)
   their absolute values
 :method: Both are one element of the field of rational functions of $t$, $c$, the weights and the points; $c$ is any number.
 :degrees: 1..6 sampled 12
+:over: c: factor
 :control: the last weight left without the factor
 :::
 */
@@ -372,6 +374,8 @@ From here on the source has $\omega_i>0$, and so have we: where a statement need
 :method: As a quotient of polynomials in $s$ and the weights, $1/\omega(t)$ has positive coefficients only; it is
   therefore positive where all variables are, and so is $\omega(t)$.
 :degrees: 1..8 sampled 16
+:scope: 0 ≤ t ≤ 1
+:over: s: -
 :control: the sum taken with the opposite sign
 :::
 */
@@ -474,6 +478,8 @@ for each $t$ by itself.  Where the denominator is negative, before and after, th
 :method: The equality is one of field elements; $1/q$ and $1/(1-q)$ have positive coefficients only, so both are positive
   for all positive values of $s$, $\delta$ and the weights.  A coordinate is any coordinate.
 :degrees: 1..6 sampled 12
+:scope: 0 < t < 1
+:over: d: δ; s: -
 :control: the weight of the next point grows instead
 :::
 */
@@ -508,6 +514,8 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
 :method: The first is an equality in the field; the second is computed at $\varepsilon=0$, where the denominator is
   $B_i^n(t)>0$, so that the quotient is continuous there and its value is the limit for $\omega_i\to\infty$.
 :degrees: 1..6 sampled 12
+:scope: 0 < t < 1
+:over: e: ε; s: -
 :control: the limit taken at the next point
 :::
 */
@@ -619,6 +627,7 @@ that follow.
 :then: $R(t)=\sum_iB_i^n(t)R_i$
 :method: Both sides are one element of the field; the right one is written out from the definition.
 :degrees: 1..8 sampled 16
+:over: v#: weights
 :control: the last weight doubled
 :::
 */
@@ -668,6 +677,7 @@ Geometric invariance is the case of a change of rectangular coordinates.
 :method: Both sides are one element of the field of rational functions of everything given.  An affine map of space, of
   any rank and into any space, is a list of such $f$, one for each coordinate of the image.
 :degrees: 1..6 sampled 12
+:over: a# d#: affine maps
 :control: $d$ added to the homogeneous points $\omega_iR_i$ without its factor $\omega_i$
 :::
 */

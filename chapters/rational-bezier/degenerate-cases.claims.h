@@ -168,6 +168,7 @@ $1-t$ none, so that $B_i^n$ gets $\alpha^i$.  The sum of all $B_i^n(t)$ is $1$, 
 :method: Both sides are rational functions of $\alpha$, $u$ and the points.  The left side is computed as a
   polynomial curve.
 :degrees: 1..8 sampled 16
+:over: alpha
 :control: the weights $\alpha^{n-i}$
 :::
 */
@@ -197,6 +198,7 @@ CLAIM(geometric_weights_reparametrize_bezier)
   $\alpha$; by induction on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum
   B_i^n(u)\alpha^i$.  Outside the field $n$ and $i$ are random integers, and the result is compared term by term.
 :degrees: all
+:over: alpha; i; n: -
 :control: $\alpha^2$ for $\alpha$
 :::
 */
@@ -235,7 +237,8 @@ CLAIM(geometric_weights_term_by_term)
 :given: $\alpha>0$, $0<u<1$
 :then: $t(0)=0$, $t(1)=1$, and $dt/du>0$
 :method: With $u=s/(1+s)$ the derivative has positive coefficients only.
-:scope: all α > 0
+:scope: 0 ≤ u ≤ 1
+:over: alpha; u s: -
 :control: the sign of the derivative reversed
 :::
 */
@@ -262,6 +265,7 @@ from $0$ to $1$ any more: it goes to infinity on the way.
 :then: $u_0=1/(1+\beta)$ is in $(0,1)$, and $\sum B_i^n(u_0)\alpha^i=0$, while $t$ has a pole there
 :method: $u_0$ and $1-u_0$ have positive coefficients only; the sum is the zero function of $\beta$.
 :degrees: 1..6 sampled 12
+:over: beta: -α
 :control: $\alpha=+\beta$
 :::
 */

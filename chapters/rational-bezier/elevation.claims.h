@@ -58,6 +58,7 @@ the products $\omega_iR_i$.
   Summed with factors $b_i$ the line says $\sum_ib_iB_i^n=\sum_i\hat b_iB_i^{n+1}$ with
   $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$; with $b_i=\omega_i$ and $b_i=\omega_iR_i$ that is formula (3.2.7).
 :degrees: all
+:over: i; k c u: -
 :control: $(i+1)/(n+1)$ taken as $i/(n+1)$
 :::
 */
@@ -253,6 +254,7 @@ common linear factor.  If both are to stay as polynomials, the new coefficients 
   the Bernstein basis of degree $n+1$; that way back is unique.  Applied to the $\omega_i$ and to the $\omega_iR_i$ apart
   this is formula (3.2.8), and (3.2.9) multiplied by its denominator.
 :degrees: 1..10 sampled 12
+:over: b#: coefficients
 :control: the first of the $n+2$ numbers left out and the others moved up
 :::
 */
@@ -283,6 +285,7 @@ CLAIM(elevation_through_the_power_basis)
 :then: $\hat\omega_0=\omega_0$, $\hat R_0=R_0$, $\hat\omega_{n+1}=\omega_n$, $\hat R_{n+1}=R_n$
 :method: Formulas (3.2.8) and (3.2.9) at $i=0$ and $i=n+1$, with $n$, the weights and the points variables.
 :degrees: all
+:over: n: -; v#: weights; S#: points
 :control: $n+1$ taken as $n+2$ in the ratios
 :::
 */
@@ -328,6 +331,7 @@ corner $R_i$.
   polynomials all of whose coefficients are positive; so they are positive for all positive values, in every degree.
   Hence, by induction, all weights of all later polygons are positive, and between the least and the largest of the first.
 :degrees: all
+:over: i; k: -; v#: weights; S#: points
 :control: $\omega_{i-1}$ taken for $\omega_i$ in the numerator of $b$
 :::
 */
@@ -414,6 +418,7 @@ large weight $\omega_{i-1}$ draws the new vertex towards $R_{i-1}$; how far, the
 :method: Identities in the field with $i$, $k$, $\omega'$, $\omega$ and the increments variables; the differences have only
   positive coefficients.
 :degrees: all
+:over: i; k: -; v#: weights; d: increment
 :control: $\omega$ and $\omega'$ exchanged in the difference from $i/(n+1)$
 :::
 */
@@ -470,6 +475,7 @@ them are.
   quotient times $\binom mp$ or $\binom{n+m}i$, by the definition with factorials.  $N=n+m$, $i$, $m$, $p$ are variables.
   The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves.
 :degrees: all
+:over: i; r p q b c: -
 :control: $\frac i{n+m+1}$ taken as $\frac i{n+m}$
 :::
 */
@@ -574,6 +580,7 @@ First the coefficients of a power of $t$ in degree $N$.  They are written down a
   are variables, $i\ge1$; for $i=0$ both sides have the only factor $\binom0k$, which is compared too.  Outside the field
   $i$, $k$ and $N$ are random integers, and a true power, elevated by the kernel, is compared as well.
 :degrees: all
+:over: i; k; r c: -
 :control: $i-k$ taken as $i-k+1$
 :::
 */
@@ -621,6 +628,7 @@ CLAIM(powers_in_every_degree)
   \frac{(\hat P-P)-\frac P\omega(\hat\omega-\omega)}{\hat\omega}$, and $\hat\omega\ge\min\omega_j$ because every elevated weight is
   a mean of earlier ones.  Between the vertices the polygon is as near, since $R$ has a bounded derivative.
 :degrees: all
+:over: A# B#: points; a b: -; w# we#: weights; p r l j q: -
 :control: $N(N-l)$ in (1) taken as $N^2$
 :::
 */
@@ -663,6 +671,7 @@ better power of $N$ can be had in general.
 :method: The coefficients of $t$ and $t^2$ in degree $N$ are $\frac iN$ and $\frac{i(i-1)}{N(N-1)}$ by `powers_in_every_degree`; $i$ and $N$
   are variables.
 :degrees: all
+:over: i; r: -
 :control: $N-1$ taken as $N$
 :::
 */

@@ -32,6 +32,7 @@ derivatives of $R$ only.
 :then: $R'=(P'-\omega'R)/\omega$, $R''=(P''-\omega''R-2\omega'R')/\omega$, $R'''=(P'''-\omega'''R-3\omega''R'-3\omega'R'')/\omega$
 :method: The formulas at a point depend on the values of $P,\omega$ and their three derivatives there only, so cubic polynomials with free coefficients stand
   for all functions.  In the field their quotient is differentiated formally; elsewhere it is divided as a power series.
+:over: p# w#: derivatives; t: -
 :control: $\omega'$ for $\omega''$ in $R''$, as printed
 :::
 */
@@ -263,6 +264,7 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 :method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$; numerator and denominator are divided as power series, with $n$ a variable of
   the field.  What does not exist for $n<3$ has a factor $0$.  A coordinate is any coordinate.
 :degrees: all
+:over: n: -; a0: points; a#: edges
 :control: $-\omega_1$ for $-2\omega_1$ in $f_1$
 :::
 */
@@ -364,6 +366,7 @@ Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
 :method: Equality in the field in which $n$, the weights, the coordinates, the products and $f_1,g_1,g_2$ are variables.  The area $|a_1\times a_2|^2$ is
   $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.  By reversal (property 3.2.2) the same holds at $t=1$.
 :degrees: all
+:over: n: -; x# y# z#: edges; f# g# p q r: -
 :control: the factor $(n-1)/n$ in the torsion
 :::
 */

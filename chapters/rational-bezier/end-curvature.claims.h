@@ -63,6 +63,7 @@ static inline void G(by_arc_length)(int dim, const G(series) R[], num *curvature
 :method: The definitions are expanded at the point as Taylor polynomials; both sides are one element of the field of rational functions of the
   coordinates of $R',R'',R'''$.  Differentiating $\kappa B=R_s\times R_{ss}$ gives $-N\cdot B_s=-(R_s\times R_{ss})_s\cdot R_{ss}/\kappa^2$.
 :defines: curvature_squared torsion
+:over: u# v# w#: derivatives
 :control: the two last derivatives exchanged
 :::
 */
@@ -100,6 +101,7 @@ and so in any dimension.
   $\det(a,b,c)$; Gram's determinant is $|a|^2|b|^2-(a\cdot b)^2$, in space $|a\times b|^2$
 :method: Determinants are written out as sums over permutations; equality in the field of the coordinates.
 :defines: dot norm_squared cross2 cross3 det3 gram
+:over: a# b# c#: vectors
 :control: one sign of the sum over permutations of three
 :::
 */
@@ -158,6 +160,7 @@ absolute value, as the norms in (3.2.5) show.
 :then: the signed curvature times $|R'|$ is $\theta'$; the curvature is its absolute value
 :method: Equality in the field, the curvature compared by its square; in the other arithmetics it is also not negative.
 :defines: signed_curvature curvature
+:over: p# q# x# y#: derivatives
 :control: the factor $1/(1+m^2)$ left out
 :::
 */

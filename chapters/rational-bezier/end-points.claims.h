@@ -388,6 +388,7 @@ the derivatives of low order are rational functions of $n$, too, and $n$ itself 
   the points that do not exist do not matter.
 :degrees: all
 :scope: k and h from 1 to 5
+:over: n: -
 :control: $\binom{n-1}j$ for $\binom nj$ in the numerator
 :::
 */

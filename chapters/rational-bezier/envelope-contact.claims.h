@@ -55,6 +55,7 @@ space as well as in the plane; `curvature_of_the_member` computes both curvature
 :method: The left side by the polar form, $p_k$ as the derivative of order $k$ of the curve at $c$ divided by
   $n!/(n-k)!$.  For every $n$: expand $(c+h)^{n-r}$ in the symmetric form.
 :degrees: 1..6 sampled 12
+:over: H#: points; c; h
 :control: $\binom nk$ in the place of $\binom{n-r}k$
 :::
 */
@@ -90,6 +91,7 @@ CLAIM(expansion_about_the_contact)
 :method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
   plane and in space.  The ratio is less than 1 because $(n-r)(n-1)-n(n-r-1)=r$.
 :degrees: all
+:over: n: -; m: r; p# X# Y#: vectors; mu: -
 :control: the ratio $\frac{n-r-1}{n-1}$
 :::
 */
@@ -146,6 +148,7 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
   exactly $k-1$.
 :degrees: all
 :scope: orders k = 2 to 6
+:over: m j: -; r
 :control: $n-1$ in the place of $n$ in the products
 :::
 */
@@ -215,6 +218,7 @@ which the second is smaller than the square.
 :then: $\frac{n!}{(n-k)!}\,\partial_t^kR^{[n-r]}(c,c)=\frac{(n-r)!}{(n-r-k)!}\,R^{(k)}(c)$
 :method: The member by the recursion, the derivatives by those of Bézier curves; one coordinate.
 :degrees: 1..6 sampled 12
+:over: c
 :control: the factors left out
 :::
 */
@@ -248,6 +252,7 @@ CLAIM(unweighted_derivatives_are_parallel)
 :method: The member's points and weights by the recursion (3.3.2), (3.3.3); one coordinate.  The factors are not 0, so
   $P,\dots,P^{(k)}$ and the member's derivatives span the same spaces, and the flats of $R$ in them are the same.
 :degrees: 1..6 sampled 10
+:over: c
 :control: the weights of the member taken as 1
 :::
 */

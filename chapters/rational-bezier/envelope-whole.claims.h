@@ -56,6 +56,7 @@ coefficients comes out as a factor.
   derivatives
 :then: $\det(X_t,X_c)=\det(P,P_t,P_c)/P_3^3$
 :method: The quotient rule gives $X_t$ and $X_c$; nine variables stand for the three vectors.
+:over: Pt# Pc#: derivatives
 :control: the power $P_3^2$
 :::
 */
@@ -86,6 +87,7 @@ CLAIM(envelope_condition_of_points)
   Bézier curves that $P$ is in $t$ and in $c$.  For every $n$ it is the product rule for a form that is symmetric and
   of degree one in each argument.
 :degrees: 2..6 sampled 12
+:over: H#: points; c
 :control: the factor $r$ in the place of $n-r$
 :::
 */
@@ -137,6 +139,7 @@ CLAIM(polar_derivatives)
 :method: An identity between polynomials in 13 variables, $n$ and $r$ among them.  With the derivatives of the member
   in the place of the three columns it is the factorization of the envelope condition.
 :degrees: all
+:over: n: -; r; c; a# b# d#: vectors
 :control: $t+c$ in the place of $t-c$
 :::
 */
@@ -419,6 +422,7 @@ CLAIM(triangle_has_one_envelope)
 :method: Four identities in the field; the first needs one coordinate.  So for $\omega>0$ the zeros of $w_1$ are the
   points where $R'\times R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
 :degrees: 2..6 sampled 12
+:over: H#: points; a# b# d#: vectors
 :control: the factor $n^2$ in the place of $n(n-1)$
 :::
 */
@@ -482,6 +486,8 @@ CLAIM(inflections_give_the_other_envelopes)
   $w_r\ne0$.  For every $n$ the minors are Schur polynomials by Jacobi and Trudi, which have no negative
   coefficient.
 :degrees: 2..6 sampled 9
+:scope: 0 < c < 1; 0 < t < 1
+:over: s v: -
 :control: $\beta$ from $(1-c-cz)^{r-1}(1-t-tz)^{n-r-1}$
 :::
 */

@@ -45,6 +45,7 @@ The indices are in range: level $r$ has the indices $r,\dots,n$.
 :method: The left side runs the recursion (3.3.2), (3.3.3), which divides by weights, and then sums; the right side
   evaluates the polar form of the homogeneous points.  A coordinate is any coordinate, so one suffices.
 :degrees: 1..6 sampled 10
+:over: c
 :control: one argument $c$ of the polar form replaced by $t$
 :::
 */
@@ -141,6 +142,7 @@ The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
 :method: Both sides, with the recursion for the member, are one element of the field of rational functions of $c$, the
   weights and the points.  Where $R'(c)\ne0$ both curves have that direction as tangent.
 :degrees: 2..6 sampled 10
+:over: c
 :control: the factor $(n-r)/n$ left out
 :::
 */
@@ -215,6 +217,7 @@ it, and for $n=1$ nothing is left.
 :then: $R^{[n]}(t,c)=R(t)$ and $R^{[0]}(t,c)=R(c)$
 :method: Recursion for the left sides, the formula of the curve for the right sides.
 :degrees: 1..6 sampled 10
+:over: c
 :control: level $n-1$ in the place of level $n$
 :::
 */

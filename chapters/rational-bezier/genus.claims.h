@@ -79,6 +79,7 @@ makes a conic of it.  For cubics the other direction is within reach as well.
   With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a double point.
 :degrees: 2..6 sampled 12
 :scope: larger $n$ by the argument $F(x,tx)=x^{n-1}(f_{n-1}(1,t)+xf_n(1,t))$ alone
+:over: a# b#: coefficients
 :control: the sign of $x$
 :::
 */
@@ -124,6 +125,7 @@ CLAIM(curve_with_a_large_point_is_rational)
   map is not real; the conics through the three points and a simple real point still meet the quartic in
   $8-6-1=1$ further point each, and these run through it.
 :scope: n = 4
+:over: c#: coefficients
 :control: a term $x^4$ added, with which $(1:0:0)$ is no point of the curve
 :::
 */
@@ -162,6 +164,7 @@ CLAIM(quartic_with_three_double_points_is_rational)
   exactly for $q=0$, when $1+ct$ divides $A$, $B$ and $W$ and the curve is a conic.  For $s=s'$ the divided minors
   say that $P$ and $P'$ are parallel there: a cusp.  So $d+s=1$, $g=0$, for $n=3$.
 :scope: n = 3
+:over: a# b# c#: coefficients
 :control: the sign of the middle coefficient of $q$
 :::
 */

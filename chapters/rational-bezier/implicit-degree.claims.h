@@ -33,6 +33,7 @@ is exactly $n$, or $F$ is 0 everywhere.
 :method: The terms with $xy$ cancel.  The entries of Bézout's matrix are sums of such differences, the matrix has
   $n$ rows, so its determinant has degree at most $n$; for every $n$ and all weights.
 :scope: any two pairs of entries, in every degree
+:over: p# q#: weights; x# y#: points; x; y
 :control: $a_ib_j+a_jb_i$
 :::
 */
@@ -58,6 +59,7 @@ CLAIM(bezout_entries_are_linear)
   determinants are equal up to the sign $(-1)^{n(n-1)/2}$ of the reversal.
 :degrees: 1..6 sampled 12
 :scope: larger $n$ by argument: both sides have the entries $\sum_{m\le n-1-i}(a_mb_{n+j-i-m}-b_ma_{n+j-i-m})$
+:over: a# b#: coefficients
 :control: $A_2$ and $B_2$ exchanged
 :::
 */
@@ -97,6 +99,7 @@ CLAIM(bezout_matrix_comes_from_the_blocks)
 :method: Both determinants without division, all numbers variables.
 :degrees: 1..4 sampled 8
 :scope: larger $n$ by the argument of `bezout_matrix_comes_from_the_blocks`
+:over: x# y#: points; x; y
 :control: the sign $(-1)^{n(n+1)/2}$
 :::
 */
@@ -170,6 +173,7 @@ static void G(operate)(int n, const num O[], const num a[], const num b[], int s
 :method: The operations are carried out on the matrix of (3.4.1), the recursion on the entries; all entries are
   compared. An operation of this kind does not change a determinant.
 :degrees: 1..6 sampled 8
+:over: x# y#: points; x; y
 :control: $\Omega_i$ as printed, 0 beyond $n$
 :::
 */
@@ -318,6 +322,7 @@ The variables stand in $n$ columns, in degree one: a product of one entry from e
 :method: The recursion is run for both values.  $f_i^{[1]}=\binom ni\omega_i(x_i-x_0)$, and later levels are
   combinations of such numbers.
 :degrees: 1..6 sampled 10
+:over: x#: points; x; x'
 :control: level 0 included
 :::
 */
@@ -347,6 +352,7 @@ CLAIM(changed_entries_are_constants)
 :then: the two matrices after the operations differ only in the entries $(k,k)$ and $(n+k,k)$, which are $a_0$ and $b_0$
 :method: The operations are carried out on both matrices; all other entries are compared.
 :degrees: 1..6 sampled 8
+:over: x# y#: points; x; y; x'; y'
 :control: the last of the $n$ steps left out
 :::
 */

@@ -48,6 +48,7 @@ The implicit equation that the theorem speaks of is $F(x,y)=0$; the display give
   is shared but the points.
 :defines: implicit_coefficients implicit_value
 :degrees: 1..3
+:over: x# y#: points; x; y
 :control: the rows of the $a_i$ shifted once less
 :::
 */
@@ -99,6 +100,7 @@ $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the val
 :then: $t-a=\frac{b-a}{u+1}\ge0$, $b-t=\frac{u(b-a)}{u+1}\ge0$, $\frac{b-t}{t-a}=u$; and for $a<t\le b$, $t=b-ls$,
   the number $u=\frac{b-t}{t-a}\ge0$ is mapped back to $t$
 :method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $(0,1)$.
+:over: a; l: b - a; u; s: -
 :control: $t=(bu+a)/(u+1)$
 :::
 */
@@ -225,6 +227,7 @@ Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ a
 :method: An identity in $x$ and $u$, with $X$ by de Casteljau's algorithm.  $W(u)-\omega_n$ has no negative coefficient.
   So for $u\ge0$ the sum vanishes if and only if $x=X(u)$; for $y$ the same.
 :degrees: 1..6 sampled 12
+:over: x#: points; x; u
 :control: the binomial coefficients left out of the $a_i$
 :::
 */
@@ -570,6 +573,7 @@ is drawn in `implicit_shadow`.
   $\operatorname{Res}(p,q+\lambda p)=\operatorname{Res}(p,q)$ and
   $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :degrees: 1..4 sampled 8
+:over: A# B# W#: coefficients; x; y; z
 :control: $yB-xA$ in the second resultant
 :::
 */
@@ -719,6 +723,7 @@ without anybody noticing, as it lies outside the half line.
 :then: the matrix of (3.4.1) maps $(\rho^{2n-1},\dots,\rho,1)$ to 0, or has a first column of zeros
 :method: The three polynomials are multiplied out from $u-\rho$ and three free cofactors; everything is a variable.
 :degrees: 1..6 sampled 10
+:over: a# b# c#: coefficients; rho; x; y
 :control: the zero of $B$ moved to $\rho+1$
 :::
 */

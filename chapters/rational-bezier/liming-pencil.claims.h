@@ -41,6 +41,7 @@ $(1-\lambda)l_2(R_0)$ times that of $l_1$ is left.
   a true triangle it is not zero, and the tangents are $l_1$ and $l_2$
 :method: Identities in the six coordinates, $\lambda$ and the point.
 :defines: conic_liming
+:over: k: λ
 :control: $l_3^2$ replaced by $l_1l_3$
 :::
 */
@@ -89,6 +90,7 @@ is the same.
   gradient has no component along $l_1$ in $R_0$ and none along $l_2$ in $R_2$, all $c_i$ being 0, is a combination
   of $l_3^2$ and $l_1l_2$
 :method: An identity of polynomials in $x$ and $y$ with the six coefficients of $S$ variables.
+:over: S#: conics
 :control: $B-A$ replaced by $B$
 :::
 */
@@ -119,6 +121,7 @@ CLAIM(conics_touching_two_lines_are_limings)
   and $l_3^2$
 :method: Identities in $\lambda$, $x$, $y$ and the six coefficients of $S$.  An affine map takes any two parallel lines,
   and a third that cuts them, to these.
+:over: S#: conics; k: λ
 :control: $c_3+c_4$ for $c_3-c_4$
 :::
 */
@@ -265,6 +268,7 @@ CLAIM(limings_pencil_misses_one_conic)
 :let: $x=\frac{(R-R_1)\times(R_2-R_1)}d$, $y=\frac{(R_0-R_1)\times(R-R_1)}d$ with $d=(R_0-R_1)\times(R_2-R_1)$
 :then: $R=R_1+x(R_0-R_1)+y(R_2-R_1)$; and from the point with given $x$ and $y$ the formulas give these back
 :method: Identities in the coordinates of the four points, $x$ and $y$.
+:over: u# v#: coordinates
 :control: $x$ and $y$ exchanged
 :::
 */
@@ -344,6 +348,7 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
 :then: at $R=R_1+x(R_0-R_1)+y(R_2-R_1)$ the value of $(1-\lambda)l_1l_2+\lambda l_3^2$ is
   $-d^2\bigl((1-\lambda)xy-\lambda(x+y-1)^2\bigr)$ with $d=(R_0-R_1)\times(R_2-R_1)$
 :method: An identity in the coordinates of the triangle, $x$, $y$ and $\lambda$.
+:over: k: λ
 :control: the plus sign
 :::
 */
@@ -376,6 +381,7 @@ The two signs in (3.1.4) are two ways to number the same conics.  One of them al
   factors $\mu\pm\nu$ have the sum $2\mu$ and the difference $2\nu$, so they are not both 0 unless the conic is $0=0$
 :method: An identity in $x$, $y$, $\lambda$, $c_1$, $c_2$, $c_3$.  Where $\mu+\sigma\nu=0$, one conic for each
   sign, the other sign serves.
+:over: k: λ; c#: factors of the lines
 :control: $\lambda'=\lambda$
 :::
 */
@@ -486,6 +492,7 @@ the minus sign and $\lambda=-\frac13$ with the plus sign.
   $xy-\kappa\bigl(xy-\sigma(x+y-1)^2\bigr)$, so no other $\kappa$ fits, and a point of the curve with
   $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$; at $R$ the two signs have the two $\lambda$ that are listed
 :method: Identities in $x$, $y$, $\kappa$, for both signs; and the same at $R$.
+:over: k: κ
 :control: $\sigma$ of the other sign in $\lambda$
 :::
 */
@@ -565,6 +572,8 @@ $\lambda:(1-\lambda)=xy:(x+y-1)^2$.
 :let: $\lambda=\frac{xy}{xy+(x+y-1)^2}$, the one of the conic with the minus sign through the point
 :then: $\lambda=\frac{ab}{1+ab}$ and $1-\lambda=\frac1{1+ab}$, both positive
 :method: Identities in $a$ and $b$; every point with $x>0$, $y>0$, $x+y<1$ has this form.
+:scope: points inside the triangle
+:over: a b: -
 :control: the plus sign
 :::
 */

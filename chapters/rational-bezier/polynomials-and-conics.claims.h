@@ -59,6 +59,7 @@ definite: it vanishes for $p=q=0$ only.
   every point a variable.  If an arc of a curve of degree $n\ge1$, $(p,q)\ne(0,0)$, lay on the ellipse,
   $S(x(t),y(t))$ would be zero for infinitely many $t$, hence as a polynomial, and so would be this coefficient.
 :degrees: 1..6 sampled 12
+:over: S#: conics
 :control: the product $xy$ counted once, not twice
 :::
 */
@@ -98,6 +99,7 @@ stands in the way.
   $\xi\eta=1$, taken in their true degrees, the product of the leading coefficients is not zero; so $j+n=0$, and
   the curve is a point.  The product is formed in Bernstein form, every coefficient a variable.
 :degrees: 1..6 sampled 12
+:over: x# y#: coefficients
 :control: the leading coefficient of the product taken in degree $j+n-1$
 :::
 */
@@ -127,6 +129,7 @@ CLAIM(hyperbola_carries_no_polynomial_arc)
 :then: the Bézier curve with the points $(a,a^2),(\frac{a+b}2,ab),(b,b^2)$ runs through it: $x=(1-t)a+tb$, $y=x^2$
 :method: An identity in $a$, $b$ and $t$; every parabola is an affine image of $y=x^2$, and Bézier curves go along
   with affine maps.
+:over: a; b
 :control: the middle point at the middle of the chord
 :::
 */
@@ -226,6 +229,7 @@ CLAIM(rational_form_contains_the_polynomial_one)
   `conics_touching_two_lines_are_limings` these are all conics that touch $R_1R_0$ in $R_0$ and $R_1R_2$ in
   $R_2$, apart from the two lines and the double line; and about any point of an ellipse, parabola or
   hyperbola there are two such tangents that meet.
+:over: m: μ; k: ν
 :control: the last weight $-2\nu/\mu$
 :::
 */

@@ -124,6 +124,7 @@ static void G(ratios_at)(const num w[], num t, int without_weight, num g[])
 :let: $c=\frac{\omega_0\omega_2}{\omega_1^2}$ and $t_g=\frac{\omega_0}{\omega_0+\omega_1g}$
 :then: $g_1g_2=c$; $0<t_g<1$, and at $t_g$ the ratios are $g$ and $c/g$; from $g=g_1(t)$ follows $t_g=t$
 :method: Identities in the weights, $t$ and $g$; $t_g$ and $1-t_g$ have positive coefficients.
+:over: g
 :control: $\omega_1$ left out of $g_2$
 :::
 */
@@ -231,6 +232,8 @@ Bernstein polynomials of degree 2 before the weights, and at $t=0$ and $t=1$ it 
 :method: Identities in the weights, one coordinate of the points, and $t$; the coordinates of the frame are
   those of the curve with $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$; inside means that these two and $1-x-y$ are quotients
   with positive coefficients in $\frac t{1-t}$ and the weights.
+:scope: 0 ≤ t ≤ 1
+:over: t: -
 :control: 1 for 2 before $R_1$
 :::
 */
@@ -320,6 +323,8 @@ constant could be seen.
 :then: $R^*(u)=R(t)$; $t$ grows from 0 to 1 with $u$: $0\le t\le1$, and $u=\frac t{t+k(1-t)}$
 :method: Identities in $\omega_0,\omega_1,\omega_2,\omega_0^*,\omega_1^*$, from which $\omega_2^*$ follows, one coordinate
   of the points, and $u$; $t$ and $1-t$ have positive coefficients.
+:scope: 0 < u < 1
+:over: v#: weights; u: -
 :control: $k$ upside down
 :::
 */

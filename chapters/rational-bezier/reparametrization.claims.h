@@ -50,6 +50,8 @@ static num G(old_parameter)(num a, num b, num u)
 :then: $t=0,1$ for $u=0,1$; $0<t<1$; $dt/du>0$; and $u=bt/(bt+a(1-t))$
 :method: With $u=s/(1+s)$, $s>0$, numerators and denominators of $t$, $1-t$ and $dt/du$ have positive coefficients
   only; the inverse is an identity of rational functions.
+:scope: 0 ≤ u ≤ 1
+:over: a; b; u s: -
 :control: the sign of the derivative reversed
 :::
 */
@@ -85,6 +87,7 @@ choice, $a/b$.
 :method: $t(0)=0$ says $\beta=0$, and then $t(1)=1$ says $\gamma=\alpha-\delta$; with these the two fractions are one
   rational function of $\alpha,\delta,u$.
 :scope: all projective maps that fix 0 and 1
+:over: alpha; delta: δ
 :control: $t(1)=1$ solved as $\gamma=\alpha+\delta$
 :::
 */
@@ -123,6 +126,7 @@ denominator $D^n$, which cancels in the quotient.  So the points stay, and the w
   Bernstein polynomials are independent, the first equality determines every $\omega_i'$.
 :degrees: 1..6 sampled 12
 :defines: rational_reparametrize
+:over: a; b
 :control: $a$ and $b$ exchanged in the weights
 :::
 */
@@ -154,6 +158,7 @@ CLAIM(fractional_change_keeps_curve)
   Multiply by $\omega_i$ or $\omega_iR_i$ and add.  Outside the field $n$ and $i$ are random integers, and both this
   result and the quotient of the binomial coefficients are compared with true ones.
 :degrees: all
+:over: a; b; i; n: -
 :control: $b/a$ for $a/b$
 :::
 */
@@ -317,6 +322,7 @@ one.
   $a/b=q$ as positive numbers have one positive root; so nothing but rational functions is left, and both sides are
   one.
 :degrees: 1..6 sampled 10
+:over: v#: weights
 :control: the last weight $\omega_n^*$ doubled
 :::
 */
@@ -438,6 +444,7 @@ True for all weights but $0$, of any sign.
 :method: The equality is one of rational functions.  For all $i$ together it says that the ratios have one common
   quotient $q$, so that $r_i=r_0q^i$.
 :scope: any three neighbouring weights of any degree
+:over: r#: ratios
 :control: $r_i$ for $r_i^2$
 :::
 */
@@ -477,6 +484,7 @@ From $q^n=(a/b)^n$ the source concludes $q=a/b$.  That is a statement on positiv
   $\omega_n^{*}/\omega_n=(\omega_0^{*}/\omega_0)q^n$ and (3.2.11) follows $q^n=(a/b)^n$; all ratios of positive
   weights are positive, so $q=a/b$.
 :degrees: 1..8 sampled 16
+:over: p; q
 :control: the signs in $S$ alternate
 :::
 */
@@ -549,6 +557,7 @@ CLAIM(quotient_is_lost_up_to_sign)
 :method: Every positive geometric sequence of ratios has this form, with $\beta=\sqrt[n]r$.  The roots are taken in
   the field of rational functions, where they are the positive ones $\alpha$ and $\beta$.
 :degrees: 1..8 sampled 10
+:over: alpha: a; beta: b
 :control: $\omega_n^*$ for $\omega_0^*$ in $b$
 :::
 */
@@ -582,6 +591,7 @@ source uses it for $n=2$.
   $\rho=\sqrt[n]{\omega_n/\omega_0}$ may be any positive number.
 :degrees: 1..6 sampled 10
 :defines: rational_standard_form
+:over: rho
 :control: $\rho$ for $1/\rho$
 :::
 */
@@ -625,6 +635,7 @@ Of the definition this much is sure: the numbers belong to points and weights up
 :then: $(a^ib^{n-i}\omega_i)_i$ has the same quotients $I_1,\dots,I_{n-1}$ as $(\omega_i)_i$
 :method: Both are computed as rational functions of the weights, $a$ and $b$.
 :degrees: 2..8 sampled 16
+:over: a; b
 :control: $\omega_1$ of the new weights doubled
 :::
 */

@@ -24,6 +24,7 @@ an algorithm without division, and the other side of its comparison is the sum o
 :method: The sum is taken over all permutations, column by column, in every arithmetic.
 :defines: determinant
 :degrees: 1..5 sampled 6
+:over: m#: entries
 :control: two columns of the sum exchanged
 :::
 */
@@ -51,6 +52,7 @@ CLAIM(determinant_is_the_sum_over_permutations)
 :method: With $z$ a variable the products determine every entry.  The polynomials are evaluated by Horner's rule.
 :defines: sylvester
 :degrees: 1..6 sampled 8
+:over: a# b#: coefficients; z
 :control: $a$ and $b$ exchanged on the right side
 :::
 */
@@ -87,6 +89,7 @@ the entries are the coefficients of the quotient.
 :method: With $x$ and $y$ variables the identity determines every entry.
 :defines: bezout
 :degrees: 1..6 sampled 10
+:over: a# b#: coefficients; x; y
 :control: $x+y$ in the place of $x-y$
 :::
 */
@@ -122,6 +125,7 @@ coefficients arise.
 :method: The coefficients are multiplied out from the roots, which are variables.
 :defines: resultant bezout_resultant
 :degrees: 1..4 sampled 7
+:over: a# b#: leading coefficients; p# q#: roots
 :control: the power $a_0^m$
 :::
 */

@@ -154,6 +154,7 @@ closes up so smoothly has no room for independent first edges.
   planes, of the two curves agree: these are the relations given.  In each case the determinant is the zero
   polynomial in what is left free.
 :degrees: 2..5
+:over: a#: edges; c d e: -
 :control: the relation $a_1+\dots+a_n=0$ left out
 :::
 */
@@ -198,6 +199,7 @@ How much of the hypotheses is needed?  For $n=3$ the curvatures alone give both 
   that of its curve at least $2$.  The end curvatures then give $I_1$ and $I_2$: no condition on three edges is
   needed.
 :scope: n = 3
+:over: a#: edges; c: -
 :control: $a_3=c\,a_1$ left out
 :::
 */
@@ -228,6 +230,7 @@ quadratic in disguise, with weights in which a number $c$ is free.
   points.  For $m=2$ the points are in a plane, the first and the last three not collinear when $P$ is a triangle;
   for $m=3$ the first and the last three edges are independent when $P$ is a tetrahedron.
 :scope: n = 3 on a line, n = 5 in a plane, n = 7 in space
+:over: c
 :control: the weight $\omega_n$ doubled
 :::
 */

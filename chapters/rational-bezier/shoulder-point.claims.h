@@ -33,6 +33,7 @@ for $\omega_0=\omega_2$.
   $\frac1{1+\omega}\frac{R_0+R_2}2+\frac\omega{1+\omega}R_1$
 :method: Identities in $a$, $\omega_1$, $c$ and the six coordinates; every pair of positive outer weights is reached.
 :defines: conic_standard_weight conic_shoulder_point
+:over: a# c#: weights
 :control: the point at $\frac12$ of the curve itself
 :::
 */
@@ -235,6 +236,7 @@ standard ones.
 :then: $\|R_sM\|^2=I_1\|R_1R_s\|^2$
 :method: The point is taken on the curve (3.1.5) itself; an identity in the six coordinates, $a$, $\omega_1$ and $c$.  Both
   ratios are positive, so that $\omega=\sqrt{I_1}$, and $\omega<1$, $=1$, $>1$ with $I_1$.
+:over: a# c#: weights
 :control: $I_1$ upside down
 :::
 */

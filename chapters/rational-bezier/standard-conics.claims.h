@@ -26,6 +26,7 @@ and gives them simple weights, by a change of the parameter.
 :then: $R_0$ and $R_2$ have the coordinates $(\mp l,0)$, and distances and the determinant of two differences are those
   of the plane
 :method: All are multiplied by $l$ or $l^2$, so that no root is taken; identities in $M$, $p$, $q$, $P$, $Q$.
+:over: p# q# M#: points
 :control: $Y$ with $p$ and $q$ exchanged
 :::
 */
@@ -102,6 +103,7 @@ static num G(fraction_of)(num a, num c, num u)
   $\omega^2=\omega_1^2/(\omega_0\omega_2)$
 :method: The weights are $\omega_0=a^2$, $\omega_1$ and $\omega_2=c^2$ with $a,c>0$ variables, so every pair of positive
   weights is reached; identities in these, one coordinate of the points, and $u$.
+:over: a# c#: weights
 :control: $a$ and $c$ exchanged in $t$
 :::
 */
@@ -216,6 +218,8 @@ points, so it also serves where they lie on a line and the theorem says nothing.
 :let: $t=\frac{au}{au+c(1-u)}$
 :then: $0\le t\le1$, and $u=\frac{ct}{ct+a(1-t)}$; $t=0$ at $u=0$ and $t=1$ at $u=1$
 :method: $t$ and $1-t$ have positive coefficients in $a$, $c$ and $\frac u{1-u}$; the rest are identities.
+:scope: 0 ≤ u ≤ 1
+:over: a# c#: weights; u: -
 :control: $a$ for $c$ in the inverse
 :::
 */

@@ -221,6 +221,7 @@ static void G(compare_with_the_part)(trial *T, int right)
 :method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne a$ and
   $t$ is of the given form.
 :degrees: 1..6 sampled 12
+:over: a h: interval; x: t
 :control: the basis argument $(t-a)/(b-a)$ on both sides
 :::
 */
@@ -235,6 +236,7 @@ CLAIM(subdivision_left_half) { G(compare_with_the_part)(T, 0); }
 :method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne b$ and
   $t$ is of the given form.
 :degrees: 1..6 sampled 12
+:over: a h: interval; x: t
 :control: the basis argument $(t-a)/(b-a)$ on both sides
 :::
 */

@@ -35,6 +35,7 @@ Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where th
 :then: $S(P+hd)=S(P)+h^2(AS_y^2-2BS_xS_y+CS_x^2)$: there is no term in $h$, so for $S(P)=0$ the line $P+hd$ meets the
   conic twice in $P$; its points $(X,Y)$ satisfy $Y-y=-\frac{S_x}{S_y}(X-x)$
 :method: Identities in the coefficients, $x$, $y$ and $h$.
+:over: S#: conics; h
 :control: $d=(S_y,S_x)$
 :::
 */
@@ -61,6 +62,8 @@ CLAIM(tangent_meets_the_conic_doubly)
 :then: $S_y\ge(1-\lambda)x>0$ and $S_x\ge(1-\lambda)y>0$
 :method: $S_y-(1-\lambda)x$ and $S_x-(1-\lambda)y$ have numerators and denominators with coefficients of one sign in
   $a$, $b$ and $\frac\lambda{1-\lambda}$.
+:scope: points inside the triangle; 0 < λ < 1
+:over: a b k: -
 :control: the plus sign
 :::
 */
@@ -299,6 +302,8 @@ CLAIM(end_has_but_one_ratio)
 :method: The conic is formed from the lines of the triangle in the plane's own coordinates, its tangent
   intersected with the sides there, and the squared distances are taken; all six coordinates and $a$, $b$ are
   variables.  $\|R_1A\|$ and $\|R_0A\|$ are measured on one line, so their ratio is that of the frame.
+:scope: points inside the triangle
+:over: a b: -
 :control: the tangent of the conic with half the $\lambda$
 :::
 */
@@ -568,6 +573,8 @@ CLAIM(product_of_ratios_is_constant)
 :method: The point is $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ with $a>0$ a variable and $b=\frac\lambda{(1-\lambda)a}$,
   which is where the curve meets the line $y:x=b:a$; the ratios come from the tangent.  The product has coefficients of
   one sign in $\frac\lambda{1-\lambda}$.
+:scope: points inside the triangle; 0 < λ < 1
+:over: a k: -
 :control: the plus sign
 :::
 */

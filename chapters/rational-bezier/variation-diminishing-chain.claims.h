@@ -35,6 +35,7 @@ from those of the vertices with the same weights.  So the signs of the $y_i$ and
 :then: $a\,x(t)+b\,y(t)+c=\sum_iB_i^n(t)\omega_i(ax_i+by_i+c)/\omega(t)$
 :method: Both sides are one element of the field, with every number a variable.
 :degrees: 1..6 sampled 12
+:over: a b c: line
 :control: the constant $c$ left out at the last vertex
 :::
 */
@@ -84,6 +85,8 @@ denominator to be positive, for where $\omega(t)$ changes its sign so does $y(t)
 :method: With $t=s/(1+s)$ and $s$ and the weights variables, $\omega(t)$ is a quotient of polynomials with positive coefficients;
   the equation is an identity in the field.
 :degrees: 1..8 sampled 12
+:scope: 0 < t < 1
+:over: s: -
 :control: the last value taken without its weight in the numerator
 :::
 */
@@ -196,6 +199,7 @@ CLAIM(end_on_the_line_is_no_interior_root)
 :then: $\sum_iB_i^n(t)b_i=(1-t)^n\sum_i\binom niS^ib_i$, $S=t/(1-t)$
 :method: The left side by de Casteljau's algorithm, the right side by Horner's rule in $S$; one element of the field.
 :degrees: 1..10 sampled 12
+:over: b#: coefficients
 :control: $(1-t)^{n-1}$ taken for $(1-t)^n$
 :::
 */
@@ -237,6 +241,8 @@ no root is lost and none counted twice.
 :then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
 :method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
 :degrees: all
+:scope: 0 < t < t' < 1
+:over: p q: -; s
 :control: $(1-t)^2$ taken for $(1-t')(1-t)$
 :::
 */
