@@ -1,0 +1,504 @@
+/*
+# Every degree at once (任意次数)
+
+Most formulas of this chapter are linear in the coefficients of a Bernstein sum $\sum B_i^n(t)b_i$, once for the denominator,
+$b_i=\omega_i$, and once for the numerator, $b_i=\omega_iR_i$.  Such a formula holds for all $b_0,\dots,b_n$ when it holds
+for $b_i=Z^i$ with a variable $Z$, because the powers $1,Z,\dots,Z^n$ are linearly independent.  And for these the
+sum is a power,
+
+$$\sum_{i=0}^nB_i^n(t)Z^i=(1-t+tZ)^n=D(t)^n,\qquad D(t)=1-t+tZ,$$
+
+so that a formula for every $n$ becomes one for the factor $D$, in which no $n$ is left.
+*/
+#include "chapters/judge/elementary.h"
+
+#include "chapters/judge/claims_on.h"
+
+/* D(t) = 1 - t + t Z */
+static inline num G(factor_at)(num t, num Z) { return add(sub(from_int(1), t), mul(t, Z)); }
+
+/*
+:::{claim} bernstein_sum_of_powers_is_a_power
+:title: With geometric coefficients the Bernstein sum is a power, in every degree
+:zh: 系数成等比数列时 Bernstein 和是一个幂
+:given: $n\ge0$, any $t$ and $Z$
+:then: $\sum_{i=0}^nB_i^n(t)Z^i=(1-t+tZ)^n$
+:method: Induction on $n$: multiplied by $1-t+tZ$ the sum of degree $n$ has at $Z^i$ the factor
+  $(1-t)B_i^n(t)+tB_{i-1}^n(t)$, which must be $B_i^{n+1}(t)$.  With $C(n,i)=c$ and $k=n+1-i$ the definition by factorials
+  gives $C(n,i-1)=c\frac ik$ and $C(n+1,i)=c\frac{i+k}k$; $i$, $k$, $c$, $t$ and $t^{i-1}(1-t)^{k-1}=u$ are variables.  For
+  $i=0$ and $i=n+1$ there is one term on either side.  Outside the field $i$ and $k$ are random integers, the binomial
+  coefficients are compared with true ones, and the sum is computed by de Casteljau's algorithm as well.
+:degrees: all
+:over: i k c u: -; t
+:control: $i+1$ for $i$ in $C(n,i-1)$
+:::
+*/
+CLAIM(bernstein_sum_of_powers_is_a_power)
+{
+    num one = from_int(1), t = parameter(T, "t"), u = unknown(T, "u", 0), rest = sub(one, t);
+#if FIELD
+    num i = whole(T, "i", 1, 5), k = whole(T, "k", 1, 5), c = unknown(T, "c", 0);
+#else
+    int index = pick(T, 1, 5), last = pick(T, 1, 5), n = index + last - 1;
+    num i = from_int(index), k = from_int(last), c = from_int(binomial(n, index));
+#endif
+    num before = div(mul(c, fault(T, i, add(i, one))), k), next = div(mul(c, add(i, k)), k);
+#if !FIELD
+    about(T, "binomial coefficients");
+    same(T, before, from_int(binomial(n, index - 1)));
+    same(T, next, from_int(binomial(n + 1, index)));
+#endif
+    about(T, "from one degree to the next");
+    /* (1-t) B_i^n + t B_{i-1}^n = B_i^{n+1} */
+    num here = mul(c, mul(t, u)), there = mul(before, mul(rest, u));
+    same(T, add(mul(rest, here), mul(t, there)), mul(next, mul(mul(t, rest), u)));
+#if !FIELD
+    num Z = unknown(T, "Z", 0), b[MAX_DEGREE + 1], value;
+    for (int j = 0; j <= n; j++)
+        b[j] = G(power)(Z, j);
+    G(bezier_casteljau)(n, 1, b, t, &value);
+    about(T, "the sum and the power");
+    same(T, value, G(power)(G(factor_at)(t, Z), n));
+#endif
+}
+
+/*
+:::{claim} change_of_parameter_acts_on_one_factor
+:title: What a change of the parameter does to a Bernstein sum, in every degree
+:zh: 参数变换对 Bernstein 和的作用(任意次数)
+:given: $D(t)=1-t+tZ$, any $Z$, $t$, $a$, $b$, $u$
+:then: (1) $D(1-t)=Z\,(1-t+\frac tZ)$; (2) $D(t)=(1-t)(1+sZ)$ with $s=\frac t{1-t}$; (3) $D(t)=\frac{u+Z}{u+1}$ with
+  $t=\frac1{1+u}$; (4) $D(t)=\frac{b(1-u)+auZ}{b(1-u)+au}$ with $t=\frac{au}{au+b(1-u)}$; (5) $D(t)=1$ for $Z=1$;
+  (6) $D(t)=1+t(Z-1)$
+:method: Raised to the power $n$ and read as Bernstein sums of $b_i=Z^i$ these are, for every $n$: (1) reversed coefficients
+  give the sum at $1-t$; (2) $\sum B_i^n(t)b_i=(1-t)^n\sum\binom nis^ib_i$; (3) $(1+u)^n\sum B_i^n(t)b_i=\sum\binom
+  niu^{n-i}b_i$; (4) the sum at $t$ is that of $a^ib^{n-i}b_i$ at $u$, divided by the $n$-th power of the denominator; (5)
+  $\sum B_i^n(t)=1$; (6) $\sum B_i^n(t)b_i=\sum\binom nj\Delta^jb_0\,t^j$.  That a Bernstein sum, or by the same rule of
+  Pascal any sum with binomial coefficients, of the powers of $Z$ is a power, is `bernstein_sum_of_powers_is_a_power`.
+:degrees: all
+:over: Z a b u: -; t
+:control: $a$ and $b$ exchanged in the new coefficients of (4)
+:::
+*/
+CLAIM(change_of_parameter_acts_on_one_factor)
+{
+    num one = from_int(1), Z = positive(T, "Z", 0), t = parameter(T, "t"), u = parameter(T, "u");
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), rest = sub(one, t), D = G(factor_at)(t, Z);
+    about(T, "reversed coefficients");
+    same(T, G(factor_at)(rest, Z), mul(Z, add(rest, div(t, Z))));
+    about(T, "powers of t/(1-t)");
+    same(T, D, mul(rest, add(one, mul(div(t, rest), Z))));
+    about(T, "powers of u, t = 1/(1+u)");
+    same(T, G(factor_at)(div(one, add(one, u)), Z), div(add(u, Z), add(u, one)));
+    about(T, "a fractional linear change");
+    num left = mul(fault(T, b, a), sub(one, u)), right = mul(fault(T, a, b), u);
+    num old_rest = mul(b, sub(one, u)), share = mul(a, u), below = add(share, old_rest);
+    same(T, G(factor_at)(div(share, below), Z), div(add(left, mul(right, Z)), below));
+    about(T, "equal coefficients");
+    same(T, G(factor_at)(t, one), one);
+    about(T, "powers of t");
+    same(T, D, add(one, mul(t, sub(Z, one))));
+}
+
+/*
+:::{claim} triangle_of_powers_consists_of_powers
+:title: The triangle of de Casteljau and the two parts of a cut, in every degree
+:zh: 割角三角阵列与离散(任意次数)
+:given: $b_i=Z^i$, any $Z$, $\lambda$, $x$; an interval $[a,a+h]$
+:then: (1) $(1-\lambda)U+\lambda ZU=D(\lambda)U$, so level $r$ of the triangle is $b_i^r=Z^{i-r}D(\lambda)^r$; (2)
+  $1-x+xD(\lambda)=D(\lambda x)$; (3) $(1-x)D(\lambda)+xZ=D(\lambda+x(1-\lambda))$; (4) with $c=a+\lambda h$ these
+  arguments of $D$ are $\frac{t-a}h$ for $t=a+x(c-a)$ and for $t=c+x(a+h-c)$
+:method: (1) is the step of an induction on $r$.  To the power $n$ (2) is $\sum B_i^n(x)b_i^i=\sum B_i^n(\lambda x)b_i$, the left
+  part, and (3) is $\sum B_i^n(x)b_n^{n-i}=\sum B_i^n(\lambda+x(1-\lambda))b_i$, the right one, for every $n$, by
+  `bernstein_sum_of_powers_is_a_power`; by the same claim $b_i^r=\sum_kB_k^r(\lambda)b_{i-r+k}$, $b_n^n$ is the point of the
+  parameter $\lambda$, and $\sum_iB_i^{n-r}(t)b_{i+r}^r=D(t)^{n-r}D(\lambda)^r$.  Outside the field the triangle of a random
+  degree is computed by the kernel that cuts.
+:degrees: all
+:over: Z U: -; lambda; a h: interval; x: t
+:control: $D(\lambda)$ for $D(\lambda x)$ in (2)
+:::
+*/
+CLAIM(triangle_of_powers_consists_of_powers)
+{
+    num one = from_int(1), Z = unknown(T, "Z", 0), U = unknown(T, "U", 0), lambda = parameter(T, "lambda");
+    num x = parameter(T, "x"), a = unknown(T, "a", 0), h = positive(T, "h", 0), D = G(factor_at)(lambda, Z);
+    num left = mul(lambda, x), right = add(lambda, mul(x, sub(one, lambda)));
+    about(T, "one step of the recursion");
+    same(T, add(mul(sub(one, lambda), U), mul(lambda, mul(Z, U))), mul(D, U));
+    about(T, "the left part");
+    same(T, add(sub(one, x), mul(x, D)), G(factor_at)(fault(T, left, lambda), Z));
+    about(T, "the right part");
+    same(T, add(mul(sub(one, x), D), mul(x, Z)), G(factor_at)(right, Z));
+    about(T, "the parameters");
+    num b = add(a, h), c = add(a, mul(lambda, h));
+    same(T, div(sub(add(a, mul(x, sub(c, a))), a), h), left);
+    same(T, div(sub(add(c, mul(x, sub(b, c))), a), h), right);
+#if !FIELD
+    int n = pick(T, 1, 8);
+    num power[MAX_DEGREE + 1], first[MAX_DEGREE + 1], second[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++)
+        power[i] = G(power)(Z, i);
+    G(bezier_split)(n, 1, power, lambda, first, second);
+    about(T, "the two sides of the triangle");
+    for (int i = 0; i <= n; i++) {
+        same(T, first[i], G(power)(D, i));
+        same(T, second[i], mul(power[i], G(power)(D, n - i)));
+    }
+#endif
+}
+
+/*
+:::{claim} members_are_flatter_powers
+:title: The members of the family and the curve at the contact, in every degree and for every level
+:zh: 曲线族成员在切触处的导数(任意次数、任意层)
+:given: $b_i=Z^i$, $m,r\ge1$, $n=m+r$, the member $D(c)^rD(t)^m$, any $Z$, $c$, $t$, $h$; numbers $N$, $N'$, $W\ne0$, $W'$
+:let: $\delta=Z-1$, which is $D'(t)$; $U=D(c)^{r-1}D(t)^{m-1}$
+:then: (1) $D(c+h)=D(c)+h\delta$; (2) the derivatives of the member by $t$ and by $c$ are $m\delta\,D(c)U$ and
+  $r\delta\,D(t)U$; (3) if numerator and denominator of a quotient have $\frac mnN'$ and $\frac mnW'$ for derivatives, the
+  quotient has $\frac mn$ times the derivative that belongs to $N'$ and $W'$
+:method: In the field the factors are differentiated formally, with $D(c)^{r-1}D(t)^{m-1}$ a variable and the rule
+  $(D^m)'=mD^{m-1}D'$.  At $t=c$ the member is $D(c)^n$, as the curve is, and its derivative $m\delta D(c)^{n-1}$ is $\frac
+  mn$ of that of the curve; by (3) so is the derivative of the quotient.  By (1) and the binomial theorem the member at $c+h$
+  is $\sum_k\binom mkh^k\delta^kD(c)^{n-k}$, with the same $\delta^kD(c)^{n-k}=p(c^{n-k},\delta^k)$ for every $m$.
+:degrees: all
+:over: Z U N# W# m: -; r; c; t; h
+:control: $m$ for $\frac mn$ in (3)
+:::
+*/
+CLAIM(members_are_flatter_powers)
+{
+    num one = from_int(1), Z = unknown(T, "Z", 0), U = unknown(T, "U", 0), c = parameter(T, "c"), t = parameter(T, "t");
+    num h = unknown(T, "h", 0), m = whole(T, "m", 1, 6), r = whole(T, "r", 1, 6), n = add(m, r), delta = sub(Z, one);
+    num at_c = G(factor_at)(c, Z), at_t = G(factor_at)(t, Z);
+    about(T, "the factor at c + h");
+    same(T, G(factor_at)(add(c, h), Z), add(at_c, mul(h, delta)));
+    about(T, "the derivatives of the member");
+#if FIELD
+    num by_t = derivative_f(at_t, t), by_c = derivative_f(at_c, c);
+#else
+    num by_t = delta, by_c = delta;
+#endif
+    /* (D(t)^m)' D(c)^r and D(t)^m (D(c)^r)', divided by U */
+    same(T, mul(mul(m, by_t), mul(at_c, U)), mul(mul(m, delta), mul(at_c, U)));
+    same(T, mul(mul(r, by_c), mul(at_t, U)), mul(mul(r, delta), mul(at_t, U)));
+    about(T, "the derivative of a quotient");
+    num N = unknown(T, "N", 0), N1 = unknown(T, "N", 1), W = positive(T, "W", 0), W1 = unknown(T, "W", 1);
+    num share = div(m, n), slope = div(sub(mul(N1, W), mul(N, W1)), mul(W, W));
+    num member = div(sub(mul(mul(share, N1), W), mul(N, mul(share, W1))), mul(W, W));
+    same(T, member, mul(fault(T, share, m), slope));
+}
+
+/*
+## Means
+
+What is not linear in the products $\omega_iR_i$ is a property of the mean, and means are made of means: of a mean $M$ of weight
+$W$ and one more point $R$ of weight $c$ comes the mean $\frac{WM+cR}{W+c}$ of weight $W+c$.  The number of terms is then the
+number of steps.
+
+:::{claim} mean_grows_by_one_term
+:title: Means of any number of points: affine maps, a common factor, the sum of the shares
+:zh: 任意多个点的加权平均: 仿射变换与公因子
+:given: a point $M$ of weight $W$, a point $R$ of space of weight $c$, $W+c\ne0$; $f(x,y,z)=a_0x+a_1y+a_2z+d$; a factor $k\ne0$
+:let: $M'=\frac{WM+cR}{W+c}$
+:then: $f(M')=\frac{Wf(M)+cf(R)}{W+c}$; the weights $kW$ and $kc$ give the same $M'$; $\frac W{W+c}+\frac c{W+c}=1$
+:method: Each is the step of an induction on the number of terms, and trivial for one term.  So for every $n$ and all weights with
+  $\omega(t)\ne0$, the terms being $B_i^n(t)\omega_i$: an affine map of the points maps the curve, and $\omega(t)f(R(t))=\sum
+  B_i^n(t)\omega_if(R_i)$; a common factor of the weights does not matter; the shares have the sum 1.  The order of the terms does
+  not matter, so that no partial sum need be 0.
+:degrees: all
+:over: W# c#: weights; M# R#: points; a# d#: affine maps; k: factor
+:control: $d$ added without its factor to $cR$
+:::
+*/
+CLAIM(mean_grows_by_one_term)
+{
+    num W = positive(T, "W", 0), c = positive(T, "c", 0), k = positive(T, "k", 0), d = unknown(T, "d", 0);
+    num total = add(W, c), image = d, of_mean = d, of_point = d;
+    for (int j = 0; j < 3; j++) {
+        num M = unknown(T, "M", j), R = unknown(T, "R", j), a = unknown(T, "a", j);
+        num mean = div(add(mul(W, M), mul(c, R)), total);
+        about(T, "a common factor");
+        same(T, div(add(mul(mul(k, W), M), mul(mul(k, c), R)), add(mul(k, W), mul(k, c))), mean);
+        image = add(image, mul(a, mean));
+        of_mean = add(of_mean, mul(a, M));
+        of_point = add(of_point, mul(a, R));
+    }
+    about(T, "the image of the mean");
+    num wanted = add(mul(W, of_mean), mul(c, of_point));
+    wanted = fault(T, wanted, add(sub(wanted, mul(c, d)), d));
+    same(T, image, div(wanted, total));
+    about(T, "the shares");
+    same(T, add(div(W, total), div(c, total)), from_int(1));
+}
+
+/*
+:::{claim} positive_terms_make_a_convex_mean
+:title: With positive weights a Bernstein sum is positive and the mean is convex, in every degree
+:zh: 正权时 Bernstein 和为正, 平均为凸组合(任意次数)
+:given: $0<t<1$; a term $v>0$; positive weights $W$ and $c$
+:then: $tv>0$ and $(1-t)v>0$; a sum of two positive numbers is positive; $\frac W{W+c}>0$ and $\frac c{W+c}>0$
+:method: The steps of inductions.  $\binom ni>0$ by Pascal's rule and $t^i(1-t)^{n-i}>0$, one factor after the other, so
+  $B_i^n(t)>0$ for $0<t<1$; at $t=0$ and $t=1$ one of them is 1 and the others are 0.  So with positive weights $\omega(t)>0$ on
+  $[0,1]$, and the share of every point is not negative: $R(t)$ is a convex combination of the points.  With $t=\frac s{1+s}$ all
+  are quotients of polynomials with coefficients of one sign.
+:degrees: all
+:scope: 0 ≤ t ≤ 1
+:over: W# c#: weights; s v: -
+:control: $t-1$ for $1-t$
+:::
+*/
+CLAIM(positive_terms_make_a_convex_mean)
+{
+    num one = from_int(1), t = inside(T, "s"), v = positive(T, "v", 0), W = positive(T, "W", 0), c = positive(T, "c", 0);
+    num rest = fault(T, sub(one, t), sub(t, one)), total = add(W, c);
+    about(T, "one more factor");
+    G(must_be_positive)(T, mul(t, v));
+    G(must_be_positive)(T, mul(rest, v));
+    about(T, "one more term");
+    G(must_be_positive)(T, total);
+    G(must_be_positive)(T, div(W, total));
+    G(must_be_positive)(T, div(c, total));
+}
+
+/*
+:::{claim} more_weight_moves_a_mean_to_its_point
+:title: One weight grows: the mean moves straight to its point, and in the limit it is there
+:zh: 一权增大时平均沿直线移向该点, 极限为该点
+:given: a mean $M$ of weight $W>0$ of any number of points, one of which, $R$, gets $c>0$ more weight; $\varepsilon=\frac1c$
+:let: $M'=\frac{WM+cR}{W+c}$, $q=\frac W{W+c}$
+:then: $M'-R=q(M-R)$ with $0<q<1$; $M'=\frac{\varepsilon WM+R}{\varepsilon W+1}$, which is $R$ for $\varepsilon=0$
+:method: Identities in $W$, $c$ and one coordinate of $M$ and $R$.  With $W=\omega(t)$, $M=R(t)$ and $c=\delta B_i^n(t)$ it is the curve
+  whose weight $\omega_i$ has grown by $\delta$, for every $n$; a quotient of polynomials in $\varepsilon$ with a denominator that is not
+  0 at $\varepsilon=0$ is continuous there, so its value is the limit for $\omega_i\to\infty$.
+:degrees: all
+:scope: 0 < t < 1
+:over: W#: weights; c: δ; M# R#: points
+:control: $1-q$ for $q$
+:::
+*/
+CLAIM(more_weight_moves_a_mean_to_its_point)
+{
+    num one = from_int(1), W = positive(T, "W", 0), c = positive(T, "c", 0), M = unknown(T, "M", 0);
+    num R = unknown(T, "R", 0), total = add(W, c), q = div(W, total), e = div(one, c);
+    num moved = div(add(mul(W, M), mul(c, R)), total);
+    about(T, "straight to the point");
+    same(T, sub(moved, R), mul(fault(T, q, sub(one, q)), sub(M, R)));
+    nonnegative(T, q);
+    nonnegative(T, sub(one, q));
+    about(T, "a large weight");
+    same(T, div(add(mul(mul(e, W), M), R), add(mul(e, W), one)), moved);
+    about(T, "the limit");
+    num none = from_int(0);
+    same(T, div(add(mul(mul(none, W), M), R), add(mul(none, W), one)), R);
+}
+
+/*
+## Derivatives of every order at an end
+
+:::{claim} first_power_decides_the_end_derivative
+:title: The derivative of the order of the first power, for every order
+:zh: 首项幂次决定端点导矢(任意阶)
+:given: $k\ge1$, a function $g$ with the value $g$ and the derivative $g'$ at $t$; $n\ge k$
+:then: $(t^kg)'=t^{k-1}(kg+tg')$, where $kg+tg'$ is $kg(0)$ at $t=0$; and with $C(n,k)=\frac{n!}{k!\,(n-k)!}$ it is
+  $k!\,C(n,k)=\frac{n!}{(n-k)!}$
+:method: The step of an induction on $k$: $t^kg$ has at $0$ the derivatives $0,\dots,0$ and, of order $k$, $k!\,g(0)$.  With
+  $t^{k-1}$ and the factorials variables.  If $R_0=\dots=R_{k-1}$, then by `mean_grows_by_one_term`
+  $R(t)-R_0=\sum_{i\ge k}B_i^n(t)\omega_i(R_i-R_0)/\omega(t)$, which is $t^kg$ with $g(0)=\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$.  At
+  $t=1$ the same with $s=1-t$ in place of $t$ and the polygon reversed: every derivative by $t$ is minus that by $s$, and $R_{n-h}-R_n=-(R_n-R_{n-h})$,
+  which makes the sign $(-1)^{h+1}$.
+:degrees: all
+:scope: every k and h
+:over: k g# U F# t: -
+:control: $k-1$ for $k$
+:::
+*/
+CLAIM(first_power_decides_the_end_derivative)
+{
+    num k = whole(T, "k", 1, 6), t = parameter(T, "t"), g = unknown(T, "g", 0), slope = unknown(T, "g", 1);
+    num before = unknown(T, "U", 0), power = mul(t, before), zero = from_int(0); /* t^{k-1}, t^k */
+    num factor = fault(T, k, sub(k, from_int(1)));
+    about(T, "one derivative");
+    /* (t^k g)' = k t^{k-1} g + t^k g' */
+    same(T, add(mul(k, mul(before, g)), mul(power, slope)), mul(before, add(mul(factor, g), mul(t, slope))));
+    about(T, "at t = 0");
+    same(T, add(mul(k, g), mul(zero, slope)), mul(factor, g));
+    about(T, "the factorials");
+    num all = positive(T, "F", 0), of_k = positive(T, "F", 1), of_rest = positive(T, "F", 2);
+    same(T, mul(of_k, div(all, mul(of_k, of_rest))), div(all, of_rest));
+}
+
+/*
+:::{claim} end_direction_has_a_positive_factor
+:title: Towards the next point, for positive weights and every degree
+:zh: 正权时首个非零导矢指向下一个顶点
+:given: positive weights $\omega_0,\omega_k$; $n\ge k\ge1$ by their factorials
+:then: the factor $\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}$ of $R_k-R_0$ is positive
+:method: A quotient of products of positive numbers.  With `first_power_decides_the_end_derivative` the curve is $R_0$ plus $t^k$ times a positive
+  multiple of $R_k-R_0$, up to higher powers of $t$; likewise at $t=1$, followed towards the end, with $\omega_n$ and $\omega_{n-h}$.
+:degrees: all
+:scope: every k and h
+:over: w#: weights; F#: -
+:control: a weight with the sign $-$
+:::
+*/
+CLAIM(end_direction_has_a_positive_factor)
+{
+    num first = positive(T, "w", 0), other = positive(T, "w", 1), all = positive(T, "F", 0), rest = positive(T, "F", 1);
+    G(must_be_positive)(T, mul(div(all, rest), div(fault(T, other, neg(other)), first)));
+}
+
+/*
+## Parts of a curve
+
+:::{claim} differences_over_a_part_are_means
+:title: Second differences over a part of the interval, in every degree
+:zh: 子区间上的二阶差分(任意次数)
+:given: $b_i=Z^i$ over $[0,1]$, and the coefficients $D(u)^{n-i}D(v)^i$ of the same polynomial over $[u,v]$, $0<u,v<1$
+:let: $\delta=Z-1$
+:then: $D(v)-D(u)=(v-u)\delta$, so that $\Delta^2b_i^{[u,v]}=D(u)^{n-2-i}D(v)^i\,(v-u)^2\delta^2$; multiplied by $D(u)$ or $D(v)$ a polynomial in
+  $Z$ with coefficients that are not negative keeps such coefficients, and $D(u)=D(v)=1$ for $Z=1$
+:method: $\delta^2Z^j$ stands for $\Delta^2b_j$.  The product $D(u)^{n-2-i}D(v)^i$ has $n-2$ factors $1-u+uZ$, $1-v+vZ$, so it is $\sum_j\beta_{ij}Z^j$ with
+  $\beta_{ij}\ge0$ and $\sum_j\beta_{ij}=1$, for every $n$: $\Delta^2b_i^{[u,v]}=(v-u)^2\sum_j\beta_{ij}\Delta^2b_j$.  The first equation is computed in the field;
+  a coefficient of the product is $(1-u)p+uq$ with the coefficients $p$, $q$ of two neighbouring powers.
+:degrees: all
+:scope: every interval of [0,1]
+:over: r s Z p q: -
+:control: $v+u$ for $v-u$
+:::
+*/
+CLAIM(differences_over_a_part_are_means)
+{
+    num one = from_int(1), Z = unknown(T, "Z", 0), u = inside(T, "r"), v = inside(T, "s");
+    num p = positive(T, "p", 0), q = positive(T, "q", 0);
+    num length = fault(T, sub(v, u), add(v, u));
+    about(T, "the difference of the two factors");
+    same(T, sub(G(factor_at)(v, Z), G(factor_at)(u, Z)), mul(length, sub(Z, one)));
+    about(T, "a coefficient of the product");
+    nonnegative(T, add(mul(sub(one, u), p), mul(u, q)));
+    about(T, "the sum of the coefficients");
+    same(T, G(factor_at)(u, one), one);
+}
+
+/*
+:::{claim} larger_numbers_have_larger_powers
+:title: Of two positive numbers the larger one has the larger n-th power
+:zh: 正数的 n 次幂保持大小
+:given: $p>0$, $q=p+d$, $d>0$, and two powers $U=p^n>0$, $q^n=U+V$, $V>0$
+:then: $q(U+V)-pU>0$
+:method: The step of an induction on $n$; for $n=1$ it is $d>0$.  So positive numbers with equal $n$-th powers are equal, for every $n$: of $q^n=(a/b)^n$ with $q,a,b>0$
+  the consequence is $q=a/b$.
+:degrees: all
+:over: p; d U V: -
+:control: $q=p-d$
+:::
+*/
+CLAIM(larger_numbers_have_larger_powers)
+{
+    num p = positive(T, "p", 0), d = positive(T, "d", 0), U = positive(T, "U", 0), V = positive(T, "V", 0);
+    num q = add(p, fault(T, d, neg(d)));
+    G(must_be_positive)(T, sub(mul(q, add(U, V)), mul(p, U)));
+}
+
+/*
+## Determinants of three sums
+
+:::{claim} determinant_of_three_sums_goes_by_triples
+:title: The determinant of three sums is a sum over triples of terms, whatever their number
+:zh: 三个和的行列式按三元组展开
+:given: three terms $H_1,H_2,H_3$ of space and three rows of factors $m_{l1},m_{l2},m_{l3}$; three points $(x_i,y_i)$ of the plane with weights
+  $\omega_i$
+:then: $\sum_\sigma m_{1\sigma(1)}m_{2\sigma(2)}m_{3\sigma(3)}\det(H_{\sigma(1)},H_{\sigma(2)},H_{\sigma(3)})=\det(m)\det(H)$; and
+  $\det(\omega_i(x_i,y_i,1))=\omega_1\omega_2\omega_3D$ with $D$ twice the signed area of the triangle
+:method: The determinant of $\sum_im_{1i}H_i$, $\sum_jm_{2j}H_j$, $\sum_km_{3k}H_k$ is linear in every place; its terms with two equal indices are 0,
+  and those with the indices $i<j<k$ in some order are the sum on the left.  So the formula of Cauchy and Binet for three rows holds for
+  every number of terms.
+:degrees: all
+:over: m# H#: -
+:control: one of the six orders left out
+:::
+*/
+CLAIM(determinant_of_three_sums_goes_by_triples)
+{
+    static const int order[6][4] = {{0, 1, 2, 1}, {1, 2, 0, 1}, {2, 0, 1, 1}, {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
+    num m[3][3], H[3][3], P[3][3], w[3], sum = from_int(0), a[2], b[2];
+    for (int i = 0; i < 3; i++) {
+        w[i] = positive(T, "w", i);
+        for (int j = 0; j < 3; j++) {
+            m[i][j] = unknown(T, "m", 3 * i + j);
+            H[i][j] = unknown(T, "H", 3 * i + j);
+        }
+        P[i][0] = mul(w[i], unknown(T, "x", i));
+        P[i][1] = mul(w[i], unknown(T, "y", i));
+        P[i][2] = w[i];
+    }
+    num volume = G(det3)(H[0], H[1], H[2]);
+    for (int k = 0; k < fault(T, 6, 5); k++) {
+        const int *to = order[k];
+        num term = mul(mul(m[0][to[0]], m[1][to[1]]), m[2][to[2]]);
+        about(T, "the sign of an order");
+        same(T, G(det3)(H[to[0]], H[to[1]], H[to[2]]), mul(from_int(to[3]), volume));
+        sum = add(sum, mul(term, G(det3)(H[to[0]], H[to[1]], H[to[2]])));
+    }
+    about(T, "the six orders together");
+    same(T, sum, mul(G(det3)(m[0], m[1], m[2]), volume));
+    about(T, "homogeneous points");
+    for (int c = 0; c < 2; c++) {
+        a[c] = sub(unknown(T, c == 0 ? "x" : "y", 1), unknown(T, c == 0 ? "x" : "y", 0));
+        b[c] = sub(unknown(T, c == 0 ? "x" : "y", 2), unknown(T, c == 0 ? "x" : "y", 0));
+    }
+    same(T, G(det3)(P[0], P[1], P[2]), mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b)));
+}
+
+#if RATIONAL
+/*
+## Changes of sign, one by one
+
+A change of sign in a sequence is noticed at one number: it is where the number has a sign, and the last sign before is the other one.  So a
+statement on sequences of every length is one about a number and the last sign before.
+
+:::{claim} sign_changes_are_counted_one_by_one
+:title: Changes of sign in sequences of every length
+:zh: 任意长数列的变号数
+:kind: decision
+:given: the last sign $l\in\{-1,0,1\}$ in a sequence, 0 where there is none yet, and the next number, of sign $s\in\{-1,0,1\}$
+:then: (1) when both are multiplied by positive numbers, a change stays a change; (2) when the signs up to the first change of sign are
+  reversed and those behind it kept, that change disappears and all others stay; (3) a point that runs along an edge from height $a$ to height $s$, having been
+  last on side $l$, $l=a$ if $a\ne0$, changes sides once if $ls<0$, else not at all, and is then on side $s$, or still on $l$ for $s=0$
+:method: All cases of $l$, $s$, $a$ and of their places before or behind the first change are visited.  Added up over a sequence of any length: (1) gives
+  $V[c_iy_i]=V[y_i]$ for all $c_i>0$; (2) $V[(m-\alpha)c_m]=V[c_m]-1$ for $\alpha$ between the two places of the first change; (3) $V[y_i]$ is how often
+  the polygon with the heights $y_i$ changes sides.  In (3) the sides at $\frac14$ and $\frac34$ of the edge are read.
+:degrees: all
+:control: the signs behind the first change reversed too
+:::
+*/
+CLAIM(sign_changes_are_counted_one_by_one)
+{
+    for (int l = -1; l <= 1; l++)
+        for (int s = -1; s <= 1; s++) {
+            int change = l * s < 0;
+            num scaled[2] = {mul(from_ratio(2, 7), from_int(l)), mul(from_int(5), from_int(s))};
+            agree(T, (sign_q(scaled[0]) * sign_q(scaled[1]) < 0) == change);
+            for (int behind = 0; behind <= 2; behind++) { /* how many of the two are behind the first change */
+                int first = behind < 2 ? -l : l, second = behind < 1 ? -s : s;
+                if (fault(T, 0, 1))
+                    first = -l, second = -s;
+                int is_first = behind == 1 && change;
+                int possible = behind == 2 || (behind == 1 ? l != 0 && (change || s == 0) : !change);
+                agree(T, !possible || (first * second < 0) == change - is_first);
+            }
+            for (int a = -1; a <= 1; a++) {
+                int side = l, changes = 0;
+                if (a != 0 && a != l)
+                    continue;
+                for (int quarter = 1; quarter <= 3; quarter += 2) {
+                    int height = (4 - quarter) * a + quarter * s; /* four times the height there */
+                    changes += height * side < 0;
+                    side = height != 0 ? height : side;
+                }
+                agree(T, changes == change && (side > 0) - (side < 0) == (s != 0 ? s : l));
+            }
+        }
+}
+#endif
+
+#include "chapters/judge/claims_off.h"
