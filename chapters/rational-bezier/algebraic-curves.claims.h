@@ -16,16 +16,13 @@ the printed definition the words and the formula disagree.
 :zh: 平面 n 次代数曲线的定义
 :printed: the points whose coordinates satisfy the algebraic equation of degree $n$,
   $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane algebraic curve of degree $n$
-:definition: yes
-:checked-by: total_degree_survives_affine_maps
-:reading: total_degree_survives_affine_maps | "an equation of degree $n$" has its usual meaning, the total degree, and
-  the sum only names coefficients, those with $i+j>n$ being 0: this is how the section uses it
-:reading: hyperbola_has_the_printed_form_for_degree_one | the sum itself says what an equation of degree $n$ is
+:class: misprint
+:refuted-by: hyperbola_has_the_printed_form_for_degree_one
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
 :corrected-by: total_degree_survives_affine_maps
 :figure: degree_of_a_hyperbola
 
-The printed words and the printed sum disagree: the sum has terms up to $x^ny^n$, of degree $2n$.  The words decide;
+The printed words and the printed sum disagree, so that the definition cannot be met by its letter: the sum has terms up to $x^ny^n$, of degree $2n$.  The words, which have their usual meaning, decide;
 the degree of theorem 3.4.2 is the total degree, and every polynomial of total degree $n$ is such a sum.  Taken by the
 sum alone a hyperbola would have degree 1 in one system of coordinates and not in another, and theorem 3.4.3, whose $n$
 this is, would be false at once (`printed_degree_spoils_the_genus`).  Better is the sum over $i+j\le n$.
@@ -73,6 +70,8 @@ CLAIM(hyperbola_has_the_printed_form_for_degree_one)
 :method: The degree in $s$ of $F(sx,sy)$ before and after $x\mapsto a_0x+b_0y+e_0$, $y\mapsto a_1x+b_1y+e_1$, with all
   coefficients variables.  So it never grows; that it does not fall for an invertible map follows by the inverse map.
 :degrees: 1..3
+:argued: every n | A term $x^iy^j$ becomes a product of $i+j$ factors of degree at most 1; so the degree never grows,
+  and with the inverse map it cannot fall.
 :control: the sum taken over $i,j\le n$
 :::
 */
@@ -116,6 +115,9 @@ the equation.
   $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
   for a proper parametrisation
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve: false, it is an arc of it
+:argued: every n | Every row of (3.4.1), applied to $(u^{2n-1},\dots,u,1)$, is a power of $u$ times one of the two
+  equations (3.4.5); and the identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
+  p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: arc_of_a_line
 
 Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is proved.  That $F$ is

@@ -14,7 +14,8 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 :title: The convex hull property
 :zh: 凸包性
 :printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
-:holds-by: curve_points_are_convex_combinations
+:holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
+:confirmed-by: curve_points_are_convex_combinations
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
@@ -31,7 +32,8 @@ Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common n
 :title: The shares are not negative
 :zh: 各系数非负
 :printed: B_i^n(t)\,\omega_i/\omega(t)\ge0
-:holds-by: curve_points_are_convex_combinations
+:holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
+:confirmed-by: curve_points_are_convex_combinations
 :needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_i>0$.
 :figure: convex_hull
@@ -94,7 +96,8 @@ CLAIM(curve_points_are_convex_combinations)
 :title: The shares have the sum 1
 :zh: 各系数之和为 1
 :printed: \sum_{i=0}^n\left[B_i^n(t)\,\omega_i/\omega(t)\right]=1
-:holds-by: shares_sum_to_one
+:holds-by: mean_grows_by_one_term
+:confirmed-by: shares_sum_to_one
 
 This needs no sign of the weights, only $\omega(t)\ne0$.
 :::

@@ -41,12 +41,20 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :title: A convex polygon has a convex curve
 :zh: 保凸性
 :printed: a plane rational Bézier curve preserves convexity
-:holds-by: curve_turns_like_its_triangles curvature_is_a_sum_over_triangles wronskian_of_three_bernstein_functions
+:holds-by: determinant_of_three_sums_goes_by_triples wronskian_of_three_bernstein_functions
+  curve_turns_like_its_triangles
+:confirmed-by: curvature_is_a_sum_over_triangles designed_convex_polygons_have_convex_curves
 :needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
-:meant: the usual convex polygon, whose interior it bounds with its chord; the section does not define it | A polygon
-  is convex if with its chord it bounds a convex region.
-:reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex region; then
-  all its triangles turn to one side
+:hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
+  boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
+  points need only be part of the boundary.
+:argued: | Three points of the curve turn left whenever their parameters are in order; so the curve, closed by its
+  chord, runs through the boundary of its hull once.
+:argued: every n | A minor $M_{ijk}$ is, up to positive factors, $\det(x_l^i,x_l^j,x_l^k)$ with
+  $x_l=\frac{t_l}{1-t_l}$ increasing; it cannot vanish, because $\alpha x^i+\beta x^j+\gamma x^k$ has at most two
+  positive roots by Descartes' rule, and so has the sign of the Wronskian, which is positive.
+:reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex
+  region; then all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
 :figure: convex_polygon_convex_curve
 
@@ -438,6 +446,37 @@ CLAIM(turns_of_one_sign_are_not_enough)
 }
 
 /*
+By the letter of definition 4.2.1 of the book a curve is convex if it is part of the boundary of a convex set.  A polygon that runs along
+one side of a triangle, back, and along another, is part of the boundary.
+
+:::{claim} curve_of_a_polygon_that_turns_back_has_inflections
+:title: A polygon on the boundary of a triangle that turns back, and its cubic with an inflection
+:zh: 往返的多边形与有拐点的三次曲线
+:kind: counterexample
+:data: R = (1,0) (2,0) (0,0) (0,1); ω = 1 1 1 1; t = 1/3
+:instead: R = (1,0) (2,0) (2,1) (0,1)
+:result: det(P,P',P'') = "-54*t^2 + 18*t"; det(P,P',P'') at t = 0; inflections in (0,1) = 1
+:given: the cubic curve with points $R$ and equal weights $\omega$; all points of the polygon are on two sides of a triangle; a parameter $t$
+:then: $\det(P,P',P'')=-18t(3t-1)$ changes its sign at $t$
+:method: The polynomial is computed, its sign decided by counting roots.  A convex curve has curvature of one sign.
+:control: the third point moved, so that the polygon bounds a convex region with its chord
+:::
+*/
+CLAIM(curve_of_a_polygon_that_turns_back_has_inflections)
+{
+    enum { n = 3 };
+    num R[2 * (n + 1)], w[n + 1];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    poly p = turning(n, R, w);
+    found_text(T, "det(P,P',P'')", poly_to_string(p, "t"));
+    found(T, "det(P,P',P'') at t", poly_value(p, given(T, "t")));
+    found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
+    about(T, "the curve of a polygon on the boundary of a triangle turns to one side");
+    refute(T, sign_inside(p) == SIGN_MIXED);
+}
+
+/*
 A negative weight makes products $\omega_i\omega_j\omega_k$ negative, and the sum over the triangles may have either
 sign although all $D_{ijk}$ are positive.
 
@@ -474,9 +513,13 @@ CLAIM(mixed_weights_lose_convexity)
 :title: The way of proof: subdivide, and cut corners
 :zh: 证明途径: 离散割角
 :printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
-:holds-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
+:holds-by: subdivided_polygon_turns_like_its_triangles
+:confirmed-by: subdivided_convex_polygons_are_convex
 :needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights
+:argued: | Repeated, the subdivided polygons converge to the curve, and a limit of convex polygons is convex.
+:argued: every n | One cut of corners is a matrix with two neighbouring entries that are not negative in each row,
+  which has no negative minor; by Cauchy and Binet neither has a product of such matrices, and subdivision is one.
 :figure: convex_halves
 
 The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,

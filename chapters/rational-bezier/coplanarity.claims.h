@@ -17,12 +17,14 @@ hypothesis: no weight is $0$.
 :title: The vertices of a plane curve are coplanar
 :zh: 平面曲线的控制顶点共面
 :printed: if a rational Bézier curve is plane, its vertices are coplanar
-:holds-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
+:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:confirmed-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
 :needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights; it is enough that no weight is $0$
 :figure: weight_zero_out_of_plane
 
-For every degree the Bernstein functions are independent by `powers_in_every_degree`, and the rest is linear.
+The form of a plane, on the curve, is $\sum B_i^n\omega_if(R_i)/\omega(t)$; if it is 0, then so is $(1-t)^n\sum\binom ni\omega_if(R_i)s^i$ with $s=\frac t{1-t}$, a
+polynomial in $s$, and so is every $\omega_if(R_i)$.
 The vertices are in every plane that contains the curve: if the curve is a segment, so is the polygon (on its line).  Up to
 $n=2$ the word coplanar says nothing, for three points always are; that they are in the plane of the curve says something.
 :::
@@ -215,7 +217,8 @@ CLAIM(vertex_of_weight_zero_leaves_the_plane)
 :title: Coplanar vertices give a plane curve
 :zh: 顶点共面则曲线为平面曲线
 :printed: by property 3.2.5 the converse is true as well
-:holds-by: coplanar_vertices_give_a_plane_curve
+:holds-by: mean_grows_by_one_term
+:confirmed-by: coplanar_vertices_give_a_plane_curve
 
 True for all weights with $\omega(t)\ne0$: a point of the curve is a combination of the vertices with the sum of the factors $1$.
 Property 3.2.5, of the convex hull, gives it for positive weights.
@@ -259,7 +262,8 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
 :title: The plane may be taken as the xy-plane
 :zh: 可取曲线所在平面为 xy 平面
 :printed: without loss of generality the curve is in the $xy$-plane
-:holds-by: plane_form_of_the_curve
+:holds-by: mean_grows_by_one_term
+:confirmed-by: plane_form_of_the_curve
 :::
 
 :::{statement} wang-ch3:prop-3.2.9-step-2
@@ -267,14 +271,16 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
 :zh: z(t) 恒为零则分子恒为零
 :printed: Z(t)/\omega(t)=\sum_{i=0}^nB_i^n(t)\omega_iz_i/\omega(t)\equiv0\ \Rightarrow\
   \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0,\quad 0\le t\le1
-:holds-by: plane_form_of_the_curve
+:holds-by: mean_grows_by_one_term
+:confirmed-by: plane_form_of_the_curve
 :::
 
 :::{statement} wang-ch3:prop-3.2.9-step-3
 :title: The Bernstein functions are linearly independent
 :zh: Bernstein 基线性无关
 :printed: \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0\ \Rightarrow\ \omega_iz_i=0,\quad i=0,1,\dots,n
-:holds-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
+:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:confirmed-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
 
 Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points of the curve in the plane bring all vertices there.
 :::

@@ -20,7 +20,8 @@ edges, and on what the ratio depends.
 :title: The theorem generalises the polynomial one
 :zh: 多项式情形的推广
 :printed: The theorem is a generalisation of theorem 1.4.1
-:holds-by: equal_weights_give_polynomial_triangle
+:holds-by: triangle_of_powers_consists_of_powers
+:confirmed-by: equal_weights_give_polynomial_triangle
 
 Theorem 1.4.1 is taken as in the entry on the proof.
 :::
@@ -63,7 +64,8 @@ CLAIM(equal_weights_give_polynomial_triangle)
 :title: Evaluation by recursion, and the construction of a point
 :zh: 递归求值与作图
 :printed: From the theorem follow the recursive evaluation of a rational Bézier curve and its geometric construction
-:holds-by: triangle_ends_on_the_curve triangle_level_by_level
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: triangle_ends_on_the_curve triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights: otherwise a point of the construction may be missing
 
@@ -121,7 +123,8 @@ have a pole for that.
 :title: Geometrically the theorem cuts corners, level after level
 :zh: 几何意义:递归割角
 :printed: The geometric meaning of the theorem is again recursive corner cutting
-:holds-by: cut_coefficients_are_convex triangle_level_by_level
+:holds-by: cut_coefficients_are_convex triangle_of_powers_consists_of_powers
+:confirmed-by: triangle_level_by_level
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights
 :::
@@ -135,9 +138,10 @@ have a pole for that.
   that $v$ lies between $p$ and $q$
 :method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive.  By induction on the level all $\omega_i^r$
   are positive, and none is less than the least or more than the largest $\omega_i$.
-:scope: any two neighbouring weights of any level, in every degree; 0 < λ < 1
+:scope: any two neighbouring weights of any level; 0 < λ < 1
 :over: p# q#: weights; s: -
 :control: the second coefficient with $1-\lambda$ for $\lambda$
+:degrees: all
 :::
 */
 CLAIM(cut_coefficients_are_convex)
@@ -261,9 +265,10 @@ CLAIM(cut_depends_on_level_edge_and_weights)
 :method: Identities of rational functions.  By induction on the level geometric weights are cut at one ratio; and if
   the ratio is one on all edges of level 1 for one $\lambda\in(0,1)$, then $\omega_{i-1}\omega_{i+1}=\omega_i^2$ for
   all $i$.
-:scope: any three neighbouring weights, in every degree
+:scope: any three neighbouring weights of any level
 :over: x# y# z#: weights; q
 :control: $q^3$ for $q^2$
+:degrees: all
 :::
 */
 /* lambda q / ((1-lambda) p + lambda q) */

@@ -13,8 +13,9 @@ projection to points of space, which divides by weights; it does no harm as long
 :title: The polygons of repeated cutting converge uniformly to the curve
 :zh: 离散割角多边形序列一致收敛到原曲线
 :printed: The sequence of polygons of the cut rational Bézier curve converges uniformly to the curve
-:holds-by: second_differences_shrink_quadratically polygon_and_curve_are_near_the_chord
-  near_homogeneous_points_are_near cut_coefficients_are_convex
+:holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord near_homogeneous_points_are_near
+  cut_coefficients_are_convex
+:confirmed-by: second_differences_shrink_quadratically
 :reading: quarter_circle_error_is_quartered | each piece cut at one fixed ratio, or at ratios kept away from $0$ and
   $1$: holds, with the order $h^2$ in the length $h$ of the longest piece; cut in the middle, the error is divided
   by 4 each time
@@ -22,6 +23,8 @@ projection to points of space, which divides by weights; it does no harm as long
   a piece may stay long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   positive weights
+:argued: | The bounds of the claims are put together in words, as below; they tend to 0 with the length of the longest
+  piece.
 :figure: cut_polygons_converge
 
 Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
@@ -157,9 +160,9 @@ down to the points of space.
 :then: $\frac Pw-\frac Qv=\frac1w\Bigl((P-Q)-\frac Qv(w-v)\Bigr)$
 :method: An identity.  So the distance of the images is at most $(\|P-Q\|+\|Q/v\||w-v|)/w$: with $w$ at least the
   least weight and $Q/v$ in the convex hull of the points, a constant times the distance of the homogeneous points.
-:scope: every degree
 :over: v#: weights
 :control: $P/w$ for $Q/v$ on the right
+:degrees: all
 :::
 */
 CLAIM(near_homogeneous_points_are_near)

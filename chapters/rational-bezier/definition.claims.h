@@ -225,12 +225,13 @@ CLAIM(rational_point_is_weighted_mean)
 :zh: 仿射坐标下的曲线
 :printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
-:holds-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
+:holds-by: rational_point_is_weighted_mean
+:confirmed-by: rational_derivatives_are_formal_derivatives
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
 :figure: homogeneous_line
 
-The derivatives of this quotient, which the next sections need, are decided here as well.
+The derivatives of this quotient, which the next sections need, are computed here as well.
 :::
 */
 
@@ -353,7 +354,8 @@ is for those who do.
 :title: What positive weights are for
 :zh: 规定权为正的用意
 :printed: To guarantee the convex hull property and to avoid $\omega(t)=0$ one usually prescribes $\omega_i>0$.
-:holds-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
+:holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
+:confirmed-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_i>0$,
   for $\omega(t)\ne0$.
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
@@ -450,7 +452,8 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
 :zh: 权增大时曲线趋近相应顶点
 :printed: Experiments show that the curve approaches the point $\mathbf R_i$ when $\omega_i$ grows, which can be used to
   adjust its shape.
-:holds-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
+:holds-by: more_weight_moves_a_mean_to_its_point positive_terms_make_a_convex_mean
+:confirmed-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
 :needs: growing_negative_weight_pushes_away | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_i>0$.
 :meant: the ends of the curve, which property 3.2.4 keeps in the end points | No point of the curve moves away from
@@ -611,7 +614,9 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :title: Rational Bézier curves have properties like those of Bézier curves
 :zh: 有理 Bézier 曲线具有类似 Bézier 曲线的性质
 :printed: The rational Bézier curves $\mathbf R(t)$ have geometric properties similar to those of Bézier curves.
-:holds-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
+:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor positive_terms_make_a_convex_mean
+  first_power_decides_the_end_derivative end_direction_has_a_positive_factor bernstein_function_in_the_next_degree
+:confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
   reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges
   curve_points_are_convex_combinations elevation_keeps_rational_curve
 
@@ -657,7 +662,8 @@ weights together.  Other readings are tried, and they fail already for a segment
 :title: Geometric and affine invariance
 :zh: 几何不变性与仿射不变性
 :printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
-:holds-by: affine_image_of_the_curve_is_the_curve_of_the_images
+:holds-by: mean_grows_by_one_term
+:confirmed-by: affine_image_of_the_curve_is_the_curve_of_the_images
 :meant: the properties are those of the curve (3.2.2), whose points are the $R_i$ | The map is applied to the points
   $R_i$.
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
@@ -743,7 +749,8 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :title: Symmetry in t and 1−t
 :zh: 关于 t 与 1−t 的对称性
 :printed: The curve is symmetric in the parameters $t$ and $1-t$.
-:holds-by: reversed_points_and_weights_reverse_the_curve
+:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:confirmed-by: reversed_points_and_weights_reverse_the_curve
 :meant: the curve (3.2.2) has its weights with its points | The control points are taken backwards with their weights.
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
 :figure: reversed_polygon

@@ -14,7 +14,8 @@ arise so.
 :title: Equal weights give a Bézier curve
 :zh: 可退化性:权相等时为 Bézier 曲线
 :printed: For $\omega_i=\omega$, $i=0,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2)
-:holds-by: equal_weights_give_polynomial_curve
+:holds-by: change_of_parameter_acts_on_one_factor mean_grows_by_one_term
+:confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
 :reading: polynomial_line_with_unequal_weights | read as "exactly when": the converse, which is not claimed, fails;
   one polynomial map has other points with unequal weights
@@ -313,7 +314,8 @@ CLAIM(zero_alpha_collapses)
 :title: A Bézier curve can be restored to a rational one
 :zh: Bézier 曲线可还原为有理形式
 :printed: Regarded as a degenerate case of (3.2.2), the Bézier curve can also be restored to (3.2.2)
-:holds-by: geometric_weights_reparametrize_bezier
+:holds-by: geometric_weights_term_by_term
+:confirmed-by: geometric_weights_reparametrize_bezier
 :meant: the property displays the curve to which the other one is restored | To a curve of the form (3.2.2).
 :reading: geometric_weights_reparametrize_bezier | to a curve of the form (3.2.2), the one displayed: holds
 :reading: unit_invariants_give_polynomial_curve | to which curves (3.2.2) with the same points: exactly to those with

@@ -177,7 +177,8 @@ and any other numbers would do.
 :title: The formulas come from raising numerator and denominator apart
 :zh: 对分子分母分别升阶
 :printed: the formulas follow when the operator (1.3.9) is applied to the numerator and to the denominator of (3.2.2)
-:holds-by: elevation_through_the_power_basis elevated_points_as_printed
+:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
+:confirmed-by: elevation_through_the_power_basis elevated_points_as_printed
 
 Chapter 1 of the source is not at hand; the operator is taken to be that of elevation,
 $b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
@@ -557,6 +558,9 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :zh: 升阶多边形序列收敛到曲线
 :printed: the sequence of elevated polygons converges to $\mathbf R(t)$
 :holds-by: elevated_polygons_converge powers_in_every_degree
+:argued: | The bounds (1) to (4) of `elevated_polygons_converge` are put together in words: a product of $k$ factors
+  is estimated factor by factor, the sums over $k$ are formed, and between two vertices polygon and curve are as near,
+  since $\mathbf R$ has a bounded derivative; the bound $\frac{\text{const}}{N-n+1}$ tends to 0.
 :needs: elevation_fails_at_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights, so
   that no polygon of the sequence lacks a vertex
 :figure: elevation_converges

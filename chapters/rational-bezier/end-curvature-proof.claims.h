@@ -255,14 +255,21 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 
 /*
 :::{claim} end_derivative_vectors_in_every_degree
-:title: The first three derivatives at t = 0 in terms of the edges, for every n
+:title: The first three derivatives at both ends in terms of the edges, for every n
 :zh: t=0 处前三阶导矢用边矢表示（任意 n）
-:given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$
-:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights of step 7
+:given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$; and at the other end
+  $\omega_n,\omega_{n-1},\dots$, $R_n$ and $a_n,a_{n-1},a_{n-2}$
+:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights of step 7; $\tilde f_1$, $\tilde g_1$, $\tilde g_2$
+  the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
-  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
-:method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$; numerator and denominator are divided as power series, with $n$ a variable of
-  the field.  What does not exist for $n<3$ has a factor $0$.  A coordinate is any coordinate.
+  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$,
+  $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
+  $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
+:method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$
+  (`change_of_parameter_acts_on_one_factor`); numerator and denominator are divided as power series, with $n$ a
+  variable of the field.  At $1$ the same in $s=1-t$ with the polygon reversed, where
+  $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.  What does not exist
+  for $n<3$ has a factor $0$.  A coordinate is any coordinate.
 :degrees: all
 :over: n: -; a0: points; a#: edges
 :control: $-\omega_1$ for $-2\omega_1$ in $f_1$
@@ -270,34 +277,39 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 */
 CLAIM(end_derivative_vectors_in_every_degree)
 {
-    num n = positive(T, "n", 0), w[4], R[4], a[4], D[4], choose = from_int(1);
-    G(series) P, W;
+    num n = positive(T, "n", 0), w[4], R[4], a[4], D[4];
     for (int i = 0; i < 4; i++) {
         w[i] = positive(T, "w", i);
-        a[i] = unknown(T, "a", i); /* a_0 stands for R_0 */
-        R[i] = i > 0 ? add(R[i - 1], a[i]) : a[0];
+        a[i] = unknown(T, "a", i); /* a_0 stands for the end point */
     }
-    num p[4], v[4];
-    for (int i = 0; i < 4; i++) {
-        p[i] = mul(w[i], R[i]);
-        v[i] = w[i];
-    }
-    for (int j = 0; j < 4; j++) {
-        P.c[j] = mul(choose, p[0]);
-        W.c[j] = mul(choose, v[0]);
-        choose = mul(choose, div(sub(n, from_int(j)), from_int(j + 1)));
-        for (int i = 0; i < 3 - j; i++) {
-            p[i] = sub(p[i + 1], p[i]);
-            v[i] = sub(v[i + 1], v[i]);
-        }
-    }
-    G(series) curve = G(series_div)(P, W);
     G(end_vectors)(n, w, a, fault(T, 2, 1), D);
-    /* R(0) = R_0, and k! times the coefficient of t^k is R^(k)(0) */
-    same(T, curve.c[0], R[0]);
-    same(T, curve.c[1], D[1]);
-    same(T, mul(from_int(2), curve.c[2]), D[2]);
-    same(T, mul(from_int(6), curve.c[3]), D[3]);
+    for (int end = 0; end <= 1; end++) {
+        G(series) P, W;
+        num p[4], v[4], choose = from_int(1);
+        for (int i = 0; i < 4; i++) {
+            num edge = end == 0 ? a[i] : neg(a[i]);
+            R[i] = i > 0 ? add(R[i - 1], edge) : a[0];
+            p[i] = mul(w[i], R[i]);
+            v[i] = w[i];
+        }
+        for (int j = 0; j < 4; j++) {
+            P.c[j] = mul(choose, p[0]);
+            W.c[j] = mul(choose, v[0]);
+            choose = mul(choose, div(sub(n, from_int(j)), from_int(j + 1)));
+            for (int i = 0; i < 3 - j; i++) {
+                p[i] = sub(p[i + 1], p[i]);
+                v[i] = sub(v[i + 1], v[i]);
+            }
+        }
+        G(series) curve = G(series_div)(P, W);
+        num sign = from_int(end == 0 ? 1 : -1); /* of the derivatives of odd order */
+        about(T, end == 0 ? "at t = 0" : "at t = 1");
+        /* k! times the coefficient of t^k, or of (1-t)^k */
+        same(T, curve.c[0], R[0]);
+        same(T, mul(sign, curve.c[1]), D[1]);
+        same(T, mul(from_int(2), curve.c[2]), mul(sign, D[2]));
+        same(T, mul(mul(sign, from_int(6)), curve.c[3]), D[3]);
+    }
 }
 
 /*
@@ -360,11 +372,12 @@ Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
 :zh: 由端点导矢得所印曲率与挠率（任意 n，任意维数）
 :given: any $n$; weights; vectors $a_1,a_2,a_3$ of space; any numbers $f_1,g_1,g_2$; and, for the curvature in any dimension, only the products
   $a_1\cdot a_1$, $a_1\cdot a_2$, $a_2\cdot a_2$
-:let: $R'=\frac{n\omega_1}{\omega_0}a_1$, $R''=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$, $R'''=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
+:let: $R'=\frac{n\omega_1}{\omega_0}a_1$, $R''=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$, $R'''=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; and $R'$, $-R''$, $R'''$ for the other end
 :then: $\kappa^2$ and $\tau$ of these are $\left(\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{|a_1\times a_2|^2}{|a_1|^6}$ and
   $\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{|a_1\times a_2|^2}$
 :method: Equality in the field in which $n$, the weights, the coordinates, the products and $f_1,g_1,g_2$ are variables.  The area $|a_1\times a_2|^2$ is
-  $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.  By reversal (property 3.2.2) the same holds at $t=1$.
+  $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.  At $t=1$ the second derivative has the other sign,
+  and $a_n,a_{n-1},a_{n-2}$ stand for $a_1,a_2,a_3$: the order of the mixed product is reversed.
 :degrees: all
 :over: n: -; x# y# z#: edges; f# g# p q r: -
 :control: the factor $(n-1)/n$ in the torsion
@@ -398,6 +411,13 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
     num other = mul(div(fault(T, n2, n1), n), div(mul(w[0], w[3]), mul(w[1], w[2])));
     /* τ = (n-2)/n ω_0 ω_3/(ω_1 ω_2) (a_1, a_2, a_3)/|a_1 × a_2|² */
     same(T, G(torsion)(D[0], D[1], D[2]), mul(other, div(G(det3)(a[0], a[1], a[2]), area)));
+    num turned[3];
+    for (int c = 0; c < 3; c++)
+        turned[c] = neg(D[1][c]);
+    about(T, "curvature squared, at t = 1");
+    same(T, G(curvature_squared)(3, D[0], turned), mul(mul(factor, factor), div(area, mul(g, mul(g, g)))));
+    about(T, "torsion, at t = 1");
+    same(T, G(torsion)(D[0], turned, D[2]), mul(other, div(G(det3)(a[2], a[1], a[0]), area)));
 
     /* p = a_1.a_1, q = a_1.a_2, r = a_2.a_2 */
     num p = positive(T, "p", 0), q = unknown(T, "q", 0), r = positive(T, "r", 0);
@@ -414,7 +434,8 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
 :title: The same at t = 1
 :zh: t=1 处同理
 :printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
-:holds-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion, as in (3.2.6).
 
 The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it

@@ -256,9 +256,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :printed: Let no two control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,\dots,n$.  Then the curvatures and torsions at the ends are
   (3.2.5) and (3.2.6).
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
-:argued: every n | With the points and weights in reversed order the curve is $R(1-t)$, so the formulas at $1$ are
-  those at $0$, which are decided for every $n$.
+:confirmed-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide |
   $\mathbf a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$, which is all that the formulas of the curvature use of the
   hypothesis; other points may coincide.
@@ -289,9 +287,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :zh: t=1 处的曲率
 :printed: \kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  end_curvature_at_one
-:argued: every n | With the points and weights in reversed order the curve is $R(1-t)$, so the formulas at $1$ are
-  those at $0$, which are decided for every $n$.
+:confirmed-by: end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$
@@ -317,9 +313,8 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :title: Torsion at t = 1
 :zh: t=1 处的挠率
 :printed: \tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}
-:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree end_torsion_at_one
-:argued: every n | With the points and weights in reversed order the curve is $R(1-t)$, so the formulas at $1$ are
-  those at $0$, which are decided for every $n$.
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:confirmed-by: end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
   to be read in reversed order.
 

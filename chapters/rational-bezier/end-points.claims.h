@@ -19,7 +19,8 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :title: The curve joins the end points and is tangent to the end edges
 :zh: 端点插值性
 :printed: At $t=0$ and $t=1$ the curve passes through the end points of its B-net and is tangent to the end edges.
-:holds-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points
+:holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term end_direction_has_a_positive_factor
+:confirmed-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points
   end_derivatives_at_one_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
@@ -255,8 +256,8 @@ CLAIM(multiplicities_fit_into_the_polygon)
 :title: At t = 0: the end point, and derivatives that vanish
 :zh: t=0 处的端点与零导矢
 :printed: \mathbf R(0)=\mathbf R_0,\quad\mathbf R^{(l)}(0)=\mathbf 0,\quad l=1,2,\dots,k-1
-:holds-by: end_derivatives_in_every_degree
-:confirmed-by: end_derivatives_at_zero_with_repeated_points
+:holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
+:confirmed-by: end_derivatives_in_every_degree end_derivatives_at_zero_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_0\ne0$.
 :::
@@ -303,8 +304,8 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
 :title: At t = 1: the end point, and derivatives that vanish
 :zh: t=1 处的端点与零导矢
 :printed: \mathbf R(1)=\mathbf R_n,\quad\mathbf R^{(m)}(1)=\mathbf 0,\quad m=1,2,\dots,h-1
-:holds-by: end_derivatives_in_every_degree
-:confirmed-by: end_derivatives_at_one_with_repeated_points
+:holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
+:confirmed-by: end_derivatives_in_every_degree end_derivatives_at_one_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_n\ne0$; the example is to be read in reversed order.
 :::
@@ -347,8 +348,8 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :title: At t = 0: the first derivative that does not vanish
 :zh: t=0 处首个非零导矢
 :printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)
-:holds-by: end_derivatives_in_every_degree
-:confirmed-by: end_derivatives_at_zero_with_repeated_points
+:holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
+:confirmed-by: end_derivatives_in_every_degree end_derivatives_at_zero_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_0\ne0$.
 :figure: end_tangents
@@ -361,14 +362,14 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :class: misprint
 :refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
 :corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
-:corrected-by: end_derivatives_in_every_degree
-:confirmed-by: end_derivatives_at_one_with_repeated_points
+:corrected-by: first_power_decides_the_end_derivative mean_grows_by_one_term
+:confirmed-by: end_derivatives_in_every_degree end_derivatives_at_one_with_repeated_points
 :striking: 3
 :figure: end_derivatives
 
 Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it
 for the first time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even
-when $h=k$.  No choice of the parameter saves the sign, for in the parameter $1-t$ it is wrong for all odd $h$.  The print
+when $h=k$.  No choice of the parameter saves the sign, for in the parameter $1-t$ it is wrong for every $h$.  The print
 is right for $h=k$ odd, in particular for simple end points.
 :::
 
@@ -523,7 +524,8 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
 :zh: 曲线在首点处的展开式
 :printed: \mathbf R(t)=\mathbf R_0+\left\{t^k\left[\binom nk(1-t)^{n-k}\omega_k(\mathbf R_k-\mathbf R_0)\right]
   +t^{k+1}\sum_{i=k+1}^n\binom ni(1-t)^{n-i}t^{i-k-1}\omega_i(\mathbf R_i-\mathbf R_0)\right\}\Big/\omega(t)
-:holds-by: curve_expands_about_its_first_point
+:holds-by: mean_grows_by_one_term
+:confirmed-by: curve_expands_about_its_first_point
 
 With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left
 half of (3.2.3) and (3.2.4).  The right half is left to the reader; by symmetry it comes with $(1-t)^h$, whose $h$-th

@@ -38,7 +38,8 @@ binomial coefficients.
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$
   with its tangent: it is 1 where $\kappa\ne0$, and there
   $\frac{\kappa^{[n-r]}}{\kappa}=\frac{n(n-r-1)}{(n-r)(n-1)}<1$
-:corrected-by: member_is_flatter_by_a_fixed_ratio member_is_flatter_in_every_order expansion_about_the_contact
+:corrected-by: member_is_flatter_by_a_fixed_ratio member_is_flatter_in_every_order members_are_flatter_powers
+:confirmed-by: expansion_about_the_contact
 :figure: envelope_contact
 :striking: 1
 

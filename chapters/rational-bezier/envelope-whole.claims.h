@@ -33,8 +33,12 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :corrected: the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
   $\mathbf R$ alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$
   and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
-:corrected-by: envelope_condition_factors envelope_condition_of_points polar_derivatives
+:corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
   convex_polygon_has_one_envelope inflections_give_the_other_envelopes triangle_has_one_envelope
+:argued: every n | The minors of `convex_polygon_has_one_envelope` are Schur polynomials by the formula of Jacobi and
+  Trudi, which have no negative coefficient; and with $P=D(t)^n$ the equations of
+  `inflections_give_the_other_envelopes` are those of the derivatives $n\delta D^{n-1}$ and $n(n-1)\delta^2D^{n-2}$.
+:confirmed-by: polar_derivatives
 :figure: envelope_extra
 
 When all points lie on a line the condition holds everywhere and the envelope loses its meaning

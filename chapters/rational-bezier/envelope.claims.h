@@ -76,7 +76,8 @@ control polygon, and the polar form says of which curve.
 :zh: 离散中间层顶点的几何意义
 :printed: the points of level $r$ of the recursion, with their weights, are the control polygon of a rational curve
   of degree $n-r$ that belongs to the parameter $c$
-:holds-by: member_is_a_polar_curve
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: member_is_a_polar_curve
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights are
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
 :figure: triangle_point_at_infinity
@@ -125,7 +126,8 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :zh: 曲线与族曲线在 t=c 处相切
 :printed: for $n\ge2$ and $r=1,\dots,n-1$ the curve $\mathbf R(t)$ and the member $\mathbf R^{[n-r]}(t,c)$ are in
   contact at $t=c$, for every $c$ of $[a,b]$
-:holds-by: member_touches_curve
+:holds-by: members_are_flatter_powers triangle_of_powers_consists_of_powers
+:confirmed-by: member_touches_curve
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights are
   positive
@@ -204,7 +206,8 @@ CLAIM(member_shrinks_at_a_cusp)
 :title: The levels 1, ..., n-1 of a curve of degree at least 2
 :zh: r 与 n 的取值范围
 :printed: the family is considered for $n\ge2$ and $r=1,2,\dots,n-1$
-:holds-by: extreme_levels_are_curve_and_point
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: extreme_levels_are_curve_and_point
 
 The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of
 it, and for $n=1$ nothing is left.

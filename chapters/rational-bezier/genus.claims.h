@@ -53,6 +53,8 @@ order on its line decide whether it is an ordinary cusp.
   for $n=4$ also if it has three double points
 :corrected-by: curve_with_a_large_point_is_rational rational_cubic_has_one_double_point
   quartic_with_three_double_points_is_rational
+:argued: | From the identities to the statement on arcs the methods of the claims argue: a map brings the singular
+  points to their places, a conic has a quadratic parametrization, a line and a conic have no singular point.
 :figure: genus_extra
 :striking: 5
 
@@ -78,7 +80,7 @@ makes a conic of it.  For cubics the other direction is within reach as well.
   irreducible neither form is 0 and all its points but those at the origin and on the line $x=0$ have such a $t=y/x$.
   With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a double point.
 :degrees: 2..6 sampled 12
-:scope: larger $n$ by the argument $F(x,tx)=x^{n-1}(f_{n-1}(1,t)+xf_n(1,t))$ alone
+:argued: every n | $F(x,tx)=x^{n-1}(f_{n-1}(1,t)+xf_n(1,t))$, in every degree.
 :over: a# b#: coefficients
 :control: the sign of $x$
 :::
@@ -124,7 +126,7 @@ CLAIM(curve_with_a_large_point_is_rational)
   which would meet it six times, so a projective map brings them to these places.  If two of them are conjugate, that
   map is not real; the conics through the three points and a simple real point still meet the quartic in
   $8-6-1=1$ further point each, and these run through it.
-:scope: n = 4
+:scope: for n = 4 every quartic with three double points
 :over: c#: coefficients
 :control: a term $x^4$ added, with which $(1:0:0)$ is no point of the curve
 :::
@@ -163,7 +165,7 @@ CLAIM(quartic_with_three_double_points_is_rational)
   factor the only such polynomial when the vectors $(a,b,c)$ and $(b,c,-1)$ are independent.  They are dependent
   exactly for $q=0$, when $1+ct$ divides $A$, $B$ and $W$ and the curve is a conic.  For $s=s'$ the divided minors
   say that $P$ and $P'$ are parallel there: a cusp.  So $d+s=1$, $g=0$, for $n=3$.
-:scope: n = 3
+:scope: for n = 3 every rational cubic
 :over: a# b# c#: coefficients
 :control: the sign of the middle coefficient of $q$
 :::
@@ -675,7 +677,8 @@ CLAIM(printed_degree_spoils_the_genus)
 :zh: 亏格的计数公式
 :printed: g=\frac{(n-1)(n-2)}2-d-s
 :definition: yes
-:checked-by: curves_that_fit_the_theorem large_point_takes_all_double_points
+:checked-by: large_point_takes_all_double_points
+:confirmed-by: curves_that_fit_the_theorem
 :figure: genus_zero
 
 $\frac{(n-1)(n-2)}2$ is the number of double points that an irreducible curve of degree $n$ can have; the genus says

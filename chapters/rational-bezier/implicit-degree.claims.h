@@ -16,11 +16,11 @@ entries of degree one; the source takes another way, by operations on columns, a
 :title: F is a polynomial of degree at most n
 :zh: F 的次数不高于 n
 :printed: the polynomial $F(x,y)$ of (3.4.1) has degree at most $n$ in the two variables
-:holds-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
+:holds-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks
+:confirmed-by: sylvester_and_bezout_give_one_equation
 :figure: implicit_degree
 
-That the two determinants are one is run for the degrees of the scope and argued for every other $n$, in
-`bezout_matrix_comes_from_the_blocks`; the rest is for every $n$.  The source's own proof divides by $\omega_0$; for
+The source's own proof divides by $\omega_0$; for
 $\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by `top_form_is_a_resultant`: the degree
 is exactly $n$, or $F$ is 0 everywhere.
 :::
@@ -32,9 +32,10 @@ is exactly $n$, or $F$ is 0 everywhere.
 :then: $a_ib_j-a_jb_i=pq\,\bigl(x_iy_j-x_jy_i-(x_i-x_j)y+(y_i-y_j)x\bigr)$
 :method: The terms with $xy$ cancel.  The entries of Bézout's matrix are sums of such differences, the matrix has
   $n$ rows, so its determinant has degree at most $n$; for every $n$ and all weights.
-:scope: any two pairs of entries, in every degree
+:scope: any two pairs of entries
 :over: p# q#: weights; x# y#: points; x; y
 :control: $a_ib_j+a_jb_i$
+:degrees: all
 :::
 */
 CLAIM(bezout_entries_are_linear)
@@ -58,7 +59,7 @@ CLAIM(bezout_entries_are_linear)
   Sylvester's matrix becomes $A_1,A_2$ over $0,A_1B_2-B_1A_2$; as $\det A_1=a_0^n$ is not the zero polynomial, the two
   determinants are equal up to the sign $(-1)^{n(n-1)/2}$ of the reversal.
 :degrees: 1..6 sampled 12
-:scope: larger $n$ by argument: both sides have the entries $\sum_{m\le n-1-i}(a_mb_{n+j-i-m}-b_ma_{n+j-i-m})$
+:argued: every n | Both sides have the entries $\sum_{m\le n-1-i}(a_mb_{n+j-i-m}-b_ma_{n+j-i-m})$.
 :over: a# b#: coefficients
 :control: $A_2$ and $B_2$ exchanged
 :::
@@ -98,7 +99,6 @@ CLAIM(bezout_matrix_comes_from_the_blocks)
 :then: the determinant (3.4.1) is $(-1)^{n(n-1)/2}$ times the determinant of Bézout's matrix
 :method: Both determinants without division, all numbers variables.
 :degrees: 1..4 sampled 8
-:scope: larger $n$ by the argument of `bezout_matrix_comes_from_the_blocks`
 :over: x# y#: points; x; y
 :control: the sign $(-1)^{n(n+1)/2}$
 :::
@@ -128,6 +128,8 @@ then as the resulting determinant.  Words and recursion do not agree.
 :printed: f_i^{[0]}=f_i\ (i=0,\dots,n),\qquad f_i^{[0]}=0\ (i\ge n+1)
 :definition: yes
 :checked-by: column_operations_give_the_corrected_recursion
+
+In the text at hand the line is printed twice, the second time with the recursion (3.4.7).
 :::
 */
 

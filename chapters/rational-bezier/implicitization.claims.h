@@ -157,7 +157,8 @@ CLAIM(parameter_change_needs_two_ends)
 :zh: 新参数下的曲线
 :printed: \mathbf R(t)=(x,y)=\Bigl(\frac{\sum\binom ni\omega_ix_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}},
   \frac{\sum\binom ni\omega_iy_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}}\Bigr),\quad 0\le u\le+\infty
-:holds-by: curve_in_the_new_parameter
+:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:confirmed-by: curve_in_the_new_parameter
 
 At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
 :::
@@ -212,7 +213,8 @@ CLAIM(curve_in_the_new_parameter)
 :title: The two polynomial equations of a point of the curve
 :zh: 曲线上点所满足的两个方程
 :printed: \sum_{i=0}^na_iu^{n-i}=0,\quad\sum_{i=0}^nb_iu^{n-i}=0
-:holds-by: equations_of_a_point
+:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights
   are positive, so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
 
@@ -305,10 +307,12 @@ elsewhere gives a point off the arc, or no point at all.
   carried over
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
-:corrected-by: parameter_change_and_its_inverse equations_of_a_point nonnegative_common_roots_are_the_points
+:corrected-by: parameter_change_and_its_inverse mean_grows_by_one_term positive_terms_make_a_convex_mean
+  change_of_parameter_acts_on_one_factor
+:confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
-Only the direction from the curve to the common root is used in the proof, and that one is right.
+By the claims $\sum a_iu^{n-i}=W(u)(X(u)-x)$ with $W(u)>0$ for $u\ge0$, and $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$.  Only the direction from the curve to the common root is used in the proof, and that one is right.
 :::
 
 The direction that the theorem needs asks nothing of the weights: at a point of the curve the powers of its parameter
@@ -551,6 +555,9 @@ determinant is identically 0.
 :reading: equation_vanishes_on_the_curve | every point of the curve satisfies $F=0$: true without any hypothesis
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve: false; there are the
   points of the other parameters, and isolated points
+:argued: every n | Every row of (3.4.1), applied to $(u^{2n-1},\dots,u,1)$, is a power of $u$ times one of the two
+  equations (3.4.5); and the identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
+  p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: implicit_elevation
 
 That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
@@ -708,6 +715,8 @@ CLAIM(space_curve_and_its_shadow)
 :zh: 由结式理论 F 必为零
 :printed: at the points of the curve the resultant $F(x,y)$ of (3.4.5) is 0
 :holds-by: equation_vanishes_on_the_curve
+:argued: every n | Every row of (3.4.1), applied to $(u^{2n-1},\dots,u,1)$, is a power of $u$ times one of the two
+  equations (3.4.5), which are 0 at a point of the curve.
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::

@@ -250,6 +250,55 @@ CLAIM(limings_pencil_misses_one_conic)
 #endif
 
 /*
+:::{statement} wang-ch3:fig-3.1.1
+:title: The pencil of conics that three lines determine
+:zh: 由三条直线决定的二次曲线束
+:printed: The caption of figure 3.1.1: the pencil of conics that is determined by three lines.
+:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings every_scaling_takes_the_normal_form
+:meant: the text that refers to the figure, where $l_3$ joins the points of contact on $l_1$ and $l_2$ | One of the lines is the chord, the
+  two others are tangents.
+:reading: limings_conics_touch_the_lines | The lines have these parts: then the pencil is determined by them, whatever factors
+  their equations have.
+:reading: three_lines_have_three_pencils | Three lines without parts: each of them may be the chord, and there are three pencils.
+
+The figure itself is not in the text at hand.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} three_lines_have_three_pencils
+:title: With another line for the chord the pencil is another one
+:zh: 以另一直线为弦得另一曲线束
+:kind: counterexample
+:data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; P = (0,0)
+:instead: λ = 0
+:result: l_1(P), l_2(P) = 0 0; S(P) = 1/2
+:given: three lines, the conic $S=(1-\lambda)l_1l_2+\lambda l_3^2$ of the pencil with the chord $l_3$, and the point $P$ where $l_1$ and $l_2$ meet
+:then: every conic of the pencil with the chord $l_2$, $(1-\mu)l_1l_3+\mu l_2^2=0$, passes through $P$, and $S$ does not
+:method: At $P$ both $l_1$ and $l_2$ are 0, and so is every combination of $l_1l_3$ and $l_2^2$; $S(P)$ is computed.
+:control: the member of $\lambda=0$, the pair of the tangents
+:::
+*/
+CLAIM(three_lines_have_three_pencils)
+{
+    num l[3][3], P[2], S[6], value[2];
+    G(given_lines)(T, l);
+    num lambda = given(T, "λ");
+    given_points(T, "P", 1, 2, P);
+    for (int k = 0; k < 2; k++)
+        value[k] = G(on_line)(l[k], P[0], P[1]);
+    G(conic_liming)(lambda, l[0], l[1], l[2], S);
+    num at = G(form)(S, P[0], P[1]);
+    found_points(T, "l_1(P), l_2(P)", 2, 1, value);
+    found(T, "S(P)", at);
+    about(T, "the value at P of a conic of the pencil with the chord l_2, which is 0");
+    if (is_zero_q(value[0]) && is_zero_q(value[1]))
+        vanishes(T, at);
+}
+#endif
+
+/*
 ## In the frame of the triangle
 
 :::{statement} wang-ch3:3.1-affine-coordinates
@@ -329,14 +378,16 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
 :printed: $(1-\lambda)l_1l_2+\lambda l_3^2=0$ becomes $S(x,y)=(1-\lambda)xy\pm\lambda(x+y-1)^2=0$ in the affine frame
   $\{R_1;R_1R_0,R_1R_2\}$.
 :holds-by: limings_pencil_in_the_frame every_scaling_takes_the_normal_form
-:hypothesis: scaled_lines_change_lambda | The equations of the lines are scaled so that $l_1l_2=\pm xy$ and
-  $l_3^2=(x+y-1)^2$ in the frame; otherwise $\lambda$ of (3.1.4) is another number than $\lambda$ of (3.1.3).
+:meant: the source goes on: a point of the curve determines $\lambda$ of (3.1.4); and it says that (3.1.3) can be
+  brought to this form | $\lambda$ of (3.1.4) is the parameter of the pencil in this form; it need not be the number
+  of (3.1.3).
 :needs: half_circle_has_no_frame | the line before: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
   With parallel tangents, as of a half circle, (3.1.3) is right and there is no $R_1$.
-:reading: limings_pencil_in_the_frame | $\lambda$ is the same in both: true with the minus sign when the lines are
-  written as determinants of their points.
 :reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter: always true, with one of the two
   signs, mostly with both.
+:reading: scaled_lines_change_lambda | $\lambda$ is the same number in both.  This is so, with the minus sign, when
+  the lines are written as determinants of their points (`limings_pencil_in_the_frame`), and not for other factors of
+  their equations.
 :figure: limings_pencil
 :::
 

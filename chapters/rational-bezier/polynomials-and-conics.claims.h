@@ -12,7 +12,8 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :title: Of the conics, Bézier curves represent exactly only the parabola
 :zh: 多项式 Bézier 曲线与圆锥曲线
 :printed: A Bézier curve cannot represent exactly any conic section but the parabola.
-:holds-by: ellipse_carries_no_polynomial_arc hyperbola_carries_no_polynomial_arc parabola_arcs_are_quadratic
+:holds-by: highest_powers_along_a_conic parabola_arcs_are_quadratic
+:confirmed-by: ellipse_carries_no_polynomial_arc hyperbola_carries_no_polynomial_arc
 :meant: section 3.1 calls a pair of lines a conic that is regarded as degenerate | A conic section is an ellipse, a
   parabola or a hyperbola.
 :reading: ellipse_carries_no_polynomial_arc | A conic section is an ellipse, a parabola or a hyperbola: true.
@@ -122,6 +123,49 @@ CLAIM(hyperbola_carries_no_polynomial_arc)
 }
 
 /*
+In both cases only the highest powers counted, and they do so in every degree.
+
+:::{claim} highest_powers_along_a_conic
+:title: The highest power along an ellipse and along a hyperbola, in every degree
+:zh: 沿椭圆与双曲线的最高次项(任意次数)
+:given: a conic $S$; $x=pU+X$ and $y=qU+Y$ with $U=t^n$ and the rest $X,Y$ of lower degree; $\xi=pU+X$ and $\eta=qV+Y$ with
+  $U=t^j$, $V=t^n$ and rests of lower degree
+:then: $S(x,y)=(Ap^2+2Bpq+Cq^2)U^2+2(Ap+Bq)UX+2(Bp+Cq)UY+2(Dp+Eq)U+S(X,Y)$, and $A(Ap^2+2Bpq+Cq^2)=(Ap+Bq)^2+(AC-B^2)q^2$;
+  $\xi\eta=pqUV+pUY+qVX+XY$
+:method: Identities in $A,\dots,F$, $p$, $q$, $U$, $V$, $X$, $Y$.  For $n\ge1$ all terms behind the first are of lower degree than $t^{2n}$,
+  and than $t^{j+n}$ in the second.  An arc on the conic makes the left side 0, or 1, for infinitely many $t$, so for $j+n\ge1$ the first
+  factor is 0: for $AC-B^2>0$ only with $p=q=0$, and $pq\ne0$ when $\xi$ and $\eta$ are taken in their true degrees.  A hyperbola is
+  $\xi\eta=1$ in affine coordinates along its asymptotes.
+:degrees: all from 1
+:over: S#: conics; p q U V X Y: -
+:control: the product $xy$ counted once, not twice
+:::
+*/
+CLAIM(highest_powers_along_a_conic)
+{
+    num S[6], p = unknown(T, "p", 0), q = unknown(T, "q", 0), U = unknown(T, "U", 0), V = unknown(T, "V", 0);
+    num X = unknown(T, "X", 0), Y = unknown(T, "Y", 0), two = from_int(2), along, lower;
+    for (int k = 0; k < 6; k++)
+        S[k] = unknown(T, "S", k);
+    num point[2][2] = {{add(mul(p, U), X), add(mul(q, U), Y)}, {X, Y}}, *value[2] = {&along, &lower};
+    for (int k = 0; k < 2; k++) { /* the value of the conic, term by term */
+        num x = point[k][0], y = point[k][1];
+        num square = add(add(mul(S[0], mul(x, x)), mul(mul(from_int(fault(T, 2, 1)), S[1]), mul(x, y))), mul(S[2], mul(y, y)));
+        *value[k] = add(square, add(mul(two, add(mul(S[3], x), mul(S[4], y))), S[5]));
+    }
+    num first = add(mul(S[0], p), mul(S[1], q)), second = add(mul(S[1], p), mul(S[2], q));
+    num top = add(mul(p, first), mul(q, second)), rest = add(mul(first, X), add(mul(second, Y), add(mul(S[3], p), mul(S[4], q))));
+    about(T, "the conic along the curve");
+    same(T, along, add(mul(top, mul(U, U)), add(mul(mul(two, U), rest), lower)));
+    about(T, "A times the top coefficient; the sum of two squares");
+    num delta = sub(mul(S[0], S[2]), mul(S[1], S[1]));
+    same(T, mul(S[0], top), add(mul(first, first), mul(delta, mul(q, q))));
+    about(T, "the product along the asymptotes");
+    num product = mul(add(mul(p, U), X), add(mul(q, V), Y));
+    same(T, product, add(mul(mul(p, q), mul(U, V)), add(mul(mul(p, U), Y), add(mul(mul(q, V), X), mul(X, Y)))));
+}
+
+/*
 :::{claim} parabola_arcs_are_quadratic
 :title: Every arc of a parabola is a quadratic Bézier curve
 :zh: 抛物线弧是二次 Bézier 曲线
@@ -180,7 +224,8 @@ CLAIM(line_pair_carries_a_segment)
 :title: Rational Bézier curves represent polynomial curves and conics
 :zh: 有理形式统一表示多项式曲线与圆锥曲线
 :printed: A rational Bézier curve can represent polynomial curves and can represent conic sections.
-:holds-by: rational_form_contains_the_polynomial_one tangent_conics_are_rational_quadratics
+:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor tangent_conics_are_rational_quadratics
+:confirmed-by: rational_form_contains_the_polynomial_one
 :figure: polynomial_on_conics
 
 To represent means again to run through an arc.  A conic without real points, $x^2+y^2+1=0$, has none.

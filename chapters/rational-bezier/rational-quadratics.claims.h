@@ -98,10 +98,11 @@ written as quotients of three weights (权因子), of which only the one ratio $
 :printed: Since $g_1g_2$ is constant, one may put $g_1=\frac{\omega_0(1-t)}{\omega_1t}$,
   $g_2=\frac{\omega_2t}{\omega_1(1-t)}$ with constants $\omega_0,\omega_1,\omega_2$.
 :holds-by: each_pair_of_ratios_has_one_parameter
-:hypothesis: ratios_do_not_exist_at_the_ends | $0<t<1$; the ends $R_0$ and $R_2$ come back in (3.1.5).
 :needs: ratios_of_lengths_need_weights_of_one_sign | $g_1$, $g_2$ are introduced as quotients of lengths, and
   $\omega_0\omega_2/\omega_1^2>0$ is said below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
   lengths.
+:needs: ratios_do_not_exist_at_the_ends | the sentence itself: $g_1g_2$ is constant, so both ratios exist | $0<t<1$;
+  the ends $R_0$ and $R_2$ come back in (3.1.5), where $0\le t\le1$.
 :::
 */
 
@@ -204,16 +205,20 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 :title: The arc of the conic as a rational quadratic curve
 :zh: 圆锥曲线段的有理二次参数表示
 :printed: $\mathbf R=\mathbf R(t)=\frac{(1-t)^2\omega_0\mathbf R_0+2(1-t)t\omega_1\mathbf R_1+t^2\omega_2\mathbf R_2}
-  {(1-t)^2\omega_0+2(1-t)t\omega_1+t^2\omega_2}$, $0\le t\le1$, represents the arc of the conic that $R_0,R_1,R_2$
-  determine.
+  {(1-t)^2\omega_0+2(1-t)t\omega_1+t^2\omega_2}$, $0\le t\le1$, represents the arc of the conic that the three points
+  $R_0,R_1,R_2$ determine; it carries a constant, $g_1g_2=\frac{\omega_0\omega_2}{\omega_1^2}>0$.
 :holds-by: rational_quadratic_of_the_arc each_pair_of_ratios_has_one_parameter
+:meant: the second half of the sentence: the representation carries a constant | The three points and the constant
+  determine the arc.
 :needs: complementary_arc_leaves_the_triangle | $g_1$, $g_2$ are introduced as quotients of lengths, and
   $\omega_0\omega_2/\omega_1^2>0$ is said below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
   lengths.
+:reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant: true.
+:reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc: false, every constant has
+  its own.
 :figure: tangent_ratios
 
-The arc goes from $R_0$ to $R_2$ inside the triangle.  Besides the three points the constant
-$\omega_0\omega_2/\omega_1^2$ determines it.
+The arc goes from $R_0$ to $R_2$ inside the triangle.
 :::
 
 Put $g_1$ and $g_2$ into the point and multiply numerator and denominator by $\omega_1t(1-t)$.  What comes out has the
@@ -296,6 +301,41 @@ CLAIM(complementary_arc_leaves_the_triangle)
 }
 #endif
 
+#if RATIONAL
+/*
+:::{claim} points_alone_do_not_determine_the_arc
+:title: Two constants, two arcs between the same three points
+:zh: 三点相同而常量不同的两段弧
+:kind: counterexample
+:data: R = (1,0) (0,0) (0,1); ω = 1 1 1; ω* = 1 2 1; t = 1/2
+:instead: ω* = 2 2 2
+:result: constants = 1 1/4; R(t) = (1/4,1/4); R*(t) = (1/6,1/6)
+:given: the triangle of the frame, and positive weights of two curves
+:then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ differ, and so do the points of the two curves with $x=y$, of which each has one
+:method: On either curve $x:y=\omega_0(1-t)^2:\omega_2t^2$, which is 1 in the middle, $\omega_0$ and $\omega_2$ being equal.
+:control: weights of the same constant
+:::
+*/
+CLAIM(points_alone_do_not_determine_the_arc)
+{
+    num R[6], w[3], v[3], P[2], Q[2], constant[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    given_points(T, "ω*", 3, 1, v);
+    num t = given(T, "t");
+    constant[0] = G(constant)(w);
+    constant[1] = G(constant)(v);
+    G(rational_point)(2, 2, R, w, t, P);
+    G(rational_point)(2, 2, R, v, t, Q);
+    found_points(T, "constants", 2, 1, constant);
+    found_points(T, "R(t)", 1, 2, P);
+    found_points(T, "R*(t)", 1, 2, Q);
+    about(T, "x of the point with x = y on the two arcs");
+    if (equal_q(P[0], P[1]) && equal_q(Q[0], Q[1]))
+        same(T, P[0], Q[0]);
+}
+#endif
+
 /*
 :::{statement} wang-ch3:3.1-weights-may-vary
 :title: The weights may change, but not their constant
@@ -303,9 +343,10 @@ CLAIM(complementary_arc_leaves_the_triangle)
 :printed: The $\omega_i$ can be changed to change the form of (3.1.5), but the value of
   $g_1g_2=\frac{\omega_0\omega_2}{\omega_1^2}>0$ cannot be changed.
 :holds-by: weights_with_one_constant_give_one_curve constant_is_read_off_the_curve
-:hypothesis: sign_of_the_middle_weight_changes_the_arc | The new weights, too, are of one sign.
 :needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$
   form a triangle.
+:needs: sign_of_the_middle_weight_changes_the_arc | $g_1$, $g_2$ are introduced as quotients of lengths, which the new
+  weights have to give too | The new weights, too, are of one sign.
 :figure: middle_weight_sign
 :::
 

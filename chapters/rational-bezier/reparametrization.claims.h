@@ -87,7 +87,7 @@ choice, $a/b$.
 :method: $t(0)=0$ says $\beta=0$, and then $t(1)=1$ says $\gamma=\alpha-\delta$; with these the two fractions are one
   rational function of $\alpha,\delta,u$.
 :scope: all projective maps that fix 0 and 1
-:over: alpha; delta: δ
+:over: alpha delta: -; u
 :control: $t(1)=1$ solved as $\gamma=\alpha+\delta$
 :::
 */
@@ -290,7 +290,9 @@ CLAIM(negated_weights_have_no_real_factors)
 :printed: If $I_i=I_i^*$, $i=1,\dots,n-1$, then (3.2.10) with (3.2.11) carries the curve of $(\mathbf R_i,\omega_i)$
   into the rational Bézier curve of the same degree with the same points and shape, in the parameter $u$ and with
   the weights $\omega_i^*$
-:holds-by: equal_invariants_give_same_curve end_weights_give_the_factors fractional_change_runs_once
+:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
+  fractional_change_runs_once
+:confirmed-by: equal_invariants_give_same_curve end_weights_give_the_factors
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights: with a negative one the other arc of the conic has the same $I_1$
 :needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
@@ -303,7 +305,8 @@ CLAIM(negated_weights_have_no_real_factors)
 :zh: 变换所得曲线
 :printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i}{\sum_{i=0}^nB_i^n(u)\omega_i^*},\quad 0\le
   u\le1
-:holds-by: equal_invariants_give_same_curve
+:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
+:confirmed-by: equal_invariants_give_same_curve
 :::
 
 There are $n+1$ weights and $n-1$ quotients; the two missing numbers are $a$ and $b$.  So weights with given quotients
@@ -443,9 +446,10 @@ True for all weights but $0$, of any sign.
 :then: $I_i^*r_{i-1}r_{i+1}=I_ir_i^2$; so $I_i^*=I_i$ exactly when $r_{i+1}/r_i=r_i/r_{i-1}$
 :method: The equality is one of rational functions.  For all $i$ together it says that the ratios have one common
   quotient $q$, so that $r_i=r_0q^i$.
-:scope: any three neighbouring weights of any degree
+:scope: any three neighbouring weights
 :over: r#: ratios
 :control: $r_i$ for $r_i^2$
+:degrees: all
 :::
 */
 CLAIM(equal_invariants_mean_geometric_ratios)
@@ -468,7 +472,8 @@ CLAIM(equal_invariants_mean_geometric_ratios)
 :title: The last ratio gives the common quotient
 :zh: 由末项求公比
 :printed: For $i=n$, (3.2.11) gives $q=a/b$
-:holds-by: equal_powers_of_positive_numbers
+:holds-by: larger_numbers_have_larger_powers
+:confirmed-by: equal_powers_of_positive_numbers
 :needs: quotient_is_lost_up_to_sign | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights;
   otherwise for even $n$ only $q=\pm a/b$
 :::
@@ -542,7 +547,8 @@ CLAIM(quotient_is_lost_up_to_sign)
 :title: The factors carry the old weights into the new ones
 :zh: 因子把旧权变为新权
 :printed: a^ib^{n-i}\omega_i=\omega_i^*, so that (3.2.14) is (3.2.13)
-:holds-by: end_weights_give_the_factors
+:holds-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
+:confirmed-by: end_weights_give_the_factors
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is $1$ for $i=1$, the right side $-1$
 :::
@@ -621,7 +627,8 @@ CLAIM(standard_form_has_unit_ends)
 :zh: 分式线性变换下的不变量
 :printed: $I_i=\omega_i^2/(\omega_{i-1}\omega_{i+1})$, $i=1,\dots,n-1$, are the invariants of the curve under (3.2.10)
 :definition: yes
-:checked-by: invariants_survive_fractional_change equal_invariants_give_same_curve
+:checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
+:confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
 
 They are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
 :::
@@ -659,8 +666,9 @@ CLAIM(invariants_survive_fractional_change)
 :title: The invariants belong to the curve
 :zh: 不变量是曲线的内在几何量
 :printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2)
-:holds-by: invariants_survive_fractional_change projective_change_of_unit_interval_is_fractional
-  fractional_change_keeps_curve
+:holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
+  fractional_change_term_by_term
+:confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve
 :hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
   otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
 :hypothesis: segment_has_two_invariants | the parametrization is proper, a general point of the algebraic curve
@@ -671,6 +679,9 @@ CLAIM(invariants_survive_fractional_change)
   a regular arc of a parabola written as a cubic
 :reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve
   has $I_{n-i}$ for $I_i$
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | Two parametrizations of degree $n$ of one arc in the same direction, proper and
+  without a common factor, so differ by (3.2.10), and their points and weights by the claims.
 :figure: same_parabola_two_sets
 
 With the two hypotheses: two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
@@ -835,7 +846,9 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :zh: 不变量相等时形状相同而参数分布不同
 :printed: When $I_i=I_i^*$, $i=1,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape and only the
   parameter is distributed differently along them
-:holds-by: equal_invariants_give_same_curve fractional_change_runs_once
+:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
+  fractional_change_runs_once
+:confirmed-by: equal_invariants_give_same_curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights
 :figure: reparametrization

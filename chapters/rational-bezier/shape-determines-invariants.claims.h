@@ -24,8 +24,10 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :printed: Let $n=2,3,4,5$, let neither the first nor the last three control points be collinear, and for $n\ge3$
   neither the first nor the last three edge vectors be coplanar.  Then (3.2.2) and (3.2.13) have the same shape if
   and only if $I_i=I_i^*$, $i=1,\dots,n-1$
-:holds-by: backward_run_flattens_the_first_edges end_curvature_contains_one_invariant end_torsion_contains_two_invariants
-  equal_invariants_give_same_curve
+:holds-by: backward_run_flattens_the_first_edges end_curvature_contains_one_invariant
+  end_torsion_contains_two_invariants equal_invariants_mean_geometric_ratios fractional_change_term_by_term
+  larger_numbers_have_larger_powers
+:confirmed-by: equal_invariants_give_same_curve
 :meant: property 3.2.10, which the theorem turns round, and the sentence before it, by which only the distribution of
   the parameter differs | The same shape is the same point set.
 :reading: backward_run_flattens_the_first_edges | same point set, the reading of property 3.2.10: holds
@@ -45,6 +47,11 @@ set run in the same direction; the same map of the parameter; or congruent curve
   same map for weights with different invariants
 :needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: for $n\ge6$ the point set, run backwards, can
   have other invariants
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | Step (1), by which the two curves, run once, correspond to each other; steps (2)
+  and (3) lead from there to the claims.
+:argued: n = 2 to 5 | The torsions are needed, and computed, from $n=3$ on; for $n=2$ the curvature gives the only
+  invariant.
 :figure: shape_and_invariants
 
 The direction "if" is property 3.2.10 and needs nothing but positive weights.  For "only if" let the two curves have
@@ -533,7 +540,9 @@ the other end to symmetry.
 :title: One direction is property 3.2.10
 :zh: 充分性即性质 3.2.10
 :printed: That (3.2.12) gives the same shape is property 3.2.10
-:holds-by: equal_invariants_give_same_curve
+:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
+  fractional_change_runs_once
+:confirmed-by: equal_invariants_give_same_curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights
 :::
@@ -541,17 +550,18 @@ the other end to symmetry.
 :::{statement} wang-ch3:thm-3.2.1-proof-start
 :title: Curvature and torsion agree at the start
 :zh: 曲线始端的曲率与挠率相等
-:printed: As the curves have the same shape, curvature and torsion agree all along, in particular at the start
+:printed: As the curves have the same shape, the curvature or the torsion agrees all along, and in particular the
+  curvature or the torsion at the start
 :holds-by: backward_run_flattens_the_first_edges
 :meant: the sentence before the theorem, by which curves of one shape differ in their parameter alone | The same shape
   is the same point set.
 :reading: backward_run_flattens_the_first_edges | same point set: holds, but that the start of one curve is the
   start of the other is to be shown, by steps (1) and (2) above
 :reading: congruent_cubics_with_other_invariants | congruent curves: fails; the starts need not correspond
-:reading: curvatures_alone_miss_the_middle_invariant | curvature or torsion, either of them: for $n=4,5$ both are
-  needed
+:argued: | Steps (1) and (2) of theorem 3.2.1: the two curves correspond to each other, and start to start.
 
-The source has "curvature or torsion"; what is used is curvature and torsion.
+As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.  For $n=4,5$ one of the two would not do
+(`curvatures_alone_miss_the_middle_invariant`).
 :::
 */
 
@@ -613,7 +623,9 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 :corrected-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
 :figure: torsion_misprint
 
-One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The two expressions are the differences of the curvatures
+One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The counterexample
+has two curves of different shape, while the display stands under the hypothesis of one shape, under which it reads $0=0$; what it refutes is that the second
+expression is the difference of the torsions.  The two expressions are the differences of the curvatures
 and of the torsions, without their left sides; as the difference of the torsions, which property 3.2.4 is said to give,
 the second is wrong.  The proof does not suffer: when the curves have the same shape both are zero, with the wrong
 denominator too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$.

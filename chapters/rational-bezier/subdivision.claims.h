@@ -21,6 +21,9 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
   r=1,\dots,n,\ i=r,\dots,n
 :definition: yes
 :checked-by: triangle_in_closed_form triangle_level_by_level
+
+In the text at hand the recursion is printed twice, first with its number and then with that of (3.3.1); the recursion
+of the points then has the number (3.3.2), which the next sentences call (3.3.3).
 :::
 */
 
@@ -168,9 +171,19 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
 :::{statement} wang-ch3:thm-3.3.1
 :title: Any interior parameter cuts the curve into two of the same degree
 :zh: 离散生成定理
-:printed: For every $c\in(a,b)$, with $\lambda=(c-a)/(b-a)$, the parts of $\mathbf R(t)$ over $[a,c]$ and $[c,b]$
-  are rational Bézier curves of degree $n$ with weights and points from the triangle (3.3.2), (3.3.3)
-:holds-by: subdivision_left_half subdivision_right_half
+:printed: For every $c\in(a,b)$, with $\lambda=(c-a)/(b-a)$, (3.3.1): $\mathbf R(t)$ is $\sum
+  B_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)\mathbf R_i^i(c)\big/\sum
+  B_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)$ for $a\le t\le c$, and $\sum
+  B_i^n\bigl(\frac{t-a}{b-a}\bigr)\omega_i^{n-i}(c)\mathbf R_n^{n-i}(c)\big/\sum
+  B_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)$ for $c\le t\le b$, with the weights (3.3.2) and the points
+  (3.3.3)
+:class: misprint
+:refuted-by: printed_right_half_has_the_wrong_argument printed_right_half_has_the_wrong_weight
+:corrected: For every $c\in(a,b)$ the parts of $\mathbf R(t)$ over $[a,c]$ and $[c,b]$ are rational Bézier curves of
+  degree $n$ with the weights $\omega_i^i(c)$ and points $\mathbf R_i^i(c)$, and with the weights $\omega_n^{n-i}(c)$
+  and points $\mathbf R_n^{n-i}(c)$.
+:corrected-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: subdivision_left_half subdivision_right_half
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
 :needs: cut_at_an_end_is_empty | the theorem: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
   $(t-a)/0$, and its points all coincide; for $c=b$ likewise the right one
@@ -178,7 +191,7 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
   vanish although all $\omega_i>0$
 :figure: subdivision_triangle
 
-The formulas (3.3.1) themselves follow, one branch at a time.
+What the theorem says in words is true, and so is its left branch; the numerator of the right one has two slips.  The branches follow one at a time.
 :::
 */
 
@@ -303,7 +316,8 @@ CLAIM(cut_outside_can_fail)
 :title: Apply the polynomial theorem to numerator and denominator
 :zh: 对分子分母分别应用多项式情形
 :printed: Theorem 1.4.1, applied to the numerator and the denominator of (3.2.2), gives the theorem
-:holds-by: numerator_and_denominator_are_cut_alike
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: numerator_and_denominator_are_cut_alike
 
 Chapter 1 of the source is not at hand; its theorem is taken to be subdivision by de Casteljau.
 :::
@@ -350,7 +364,8 @@ coincide would not give that point.
   R_i}{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)
   \omega_i}=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)\mathbf R_i^i(c)}
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)},\quad a\le t\le c
-:holds-by: subdivision_left_half
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: subdivision_left_half
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
 
 As an identity it holds for every $t$.
@@ -365,7 +380,8 @@ As an identity it holds for every $t$.
 :refuted-by: printed_right_half_has_the_wrong_argument printed_right_half_has_the_wrong_weight
 :corrected: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)\mathbf R_n^{n-i}(c)}
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)},\quad c\le t\le b
-:corrected-by: subdivision_right_half
+:corrected-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: subdivision_right_half
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
 :striking: 6
 :figure: right_half_misprint

@@ -144,19 +144,11 @@ $(1-\lambda)xy=\lambda(x+y-1)^2$, and this lets $\lambda$ in or out of a formula
 :hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as at every point of the curve inside the triangle when
   $0<\lambda<1$.
 :figure: tangent_ratios
+
+The point $B$ on the second side is not printed; it is
+$\left(0,\frac{-2\lambda(x+y-1)}{(1-\lambda)x-2\lambda(x+y-1)}\right)$, and the claim decides it too.
 :::
 
-:::{statement} wang-ch3:3.1-B
-:title: The point B where the tangent cuts the second side
-:zh: 切线与 l_2 的交点 B
-:printed: In the same way $B=\left(0,\frac{-2\lambda(x+y-1)}{(1-\lambda)x-2\lambda(x+y-1)}\right)$.
-:holds-by: tangent_cuts_the_sides
-:hypothesis: plus_sign_moves_the_cut | The minus sign in (3.1.4).
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$.
-:figure: tangent_ratios
-
-The source does not print $B$; it is what “in the same way” gives.
-:::
 */
 
 /* -2 lambda (x + y - 1) / ((1-lambda) z - 2 lambda (x + y - 1)), with 2 for -2 when `other` */
@@ -519,7 +511,8 @@ while the sentence is about every curve of the family.
 :corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and
   $0<\lambda<1$, in the triangle and outside, at every point where both ratios exist: all but $R_0$, $R_2$ and those with
   a tangent parallel to a side
-:corrected-by: product_of_ratios_is_positive_inside product_of_ratios_is_constant
+:corrected-by: product_of_ratios_is_constant
+:confirmed-by: product_of_ratios_is_positive_inside
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
 :reading: product_of_lengths_is_not_printed | $g_1$, $g_2$ are ratios of lengths: constant and positive, but not
@@ -546,8 +539,11 @@ ratios is $-4\lambda/(1-\lambda)$.
 :title: On each curve of the family the product of the signed ratios is constant
 :zh: 曲线族上 g_1 g_2 为常数
 :given: a point $R=(x,y)$ with $xy\ne0$, $x+y\ne1$, and the conic of the family through it, with either sign $\sigma$
-:then: $g_1g_2=\frac{-4\sigma\lambda}{1-\lambda}$, and so is the product of the ratios of lengths up to its sign
-:method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.
+:then: $g_1g_2=\frac{-4\sigma\lambda}{1-\lambda}$, and so is the product of the ratios of lengths up to its sign; and
+  $\frac{4\lambda}{1-\lambda}>0$ for $0<\lambda<1$
+:method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.  For the sign
+  $\frac\lambda{1-\lambda}$ is a positive variable.
+:over: k: -
 :control: the factor 2 for 4
 :::
 */
@@ -562,6 +558,9 @@ CLAIM(product_of_ratios_is_constant)
         /* g_1 g_2 = -4σλ/(1-λ) */
         same(T, product, div(mul(from_int(fault(T, -4, -2) * sign), lambda), sub(one, lambda)));
     }
+    num between = inside(T, "k");
+    about(T, "4λ/(1-λ) for 0 < λ < 1");
+    nonnegative(T, div(mul(from_int(4), between), sub(one, between)));
 }
 
 /*

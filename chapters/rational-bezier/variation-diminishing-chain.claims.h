@@ -22,7 +22,8 @@ rule fit: it speaks of powers and of positive $s$, while the curve is written in
 :title: The line may be taken as the axis
 :zh: 可取直线为 x 轴
 :printed: with $L$ as the $x$-axis of a rectangular system it suffices, by property 3.2.1, to prove the property there
-:holds-by: line_form_of_the_curve
+:holds-by: mean_grows_by_one_term
+:confirmed-by: line_form_of_the_curve
 
 The signed distances from the line are, up to one positive factor, the values of its form; and the form of the curve is made
 from those of the vertices with the same weights.  So the signs of the $y_i$ and of $y(t)$ do not depend on the system.
@@ -63,7 +64,8 @@ CLAIM(line_form_of_the_curve)
 :title: A crossing is a root of the numerator
 :zh: 跨越处是分子的根
 :printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
-:holds-by: sign_of_the_curve_is_that_of_the_numerator
+:holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
+:confirmed-by: sign_of_the_curve_is_that_of_the_numerator
 :needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights,
   or only $\omega(t)\ne0$
 :meant: the last clause of the property | Crossings.
@@ -189,7 +191,8 @@ CLAIM(end_on_the_line_is_no_interior_root)
 :title: A power of 1-t is taken out
 :zh: 提出因子 (1-t)^n
 :printed: \sum_{i=0}^nB_i^n(t)\omega_iy_i=(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i
-:holds-by: numerator_in_powers_of_the_ratio
+:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:confirmed-by: numerator_in_powers_of_the_ratio
 :::
 
 :::{claim} numerator_in_powers_of_the_ratio
@@ -224,7 +227,8 @@ CLAIM(numerator_in_powers_of_the_ratio)
 :zh: 变换 s=t/(1-t) 保持根数
 :printed: Z_{0<t<1}\left[(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i\right]
   =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
-:holds-by: ratio_is_an_increasing_bijection numerator_in_powers_of_the_ratio
+:holds-by: ratio_is_an_increasing_bijection change_of_parameter_acts_on_one_factor
+:confirmed-by: numerator_in_powers_of_the_ratio
 :reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
 :figure: roots_and_the_substitution
 
@@ -361,8 +365,12 @@ CLAIM(roots_must_be_counted_up_to_one)
 :zh: Descartes 符号法则
 :printed: Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]\le
   V\left[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\right]
-:holds-by: descartes_rule_by_sign_patterns
+:holds-by: sign_changes_are_counted_one_by_one
+:confirmed-by: descartes_rule_by_sign_patterns
 :hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$, that is, the curve is not contained in $L$
+:cites: Rolle's theorem, with multiplicities: between two roots of a function its derivative has one | The derivative
+  of $s^{-\alpha}q(s)$ has at least one positive root fewer than $q$ and exactly one change of sign fewer; by
+  induction on the number of changes $q$ has no more positive roots than changes.
 
 The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
 The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by taking
@@ -442,7 +450,8 @@ CLAIM(curve_inside_the_line_has_too_many_roots)
 :title: Positive factors do not change the signs
 :zh: 正因子不改变变号数
 :printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
-:holds-by: positive_factors_keep_sign_changes
+:holds-by: sign_changes_are_counted_one_by_one
+:confirmed-by: positive_factors_keep_sign_changes
 :needs: mixed_weights_change_sign_changes | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights
 :figure: line_crossings
@@ -522,7 +531,8 @@ CLAIM(mixed_weights_change_sign_changes)
 :title: The changes of sign are the crossings of the polygon
 :zh: 变号数即 B 网跨越直线的次数
 :printed: V[y_0,y_1,\dots,y_n]=I(\mathbf B,L)
-:holds-by: sign_changes_are_polygon_crossings
+:holds-by: sign_changes_are_counted_one_by_one
+:confirmed-by: sign_changes_are_polygon_crossings
 :meant: the last clause of the property | Crossings.
 :reading: touching_polygon_has_no_sign_change | intersections taken as common points, against the last clause of the property
 :::

@@ -22,6 +22,8 @@ computed, and a third time from the cutting of corners for every degree.
 :holds-by: averages_between_neighbours_keep_sign_changes elevation_cuts_corners powers_in_every_degree
   elevated_polygons_converge
 :confirmed-by: bernstein_collocation_is_totally_positive
+:argued: | The elevated values converge to $y(i/N)$; so if $y(t)$ changes its sign $I$ times, the values of some high
+  degree do so $I$ times at least, and no elevation adds a change of sign.
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon.
