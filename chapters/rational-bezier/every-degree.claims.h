@@ -249,7 +249,8 @@ CLAIM(mean_grows_by_one_term)
 */
 CLAIM(positive_terms_make_a_convex_mean)
 {
-    num one = from_int(1), t = inside(T, "s"), v = positive(T, "v", 0), W = positive(T, "W", 0), c = positive(T, "c", 0);
+    num one = from_int(1), t = inside(T, "s"), v = positive(T, "v", 0), W = positive(T, "W", 0),
+        c = positive(T, "c", 0);
     num rest = fault(T, sub(one, t), sub(t, one)), total = add(W, c);
     about(T, "one more factor");
     G(must_be_positive)(T, mul(t, v));
@@ -389,14 +390,14 @@ CLAIM(differences_over_a_part_are_means)
   the consequence is $q=a/b$.
 :degrees: all
 :over: p; d U V: -
-:control: $q=p-d$
+:control: the difference the other way round
 :::
 */
 CLAIM(larger_numbers_have_larger_powers)
 {
     num p = positive(T, "p", 0), d = positive(T, "d", 0), U = positive(T, "U", 0), V = positive(T, "V", 0);
-    num q = add(p, fault(T, d, neg(d)));
-    G(must_be_positive)(T, sub(mul(q, add(U, V)), mul(p, U)));
+    num larger = mul(add(p, d), add(U, V)), smaller = mul(p, U);
+    G(must_be_positive)(T, fault(T, sub(larger, smaller), sub(smaller, larger)));
 }
 
 /*
@@ -419,16 +420,19 @@ CLAIM(larger_numbers_have_larger_powers)
 */
 CLAIM(determinant_of_three_sums_goes_by_triples)
 {
-    static const int order[6][4] = {{0, 1, 2, 1}, {1, 2, 0, 1}, {2, 0, 1, 1}, {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
-    num m[3][3], H[3][3], P[3][3], w[3], sum = from_int(0), a[2], b[2];
+    static const int order[6][4] = {{0, 1, 2, 1},  {1, 2, 0, 1},  {2, 0, 1, 1},
+                                    {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
+    num m[3][3], H[3][3], P[3][3], x[3], y[3], w[3], sum = from_int(0);
     for (int i = 0; i < 3; i++) {
+        x[i] = unknown(T, "x", i);
+        y[i] = unknown(T, "y", i);
         w[i] = positive(T, "w", i);
         for (int j = 0; j < 3; j++) {
             m[i][j] = unknown(T, "m", 3 * i + j);
             H[i][j] = unknown(T, "H", 3 * i + j);
         }
-        P[i][0] = mul(w[i], unknown(T, "x", i));
-        P[i][1] = mul(w[i], unknown(T, "y", i));
+        P[i][0] = mul(w[i], x[i]);
+        P[i][1] = mul(w[i], y[i]);
         P[i][2] = w[i];
     }
     num volume = G(det3)(H[0], H[1], H[2]);
@@ -442,10 +446,7 @@ CLAIM(determinant_of_three_sums_goes_by_triples)
     about(T, "the six orders together");
     same(T, sum, mul(G(det3)(m[0], m[1], m[2]), volume));
     about(T, "homogeneous points");
-    for (int c = 0; c < 2; c++) {
-        a[c] = sub(unknown(T, c == 0 ? "x" : "y", 1), unknown(T, c == 0 ? "x" : "y", 0));
-        b[c] = sub(unknown(T, c == 0 ? "x" : "y", 2), unknown(T, c == 0 ? "x" : "y", 0));
-    }
+    num a[2] = {sub(x[1], x[0]), sub(y[1], y[0])}, b[2] = {sub(x[2], x[0]), sub(y[2], y[0])};
     same(T, G(det3)(P[0], P[1], P[2]), mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b)));
 }
 

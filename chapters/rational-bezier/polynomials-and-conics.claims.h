@@ -136,7 +136,7 @@ In both cases only the highest powers counted, and they do so in every degree.
   and than $t^{j+n}$ in the second.  An arc on the conic makes the left side 0, or 1, for infinitely many $t$, so for $j+n\ge1$ the first
   factor is 0: for $AC-B^2>0$ only with $p=q=0$, and $pq\ne0$ when $\xi$ and $\eta$ are taken in their true degrees.  A hyperbola is
   $\xi\eta=1$ in affine coordinates along its asymptotes.
-:degrees: all from 1
+:degrees: all
 :over: S#: conics; p q U V X Y: -
 :control: the product $xy$ counted once, not twice
 :::
@@ -150,11 +150,13 @@ CLAIM(highest_powers_along_a_conic)
     num point[2][2] = {{add(mul(p, U), X), add(mul(q, U), Y)}, {X, Y}}, *value[2] = {&along, &lower};
     for (int k = 0; k < 2; k++) { /* the value of the conic, term by term */
         num x = point[k][0], y = point[k][1];
-        num square = add(add(mul(S[0], mul(x, x)), mul(mul(from_int(fault(T, 2, 1)), S[1]), mul(x, y))), mul(S[2], mul(y, y)));
+        num square =
+            add(add(mul(S[0], mul(x, x)), mul(mul(from_int(fault(T, 2, 1)), S[1]), mul(x, y))), mul(S[2], mul(y, y)));
         *value[k] = add(square, add(mul(two, add(mul(S[3], x), mul(S[4], y))), S[5]));
     }
     num first = add(mul(S[0], p), mul(S[1], q)), second = add(mul(S[1], p), mul(S[2], q));
-    num top = add(mul(p, first), mul(q, second)), rest = add(mul(first, X), add(mul(second, Y), add(mul(S[3], p), mul(S[4], q))));
+    num top = add(mul(p, first), mul(q, second)),
+        rest = add(mul(first, X), add(mul(second, Y), add(mul(S[3], p), mul(S[4], q))));
     about(T, "the conic along the curve");
     same(T, along, add(mul(top, mul(U, U)), add(mul(mul(two, U), rest), lower)));
     about(T, "A times the top coefficient; the sum of two squares");
