@@ -108,15 +108,16 @@ the equation.
 :title: A rational Bézier curve of degree n is an algebraic curve of degree n
 :zh: n 次有理曲线是 n 次代数曲线
 :printed: theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$
-:holds-by: equation_vanishes_on_the_curve top_form_is_a_resultant
+:holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+  top_form_is_a_resultant
+:confirmed-by: equation_vanishes_on_the_curve
 :hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less
   than $n$
 :reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors: false, as
   $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
   for a proper parametrisation
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve: false, it is an arc of it
-:argued: every n | Every row of (3.4.1), applied to $(u^{2n-1},\dots,u,1)$, is a power of $u$ times one of the two
-  equations (3.4.5); and the identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
+:argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
   p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: arc_of_a_line
 

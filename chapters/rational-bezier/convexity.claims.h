@@ -77,7 +77,7 @@ a variable.
 :method: $\lambda_m=B_m'/B_m=\frac mt-\frac{n-m}{1-t}$ and $B_m''/B_m=\lambda_m'+\lambda_m^2$; the determinant divided by
   $B_iB_jB_k$ is computed in the field with $i$, $j-i$, $k-j$, $n-k$ and $t$ variables; for the sign $t=\frac s{1+s}$.
 :degrees: all
-:scope: all i < j < k; 0 < t < 1
+:scope: 0 < t < 1
 :over: i p q r s: -
 :control: $t^3(1-t)^3$ taken as $t^2(1-t)^2$
 :::

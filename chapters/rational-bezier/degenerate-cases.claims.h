@@ -199,7 +199,7 @@ CLAIM(geometric_weights_reparametrize_bezier)
   $\alpha$; by induction on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum
   B_i^n(u)\alpha^i$.  Outside the field $n$ and $i$ are random integers, and the result is compared term by term.
 :degrees: all
-:over: alpha; i; n: -
+:over: alpha; i n: -
 :control: $\alpha^2$ for $\alpha$
 :::
 */

@@ -58,7 +58,7 @@ the products $\omega_iR_i$.
   Summed with factors $b_i$ the line says $\sum_ib_iB_i^n=\sum_i\hat b_iB_i^{n+1}$ with
   $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$; with $b_i=\omega_i$ and $b_i=\omega_iR_i$ that is formula (3.2.7).
 :degrees: all
-:over: i; k c u: -
+:over: i k c u: -
 :control: $(i+1)/(n+1)$ taken as $i/(n+1)$
 :::
 */
@@ -332,7 +332,7 @@ corner $R_i$.
   polynomials all of whose coefficients are positive; so they are positive for all positive values, in every degree.
   Hence, by induction, all weights of all later polygons are positive, and between the least and the largest of the first.
 :degrees: all
-:over: i; k: -; v#: weights; S#: points
+:over: i k: -; v#: weights; S#: points
 :control: $\omega_{i-1}$ taken for $\omega_i$ in the numerator of $b$
 :::
 */
@@ -419,7 +419,7 @@ large weight $\omega_{i-1}$ draws the new vertex towards $R_{i-1}$; how far, the
 :method: Identities in the field with $i$, $k$, $\omega'$, $\omega$ and the increments variables; the differences have only
   positive coefficients.
 :degrees: all
-:over: i; k: -; v#: weights; d: increment
+:over: i; k d: -; v#: weights
 :control: $\omega$ and $\omega'$ exchanged in the difference from $i/(n+1)$
 :::
 */
@@ -584,7 +584,7 @@ First the coefficients of a power of $t$ in degree $N$.  They are written down a
   are variables, $i\ge1$; for $i=0$ both sides have the only factor $\binom0k$, which is compared too.  Outside the field
   $i$, $k$ and $N$ are random integers, and a true power, elevated by the kernel, is compared as well.
 :degrees: all
-:over: i; k; r c: -
+:over: i k r c: -
 :control: $i-k$ taken as $i-k+1$
 :::
 */

@@ -4,6 +4,7 @@
 The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves for the derivatives of $R$, and puts
 $t=0$.  Then the edges come in, and of the many terms only three are needed.
 */
+#include "chapters/judge/elementary.h"
 #include "chapters/rational-bezier/free-curve.h"
 #include "chapters/rational-bezier/taylor.h"
 
@@ -271,7 +272,7 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
   $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.  What does not exist
   for $n<3$ has a factor $0$.  A coordinate is any coordinate.
 :degrees: all
-:over: n: -; a0: points; a#: edges
+:over: n: -; a#: edges
 :control: $-\omega_1$ for $-2\omega_1$ in $f_1$
 :::
 */
@@ -361,7 +362,8 @@ Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
 :title: Substitution gives the curvature and the torsion at t = 0
 :zh: 代入曲率与挠率公式
 :printed: Put into the formulas of the curvature and torsion of a parametric curve, these three give $\kappa(0)$ and $\tau(0)$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree curvature_and_torsion_belong_to_arc_length
+:holds-by: end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive
+  curvature_and_torsion_belong_to_arc_length
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion, as in (3.2.6).
 
 Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
@@ -430,11 +432,36 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
 }
 
 /*
+What is compared is $\kappa^2$.  That $\kappa$ is the printed side and not its negative is where positive weights are used.
+
+:::{claim} factor_of_the_curvature_is_positive
+:title: With positive weights the factor of the end curvature is positive, for every n
+:zh: 正权时端点曲率公式的系数为正(任意次数)
+:given: $n>1$, positive weights $\omega_0,\omega_1,\omega_2$, or $\omega_n,\omega_{n-1},\omega_{n-2}$ in their places
+:then: $\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}>0$, so that of two numbers that are not negative and have the same square, $\kappa(0)$ and the
+  printed side, both are one
+:method: A quotient of products of positive numbers, $n-1$ among them.  For $n=1$ the factor is 0.
+:degrees: all
+:over: n: -
+:control: $1-n$ for $n-1$
+:::
+*/
+CLAIM(factor_of_the_curvature_is_positive)
+{
+    num more = whole(T, "n", 1, 9), n = add(more, from_int(1)), w[3];
+    for (int i = 0; i < 3; i++)
+        w[i] = positive(T, "w", i);
+    num share = div(fault(T, more, neg(more)), n);
+    G(must_be_positive)(T, mul(share, div(mul(w[0], w[2]), mul(w[1], w[1]))));
+}
+
+/*
 :::{statement} wang-ch3:prop-3.2.4-step-9
 :title: The same at t = 1
 :zh: t=1 处同理
 :printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+  factor_of_the_curvature_is_positive
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion, as in (3.2.6).
 

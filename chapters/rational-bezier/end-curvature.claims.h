@@ -256,6 +256,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :printed: Let no two control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,\dots,n$.  Then the curvatures and torsions at the ends are
   (3.2.5) and (3.2.6).
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+  factor_of_the_curvature_is_positive
 :confirmed-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide |
   $\mathbf a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$, which is all that the formulas of the curvature use of the
@@ -270,6 +271,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :zh: t=0 处的曲率
 :printed: \kappa(0)=\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\frac{\|\mathbf a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+  factor_of_the_curvature_is_positive
 :confirmed-by: end_curvature_at_zero
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_0\ne\mathbf R_1$.
@@ -287,6 +289,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :zh: t=1 处的曲率
 :printed: \kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+  factor_of_the_curvature_is_positive
 :confirmed-by: end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.

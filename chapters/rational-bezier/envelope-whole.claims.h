@@ -35,9 +35,6 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
   convex_polygon_has_one_envelope inflections_give_the_other_envelopes triangle_has_one_envelope
-:argued: every n | The minors of `convex_polygon_has_one_envelope` are Schur polynomials by the formula of Jacobi and
-  Trudi, which have no negative coefficient; and with $P=D(t)^n$ the equations of
-  `inflections_give_the_other_envelopes` are those of the derivatives $n\delta D^{n-1}$ and $n(n-1)\delta^2D^{n-2}$.
 :confirmed-by: polar_derivatives
 :figure: envelope_extra
 
@@ -426,6 +423,8 @@ CLAIM(triangle_has_one_envelope)
 :method: Four identities in the field; the first needs one coordinate.  So for $\omega>0$ the zeros of $w_1$ are the
   points where $R'\times R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
 :degrees: 2..6 sampled 12
+:argued: every n | With geometric coefficients $P=D(t)^n$, and the equations are those of its derivatives $n\delta
+  D^{n-1}$ and $n(n-1)\delta^2D^{n-2}$.
 :over: H#: points; a# b# d#: vectors
 :control: the factor $n^2$ in the place of $n(n-1)$
 :::
@@ -487,10 +486,11 @@ CLAIM(inflections_give_the_other_envelopes)
   shifted rows are independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon
   in this order and the weights are positive, all
   $\det(P_i,P_j,P_k)=\omega_i\omega_j\omega_k(R_j-R_i)\times(R_k-R_i)$, $i<j<k$, have one strict sign, hence
-  $w_r\ne0$.  For every $n$ the minors are Schur polynomials by Jacobi and Trudi, which have no negative
-  coefficient.
+  $w_r\ne0$.
 :degrees: 2..6 sampled 9
 :scope: 0 < c < 1; 0 < t < 1
+:argued: every n | The minors are Schur polynomials by the formula of Jacobi and Trudi, which have no negative
+  coefficient.
 :over: s v: -
 :control: $\beta$ from $(1-c-cz)^{r-1}(1-t-tz)^{n-r-1}$
 :::

@@ -76,7 +76,7 @@ CLAIM(bernstein_sum_of_powers_is_a_power)
   $\sum B_i^n(t)=1$; (6) $\sum B_i^n(t)b_i=\sum\binom nj\Delta^jb_0\,t^j$.  That a Bernstein sum, or by the same rule of
   Pascal any sum with binomial coefficients, of the powers of $Z$ is a power, is `bernstein_sum_of_powers_is_a_power`.
 :degrees: all
-:over: Z a b u: -; t
+:over: Z#: coefficients; a b u: -; t
 :control: $a$ and $b$ exchanged in the new coefficients of (4)
 :::
 */
@@ -114,7 +114,7 @@ CLAIM(change_of_parameter_acts_on_one_factor)
   parameter $\lambda$, and $\sum_iB_i^{n-r}(t)b_{i+r}^r=D(t)^{n-r}D(\lambda)^r$.  Outside the field the triangle of a random
   degree is computed by the kernel that cuts.
 :degrees: all
-:over: Z U: -; lambda; a h: interval; x: t
+:over: Z#: points; U#: weights; lambda; a h: interval; x: t
 :control: $D(\lambda)$ for $D(\lambda x)$ in (2)
 :::
 */
@@ -161,7 +161,7 @@ CLAIM(triangle_of_powers_consists_of_powers)
   mn$ of that of the curve; by (3) so is the derivative of the quotient.  By (1) and the binomial theorem the member at $c+h$
   is $\sum_k\binom mkh^k\delta^kD(c)^{n-k}$, with the same $\delta^kD(c)^{n-k}=p(c^{n-k},\delta^k)$ for every $m$.
 :degrees: all
-:over: Z U N# W# m: -; r; c; t; h
+:over: Z#: points; U#: weights; N# W# m: -; r; c; t; h
 :control: $m$ for $\frac mn$ in (3)
 :::
 */
@@ -206,7 +206,7 @@ number of steps.
   B_i^n(t)\omega_if(R_i)$; a common factor of the weights does not matter; the shares have the sum 1.  The order of the terms does
   not matter, so that no partial sum need be 0.
 :degrees: all
-:over: W# c#: weights; M# R#: points; a# d#: affine maps; k: factor
+:over: W# c#: weights; M# R#: points; a# d# k: -
 :control: $d$ added without its factor to $cR$
 :::
 */
@@ -272,7 +272,6 @@ CLAIM(positive_terms_make_a_convex_mean)
   whose weight $\omega_i$ has grown by $\delta$, for every $n$; a quotient of polynomials in $\varepsilon$ with a denominator that is not
   0 at $\varepsilon=0$ is continuous there, so its value is the limit for $\omega_i\to\infty$.
 :degrees: all
-:scope: 0 < t < 1
 :over: W#: weights; c: δ; M# R#: points
 :control: $1-q$ for $q$
 :::
@@ -389,7 +388,7 @@ CLAIM(differences_over_a_part_are_means)
 :method: The step of an induction on $n$; for $n=1$ it is $d>0$.  So positive numbers with equal $n$-th powers are equal, for every $n$: of $q^n=(a/b)^n$ with $q,a,b>0$
   the consequence is $q=a/b$.
 :degrees: all
-:over: p; d U V: -
+:over: p d U V: -
 :control: the difference the other way round
 :::
 */

@@ -545,7 +545,9 @@ determinant is identically 0.
 :title: A plane rational Bézier curve has the implicit equation F = 0
 :zh: 平面有理曲线可化为隐式方程
 :printed: the curve of degree $n$ with $\mathbf R_i=(x_i,y_i)$ can be turned into the implicit equation (3.4.1)
-:holds-by: equation_vanishes_on_the_curve top_form_is_a_resultant
+:holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+  top_form_is_a_resultant
+:confirmed-by: equation_vanishes_on_the_curve
 :hypothesis: elevated_curve_has_no_equation | $A$, $B$, $W$ have no common zero (no base point, $u=\infty$
   included); else $F$ is 0 for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights
@@ -555,8 +557,7 @@ determinant is identically 0.
 :reading: equation_vanishes_on_the_curve | every point of the curve satisfies $F=0$: true without any hypothesis
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve: false; there are the
   points of the other parameters, and isolated points
-:argued: every n | Every row of (3.4.1), applied to $(u^{2n-1},\dots,u,1)$, is a power of $u$ times one of the two
-  equations (3.4.5); and the identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
+:argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
   p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: implicit_elevation
 
@@ -710,13 +711,33 @@ CLAIM(space_curve_and_its_shadow)
 #endif
 
 /*
+:::{claim} rows_of_the_determinant_are_shifted_equations
+:title: Every row of the determinant is one of the two equations, times a power of u
+:zh: 行列式各行是方程乘以 u 的幂(任意次数)
+:given: the entries $a_i$ of a row that begins in column $k$, as a sum of two parts: one entry $a$ at a power $V=u^{n-i}$, and the others, together
+  $r=\sum a_ju^{n-j}$ without it; $U=u^{n-k}$
+:then: the row, applied to $(u^{2n-1},\dots,u,1)$, is $U(aV+r)$, one entry after the other
+:method: Distributivity, with any number of entries by induction; the place of $a_i$ in the row is $k+i$, so its power is $u^{2n-k-i}=UV$.  At a point of the curve
+  $\sum a_iu^{n-i}=W(u)(X(u)-x)$ is 0 by `mean_grows_by_one_term`.  A square matrix that maps a
+  vector with an entry 1 to 0 has the determinant 0; at $R_0$, where $u=\infty$, the first column is 0.
+:degrees: all
+:over: a V U r: -
+:control: the entry left out of the shifted sum
+:::
+*/
+CLAIM(rows_of_the_determinant_are_shifted_equations)
+{
+    num a = unknown(T, "a", 0), V = unknown(T, "V", 0), U = unknown(T, "U", 0), r = unknown(T, "r", 0);
+    same(T, add(mul(a, mul(U, V)), mul(U, r)), mul(U, fault(T, add(mul(a, V), r), r)));
+}
+
+/*
 :::{statement} wang-ch3:thm-3.4.1-step-vanishing
 :title: By the theory of resultants F must be 0 at the points of the curve
 :zh: 由结式理论 F 必为零
 :printed: at the points of the curve the resultant $F(x,y)$ of (3.4.5) is 0
-:holds-by: equation_vanishes_on_the_curve
-:argued: every n | Every row of (3.4.1), applied to $(u^{2n-1},\dots,u,1)$, is a power of $u$ times one of the two
-  equations (3.4.5), which are 0 at a point of the curve.
+:holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:confirmed-by: equation_vanishes_on_the_curve
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::

@@ -125,7 +125,7 @@ static void G(ratios_at)(const num w[], num t, int without_weight, num g[])
 :let: $c=\frac{\omega_0\omega_2}{\omega_1^2}$ and $t_g=\frac{\omega_0}{\omega_0+\omega_1g}$
 :then: $g_1g_2=c$; $0<t_g<1$, and at $t_g$ the ratios are $g$ and $c/g$; from $g=g_1(t)$ follows $t_g=t$
 :method: Identities in the weights, $t$ and $g$; $t_g$ and $1-t_g$ have positive coefficients.
-:over: g
+:over: g; t: -
 :control: $\omega_1$ left out of $g_2$
 :::
 */

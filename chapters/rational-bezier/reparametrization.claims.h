@@ -158,7 +158,7 @@ CLAIM(fractional_change_keeps_curve)
   Multiply by $\omega_i$ or $\omega_iR_i$ and add.  Outside the field $n$ and $i$ are random integers, and both this
   result and the quotient of the binomial coefficients are compared with true ones.
 :degrees: all
-:over: a; b; i; n: -
+:over: a; b; i n: -
 :control: $b/a$ for $a/b$
 :::
 */
@@ -446,8 +446,7 @@ True for all weights but $0$, of any sign.
 :then: $I_i^*r_{i-1}r_{i+1}=I_ir_i^2$; so $I_i^*=I_i$ exactly when $r_{i+1}/r_i=r_i/r_{i-1}$
 :method: The equality is one of rational functions.  For all $i$ together it says that the ratios have one common
   quotient $q$, so that $r_i=r_0q^i$.
-:scope: any three neighbouring weights
-:over: r#: ratios
+:over: r#: -
 :control: $r_i$ for $r_i^2$
 :degrees: all
 :::

@@ -20,7 +20,8 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 :title: The equation of the tangent
 :zh: 切线方程
 :printed: $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$ is the tangent of the curve at $R$.
-:holds-by: tangent_meets_the_conic_doubly slope_exists_inside_the_triangle
+:holds-by: tangent_meets_the_conic_doubly
+:confirmed-by: slope_exists_inside_the_triangle
 :hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as at every point of the curve inside the triangle when
   $0<\lambda<1$.
 

@@ -320,7 +320,8 @@ CLAIM(root_counts_survive_the_substitution)
 :class: misprint
 :refuted-by: roots_must_be_counted_up_to_one
 :corrected: Z_{0<t<1}[\,\cdot\,]
-:corrected-by: designed_curves_cross_no_more root_counts_survive_the_substitution
+:corrected-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
+:confirmed-by: designed_curves_cross_no_more root_counts_survive_the_substitution
 :figure: roots_and_the_substitution
 
 The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three

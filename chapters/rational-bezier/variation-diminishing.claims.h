@@ -51,7 +51,8 @@ $(B_j(t_i)\omega_j/\omega(t_i))$ is a minor of $(B_j(t_i))$ times positive numbe
 :zh: 交点个数指跨越次数
 :definition: yes
 :printed: $I$, the number of intersections, is the number of times that $L$ is crossed
-:checked-by: sign_changes_are_polygon_crossings designed_curves_cross_no_more
+:checked-by: sign_changes_are_counted_one_by_one
+:confirmed-by: sign_changes_are_polygon_crossings designed_curves_cross_no_more
 :figure: line_crossings
 
 For the curve: the parameters in $(0,1)$ at which $y(t)$ changes its sign, $L$ being $y=0$; counted along the curve, so
