@@ -28,7 +28,7 @@ REGISTER = load(REGISTER_FILE)
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
 VERDICTS = {"holds", "conditional", "fails", "undecided", "open", "definition"}
-EVIDENCE = {"proved", "decided", "sampled", "enclosed", "measured", "none"}
+EVIDENCE = {"proved", "decided", "argued", "sampled", "enclosed", "measured", "none"}
 # The chapter that is decided anew where a part is enough: it is soon done, and has claims of every kind and type.
 CHAPTER = "foundations"
 PART = CHAPTER + ".*"
