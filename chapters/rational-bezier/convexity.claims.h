@@ -457,7 +457,7 @@ one side of a triangle, back, and along another, is part of the boundary.
 :instead: R = (1,0) (2,0) (2,1) (0,1)
 :result: det(P,P',P'') = "-54*t^2 + 18*t"; det(P,P',P'') at t = 0; inflections in (0,1) = 1
 :given: the cubic curve with points $R$ and equal weights $\omega$; all points of the polygon are on two sides of a triangle; a parameter $t$
-:then: $\det(P,P',P'')=-18t(3t-1)$ changes its sign at $t$
+:then: $\det(P,P',P'')$ changes its sign at $t$
 :method: The polynomial is computed, its sign decided by counting roots.  A convex curve has curvature of one sign.
 :control: the third point moved, so that the polygon bounds a convex region with its chord
 :::
