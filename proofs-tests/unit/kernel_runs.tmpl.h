@@ -5,7 +5,7 @@
 #include "core/number/generic_on.h"
 
 struct G(data) {
-    int n, dim, r;    /* 1 <= n <= MAX_DEGREE, 1 <= dim < MAX_DIM, 0 <= r <= 5 */
+    int n, dim, r;    /* 1 <= n <= MAX_DEGREE, 1 <= dim <= MAX_DIM, 0 <= r <= 5 */
     const num *x, *w; /* x: not 0; w: squares, positive                        */
     num t, u;         /* in [0,1]                                              */
 };
@@ -33,6 +33,9 @@ static inline void G(isosceles)(const num M[], const num v[], num k, num R[])
     }
 }
 
+/* The numbers that the contract of a kernel names, in a place of their own: a sanitizer sees what is read beyond them. */
+#define ALONE(a, count) ((const num *)alone((a), (size_t)(count) * sizeof(num)))
+
 #define RUN(name) static int G(run_##name)(const struct G(data) * D, num out[])
 
 RUN(bernstein_basis)
@@ -48,7 +51,7 @@ RUN(bernstein_derivatives)
 RUN(bernstein_product)
 {
     int m = D->n + D->r <= MAX_DEGREE ? D->r : 0;
-    G(bernstein_product)(D->n, D->x, m, D->x + D->n + 1, out);
+    G(bernstein_product)(D->n, ALONE(D->x, D->n + 1), m, ALONE(D->x + D->n + 1, m + 1), out);
     return D->n + m + 1;
 }
 RUN(bernstein_elevation_matrix)
@@ -58,155 +61,158 @@ RUN(bernstein_elevation_matrix)
 }
 RUN(bernstein_to_power)
 {
-    G(bernstein_to_power)(D->n, D->x, out);
+    G(bernstein_to_power)(D->n, ALONE(D->x, D->n + 1), out);
     return D->n + 1;
 }
 RUN(bernstein_from_power)
 {
-    G(bernstein_from_power)(D->n, D->x, out);
+    G(bernstein_from_power)(D->n, ALONE(D->x, D->n + 1), out);
     return D->n + 1;
 }
 RUN(bernstein_on_interval)
 {
-    G(bernstein_on_interval)(D->n, D->x[0], add(D->x[0], D->w[0]), D->x + 1, D->t, D->u, out);
+    G(bernstein_on_interval)(D->n, D->x[0], add(D->x[0], D->w[0]), ALONE(D->x + 1, D->n + 1), D->t, D->u, out);
     return D->n + 1;
 }
 RUN(bezier_casteljau)
 {
-    G(bezier_casteljau)(D->n, D->dim, D->x, D->t, out);
+    G(bezier_casteljau)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, out);
     return D->dim;
 }
 RUN(bezier_horner)
 {
-    G(bezier_horner)(D->n, D->dim, D->x, D->t, out);
+    G(bezier_horner)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, out);
     return D->dim;
 }
 RUN(bezier_differences)
 {
     int r = D->r % (D->n + 1);
-    G(bezier_differences)(D->n, D->dim, D->x, r, out);
+    G(bezier_differences)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), r, out);
     return (D->n - r + 1) * D->dim;
 }
 RUN(bezier_derivatives)
 {
-    G(bezier_derivatives)(D->n, D->dim, D->x, D->t, D->r, out);
+    G(bezier_derivatives)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(bezier_split)
 {
     int size = (D->n + 1) * D->dim;
-    G(bezier_split)(D->n, D->dim, D->x, D->t, out, out + size);
+    G(bezier_split)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, out, out + size);
     return 2 * size;
 }
 RUN(bezier_elevate)
 {
-    G(bezier_elevate)(D->n, D->dim, D->x, out);
+    G(bezier_elevate)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), out);
     return (D->n + 2) * D->dim;
 }
 RUN(bezier_blossom)
 {
-    G(bezier_blossom)(D->n, D->dim, D->x, D->w, out);
+    G(bezier_blossom)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), ALONE(D->w, D->n), out);
     return D->dim;
 }
 RUN(bezier_on_interval)
 {
-    G(bezier_on_interval)(D->n, D->dim, D->x, D->t, D->u, out);
+    G(bezier_on_interval)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, D->u, out);
     return (D->n + 1) * D->dim;
 }
 
 RUN(rational_homogenize)
 {
-    G(rational_homogenize)(D->n, D->dim, D->x, D->w, out);
+    G(rational_homogenize)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), ALONE(D->w, D->n + 1), out);
     return (D->n + 1) * (D->dim + 1);
 }
 RUN(rational_dehomogenize)
 {
-    G(rational_dehomogenize)(D->n, D->dim, D->x, out, out + (D->n + 1) * D->dim);
+    G(rational_dehomogenize)(D->n, D->dim, ALONE(D->x, (D->n + 1) * (D->dim + 1)), out, out + (D->n + 1) * D->dim);
     return (D->n + 1) * (D->dim + 1);
 }
 RUN(rational_weight)
 {
-    out[0] = G(rational_weight)(D->n, D->w, D->t);
+    out[0] = G(rational_weight)(D->n, ALONE(D->w, D->n + 1), D->t);
     return 1;
 }
 RUN(rational_point)
 {
-    G(rational_point)(D->n, D->dim, D->x, D->w, D->t, out);
+    G(rational_point)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), ALONE(D->w, D->n + 1), D->t, out);
     return D->dim;
 }
 RUN(rational_derivatives)
 {
-    G(rational_derivatives)(D->n, D->dim, D->x, D->w, D->t, D->r, out);
+    G(rational_derivatives)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), ALONE(D->w, D->n + 1), D->t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(rational_casteljau)
 {
     int r = D->r % (D->n + 1), count = D->n - r + 1;
-    G(rational_casteljau)(D->n, D->dim, D->x, D->w, D->t, r, out, out + count * D->dim);
+    G(rational_casteljau)
+    (D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), ALONE(D->w, D->n + 1), D->t, r, out, out + count * D->dim);
     return count * (D->dim + 1);
 }
 RUN(rational_split)
 {
     int points = (D->n + 1) * D->dim, all = (D->n + 1) * (D->dim + 1);
-    G(rational_split)(D->n, D->dim, D->x, D->w, D->t, out, out + points, out + all, out + all + points);
+    G(rational_split)
+    (D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), ALONE(D->w, D->n + 1), D->t, out, out + points, out + all,
+     out + all + points);
     return 2 * all;
 }
 RUN(rational_elevate)
 {
     int n = D->n < MAX_DEGREE ? D->n : MAX_DEGREE - 1;
-    G(rational_elevate)(n, D->dim, D->x, D->w, out, out + (n + 2) * D->dim);
+    G(rational_elevate)(n, D->dim, ALONE(D->x, (n + 1) * D->dim), ALONE(D->w, n + 1), out, out + (n + 2) * D->dim);
     return (n + 2) * (D->dim + 1);
 }
 RUN(rational_reparametrize)
 {
-    G(rational_reparametrize)(D->n, D->w, D->x[0], D->x[1], out);
+    G(rational_reparametrize)(D->n, ALONE(D->w, D->n + 1), D->x[0], D->x[1], out);
     return D->n + 1;
 }
 RUN(rational_invariants)
 {
-    G(rational_invariants)(D->n, D->w, out);
+    G(rational_invariants)(D->n, ALONE(D->w, D->n + 1), out);
     return D->n - 1;
 }
 /* Degree 2, where q has the root; see test_standard_form for other degrees. */
 RUN(rational_standard_form)
 {
-    G(rational_standard_form)(2, D->w, out);
+    G(rational_standard_form)(2, ALONE(D->w, 3), out);
     return 3;
 }
 
 RUN(dot)
 {
-    out[0] = G(dot)(D->dim, D->x, D->x + D->dim);
+    out[0] = G(dot)(D->dim, ALONE(D->x, D->dim), ALONE(D->x + D->dim, D->dim));
     return 1;
 }
 RUN(norm_squared)
 {
-    out[0] = G(norm_squared)(D->dim, D->x);
+    out[0] = G(norm_squared)(D->dim, ALONE(D->x, D->dim));
     return 1;
 }
 RUN(cross2)
 {
-    out[0] = G(cross2)(D->x, D->x + 2);
+    out[0] = G(cross2)(ALONE(D->x, 2), ALONE(D->x + 2, 2));
     return 1;
 }
 RUN(cross3)
 {
-    G(cross3)(D->x, D->x + 3, out);
+    G(cross3)(ALONE(D->x, 3), ALONE(D->x + 3, 3), out);
     return 3;
 }
 RUN(det3)
 {
-    out[0] = G(det3)(D->x, D->x + 3, D->x + 6);
+    out[0] = G(det3)(ALONE(D->x, 3), ALONE(D->x + 3, 3), ALONE(D->x + 6, 3));
     return 1;
 }
 RUN(gram)
 {
-    out[0] = G(gram)(D->dim, D->x, D->x + D->dim);
+    out[0] = G(gram)(D->dim, ALONE(D->x, D->dim), ALONE(D->x + D->dim, D->dim));
     return 1;
 }
 RUN(curvature_squared)
 {
-    out[0] = G(curvature_squared)(D->dim, D->x, D->x + D->dim);
+    out[0] = G(curvature_squared)(D->dim, ALONE(D->x, D->dim), ALONE(D->x + D->dim, D->dim));
     return 1;
 }
 /* d1 = a (1,2,2) and d2 = b (2,1,-2) + c d1 are chosen so that every root is rational. */
@@ -230,73 +236,75 @@ RUN(signed_curvature)
 }
 RUN(torsion)
 {
-    out[0] = G(torsion)(D->x, D->x + 3, D->x + 6);
+    out[0] = G(torsion)(ALONE(D->x, 3), ALONE(D->x + 3, 3), ALONE(D->x + 6, 3));
     return 1;
 }
 RUN(rational_curvature_squared)
 {
-    out[0] = G(rational_curvature_squared)(D->n + (D->n == 1), 3, D->x, D->w, D->t);
+    int n = D->n + (D->n == 1);
+    out[0] = G(rational_curvature_squared)(n, 3, ALONE(D->x, 3 * (n + 1)), ALONE(D->w, n + 1), D->t);
     return 1;
 }
 RUN(rational_torsion)
 {
-    out[0] = G(rational_torsion)(D->n < 3 ? 3 : D->n, D->x, D->w, D->t);
+    int n = D->n < 3 ? 3 : D->n;
+    out[0] = G(rational_torsion)(n, ALONE(D->x, 3 * (n + 1)), ALONE(D->w, n + 1), D->t);
     return 1;
 }
 
 RUN(line_through)
 {
-    G(line_through)(D->x, D->x + 2, out);
+    G(line_through)(ALONE(D->x, 2), ALONE(D->x + 2, 2), out);
     return 3;
 }
 RUN(line_pair)
 {
-    G(line_pair)(D->x, D->x + 3, out);
+    G(line_pair)(ALONE(D->x, 3), ALONE(D->x + 3, 3), out);
     return 6;
 }
 RUN(conic_pencil)
 {
-    G(conic_pencil)(D->t, D->x, D->x + 6, out);
+    G(conic_pencil)(D->t, ALONE(D->x, 6), ALONE(D->x + 6, 6), out);
     return 6;
 }
 RUN(conic_liming)
 {
-    G(conic_liming)(D->t, D->x, D->x + 3, D->x + 6, out);
+    G(conic_liming)(D->t, ALONE(D->x, 3), ALONE(D->x + 3, 3), ALONE(D->x + 6, 3), out);
     return 6;
 }
 RUN(conic_value)
 {
-    out[0] = G(conic_value)(D->x, D->x[6], D->x[7]);
+    out[0] = G(conic_value)(ALONE(D->x, 6), D->x[6], D->x[7]);
     return 1;
 }
 RUN(conic_gradient)
 {
-    G(conic_gradient)(D->x, D->x[6], D->x[7], out);
+    G(conic_gradient)(ALONE(D->x, 6), D->x[6], D->x[7], out);
     return 2;
 }
 RUN(conic_delta)
 {
-    out[0] = G(conic_delta)(D->x);
+    out[0] = G(conic_delta)(ALONE(D->x, 6));
     return 1;
 }
 RUN(conic_determinant)
 {
-    out[0] = G(conic_determinant)(D->x);
+    out[0] = G(conic_determinant)(ALONE(D->x, 6));
     return 1;
 }
 RUN(conic_of_bezier)
 {
-    G(conic_of_bezier)(D->x, D->w, out);
+    G(conic_of_bezier)(ALONE(D->x, 6), ALONE(D->w, 3), out);
     return 6;
 }
 RUN(conic_standard_weight)
 {
-    out[0] = G(conic_standard_weight)(D->w);
+    out[0] = G(conic_standard_weight)(ALONE(D->w, 3));
     return 1;
 }
 RUN(conic_shoulder_point)
 {
-    G(conic_shoulder_point)(D->x, D->w, out);
+    G(conic_shoulder_point)(ALONE(D->x, 6), ALONE(D->w, 3), out);
     return 2;
 }
 RUN(circular_arc_invariant)
@@ -315,25 +323,26 @@ RUN(circular_arc_circle)
 {
     num R[6];
     G(isosceles)(D->x, D->x + 2, D->w[0], R);
-    out[2] = G(circular_arc_circle)(R, out);
+    out[2] = G(circular_arc_circle)(ALONE(R, 6), out);
     return 3;
 }
 
 RUN(determinant)
 {
-    out[0] = G(determinant)(matrix_order(D->n), D->x);
+    int n = matrix_order(D->n);
+    out[0] = G(determinant)(n, ALONE(D->x, n * n));
     return 1;
 }
 RUN(sylvester)
 {
     int order = matrix_order(D->n), m = (order + 1) / 2;
-    G(sylvester)(m, D->x, order - m, D->x + m + 1, out);
+    G(sylvester)(m, ALONE(D->x, m + 1), order - m, ALONE(D->x + m + 1, order - m + 1), out);
     return order * order;
 }
 RUN(bezout)
 {
     int n = matrix_order(D->n);
-    G(bezout)(n, D->x, D->x + n + 1, out);
+    G(bezout)(n, ALONE(D->x, n + 1), ALONE(D->x + n + 1, n + 1), out);
     return n * n;
 }
 /* a and b with the leading coefficients w[0] and w[1] and the roots x and x + m. */
@@ -343,7 +352,7 @@ RUN(resultant)
     num a[MAX_ORDER + 1], b[MAX_ORDER + 1];
     G(from_roots)(m, D->w[0], D->x, a);
     G(from_roots)(n, D->w[1], D->x + m, b);
-    out[0] = G(resultant)(m, a, n, b);
+    out[0] = G(resultant)(m, ALONE(a, m + 1), n, ALONE(b, n + 1));
     return 1;
 }
 RUN(bezout_resultant)
@@ -352,24 +361,24 @@ RUN(bezout_resultant)
     num a[MAX_ORDER + 1], b[MAX_ORDER + 1];
     G(from_roots)(n, D->w[0], D->x, a);
     G(from_roots)(n, D->w[1], D->x + n, b);
-    out[0] = G(bezout_resultant)(n, a, b);
+    out[0] = G(bezout_resultant)(n, ALONE(a, n + 1), ALONE(b, n + 1));
     return 1;
 }
 RUN(implicit_coefficients)
 {
-    G(implicit_coefficients)(D->n, D->x, D->w, 1, D->t, out);
+    G(implicit_coefficients)(D->n, ALONE(D->x, 2 * (D->n + 1)), ALONE(D->w, D->n + 1), 1, D->t, out);
     return D->n + 1;
 }
 RUN(implicit_value)
 {
     int n = (matrix_order(D->n) + 1) / 2;
-    out[0] = G(implicit_value)(n, D->x, D->w, D->t, D->x[2 * n + 2]);
+    out[0] = G(implicit_value)(n, ALONE(D->x, 2 * (n + 1)), ALONE(D->w, n + 1), D->t, D->x[2 * n + 2]);
     return 1;
 }
 
 RUN(power_point)
 {
-    G(power_point)(D->n, D->dim, D->x, D->t, out);
+    G(power_point)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, out);
     return D->dim;
 }
 RUN(power_hodograph)
@@ -381,7 +390,7 @@ RUN(power_hodograph)
 }
 RUN(power_derivatives)
 {
-    G(power_derivatives)(D->n, D->dim, D->x, D->t, D->r, out);
+    G(power_derivatives)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 /* Degrees of a size whose differences keep digits in binary64. */
@@ -389,7 +398,7 @@ static inline int G(degree_of_table)(const struct G(data) * D) { return D->n <= 
 RUN(power_differences)
 {
     int n = G(degree_of_table)(D);
-    G(power_differences)(n, D->dim, D->x, D->t, out);
+    G(power_differences)(n, D->dim, ALONE(D->x, (n + 1) * D->dim), D->t, out);
     return (n + 1) * D->dim;
 }
 /* The table of any numbers x, r steps on. */
@@ -413,34 +422,34 @@ RUN(power_scaled_difference_step)
 }
 RUN(power_on_interval)
 {
-    G(power_on_interval)(D->n, D->dim, D->x, D->t, D->u, out);
+    G(power_on_interval)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), D->t, D->u, out);
     return (D->n + 1) * D->dim;
 }
 /* Plane cubics with the coefficients x. */
 RUN(cubic_minors)
 {
-    G(cubic_minors)(D->x, out);
+    G(cubic_minors)(ALONE(D->x, 8), out);
     return 3;
 }
 RUN(cubic_inflection_polynomial)
 {
     num m[3];
-    G(cubic_minors)(D->x, m);
-    G(cubic_inflection_polynomial)(m, out);
+    G(cubic_minors)(ALONE(D->x, 8), m);
+    G(cubic_inflection_polynomial)(ALONE(m, 3), out);
     return 3;
 }
 RUN(cubic_delta)
 {
     num m[3];
-    G(cubic_minors)(D->x, m);
-    out[0] = G(cubic_delta)(m);
+    G(cubic_minors)(ALONE(D->x, 8), m);
+    out[0] = G(cubic_delta)(ALONE(m, 3));
     return 1;
 }
 RUN(cubic_double_point_polynomial)
 {
     num m[3];
-    G(cubic_minors)(D->x, m);
-    G(cubic_double_point_polynomial)(m, out);
+    G(cubic_minors)(ALONE(D->x, 8), m);
+    G(cubic_double_point_polynomial)(ALONE(m, 3), out);
     return 3;
 }
 /* A cubic with a double point in x[0], x[1]: (t - x_2)(t - x_3)(L t + M) + N. */
@@ -454,8 +463,8 @@ RUN(cubic_double_point)
         c[4 + j] = sub(M, mul(sum, L));
         c[6 + j] = L;
     }
-    G(cubic_minors)(c, m);
-    G(cubic_double_point)(c, m, out);
+    G(cubic_minors)(ALONE(c, 8), m);
+    G(cubic_double_point)(ALONE(c, 8), ALONE(m, 3), out);
     return 2;
 }
 
@@ -487,33 +496,35 @@ RUN(shape_basis_printed)
 RUN(shape_matrix)
 {
     int n = G(shape_degree)(D->n);
-    G(shape_matrix)(n, D->x, D->x + n + 1, out);
+    G(shape_matrix)(n, ALONE(D->x, n + 1), ALONE(D->x + n + 1, n + 1), out);
     return (n + 2) * (n + 1);
 }
 RUN(shape_bezier_points)
 {
     int n = G(shape_degree)(D->n);
-    G(shape_bezier_points)(n, D->dim, D->x + 1, D->x[0], out);
+    G(shape_bezier_points)(n, D->dim, ALONE(D->x + 1, (n + 1) * D->dim), D->x[0], out);
     return (n + 2) * D->dim;
 }
 RUN(shape_point)
 {
-    G(shape_point)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, out);
+    int n = G(shape_degree)(D->n);
+    G(shape_point)(n, D->dim, ALONE(D->x + 1, (n + 1) * D->dim), D->x[0], D->t, out);
     return D->dim;
 }
 RUN(shape_point_printed)
 {
-    G(shape_point_printed)(D->dim, D->x + 1, D->x[0], D->t, out);
+    G(shape_point_printed)(D->dim, ALONE(D->x + 1, 8 * D->dim), D->x[0], D->t, out);
     return D->dim;
 }
 RUN(shape_derivatives)
 {
-    G(shape_derivatives)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, D->r, out);
+    int n = G(shape_degree)(D->n);
+    G(shape_derivatives)(n, D->dim, ALONE(D->x + 1, (n + 1) * D->dim), D->x[0], D->t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(shape_surface_point)
 {
-    G(shape_surface_point)(3, 2, D->dim, D->x + 2, D->x[0], D->x[1], D->t, D->u, out);
+    G(shape_surface_point)(3, 2, D->dim, ALONE(D->x + 2, 12 * D->dim), D->x[0], D->x[1], D->t, D->u, out);
     return D->dim;
 }
 
@@ -527,4 +538,5 @@ RUN(shape_surface_point)
 static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
 #undef ENTRY
 #undef RUN
+#undef ALONE
 #include "core/number/generic_off.h"

@@ -29,85 +29,85 @@ static inline struct G(knotted) G(simple_knotted_of)(const struct G(data) * D)
 RUN(divided_difference)
 {
     struct G(nodes) S = G(nodes_of)(D);
-    out[0] = G(divided_difference)(S.d, S.l, S.tau, D->x + 1);
+    out[0] = G(divided_difference)(S.d, S.l, ALONE(S.tau, S.d), ALONE(D->x + 1, S.n + 1));
     return 1;
 }
 RUN(confluent_vandermonde)
 {
     struct G(nodes) S = G(nodes_of)(D);
-    G(confluent_vandermonde)(S.d, S.l, S.tau, out);
+    G(confluent_vandermonde)(S.d, S.l, ALONE(S.tau, S.d), out);
     return (S.n + 1) * (S.n + 1);
 }
 RUN(confluent_vandermonde_determinant)
 {
     struct G(nodes) S = G(nodes_of)(D);
-    out[0] = G(confluent_vandermonde_determinant)(S.d, S.l, S.tau);
+    out[0] = G(confluent_vandermonde_determinant)(S.d, S.l, ALONE(S.tau, S.d));
     return 1;
 }
 RUN(divided_weights)
 {
     struct G(nodes) S = G(nodes_of)(D);
-    G(divided_weights)(S.d, S.l, S.tau, out);
+    G(divided_weights)(S.d, S.l, ALONE(S.tau, S.d), out);
     return S.n + 1;
 }
 RUN(bspline_matrix)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_matrix)(S.p, S.u, S.mu, out);
+    G(bspline_matrix)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(bspline_column_by_differences)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_column_by_differences)(S.p, S.u, S.place, S.mu - D->r % (S.p + 1), S.mu, out);
+    G(bspline_column_by_differences)(S.p, ALONE(S.u, S.n + S.p + 1), S.place, S.mu - D->r % (S.p + 1), S.mu, out);
     return S.p + 1;
 }
 RUN(bspline_matrix_by_differences)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_matrix_by_differences)(S.p, S.u, S.place, S.mu, out);
+    G(bspline_matrix_by_differences)(S.p, ALONE(S.u, S.n + S.p + 1), S.place, S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(marsden_coefficients)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(marsden_coefficients)(S.p, S.u, S.mu, D->x[1], out);
+    G(marsden_coefficients)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, D->x[1], out);
     return S.p + 1;
 }
 RUN(elementary_symmetric)
 {
     int n = D->n < 7 ? D->n : 7;
-    G(elementary_symmetric)(n, D->x, out);
+    G(elementary_symmetric)(n, ALONE(D->x, n), out);
     return n + 1;
 }
 RUN(marsden_matrix)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(marsden_matrix)(S.p, S.u, S.mu, out);
+    G(marsden_matrix)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(marsden_determinant)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    out[0] = G(marsden_determinant)(S.p, S.u, S.mu);
+    out[0] = G(marsden_determinant)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu);
     return 1;
 }
 RUN(cofactor)
 {
     int n = D->n < 6 ? D->n : 6;
-    out[0] = G(cofactor)(n, D->x, D->r % n, D->dim % n);
+    out[0] = G(cofactor)(n, ALONE(D->x, n * n), D->r % n, D->dim % n);
     return 1;
 }
 RUN(bspline_matrix_by_marsden)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_matrix_by_marsden)(S.p, S.u, S.mu, out);
+    G(bspline_matrix_by_marsden)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(bspline_matrix_simple)
 {
     struct G(knotted) S = G(simple_knotted_of)(D);
-    G(bspline_matrix_simple)(S.p, S.u, S.mu, out);
+    G(bspline_matrix_simple)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(bspline_matrix_uniform)

@@ -66,7 +66,7 @@ static inline int G(elevated_knots)(const struct G(knotted) * S, num v[], int sp
 RUN(bezier_reduce)
 {
     num defect[MAX_DIM];
-    G(bezier_reduce)(D->n, D->dim, D->x, out, defect);
+    G(bezier_reduce)(D->n, D->dim, ALONE(D->x, (D->n + 1) * D->dim), out, defect);
     for (int c = 0; c < D->dim; c++)
         out[D->n * D->dim + c] = defect[c];
     return (D->n + 1) * D->dim;
@@ -74,37 +74,39 @@ RUN(bezier_reduce)
 RUN(bspline_basis)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_basis)(S.p, S.u, S.mu, S.t, out);
+    G(bspline_basis)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, S.t, out);
     return S.p + 1;
 }
 RUN(bspline_basis_derivatives)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_basis_derivatives)(S.p, S.u, S.mu, S.t, D->r, out);
+    G(bspline_basis_derivatives)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, S.t, D->r, out);
     return (D->r + 1) * (S.p + 1);
 }
 RUN(bspline_discrete)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_discrete)(S.p, S.u, S.mu, D->x, out);
+    G(bspline_discrete)(S.p, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.p), out);
     return S.p + 1;
 }
 RUN(bspline_blossom)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_blossom)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), D->w, out);
+    G(bspline_blossom)
+    (G(on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim)), ALONE(D->w, S.p), out);
     return D->dim;
 }
 RUN(bspline_deboor)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_deboor)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), S.t, out);
+    G(bspline_deboor)(G(on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim)), S.t, out);
     return D->dim;
 }
 RUN(bspline_derivatives)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_derivatives)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), S.t, D->r, out);
+    G(bspline_derivatives)
+    (G(on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim)), S.t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 /* The derivative at t of the spline of the difference points. */
@@ -116,7 +118,7 @@ RUN(bspline_difference)
         out[0] = from_int(0);
         return 1;
     }
-    G(bspline_difference)(S.n, S.p, D->dim, S.u, D->x, e);
+    G(bspline_difference)(S.n, S.p, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim), e);
     G(bspline_deboor)(G(on_span)(S.p - 1, D->dim, S.u + 1, S.mu - 1, e), S.t, out);
     return D->dim;
 }
@@ -124,13 +126,15 @@ RUN(bspline_greville)
 {
     struct G(knotted) S = G(knotted_of)(D);
     for (int i = 0; i < S.n; i++)
-        out[i] = G(bspline_greville)(S.p, S.u, i);
+        out[i] = G(bspline_greville)(S.p, ALONE(S.u, S.n + S.p + 1), i);
     return S.n;
 }
 RUN(bspline_insert)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_insert)(spline(S.p, S.n, D->dim, S.u, D->x), S.mu, S.t, out, out + S.n + S.p + 2);
+    G(bspline_insert)
+    (spline(S.p, S.n, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim)), S.mu, S.t, out,
+     out + S.n + S.p + 2);
     return S.n + S.p + 2 + (S.n + 1) * D->dim;
 }
 /* What was inserted is removed. */
@@ -138,8 +142,10 @@ RUN(bspline_remove)
 {
     struct G(knotted) S = G(knotted_of)(D);
     num u[32], c[64], *b = out + S.n + S.p + 1;
-    G(bspline_insert)(spline(S.p, S.n, D->dim, S.u, D->x), S.mu, S.t, u, c);
-    G(bspline_remove)(spline(S.p, S.n + 1, D->dim, u, c), S.mu + 1, 1, out, b, b + S.n * D->dim);
+    G(bspline_insert)(spline(S.p, S.n, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim)), S.mu, S.t, u, c);
+    G(bspline_remove)
+    (spline(S.p, S.n + 1, D->dim, ALONE(u, S.n + S.p + 2), ALONE(c, (S.n + 1) * D->dim)), S.mu + 1, 1, out, b,
+     b + S.n * D->dim);
     return S.n + S.p + 1 + (S.n + 1) * D->dim;
 }
 RUN(bspline_refine)
@@ -148,7 +154,9 @@ RUN(bspline_refine)
     num v[32];
     int span[32];
     G(refined_knots)(&S, v, span);
-    G(bspline_refine)(spline(S.p, S.n, D->dim, S.u, D->x), S.n + 2, v, span, out);
+    G(bspline_refine)
+    (spline(S.p, S.n, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim)), S.n + 2, ALONE(v, S.n + S.p + 3),
+     span, out);
     return (S.n + 2) * D->dim;
 }
 /* The point at t of the elevated spline. */
@@ -157,7 +165,8 @@ RUN(bspline_elevate)
     struct G(knotted) S = G(knotted_of)(D);
     num v[48], d[128];
     int span[48], m = G(elevated_knots)(&S, v, span), nu = 0;
-    G(bspline_elevate)(spline(S.p, S.n, D->dim, S.u, D->x), m, v, span, d);
+    G(bspline_elevate)
+    (spline(S.p, S.n, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim)), m, ALONE(v, m + S.p + 2), span, d);
     for (int j = 0; j < m; j++)
         nu = span[j] == S.mu ? j : nu; /* the last knot of v at u_mu is the last with this span */
     G(bspline_deboor)(G(on_span)(S.p + 1, D->dim, v, nu, d), S.t, out);
@@ -169,7 +178,8 @@ RUN(bspline_reduce)
     struct G(knotted) S = G(knotted_of)(D);
     num v[48], d[128];
     int span[48], down[32] = {0}, m = G(elevated_knots)(&S, v, span);
-    G(bspline_elevate)(spline(S.p, S.n, D->dim, S.u, D->x), m, v, span, d);
+    G(bspline_elevate)
+    (spline(S.p, S.n, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim)), m, ALONE(v, m + S.p + 2), span, d);
     for (int j = 0; j < S.n; j++) { /* the span of v in which the first interval of point j lies */
         int at = j < S.p ? S.p : j;
         while (S.place[at] == S.place[at + 1])
@@ -177,19 +187,22 @@ RUN(bspline_reduce)
         for (int l = 0; l < m; l++)
             down[j] = span[l] == at ? l : down[j];
     }
-    G(bspline_reduce)(spline(S.p + 1, m, D->dim, v, d), S.n, S.u, down, out);
+    G(bspline_reduce)
+    (spline(S.p + 1, m, D->dim, ALONE(v, m + S.p + 2), ALONE(d, m * D->dim)), S.n, ALONE(S.u, S.n + S.p + 1), down,
+     out);
     return S.n * D->dim;
 }
 RUN(bspline_to_bezier)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_to_bezier)(G(on_span)(S.p, D->dim, S.u, S.mu, D->x), out);
+    G(bspline_to_bezier)(G(on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim)), out);
     return (S.p + 1) * D->dim;
 }
 RUN(bspline_point_of_bezier)
 {
     num to = add(D->x[0], D->w[0]);
-    G(bspline_point_of_bezier)(D->n < 7 ? D->n : 7, D->dim, D->x, D->x[0], to, D->w, out);
+    int p = D->n < 7 ? D->n : 7;
+    G(bspline_point_of_bezier)(p, D->dim, ALONE(D->x, (p + 1) * D->dim), D->x[0], to, ALONE(D->w, p), out);
     return D->dim;
 }
 /* The points of both parts. */
@@ -198,43 +211,53 @@ RUN(bspline_split)
     struct G(knotted) S = G(knotted_of)(D);
     num v[32], w[32];
     int left = (S.mu + 1) * D->dim, right = (S.n - S.mu + S.p) * D->dim;
-    G(bspline_split)(spline(S.p, S.n, D->dim, S.u, D->x), S.mu, 0, S.t, v, out, w, out + left);
+    G(bspline_split)
+    (spline(S.p, S.n, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim)), S.mu, 0, S.t, v, out, w,
+     out + left);
     return left + right;
 }
 RUN(bspline_periodic)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(bspline_periodic)(S.n, S.p, D->dim, S.u, D->x, out, out + S.n + 2 * S.p + 1);
+    G(bspline_periodic)
+    (S.n, S.p, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim), out, out + S.n + 2 * S.p + 1);
     return S.n + 2 * S.p + 1 + (S.n + S.p) * D->dim;
 }
 RUN(nurbs_weight)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    out[0] = G(nurbs_weight)(G(nurbs_on_span)(S.p, 0, S.u, S.mu, NULL, D->w), S.t);
+    out[0] = G(nurbs_weight)(G(nurbs_on_span)(S.p, 0, ALONE(S.u, S.n + S.p + 1), S.mu, NULL, ALONE(D->w, S.n)), S.t);
     return 1;
 }
 RUN(nurbs_point)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_point)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, out);
+    G(nurbs_point)
+    (G(nurbs_on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim), ALONE(D->w, S.n)), S.t,
+     out);
     return D->dim;
 }
 RUN(nurbs_deboor)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_deboor)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, out);
+    G(nurbs_deboor)
+    (G(nurbs_on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim), ALONE(D->w, S.n)), S.t,
+     out);
     return D->dim;
 }
 RUN(nurbs_derivatives)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_derivatives)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, D->r, out);
+    G(nurbs_derivatives)
+    (G(nurbs_on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim), ALONE(D->w, S.n)), S.t,
+     D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(nurbs_curvature_squared)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    out[0] = G(nurbs_curvature_squared)(G(nurbs_on_span)(S.p, 3, S.u, S.mu, D->x, D->w), S.t);
+    out[0] = G(nurbs_curvature_squared)(
+        G(nurbs_on_span)(S.p, 3, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, 3 * S.n), ALONE(D->w, S.n)), S.t);
     return 1;
 }
 RUN(nurbs_torsion)
@@ -242,38 +265,46 @@ RUN(nurbs_torsion)
     struct G(data) E = *D;
     E.n = D->n < 3 ? 3 : D->n;
     struct G(knotted) S = G(knotted_of)(&E);
-    out[0] = G(nurbs_torsion)(G(nurbs_on_span)(S.p, 3, S.u, S.mu, D->x, D->w), S.t);
+    out[0] = G(nurbs_torsion)(
+        G(nurbs_on_span)(S.p, 3, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, 3 * S.n), ALONE(D->w, S.n)), S.t);
     return 1;
 }
 RUN(nurbs_insert)
 {
     struct G(knotted) S = G(knotted_of)(D);
     num v[32];
-    G(nurbs_insert)(nurbs(S.p, S.n, D->dim, S.u, D->x, D->w), S.mu, S.t, v, out, out + (S.n + 1) * D->dim);
+    G(nurbs_insert)
+    (nurbs(S.p, S.n, D->dim, ALONE(S.u, S.n + S.p + 1), ALONE(D->x, S.n * D->dim), ALONE(D->w, S.n)), S.mu, S.t, v, out,
+     out + (S.n + 1) * D->dim);
     return (S.n + 1) * (D->dim + 1);
 }
 RUN(nurbs_basis)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_basis)(G(nurbs_on_span)(S.p, 0, S.u, S.mu, NULL, D->w), S.t, D->r, out);
+    G(nurbs_basis)(G(nurbs_on_span)(S.p, 0, ALONE(S.u, S.n + S.p + 1), S.mu, NULL, ALONE(D->w, S.n)), S.t, D->r, out);
     return (D->r + 1) * (S.p + 1);
 }
 RUN(nurbs_basis_by_weights)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_basis_by_weights)(G(nurbs_on_span)(S.p, 0, S.u, S.mu, NULL, D->w), S.t, out);
+    G(nurbs_basis_by_weights)
+    (G(nurbs_on_span)(S.p, 0, ALONE(S.u, S.n + S.p + 1), S.mu, NULL, ALONE(D->w, S.n)), S.t, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(nurbs_by_weights)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_by_weights)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, D->r, out);
+    G(nurbs_by_weights)
+    (G(nurbs_on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim), ALONE(D->w, S.n)), S.t,
+     D->r, out);
     return (D->r + 1) * (S.p + 1) * D->dim;
 }
 RUN(nurbs_by_two_weights)
 {
     struct G(knotted) S = G(knotted_of)(D);
-    G(nurbs_by_two_weights)(G(nurbs_on_span)(S.p, D->dim, S.u, S.mu, D->x, D->w), S.t, out);
+    G(nurbs_by_two_weights)
+    (G(nurbs_on_span)(S.p, D->dim, ALONE(S.u, S.n + S.p + 1), S.mu, ALONE(D->x, S.n * D->dim), ALONE(D->w, S.n)), S.t,
+     out);
     return (S.p + 1) * (S.p + 1) * D->dim;
 }
 #include "core/number/generic_off.h"

@@ -25,28 +25,32 @@ static inline int G(three_multiplicities)(const struct G(data) * D, int l[])
 RUN(bezier_surface_transpose)
 {
     int m = G(other_degree)(D);
-    G(bezier_surface_transpose)(G(net)(D->n, m, D->dim, D->x), out);
+    G(bezier_surface_transpose)(G(net)(D->n, m, D->dim, ALONE(D->x, (D->n + 1) * (m + 1) * D->dim)), out);
     return (D->n + 1) * (m + 1) * D->dim;
 }
 RUN(bezier_surface_line)
 {
     int m = G(other_degree)(D);
-    G(bezier_surface_line)(G(net)(D->n, m, D->dim, D->x), D->t, out);
+    G(bezier_surface_line)(G(net)(D->n, m, D->dim, ALONE(D->x, (D->n + 1) * (m + 1) * D->dim)), D->t, out);
     return (m + 1) * D->dim;
 }
 RUN(bezier_surface_point)
 {
-    G(bezier_surface_point)(G(net)(D->n, G(other_degree)(D), D->dim, D->x), D->t, D->u, out);
+    int m = G(other_degree)(D);
+    G(bezier_surface_point)(G(net)(D->n, m, D->dim, ALONE(D->x, (D->n + 1) * (m + 1) * D->dim)), D->t, D->u, out);
     return D->dim;
 }
 RUN(bezier_surface_derivatives)
 {
-    G(bezier_surface_derivatives)(G(net)(D->n, G(other_degree)(D), D->dim, D->x), D->t, D->u, D->r, 3, out);
+    int m = G(other_degree)(D);
+    G(bezier_surface_derivatives)
+    (G(net)(D->n, m, D->dim, ALONE(D->x, (D->n + 1) * (m + 1) * D->dim)), D->t, D->u, D->r, 3, out);
     return (D->r + 1) * 4 * D->dim;
 }
 RUN(bezier_surface_normal)
 {
-    G(bezier_surface_normal)(G(net)(D->n, G(other_degree)(D), 3, D->x), D->t, D->u, out);
+    int m = G(other_degree)(D);
+    G(bezier_surface_normal)(G(net)(D->n, m, 3, ALONE(D->x, (D->n + 1) * (m + 1) * 3)), D->t, D->u, out);
     return 3;
 }
 /* Degrees that cost little; bezier_on_interval has the others. */
@@ -54,7 +58,8 @@ static inline int G(degree_of_part)(const struct G(data) * D) { return D->n <= 7
 RUN(bezier_surface_part)
 {
     int n = G(degree_of_part)(D), m = G(other_degree)(D);
-    G(bezier_surface_part)(G(net)(n, m, D->dim, D->x), D->t, D->u, from_ratio(1, 4), D->t, out);
+    G(bezier_surface_part)
+    (G(net)(n, m, D->dim, ALONE(D->x, (n + 1) * (m + 1) * D->dim)), D->t, D->u, from_ratio(1, 4), D->t, out);
     return (n + 1) * (m + 1) * D->dim;
 }
 RUN(hermite_blending)
@@ -64,7 +69,7 @@ RUN(hermite_blending)
 }
 RUN(hermite_cubic)
 {
-    G(hermite_cubic)(D->dim, D->x[0], add(D->x[0], D->w[0]), D->x + 1, D->t, D->r, out);
+    G(hermite_cubic)(D->dim, D->x[0], add(D->x[0], D->w[0]), ALONE(D->x + 1, 4 * D->dim), D->t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(lagrange_blending)
@@ -72,7 +77,7 @@ RUN(lagrange_blending)
     int n = D->n <= 7 ? D->n : 7;
     num tau[8];
     G(different_nodes)(D, n + 1, tau);
-    G(lagrange_blending)(n, tau, D->t, out);
+    G(lagrange_blending)(n, ALONE(tau, n + 1), D->t, out);
     return n + 1;
 }
 RUN(hermite_interpolant)
@@ -80,19 +85,21 @@ RUN(hermite_interpolant)
     int l[3], count = G(three_multiplicities)(D, l);
     num tau[3];
     G(different_nodes)(D, 3, tau);
-    G(hermite_interpolant)(3, l, tau, D->x + 1, out);
+    G(hermite_interpolant)(3, l, ALONE(tau, 3), ALONE(D->x + 1, count), out);
     return count;
 }
 /* Blending values, data across, data along, corners. */
 RUN(coons_patch)
 {
     int m = D->r % 2 == 0 ? 2 : 4;
-    G(coons_patch)(m, D->dim, D->x, D->x + 4, D->x + 8, D->x + 20, D->x + 32, out);
+    G(coons_patch)
+    (m, D->dim, ALONE(D->x, m), ALONE(D->x + 4, m), ALONE(D->x + 8, m * D->dim), ALONE(D->x + 20, m * D->dim),
+     ALONE(D->x + 32, m * m * D->dim), out);
     return D->dim;
 }
 RUN(hermite_tensor)
 {
-    G(hermite_tensor)(D->dim, D->x, D->t, D->u, D->r % 4, D->n % 4, out);
+    G(hermite_tensor)(D->dim, ALONE(D->x, 16 * D->dim), D->t, D->u, D->r % 4, D->n % 4, out);
     return D->dim;
 }
 #include "core/number/generic_off.h"
