@@ -110,9 +110,9 @@ class Fit(Room):
 
 
 class Kernels(Room):
-    """Judged by cagd verify, and by the unit test what no claim sees."""
+    """Judged by cagd verify, and by unit tests what no claim sees."""
     optimised = "-O0"
-    tests = {"test_kernels_checked": ["proofs-tests/unit/test_kernels_checked"]}
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_kernels_checked", "test_exact_curve")}
 
     def units(self):
         return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}

@@ -116,7 +116,7 @@ static int pick(uint64_t *seed, int low, int high)
 
 /* The data of a trial are short dyadic numbers: the same in every number type.  Points and weights, which take long to be
  * put into all number types, are those of all kernels; degree, dimension, order and parameters are drawn for each kernel.
- * The first trials have t = 0, t = 1, and the largest degree and dimension. */
+ * The first trials have t = 0, t = 1, the largest degree and dimension, and the least degree with most derivatives. */
 static struct {
     double x_d[NUMBERS], w_d[WEIGHTS];
     num_m x_m[NUMBERS], w_m[WEIGHTS];
@@ -155,9 +155,9 @@ static struct data_d draw(const char *name, int trial)
     uint64_t seed = seed_of(name) + (uint64_t)trial;
     int most = largest_dim(name);
     struct data_d D = {.x = drawn[trial].x_d, .w = drawn[trial].w_d};
-    D.n = trial == 2 ? MAX_DEGREE : pick(&seed, 1, 7);
+    D.n = trial == 2 ? MAX_DEGREE : trial == 3 ? 1 : pick(&seed, 1, 7);
     D.dim = trial == 2 ? most : pick(&seed, 1, most);
-    D.r = pick(&seed, 0, 5);
+    D.r = trial == 3 ? 5 : pick(&seed, 0, 5);
     D.t = trial == 0 ? 0 : trial == 1 ? 1 : pick(&seed, 1, 1023) * 0x1p-10;
     D.u = pick(&seed, 1, 1023) * 0x1p-10;
     return D;
@@ -382,6 +382,23 @@ static void matrices_by_hand(void **state)
     region_faults = 0;
 }
 
+/* The line s(t) = t over simple knots 0, 1, 3, 4, 6, 7, 9, in degree 2; in degree 1 over 2, 3, 6, 7 its points are the inner knots. */
+static void reduction_over_simple_knots(void **state)
+{
+    (void)state;
+    static const int knots[] = {0, 1, 3, 4, 6, 7, 9}, lower[] = {2, 3, 6, 7}, span[] = {2, 3};
+    num_q u[7], v[4], c[4], reduced[2];
+    for (int i = 0; i < 7; i++)
+        u[i] = from_int_q(knots[i]);
+    for (int i = 0; i < 4; i++)
+        v[i] = from_int_q(lower[i]), c[i] = from_ratio_q(knots[i + 1] + knots[i + 2], 2);
+    struct spline_q s = {.degree = 2, .count = 4, .dim = 1, .knots = u, .points = c};
+    region_faults = 0;
+    bspline_reduce_q(&s, 2, v, span, reduced);
+    assert_numbers(2, reduced, (int[]){3, 6}, 1);
+    assert_int_equal(region_faults, 0);
+}
+
 /* What has no value is UNDEFINED; a root that is not rational is UNABLE. */
 static void faults_are_told_apart(void **state)
 {
@@ -416,11 +433,12 @@ static int close_numbers(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[KERNELS + 4] = {
+    struct CMUnitTest tests[KERNELS + 5] = {
         [KERNELS] = cmocka_unit_test(standard_form_in_every_degree),
         [KERNELS + 1] = cmocka_unit_test(faults_are_told_apart),
         [KERNELS + 2] = cmocka_unit_test(divided_differences_by_hand),
         [KERNELS + 3] = cmocka_unit_test(matrices_by_hand),
+        [KERNELS + 4] = cmocka_unit_test(reduction_over_simple_knots),
     };
     for (int k = 0; k < KERNELS; k++)
         tests[k] = (struct CMUnitTest){names[k], kernel_agrees, NULL, NULL, (void *)&names[k]};
