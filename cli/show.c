@@ -131,7 +131,7 @@ static int show_entry(const cagd_register *reg, struct entry e, const claim_resu
 {
     int count;
     const claim **list = claims_of_entry(reg, e, &count);
-    claim_result *results = calloc((size_t)count, sizeof *results);
+    claim_result *results = calloc((size_t)count + 1, sizeof *results); /* a definition may have no claim */
     if (results == NULL)
         abort();
     for (int k = 0; k < count; k++)

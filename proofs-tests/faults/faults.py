@@ -5,7 +5,7 @@
 
 ROOM is kernels, exact, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
 gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
-by the tests of its room, those of its file first, until one fails, crashes or takes ten times its usual time; in the kernels by
+by the tests of its room, those of its file first, until one fails, crashes or takes many times its usual time; in the kernels by
 the claims that define the kernel, by all claims, and by the unit test under both sanitizers, which sees what is read or written
 behind the end of an array and changes no result.  A fault that survives is printed, and the exit status is 1.
 
@@ -270,16 +270,18 @@ class Copy:
             if self.fails(command, 0, 600):
                 raise SystemExit(f"{test} fails without any fault")
             self.usual[test] = max(self.usual.get(test, 0), time.monotonic() - start)
-        if self.verified and self.fails(["./cagd", "verify", "--jobs", self.jobs], 0, 3000):
+        start = time.monotonic()
+        if self.verified and self.fails(["./cagd", "verify", "--jobs", 1], 0, 3000):
             raise SystemExit("cagd verify fails without any fault")
+        self.usual["verify"] = time.monotonic() - start
 
     def judge(self, fault, defining):
         """What notices the fault; None when nothing does."""
         if self.verified:
             claims = [claim for claim in defining.get(kernel_of(fault), []) if claim in self.claims]
-            if claims and self.fails(["./cagd", "verify", "--jobs", 1, *claims], fault["number"], 300):
+            if claims and self.fails(["./cagd", "verify", "--jobs", 1, *claims], fault["number"], 5 * self.usual["verify"] + 5):
                 return "its claim"
-            if self.fails(["./cagd", "verify", "--jobs", 1], fault["number"], 600):
+            if self.fails(["./cagd", "verify", "--jobs", 1], fault["number"], 5 * self.usual["verify"] + 5):
                 return "other claims"
         first = [test for test in self.room.first(fault["file"]) if test in self.tests]
         for test in first + [test for test in self.tests if test not in first]:

@@ -419,7 +419,7 @@ def plant(text, faults):
 
 
 def on(fault):
-    return fault["switched"].replace("ON", f"fault_is({fault['number']})")
+    return re.sub(r"\bON\b", f"fault_is({fault['number']})", fault["switched"])
 
 
 def batches(chosen):

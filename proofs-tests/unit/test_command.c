@@ -1,0 +1,387 @@
+/* test_command.c -- the commands that report, on registers made by hand: what they count, what they say, and their exit status.
+ *
+ * Whole outputs are compared with the files of the folder command-output; CAGD_WRITE_EXPECTED=1 writes these anew, to be read. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "chapters/judge/certificate.h"
+#include "chapters/judge/words.h"
+#include "cli/commands.h"
+#include "cli/report.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* ---- the registers ----------------------------------------------------------------------------------- */
+
+static void square_f(trial *T)
+{
+    num_f x = unknown_f(T, "x", 0), w = positive_f(T, "w", 0);
+    show_f(T, "x", x);
+    same_f(T, mul_f(x, x), mul_f(x, fault(T, x, from_int_f(1))));
+    nonnegative_f(T, w);
+}
+static void powers_f(trial *T)
+{
+    num_f x = unknown_f(T, "x", 0), p = x;
+    for (int k = 1; k < T->degree; k++)
+        p = mul_f(p, x);
+    same_f(T, mul_f(p, x), mul_f(x, fault(T, p, x)));
+    vanishes_f(T, sub_f(p, fault(T, p, x)));
+}
+static void double_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", 0);
+    same_q(T, add_q(x, x), mul_q(from_int_q(fault(T, 2, 3)), x));
+}
+static void double_i(trial *T)
+{
+    num_i x = unknown_i(T, "x", 0);
+    same_i(T, add_i(x, x), mul_i(from_int_i(fault(T, 2, 3)), x));
+}
+static void double_m(trial *T)
+{
+    num_m x = div_m(unknown_m(T, "x", 0), from_int_m(7));
+    same_m(T, add_m(mul_m(from_int_m(3), x), from_int_m(fault(T, 1, 2))),
+           mul_m(from_int_m(3), add_m(x, from_ratio_m(1, 3))));
+}
+static void is_nine_q(trial *T)
+{
+    num_q x = given_q(T, "x");
+    same_q(T, mul_q(x, x), from_int_q(fault(T, 9, 8)));
+}
+static void is_four_q(trial *T)
+{
+    num_q x = given_q(T, "x");
+    found_q(T, "x + 1", add_q(x, from_int_q(1)));
+    about(T, "x and what is printed");
+    same_q(T, x, from_int_q(fault(T, 3, 4)));
+}
+static void is_not_q(trial *T)
+{
+    about(T, "<&\">");
+    same_q(T, from_int_q(1), from_int_q(2));
+}
+static void is_unable_f(trial *T)
+{
+    num_f x = unknown_f(T, "x", 0);
+    if (T->planted)
+        same_f(T, x, from_int_f(1));
+    else
+        region_faults |= FAULT_UNABLE, agree(T, 1);
+}
+
+#define VALUES(...)                                                                                                    \
+    (const char *const[]) { __VA_ARGS__ }
+static const datum three[] = {
+    {.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
+    {.name = "x + 1", .text = "4", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},
+    {.name = NULL}};
+static const datum only_three[] = {{.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
+                                   {.name = NULL}};
+#define TEXTS(claim_name, in_file, at)                                                                                 \
+    .name = claim_name, .title = "Title of " claim_name, .title_zh = "标题", .given = "numbers $x$", .let = "",        \
+    .then = "$x = x$ in " claim_name, .method = "computed, as in [book]", .control = "another number", .scope = "",    \
+    .over = "x#: points", .argued_for = "", .argued = "", .chapter = "first", .defines = "", .letter = "n",            \
+    .file = "chapters/first/" in_file ".claims.h", .line = at
+static const claim claims[] = {
+    {TEXTS("square_is_product", "one", 10), .body = {[FIELD_TYPE] = square_f}},
+    {TEXTS("sum_is_double", "one", 20),
+     .body = {[RATIONAL_TYPE] = double_q, [INTERVAL_TYPE] = double_i, [DOUBLE_TYPE] = double_m}},
+    {TEXTS("sum_is_double_in_degrees", "one", 25), .degree_low = 1, .degree_high = 3, .degree_sampled = 9,
+     .body = {[DOUBLE_TYPE] = double_m}},
+    {TEXTS("powers_commute", "one", 28), .degree_low = 2, .degree_high = 4, .degree_sampled = 4,
+     .body = {[FIELD_TYPE] = powers_f}},
+    {TEXTS("three_squared", "two", 30), .kind = DECISION, .body = {[RATIONAL_TYPE] = is_nine_q}, .data = only_three},
+    {TEXTS("three_is_four", "two", 40), .kind = COUNTEREXAMPLE, .body = {[RATIONAL_TYPE] = is_four_q}, .data = three},
+    {TEXTS("one_is_two", "two", 50), .body = {[RATIONAL_TYPE] = is_not_q}},
+    {TEXTS("nobody_knows", "two", 60), .body = {[FIELD_TYPE] = is_unable_f}},
+    {.name = NULL}};
+/* The first claims, which are as expected. */
+enum { GOOD = 6 };
+
+#define STATEMENT(of, in_source, at, its_class, correction, about, drawn)                                              \
+    .id = in_source ":" of, .title = "Title of " of, .title_zh = "命题", .printed = "x = " of, .class = its_class,     \
+    .corrected = correction, .figure = drawn, .note = about, .letter = "n", .chapter = "first",                        \
+    .file = "chapters/first/one.claims.h", .line = at
+#define LINKS(...)                                                                                                     \
+    (const statement_link[])                                                                                           \
+    {                                                                                                                  \
+        __VA_ARGS__, { HOLDS_BY, NULL, NULL, NULL }                                                                    \
+    }
+static const statement good_statements[] = {
+    {STATEMENT("1", "book", 1, "", "", "As in [paper]", "picture"),
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, ""}, {HOLDS_BY, "three_squared", NULL, ""},
+                    {CONFIRMED_BY, "sum_is_double", NULL, ""})},
+    {STATEMENT("2", "book", 2, "misprint", "x = 3", "", ""), .striking = 1,
+     .links = LINKS({REFUTED_BY, "three_is_four", NULL, ""}, {CORRECTED_BY, "three_squared", NULL, ""},
+                    {ARGUED, NULL, "every n", "because"})},
+    {STATEMENT("3", "book", 3, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, ""}, {HYPOTHESIS, "three_is_four", NULL, "$x > 0$"},
+                    {NEEDS, "three_is_four", "page 7", "$y > 0$"})},
+    {STATEMENT("4", "paper", 4, "", "", "", ""), .is_definition = 1,
+     .links = LINKS({CHECKED_BY, "three_squared", NULL, ""}, {CITES, NULL, "[book], 5", "a theorem"})},
+    {STATEMENT("5", "paper", 5, "", "", "", ""), .is_definition = 1, .links = LINKS({HOLDS_BY, NULL, NULL, NULL})},
+    {STATEMENT("6", "paper", 6, "", "", "", ""),
+     .links = LINKS({READING, "three_is_four", NULL, "one way"}, {READING, "square_is_product", NULL, "another way"})},
+    {STATEMENT("7", "paper", 7, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, ""}, {READING, "three_is_four", NULL, "one way"},
+                    {MEANT, NULL, "page 8", "the other"})},
+    {STATEMENT("8", "paper", 8, "false", "", "", ""), .striking = 2,
+     .links = LINKS({REFUTED_BY, "three_is_four", NULL, ""})},
+    {.id = NULL}};
+static const statement bad_statements[] = {
+    {STATEMENT("1", "book", 1, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, ""})},
+    {STATEMENT("2", "book", 2, "", "", "", ""), .links = LINKS({HOLDS_BY, "one_is_two", NULL, ""})},
+    {STATEMENT("3", "book", 3, "", "", "", ""), .links = LINKS({HOLDS_BY, "nobody_knows", NULL, ""})},
+    {.id = NULL}};
+static const source sources[] = {{"book", "Ann Author, Bob Author", "A book", "书", "1999", "Press", "chapter 1", "n"},
+                                 {"paper", "unknown", "A paper", "", "unknown", "", "pages 1 to 9", "n"},
+                                 {.key = NULL}};
+static const chapter chapters[] = {{"first", "The first"}, {.name = NULL}};
+static const figure figures[] = {{.name = NULL}};
+static claim good_claims[GOOD + 1];
+static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL},
+                           bad = {claims, bad_statements, chapters, figures, sources, NULL};
+
+/* main.c has the list of the commands; here there is no other. */
+const struct command *const commands[] = {&command_verify, NULL};
+
+/* ---- a call ------------------------------------------------------------------------------------------ */
+
+/* Runs the command in a process of its own.  Returns the exit status, and in *out what it printed, to be freed. */
+static int call_of(const struct command *command, const cagd_register *reg, char **out, const char *const arguments[])
+{
+    static const int crashes[] = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
+    char name[32], *argv[16] = {name};
+    int argc = 1;
+    snprintf(name, sizeof name, "cagd %s", command->name);
+    while (arguments[argc - 1] != NULL) {
+        argv[argc] = strdup(arguments[argc - 1]); /* the parser of an option may write into it */
+        argc++;
+    }
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    fflush(NULL);
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        for (size_t k = 0; k < sizeof crashes / sizeof *crashes; k++)
+            signal(crashes[k], SIG_DFL); /* not as cmocka has it */
+        dup2(fileno(file), STDOUT_FILENO);
+        if (freopen("/dev/null", "w", stderr) == NULL)
+            _exit(99);
+        int code = command->run(&(struct call){command, reg, argc, argv});
+        fflush(stdout);
+        _exit(code);
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status));
+    long size = (fseek(file, 0, SEEK_END), ftell(file));
+    rewind(file);
+    *out = calloc((size_t)size + 1, 1);
+    assert_non_null(*out);
+    assert_int_equal(fread(*out, 1, (size_t)size, file), (size_t)size);
+    fclose(file);
+    while (argc > 1)
+        free(argv[--argc]);
+    return WEXITSTATUS(status);
+}
+#define CALL(command, reg, out, ...) call_of(&command_##command, reg, out, (const char *const[]){__VA_ARGS__, NULL})
+
+static char *text_of(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    if (file == NULL)
+        fail_msg("%s cannot be read", path);
+    char *text = NULL;
+    size_t size = 0;
+    if (getdelim(&text, &size, '\0', file) < 0) {
+        free(text);
+        text = strdup("");
+    }
+    fclose(file);
+    return text;
+}
+
+/* The text is that of the file in command-output. */
+static void assert_expected(const char *name, const char *text)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", EXPECTED, name);
+    if (getenv("CAGD_WRITE_EXPECTED") != NULL) {
+        FILE *file = fopen(path, "w");
+        assert_non_null(file);
+        fputs(text, file);
+        fclose(file);
+    }
+    char *expected = text_of(path);
+    if (strcmp(expected, text) != 0)
+        fail_msg("not as in %s:\n%s", name, text);
+    free(expected);
+}
+
+static void says(int code, const struct command *command, const cagd_register *reg, const char *expected,
+                 const char *const arguments[])
+{
+    char *out;
+    int status = call_of(command, reg, &out, arguments);
+    assert_expected(expected, out);
+    assert_int_equal(status, code);
+    free(out);
+}
+#define SAYS(code, command, reg, expected, ...)                                                                        \
+    says(code, &command_##command, reg, expected, (const char *const[]){__VA_ARGS__, NULL})
+
+/* ---- the tests --------------------------------------------------------------------------------------- */
+
+static void exit_status_is_that_of_the_verdicts(void **state)
+{
+    (void)state;
+    static const struct {
+        const struct command *command;
+        const char *arguments[5];
+        int good, bad;
+    } list[] = {
+        {&command_verify, {"-j1"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"-j1", "--json"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"-j1", "--tap"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"square_is_product"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_verify, {"one_is_two"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"nobody_knows"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"--shard", "1/8"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_verify, {"--shard", "7/8"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"--shard", "8/7"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--shard", "0/7"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--shard", "7"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--junit", "/nowhere/at/all"}, EXIT_INTERNAL, EXIT_INTERNAL},
+        {&command_verify, {"--certificates", "/dev/null/at/all"}, EXIT_INTERNAL, EXIT_INTERNAL},
+        {&command_verify, {"--report", "/dev/null/at/all"}, EXIT_INTERNAL, EXIT_INTERNAL},
+        {&command_verify, {"--report", "/tmp", "square_is_product"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--report", "/tmp", "--shard", "1/2"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"-j1"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_ledger, {"--json"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_ledger, {"book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_ledger, {"book:3"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_ledger, {"book:9"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_show, {"book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_show, {"book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_show, {"book:1", "book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_show, {"book:2", "book:1"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_show, {"one_is_two"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
+        {&command_show, {"paper:5"}, EXIT_AS_EXPECTED, EXIT_USAGE},
+    };
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int is_bad = 0; is_bad < 2; is_bad++) {
+            char *out;
+            int code = call_of(list[k].command, is_bad ? &bad : &good, &out, list[k].arguments);
+            int expected = is_bad ? list[k].bad : list[k].good;
+            if (code != expected)
+                fail_msg("call %zu, cagd %s %s: %d, not %d", k, list[k].command->name, list[k].arguments[0], code,
+                         expected);
+            free(out);
+        }
+}
+
+static void verify_says(void **state)
+{
+    (void)state;
+    SAYS(EXIT_AS_EXPECTED, verify, &good, "verify-good.txt", "-j1");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-bad.txt", "-j2");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-bad.tap", "--tap");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-bad.json", "--json");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-shard.txt", "--shard", "3/4");
+    SAYS(EXIT_AS_EXPECTED, verify, &good, "verify-deep.txt", "--deep", "sum_is_double*");
+}
+
+static void ledger_says(void **state)
+{
+    (void)state;
+    SAYS(EXIT_AS_EXPECTED, ledger, &good, "ledger-good.txt", "-j1");
+    SAYS(EXIT_AS_EXPECTED, ledger, &good, "ledger-good.json", "--json");
+    SAYS(EXIT_AS_EXPECTED, ledger, &good, "ledger-striking.txt", "--striking", "1");
+    SAYS(EXIT_AS_EXPECTED, ledger, &good, "ledger-two-striking.txt", "--striking", "9");
+    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &bad, "ledger-bad.txt", "-j1");
+    SAYS(EXIT_AS_EXPECTED, ledger, &good, "ledger-summary.txt", "--summary", "paper:*");
+}
+
+static void pages_say(void **state)
+{
+    (void)state;
+    SAYS(EXIT_AS_EXPECTED, show, &good, "show-statements.txt", "book:1", "book:2", "book:3", "paper:4", "paper:5",
+         "paper:6", "paper:7", "paper:8");
+    SAYS(EXIT_AS_EXPECTED, show, &good, "show-numbers.txt", "--numbers", "book:1", "book:3");
+    SAYS(EXIT_AS_EXPECTED, show, &good, "show-claims.txt", "square_is_product", "first.sum_is_double", "three_is_four");
+    SAYS(EXIT_NOT_AS_EXPECTED, show, &bad, "show-bad.txt", "book:1", "book:2", "book:3", "one_is_two");
+    SAYS(EXIT_AS_EXPECTED, show, &good, "show-claim.json", "--json", "three_is_four");
+    SAYS(EXIT_AS_EXPECTED, show, &good, "show-statement.json", "--json", "book:3");
+}
+
+/* Everything that is written to files: certificates with their manifest, the report, JUnit. */
+static void files_say(void **state)
+{
+    (void)state;
+    static const char *const files[][2] = {{"manifest.json", "manifest.json"},
+                                           {"claims/square_is_product.json", "certificate-field.json"},
+                                           {"claims/sum_is_double_in_degrees.json", "certificate-none.json"},
+                                           {"claims/powers_commute.json", "certificate-two-cases.json"},
+                                           {"claims/sum_is_double.json", "certificate-rational.json"},
+                                           {"claims/three_is_four.json", "certificate-counterexample.json"},
+                                           {"book/1.json", "certificate-holds.json"},
+                                           {"book/2.json", "certificate-fails.json"},
+                                           {"paper/4.json", "certificate-definition.json"},
+                                           {"ledger.txt", "report-ledger.txt"},
+                                           {"summary.txt", "report-summary.txt"},
+                                           {"striking.txt", "report-striking.txt"},
+                                           {"ledger.json", "report-ledger.json"}};
+    char folder[] = "/tmp/test_command_XXXXXX", path[4096], junit[4096], *out, *text;
+    assert_non_null(mkdtemp(folder));
+    snprintf(junit, sizeof junit, "%s/junit.xml", folder);
+    assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder, "--report", folder, "--junit", junit),
+                     EXIT_AS_EXPECTED);
+    free(out);
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        snprintf(path, sizeof path, "%s/%s", folder, files[k][0]);
+        text = text_of(path);
+        assert_expected(files[k][1], text);
+        free(text);
+    }
+    /* What is open is not certified; every statement is counted. */
+    assert_int_equal(CALL(verify, &bad, &out, "-j1", "--certificates", folder, "--report", folder, "--junit", junit),
+                     EXIT_NOT_AS_EXPECTED);
+    free(out);
+    snprintf(path, sizeof path, "%s/manifest.json", folder);
+    text = text_of(path);
+    assert_expected("manifest-bad.json", text);
+    free(text);
+    text = text_of(junit);
+    for (char *at = text; (at = strstr(at, "time=\"")) != NULL;) { /* how long it took is another matter */
+        at += strlen("time=\"");
+        memset(at, '0', strcspn(at, "\""));
+    }
+    for (char *at; (at = strstr(text, "\"00")) != NULL;)
+        memmove(at + 1, at + 2, strlen(at + 2) + 1);
+    assert_expected("junit-bad.xml", text);
+    free(text);
+    char command[4200];
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    assert_int_equal(system(command), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        unit(exit_status_is_that_of_the_verdicts),
+        unit(verify_says),
+        unit(ledger_says),
+        unit(pages_say),
+        unit(files_say),
+    };
+    memcpy(good_claims, claims, GOOD * sizeof *claims);
+    setenv("ARGP_HELP_FMT", "", 1);
+    return run_unit_tests(tests);
+}
