@@ -71,7 +71,7 @@ void look_for_unused(trial *T)
 /* ---- numbers ------------------------------------------------------------------------------------ */
 
 /* A letter begins the name of a variable of the field. */
-static int is_variable(const char *text) { return *text >= 'A' && *text != '\0'; }
+static int is_variable(const char *text) { return *text >= 'A'; }
 
 static num_q value_q(const char *text) { return from_string_q(text); }
 static num_i value_i(const char *text) { return from_rational_i(from_string_q(text)); }

@@ -204,7 +204,8 @@ static void conclude(claim_result *r)
         const type_result *b = &r->by[t];
         if (!b->ran)
             continue;
-        int cannot_confirm = t == INTERVAL_TYPE && b->outcome == UNDECIDED && wanted == HOLDS;
+        /* Intervals that meet confirm nothing, and refute nothing; what was not computed is another matter. */
+        int cannot_confirm = t == INTERVAL_TYPE && b->outcome == UNDECIDED && wanted == HOLDS && b->faults == 0;
         if ((b->outcome != wanted && !cannot_confirm) || !b->control_caught)
             r->as_expected = 0;
         if ((b->outcome == wanted || cannot_confirm) && evidence_of(c, t) > r->computed)

@@ -81,10 +81,11 @@ class Exact(Room):
 
 
 class Judge(Room):
-    tests = {"test_judge": ["proofs-tests/unit/test_judge"]}
+    """The judge, and the commands that report what it found."""
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_comparison", "test_command", "test_judge")}
 
     def units(self):
-        return {c: [c] for c in sources("chapters/judge/*.c")}
+        return {c: [c] for c in [*sources("chapters/judge/*.c"), *(f"cli/{name}.c" for name in "verify ledger show page report junit manifest".split())]}
 
 
 class Core(Room):

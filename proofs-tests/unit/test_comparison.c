@@ -1,0 +1,537 @@
+/* test_comparison.c -- the rules of the judge one by one: what a comparison decides, what is noted of it, which data a body is
+ * given, and what an outcome in one number type is worth. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "chapters/judge/case.h"
+#include "chapters/judge/run.h"
+#include "chapters/judge/words.h"
+#include "exact/number/field.h"
+#include "exact/record/trace.h"
+#include "exact/words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const claim without_data = {.name = "without data", .scope = ""};
+static trial tried(void) { return (trial){.claim = &without_data}; }
+static const char *shown(const trial *T, const char *name)
+{
+    for (int k = 0; k < T->exhibits; k++)
+        if (strcmp(T->shown[k].name, name) == 0)
+            return T->shown[k].value;
+    return NULL;
+}
+static void done(trial *T)
+{
+    forget_exhibits(T->shown, T->exhibits);
+    *T = tried();
+}
+static num_i between(int low, int high) { return cagd_hull_i(from_int_i(low), from_int_i(high)); }
+
+/* ---- comparisons --------------------------------------------------------------------------------------- */
+
+/* Two numbers with the bounds u and 3/2 u: a distance of 2u is 4/5 of what is allowed, one of 4u is too much. */
+static void binary64_differs_by_its_bounds(void **state)
+{
+    (void)state;
+    const num_m a = {1, 1, 0}, near = {1 + 2 * unit_roundoff, 1.5, 0}, far = {1 + 4 * unit_roundoff, 1.5, 0};
+    for (int turned = 0; turned < 2; turned++) {
+        trial T = tried();
+        same_m(&T, turned ? near : a, turned ? a : near);
+        assert_int_equal(T.outcome, HOLDS);
+        assert_true(T.worst > 0.79 && T.worst <= 0.8);
+        same_m(&T, a, a);
+        assert_true(T.worst > 0.79); /* the worst stays */
+        assert_int_equal(T.exhibits, 0);
+        same_m(&T, turned ? far : a, turned ? a : far);
+        assert_int_equal(T.outcome, FAILS);
+        assert_true(T.worst > 1.5 && T.worst < 1.7);
+        assert_int_equal(T.compared, 3);
+        assert_int_equal(T.exhibits, 2); /* nothing was said about it */
+        assert_non_null(shown(&T, "left"));
+        assert_non_null(shown(&T, "right"));
+        done(&T);
+    }
+    trial T = tried();
+    same_m(&T, exact_m(NAN), exact_m(1));
+    assert_int_equal(T.outcome, FAILS);
+    done(&T);
+}
+
+static void intervals_refute_and_confirm_no_equality(void **state)
+{
+    (void)state;
+    trial T = tried();
+    same_i(&T, between(0, 4), from_int_i(2));
+    assert_int_equal(T.outcome, UNDECIDED);
+    same_i(&T, between(1, 2), from_int_i(2));
+    assert_int_equal(T.outcome, UNDECIDED);
+    assert_true(T.worst == 4); /* of the widest */
+    same_i(&T, between(0, 4), from_int_i(5));
+    assert_int_equal(T.outcome, FAILS);
+    assert_int_equal(T.exhibits, 2);
+    done(&T);
+    vanishes_i(&T, between(1, 2));
+    assert_int_equal(T.outcome, FAILS);
+    done(&T);
+}
+
+static void signs_in_every_type(void **state)
+{
+    (void)state;
+    static const struct {
+        int low, high;
+        outcome outcome;
+    } intervals[] = {{-1, 1, UNDECIDED}, {-2, -1, FAILS}, {-1, 0, UNDECIDED}, {0, 1, HOLDS}, {1, 2, HOLDS}};
+    for (size_t k = 0; k < sizeof intervals / sizeof *intervals; k++) {
+        trial T = tried();
+        nonnegative_i(&T, between(intervals[k].low, intervals[k].high));
+        assert_int_equal(T.outcome, intervals[k].outcome);
+        assert_int_equal(T.exhibits, intervals[k].outcome == FAILS);
+        assert_true((shown(&T, "negative") != NULL) == (intervals[k].outcome == FAILS));
+        assert_int_equal(T.compared, 1);
+        done(&T);
+    }
+    for (int sign = -1; sign <= 1; sign++) {
+        trial T = tried();
+        nonnegative_q(&T, from_int_q(sign));
+        assert_int_equal(T.outcome, sign < 0 ? FAILS : HOLDS);
+        if (sign < 0)
+            assert_string_equal(shown(&T, "negative"), "-1");
+        assert_int_equal(T.exhibits, sign < 0);
+        done(&T);
+        /* Below 0 by its bound is not refuted, by more it is. */
+        nonnegative_m(&T, (num_m){-(1 + sign) * unit_roundoff, 1.5, 0});
+        assert_int_equal(T.outcome, sign > 0 ? FAILS : HOLDS);
+        assert_int_equal(T.exhibits, sign > 0);
+        done(&T);
+    }
+    field_open(4);
+    trial T = tried();
+    num_f x = variable_f("x");
+    nonnegative_f(&T, from_int_f(0));
+    nonnegative_f(&T, x);
+    assert_int_equal(T.outcome, HOLDS);
+    assert_int_equal(T.exhibits, 0);
+    nonnegative_f(&T, neg_f(x));
+    assert_int_equal(T.outcome, FAILS);
+    assert_string_equal(shown(&T, "negative"), "-x");
+    T.positive = NULL;
+    done(&T);
+    nonnegative_f(&T, sub_f(x, variable_f("y")));
+    assert_int_equal(T.outcome, HOLDS);
+    expect_fault(FAULT_UNABLE);
+    done(&T);
+    field_close();
+}
+
+/* Coefficients say something for positive values of the variables that occur, in numerator or denominator. */
+static void variables_whose_sign_was_used(void **state)
+{
+    (void)state;
+    field_open(6);
+    trial T = tried();
+    num_f x11 = variable_f("x11"), ax1 = variable_f("ax1"), x1 = variable_f("x1"), y = variable_f("y"),
+          z = variable_f("z");
+    nonnegative_f(&T, x11);
+    assert_string_equal(T.positive, "x11");
+    nonnegative_f(&T, ax1);
+    assert_string_equal(T.positive, "x11 ax1");
+    nonnegative_f(&T, x1); /* part of the names of both */
+    assert_string_equal(T.positive, "x11 ax1 x1");
+    nonnegative_f(&T, add_f(x1, x11));
+    assert_string_equal(T.positive, "x11 ax1 x1");
+    nonnegative_f(&T, div_f(from_int_f(1), y));
+    assert_string_equal(T.positive, "x11 ax1 x1 y");
+    same_f(&T, z, z);
+    assert_string_equal(T.positive, "x11 ax1 x1 y");
+    assert_int_equal(T.outcome, HOLDS);
+    assert_int_equal(T.compared, 6);
+    done(&T);
+    field_close();
+}
+
+static void zero_in_every_type(void **state)
+{
+    (void)state;
+    field_open(1);
+    for (int value = 0; value < 2; value++) {
+        trial T = tried();
+        vanishes_q(&T, from_int_q(value));
+        assert_int_equal(T.outcome, value == 0 ? HOLDS : FAILS);
+        assert_int_equal(T.compared, 1);
+        done(&T);
+        vanishes_f(&T, from_int_f(value));
+        assert_int_equal(T.outcome, value == 0 ? HOLDS : FAILS);
+        assert_int_equal(T.compared, 1);
+        done(&T);
+        vanishes_m(&T, from_int_m(value));
+        assert_int_equal(T.outcome, value == 0 ? HOLDS : FAILS);
+        assert_int_equal(T.compared, 1);
+        done(&T);
+        vanishes_i(&T, from_int_i(value));
+        assert_int_equal(T.outcome, value == 0 ? UNDECIDED : FAILS);
+        assert_int_equal(T.compared, 1);
+        done(&T);
+    }
+    field_close();
+}
+
+/* What is compared is noted where a trace is open, in the order of the comparisons. */
+static void comparisons_are_noted(void **state)
+{
+    (void)state;
+    field_open(2);
+    cagd_trace_open(100);
+    trial T = tried();
+    num_q x = unknown_q(&T, "x", 0), t = parameter_q(&T, "t");
+    assert_true(strstr(cagd_trace_inputs(), "\"x0\"") != NULL && strstr(cagd_trace_inputs(), "\"t\"") != NULL);
+    agree(&T, 1);
+    same_q(&T, x, x);
+    same_q(&T, x, t);
+    nonnegative_q(&T, t);
+    nonnegative_q(&T, neg_q(t));
+    refute(&T, 1);
+    assert_string_equal(cagd_trace_steps(),
+                        "[{\"agree\":true},{\"same\":[1,1],\"equal\":true},{\"same\":[1,3],\"equal\":false},"
+                        "{\"nonnegative\":3,\"good\":true},{\"nonnegative\":4,\"good\":false},{\"agree\":false}]\n");
+    cagd_trace_close();
+    cagd_trace_open(100);
+    num_f y = variable_f("y");
+    same_f(&T, y, y);
+    same_f(&T, y, neg_f(y));
+    nonnegative_f(&T, y);
+    nonnegative_f(&T, neg_f(y));
+    assert_string_equal(cagd_trace_steps(), "[{\"same\":[0,0],\"equal\":true},{\"same\":[0,1],\"equal\":false},"
+                                            "{\"nonnegative\":0,\"good\":true,\"text\":\"y\",\"sign\":1},"
+                                            "{\"nonnegative\":2,\"good\":false,\"text\":\"-y\",\"sign\":-1}]\n");
+    cagd_trace_close();
+    done(&T);
+    field_close();
+}
+
+/* ---- data ---------------------------------------------------------------------------------------------- */
+
+/* The first outputs of splitmix64 from the states 0 and 1, by its publication. */
+static void the_generator_is_splitmix64(void **state)
+{
+    (void)state;
+    trial T = {.state = 0};
+    assert_int_equal(pick(&T, 0, 999999), 0xe220a8397b1dcdafu % 1000000);
+    assert_int_equal(pick(&T, 0, 999999), 0x6e789e6aa1b965f4u % 1000000);
+    assert_int_equal(pick(&T, -5, 999994), (int)(0x06c45d188009454fu % 1000000) - 5);
+}
+
+static void what_lies_inside(void **state)
+{
+    (void)state;
+    field_open(2);
+    trial T = tried();
+    num_f s = variable_f("s");
+    assert_true(equal_f(mul_f(inside_f(&T, "s"), add_f(s, from_int_f(1))), s));
+    field_close();
+}
+
+#define VALUES(...)                                                                                                    \
+    (const char *const[]) { __VA_ARGS__ }
+#define ONE_VALUE(entry, written) .name = entry, .text = written, .rows = 1, .columns = 1, .value = VALUES(written)
+static const datum given[] = {
+    {ONE_VALUE("three", "3")},
+    {ONE_VALUE("half", "1/2")},
+    {ONE_VALUE("part", "3.5")},
+    {ONE_VALUE("large", "99999999999")},
+    {ONE_VALUE("small", "-99999999999")},
+    {ONE_VALUE("variable", "w1")},
+    {ONE_VALUE("tenth", "0.1")},
+    {.name = "text", .text = "\"y\"", .rows = 1, .columns = 0, .value = VALUES("y")},
+    {.name = "points", .rows = 2, .columns = 3, .value = VALUES("1", "2", "3", "4", "5", "6")},
+    {ONE_VALUE("three", "3"), .place = IN_RESULT},
+    {ONE_VALUE("tenth", "0.1"), .place = IN_RESULT},
+    {ONE_VALUE("variable", "w1"), .place = IN_RESULT},
+    {.name = "text", .text = "\"y\"", .rows = 1, .columns = 0, .value = VALUES("y"), .place = IN_RESULT},
+    {.name = "points", .rows = 2, .columns = 3, .value = VALUES("1", "2", "3", "4", "5", "6"), .place = IN_RESULT},
+    {.name = NULL}};
+static const claim with_data = {.name = "with data", .scope = "", .data = given};
+static trial given_to(void) { return (trial){.claim = &with_data}; }
+static void made_a_mistake(trial *T, const char *what)
+{
+    if (what == NULL) {
+        assert_false(T->mistaken);
+        assert_null(shown(T, "mistake"));
+    } else {
+        assert_true(T->mistaken);
+        assert_non_null(shown(T, "mistake"));
+        assert_string_equal(shown(T, "mistake"), what);
+    }
+    forget_exhibits(T->shown, T->exhibits);
+    *T = given_to();
+}
+
+static void what_is_given(void **state)
+{
+    (void)state;
+    trial T = given_to();
+    num_q P[6];
+    assert_int_equal(given_whole(&T, "three"), 3);
+    assert_string_equal(shown(&T, "three"), "3");
+    made_a_mistake(&T, NULL);
+    given_whole(&T, "part");
+    made_a_mistake(&T, "'part': the datum is no whole number");
+    given_whole(&T, "large");
+    made_a_mistake(&T, "'large': the datum is no whole number");
+    given_whole(&T, "small");
+    made_a_mistake(&T, "'small': the datum is no whole number");
+    assert_int_equal(given_whole(&T, "nothing"), 0);
+    made_a_mistake(&T, "'nothing': the block has no such datum");
+    given_whole(&T, "points");
+    made_a_mistake(&T, "'points': the datum has another shape");
+    assert_string_equal(given_text(&T, "text"), "y");
+    assert_string_equal(shown(&T, "text"), "y");
+    made_a_mistake(&T, NULL);
+    assert_string_equal(given_text(&T, "three"), "");
+    made_a_mistake(&T, "'three': the datum has another shape");
+    given_points_q(&T, "points", 2, 3, P);
+    assert_true(cagd_equal_q(P[5], from_int_q(6)));
+    made_a_mistake(&T, NULL);
+    given_points_q(&T, "points", 1, 3, P);
+    made_a_mistake(&T, "'points': the datum has another shape");
+    given_points_q(&T, "points", 2, 2, P);
+    made_a_mistake(&T, "'points': the datum has another shape");
+    field_open(2);
+    assert_true(equal_f(given_f(&T, "variable"), variable_f("w1")));
+    assert_true(equal_f(given_f(&T, "half"), from_ratio_f(1, 2)));
+    made_a_mistake(&T, NULL);
+    field_close();
+    /* The nearest binary64 of 1/10, an error of half a unit of its last place at most, once rounded. */
+    num_m tenth = given_m(&T, "tenth"), half = given_m(&T, "half");
+    assert_true(tenth.v == 0.1 && tenth.e == 0.1 && tenth.k == 1);
+    assert_true(half.v == 0.5 && half.e == 0);
+    made_a_mistake(&T, NULL);
+}
+
+static void what_is_found(void **state)
+{
+    (void)state;
+    trial T = given_to();
+    num_q P[6];
+    for (int k = 0; k < 6; k++)
+        P[k] = from_int_q(k + 1);
+    found_whole(&T, "three", 3);
+    assert_string_equal(shown(&T, "three"), "3");
+    made_a_mistake(&T, NULL);
+    found_whole(&T, "three", 4);
+    assert_string_equal(shown(&T, "three"), "4");
+    made_a_mistake(&T, "'three': another result is stated");
+    found_whole(&T, "points", 1);
+    made_a_mistake(&T, "'points': the stated result has another shape");
+    found_whole(&T, "nothing", 4);
+    made_a_mistake(&T, "'nothing': the block states no such result");
+    found_text(&T, "text", "y");
+    made_a_mistake(&T, NULL);
+    found_text(&T, "text", "z");
+    made_a_mistake(&T, "'text': another result is stated");
+    found_points_q(&T, "points", 2, 3, P);
+    made_a_mistake(&T, NULL);
+    found_points_q(&T, "points", 2, 2, P);
+    made_a_mistake(&T, "'points': the stated result has another shape");
+    found_points_q(&T, "points", 1, 3, P);
+    made_a_mistake(&T, "'points': the stated result has another shape");
+    for (int k = 0; k < 6; k += 5) { /* the first and the last count */
+        P[k] = from_int_q(9);
+        found_points_q(&T, "points", 2, 3, P);
+        made_a_mistake(&T, "'points': another result is stated");
+        P[k] = from_int_q(k + 1);
+    }
+    found_q(&T, "tenth", from_ratio_q(1, 10));
+    made_a_mistake(&T, NULL);
+    found_m(&T, "tenth", from_ratio_m(1, 10)); /* of binary64 the very number is stated, which 1/10 is not */
+    made_a_mistake(&T, "'tenth': another result is stated");
+    found_m(&T, "three", from_int_m(3));
+    made_a_mistake(&T, NULL);
+    found_i(&T, "tenth", from_ratio_i(1, 10));
+    made_a_mistake(&T, NULL);
+    found_i(&T, "tenth", from_ratio_i(1, 9));
+    made_a_mistake(&T, "'tenth': another result is stated");
+    field_open(2);
+    found_f(&T, "variable", variable_f("w1"));
+    made_a_mistake(&T, NULL);
+    found_f(&T, "variable", variable_f("w2"));
+    made_a_mistake(&T, "'variable': another result is stated");
+    field_close();
+}
+
+/* The first entry and the last count as any other. */
+static void what_nobody_asks_for(void **state)
+{
+    (void)state;
+    const datum two[] = {given[0], given[1], {.name = NULL}};
+    const claim c = {.name = "two", .scope = "", .data = two};
+    for (int asked = 0; asked < 4; asked++) {
+        trial T = {.claim = &c};
+        if (asked & 1)
+            given_q(&T, "three");
+        if (asked & 2)
+            given_q(&T, "half");
+        look_for_unused(&T);
+        assert_int_equal(T.mistaken, asked != 3);
+        if (asked == 1 || asked == 2)
+            assert_string_equal(shown(&T, "mistake"), asked == 1 ? "'half': nothing in the body asks for it"
+                                                                 : "'three': nothing in the body asks for it");
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
+/* ---- what an outcome is worth -------------------------------------------------------------------------- */
+
+static claim_result *judge_one(const claim *c) { return judge_claims(&c, 1, &(run_options){.jobs = 1}); }
+
+/* The run can say nothing; the control fails by comparison, as it should. */
+#define UNABLE_RUN(S)                                                                                                  \
+    static void unable_##S(trial *T)                                                                                   \
+    {                                                                                                                  \
+        if (!T->planted)                                                                                               \
+            region_faults |= FAULT_UNABLE;                                                                             \
+        same_##S(T, from_int_##S(1), from_int_##S(T->planted ? 2 : 1));                                                \
+    }
+UNABLE_RUN(f)
+UNABLE_RUN(q)
+UNABLE_RUN(i)
+UNABLE_RUN(m)
+
+static void unable_confirms_nothing(void **state)
+{
+    (void)state;
+    static void (*const bodies[])(trial *) = {unable_f, unable_q, unable_i, unable_m};
+    for (int kind = 0; kind < KINDS; kind++)
+        for (number_type t = 0; t < NUMBER_TYPES; t++) {
+            claim c = {.name = "unable", .scope = "", .kind = (claim_kind)kind};
+            c.body[t] = bodies[t];
+            claim_result *r = judge_one(&c);
+            assert_int_equal(r->by[t].outcome, UNDECIDED);
+            assert_int_equal(r->by[t].control_caught, kind != COUNTEREXAMPLE);
+            assert_false(r->as_expected);
+            assert_int_equal(r->outcome, UNDECIDED);
+            assert_int_equal(r->evidence, NO_EVIDENCE);
+            assert_int_equal(r->computed, NO_EVIDENCE);
+            assert_string_equal(r->scope, "");
+            free_results(r, 1);
+        }
+}
+
+/* 24 cases of the degrees 1 to 9: the last one is of degree 6. */
+static void any_degree_q(trial *T) { same_q(T, from_int_q(T->degree), from_int_q(T->degree + T->planted)); }
+static void the_highest_degree_is_told(void **state)
+{
+    (void)state;
+    const claim c = {.name = "degrees",
+                     .scope = "",
+                     .body = {[RATIONAL_TYPE] = any_degree_q},
+                     .degree_low = 1,
+                     .degree_high = 6,
+                     .degree_sampled = 9};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_low, 1);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_high, 9);
+    assert_string_equal(r->scope, "n = 1 to 9; 24 random instances");
+    free_results(r, 1);
+}
+
+/* ---- verdicts ------------------------------------------------------------------------------------------ */
+
+static char instance[] = "the stated instance", nothing[] = "";
+static const claim proved = {.name = "proved", .scope = ""},
+                   against = {.name = "against", .scope = "", .kind = COUNTEREXAMPLE},
+                   another = {.name = "another", .scope = "", .kind = COUNTEREXAMPLE},
+                   broken = {.name = "broken", .scope = ""},
+                   induction = {.name = "induction", .scope = "", .argued_for = "every n", .argued = "words"};
+#define IN_FIELD                                                                                                       \
+    {                                                                                                                  \
+        [FIELD_TYPE] = {.ran = 1, .variables = nothing, .positive = nothing }                                          \
+    }
+static const claim_result results[] = {
+    {.claim = &proved, .as_expected = 1, .outcome = HOLDS, .evidence = PROVED, .computed = PROVED, .by = IN_FIELD},
+    {.claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED, .scope = instance},
+    {.claim = &another, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED, .scope = nothing},
+    {.claim = &broken, .as_expected = 0, .outcome = FAILS},
+    {.claim = &induction,
+     .as_expected = 1,
+     .outcome = HOLDS,
+     .evidence = PROVED,
+     .computed = PROVED,
+     .by = {[FIELD_TYPE] = {.ran = 1, .degree_low = 1, .degree_high = 4, .variables = nothing, .positive = nothing}}}};
+static statement_result derived(const statement_link links[])
+{
+    const statement s = {.id = "source:1", .links = links};
+    return derive(&s, results, sizeof results / sizeof *results);
+}
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL}})
+
+static void verdicts_from_links(void **state)
+{
+    (void)state;
+    /* A link without a text, and one without a claim, are links. */
+    statement_result r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL}, {ARGUED, NULL, "", "words"}));
+    assert_int_equal(r.verdict, VERDICT_HOLDS);
+    assert_int_equal(r.as_printed.evidence, BY_ARGUMENT);
+    free_statement_result(&r);
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL}, {HOLDS_BY, "broken", NULL, NULL}));
+    assert_int_equal(r.verdict, VERDICT_OPEN);
+    free_statement_result(&r);
+    /* The first that refutes speaks. */
+    r = derived(LINKS({REFUTED_BY, "against", NULL, NULL}, {REFUTED_BY, "another", NULL, NULL}));
+    assert_int_equal(r.verdict, VERDICT_FAILS);
+    assert_ptr_equal(r.refuted_by, &results[1]);
+    assert_string_equal(r.as_printed.scope, instance);
+    free_statement_result(&r);
+    /* What corrects is no reading that fails. */
+    r = derived(
+        LINKS({HOLDS_BY, "proved", NULL, ""}, {READING, "proved", NULL, ""}, {CORRECTED_BY, "against", NULL, ""}));
+    assert_int_equal(r.verdict, VERDICT_HOLDS);
+    free_statement_result(&r);
+    /* Nobody speaks for what is open. */
+    r = derived(LINKS({REFUTED_BY, "against", NULL, ""}, {CORRECTED_BY, "broken", NULL, ""}));
+    assert_int_equal(r.verdict, VERDICT_OPEN);
+    assert_false(r.as_expected);
+    assert_null(r.refuted_by);
+    assert_int_equal(r.as_printed.evidence, NO_EVIDENCE);
+    free_statement_result(&r);
+}
+
+static void cases_that_words_add(void **state)
+{
+    (void)state;
+    /* Each is told once; a claim without degrees stays behind nobody. */
+    statement_result r = derived(
+        LINKS({HOLDS_BY, "induction", NULL, ""}, {ARGUED, NULL, "every n", "words"}, {ARGUED, NULL, "n < 0", "words"}));
+    assert_string_equal(r.as_printed.argued_for, "every n; n < 0");
+    assert_int_equal(r.as_printed.evidence, PROVED);
+    free_statement_result(&r);
+    r = derived(LINKS({HOLDS_BY, "induction", NULL, ""}, {HOLDS_BY, "proved", NULL, ""}));
+    assert_string_equal(r.as_printed.argued_for, "every n");
+    free_statement_result(&r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        unit(binary64_differs_by_its_bounds),
+        unit(intervals_refute_and_confirm_no_equality),
+        unit(signs_in_every_type),
+        unit(variables_whose_sign_was_used),
+        unit(zero_in_every_type),
+        unit(comparisons_are_noted),
+        unit(the_generator_is_splitmix64),
+        unit(what_lies_inside),
+        unit(what_is_given),
+        unit(what_is_found),
+        unit(what_nobody_asks_for),
+        unit(unable_confirms_nothing),
+        unit(the_highest_degree_is_told),
+        unit(verdicts_from_links),
+        unit(cases_that_words_add),
+    };
+    return run_unit_tests(tests);
+}
