@@ -12,6 +12,7 @@
     ROW(show)                                                                                                          \
     ROW(ledger)                                                                                                        \
     ROW(figures)                                                                                                       \
+    ROW(check)                                                                                                         \
     ROW(curve)                                                                                                         \
     ROW(fit)
 

@@ -1,0 +1,93 @@
+/* check.c -- cagd check: decides the formulas of a file. */
+#include "cli/check/verdict.h"
+#include "cli/commands.h"
+#include "cli/report.h"
+#include "exact/words.h"
+
+#include <stdio.h>
+
+static int is_as_expected(const struct formula *s, const cagd_finding *f)
+{
+    return s->expected == EXPECT_NOTHING ? f->answer == CAGD_HOLDS : (int)s->expected == (int)f->answer;
+}
+
+static int check(const struct asked *a)
+{
+    struct document d;
+    cagd_finding found;
+    int good = 1;
+    if (read_document(a->path, &d) != 0)
+        return EXIT_USAGE;
+    json_t *list = a->json ? json_array() : NULL;
+    for (int k = 0; k < d.count; k++) {
+        const struct formula *s = &d.formula[k];
+        region_mark mark = region_open();
+        cagd_check(&s->scope, s->tree, s->seconds, &found);
+        good &= is_as_expected(s, &found);
+        if (a->json)
+            json_array_append_new(list, finding_json(&d, s, &found));
+        else {
+            printf("%s", k > 0 ? "\n\n" : "");
+            print_finding_page(&d, s, &found);
+        }
+        region_drop(mark);
+    }
+    if (a->json)
+        print_json(json_pack("{s:s, s:s, s:b, s:o}", "schema", "cagd-check-1", "file", a->path, "as_expected", good,
+                             "statements", list));
+    return good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
+}
+
+static int run(const struct call *call)
+{
+    struct asked a = {0};
+    region_mark mark = region_open();
+    parse_arguments(call, &a);
+    int code = check(&a);
+    region_drop(mark);
+    cagd_thread_end();
+    return code;
+}
+
+static const struct topic topics[] = {
+    {"FORMULAS",
+     "A file of formulas is Markdown. A block :::{let} says what names mean, one line each: a definition such as "
+     "B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}, of which there may be several for one name, with numbers among the "
+     "indices "
+     "or with conditions behind a comma; a variable, \\omega_i \\in \\mathbb{R} or -1 \\le \\lambda < 1; and 0/0 = 0. "
+     "A "
+     "block :::{statement} NAME has :printed:, relations in TeX as they stand in the paper; :for:, ranges of whole "
+     "numbers "
+     "(n = 1..12), bounds of other names (0 \\le t \\le 1) and conditions (x \\ne y); and, if wanted, :expected: "
+     "holds, "
+     "fails or undecided, and :seconds:, of which there are 10 otherwise. A block ends with a line of three colons. "
+     "The "
+     "file - is standard input."},
+    {0}};
+
+const struct command command_check = {
+    .name = "check",
+    .summary = "the formulas of a file, as printed: proved, refuted, or neither",
+    .example = "  cagd check paper.md              formulas of one's own, in TeX\n",
+    .usage = "FILE",
+    .text =
+        "Decides formulas that are written down as they are printed, in TeX.\n\n"
+        "Examples:\n"
+        "  cagd check paper.md\n"
+        "  cagd check --json paper.md\n"
+        "\vA file is Markdown, with blocks\n\n"
+        "  :::{let}\n"
+        "  B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"
+        "  :::\n\n"
+        "  :::{statement} sum\n"
+        "  :printed: \\sum_{i=0}^{n} B_i^n(t) = 1\n"
+        "  :for: n = 1..12\n"
+        "  :::\n\n"
+        "Exit status: 0 every statement holds, or is what it says with :expected:; 1 one is not; 2 the file cannot be "
+        "read, and then nothing is decided.",
+    .arguments = FILE_NAME,
+    .file = "formulas",
+    .shared = TAKES_JSON,
+    .topics = topics,
+    .run = run,
+};

@@ -1,0 +1,275 @@
+#include "cli/check/document.h"
+
+#include "cli/input.h"
+#include "cli/terminal.h"
+#include "exact/words.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LARGEST = 1 << 22, MOST_COMPLAINTS = 20, WIDEST = 100 };
+static const double usual_seconds = 10;
+
+const char *const expected_name[] = {"holds", "fails", "undecided"};
+
+/* ---- complaints ---------------------------------------------------------------------------------------- */
+
+static int is_character(const char *s) { return ((unsigned char)*s & 0xC0) != 0x80; }
+
+void place_of(const struct document *d, int at, int *line, int *column)
+{
+    *line = *column = 1;
+    for (int k = 0; k < at; k++) {
+        *column += is_character(d->text + k);
+        if (d->text[k] == '\n')
+            ++*line, *column = 1;
+    }
+}
+
+/* The line on stderr, the line of the file if it is not too long, and a caret under what is meant. */
+static void complain(struct document *d, int from, int to, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+static void complain(struct document *d, int from, int to, const char *format, ...)
+{
+    int line, column, begin = from, end = from;
+    if (++d->complaints > MOST_COMPLAINTS)
+        return;
+    place_of(d, from, &line, &column);
+    fprintf(stderr, "cagd: %s:%d:%d: ", name_of_input(d->path), line, column);
+    va_list list;
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fputc('\n', stderr);
+    while (begin > 0 && d->text[begin - 1] != '\n')
+        begin--;
+    while (end < d->size && d->text[end] != '\n')
+        end++;
+    if (end - begin > WIDEST || memchr(d->text + begin, '\t', (size_t)(end - begin)) != NULL)
+        return;
+    fprintf(stderr, "  %.*s\n  ", end - begin, d->text + begin);
+    const char *before = cagd_text_of(d->text + begin, from - begin);
+    for (int k = before != NULL ? columns_of(before) : 0; k > 0; k--)
+        fputc(' ', stderr);
+    fputc('^', stderr);
+    for (int k = from + 1; k < to && k < end; k++)
+        if (is_character(d->text + k))
+            fputc('~', stderr);
+    fputc('\n', stderr);
+}
+
+static void complain_of_reading(struct document *d, const cagd_reading_error *e)
+{
+    complain(d, e->from, e->to, "%s", e->message);
+}
+
+/* ---- lines --------------------------------------------------------------------------------------------- */
+
+/* The end of the line at `at`, and where the next begins. */
+static int end_of_line(const struct document *d, int at)
+{
+    const char *end = memchr(d->text + at, '\n', (size_t)(d->size - at));
+    return end != NULL ? (int)(end - d->text) : d->size;
+}
+static int next_line(const struct document *d, int at)
+{
+    int end = end_of_line(d, at);
+    return end < d->size ? end + 1 : end;
+}
+
+static int begins(const struct document *d, int at, const char *word)
+{
+    int n = (int)strlen(word);
+    return d->size - at >= n && memcmp(d->text + at, word, (size_t)n) == 0;
+}
+
+/* The end of what begins in the line at `at`: of the last line that goes on with it, blanks at the end left out. */
+static int end_of_entry(const struct document *d, int at, int stop)
+{
+    int end = end_of_line(d, at);
+    for (int k = next_line(d, at); k < stop && (d->text[k] == ' ' || d->text[k] == '\t'); k = next_line(d, k))
+        end = end_of_line(d, k);
+    while (end > at && isspace((unsigned char)d->text[end - 1]))
+        end--;
+    return end;
+}
+
+/* Without blanks and dollar signs around. */
+static void strip(const struct document *d, int *from, int *to)
+{
+    while (*from < *to && isspace((unsigned char)d->text[*from]))
+        ++*from;
+    while (*to > *from && isspace((unsigned char)d->text[*to - 1]))
+        --*to;
+    if (*to - *from >= 2 && d->text[*from] == '$' && d->text[*to - 1] == '$' &&
+        memchr(d->text + *from + 1, '$', (size_t)(*to - *from - 2)) == NULL)
+        ++*from, --*to;
+}
+
+/* The next line that is not empty and where its entry ends; 0 at the end of the block. */
+static int next_entry(const struct document *d, int *at, int stop, int *end)
+{
+    while (*at < stop && end_of_entry(d, *at, next_line(d, *at)) <= *at)
+        *at = next_line(d, *at);
+    if (*at >= stop)
+        return 0;
+    *end = end_of_entry(d, *at, stop);
+    return 1;
+}
+
+static int behind(const struct document *d, int end) { return next_line(d, end); }
+
+/* ---- blocks -------------------------------------------------------------------------------------------- */
+
+static void read_let(struct document *d, int at, int stop)
+{
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        cagd_reading_error error;
+        int from = at, to = end;
+        strip(d, &from, &to);
+        if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
+            complain_of_reading(d, &error);
+    }
+}
+
+/* ":key: value": 1, and where the value is. */
+static int field(const struct document *d, int at, int end, const char *key, int *from, int *to)
+{
+    int n = (int)strlen(key);
+    if (d->text[at] != ':' || !begins(d, at + 1, key) || at + n + 1 >= end || d->text[at + n + 1] != ':')
+        return 0;
+    *from = at + n + 2, *to = end;
+    strip(d, from, to);
+    return 1;
+}
+
+static void read_expected(struct document *d, struct formula *f, int from, int to)
+{
+    for (int k = 0; k < EXPECT_NOTHING; k++)
+        if (to - from == (int)strlen(expected_name[k]) && begins(d, from, expected_name[k])) {
+            f->expected = (enum expected)k;
+            return;
+        }
+    complain(d, from, to, "expected holds, fails or undecided, not '%.*s'", to - from > 20 ? 20 : to - from,
+             d->text + from);
+}
+
+static void read_seconds(struct document *d, struct formula *f, int from, int to)
+{
+    const char *text = cagd_text_of(d->text + from, to - from);
+    char *end;
+    f->seconds = text != NULL ? strtod(text, &end) : 0;
+    if (text == NULL || *end != '\0' || !(f->seconds > 0 && f->seconds <= 3600))
+        complain(d, from, to, "expected the seconds that the statement may take, at most 3600");
+}
+
+static void read_statement(struct document *d, int head, int at, int stop)
+{
+    struct formula *f = &d->formula[d->count];
+    int column, from = 0, to = 0, printed = 0, printed_end = 0, ranges = 0, ranges_end = 0, complaints = d->complaints;
+    int name = head + (int)strlen(":::{statement}"), name_end = end_of_entry(d, head, next_line(d, head));
+    *f = (struct formula){.expected = EXPECT_NOTHING, .seconds = usual_seconds};
+    if (d->count == MOST_STATEMENTS) {
+        complain(d, head, head + 1, "more than %d statements", MOST_STATEMENTS);
+        return;
+    }
+    strip(d, &name, &name_end);
+    place_of(d, head, &f->line, &column);
+    f->name = cagd_text_of(d->text + name, name_end - name);
+    if (name == name_end)
+        complain(d, head, end_of_line(d, head), "a statement without a name");
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        if (field(d, at, end, "printed", &from, &to))
+            printed = from, printed_end = to;
+        else if (field(d, at, end, "for", &from, &to))
+            ranges = from, ranges_end = to;
+        else if (field(d, at, end, "expected", &from, &to))
+            read_expected(d, f, from, to);
+        else if (field(d, at, end, "seconds", &from, &to))
+            read_seconds(d, f, from, to);
+        else if (d->text[at] == ':' && !field(d, at, end, "source", &from, &to) &&
+                 !field(d, at, end, "title", &from, &to))
+            complain(d, at, at + 1, "expected :printed:, :for:, :title:, :source:, :expected: or :seconds:");
+    }
+    if (printed_end == printed && d->complaints == complaints)
+        complain(d, head, end_of_line(d, head), "a statement without a formula: expected a line :printed: ...");
+    cagd_reading_error error;
+    f->scope = d->scope;
+    if (ranges_end > ranges && !cagd_read_ranges(&f->scope, d->text, ranges, ranges_end, &error))
+        complain_of_reading(d, &error);
+    if (d->complaints > complaints)
+        return;
+    f->at = printed;
+    f->printed = cagd_text_of(d->text + printed, printed_end - printed);
+    f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
+    if (f->tree == NULL)
+        complain_of_reading(d, &error);
+    else
+        d->count++;
+}
+
+/* The line of three colons that ends the block. */
+static int end_of_block(const struct document *d, int at)
+{
+    while (at < d->size && !(begins(d, at, ":::") && end_of_entry(d, at, next_line(d, at)) == at + 3))
+        at = next_line(d, at);
+    return at;
+}
+
+static void read_blocks(struct document *d)
+{
+    for (int at = 0; at < d->size; at = next_line(d, at)) {
+        if (!begins(d, at, ":::"))
+            continue;
+        int inside = next_line(d, at), stop = end_of_block(d, inside);
+        if (stop == d->size) {
+            complain(d, at, end_of_line(d, at), "the block does not end: expected a line ':::'");
+            return;
+        }
+        if (begins(d, at, ":::{let}"))
+            read_let(d, inside, stop);
+        else if (begins(d, at, ":::{statement}"))
+            read_statement(d, at, inside, stop);
+        else
+            complain(d, at, end_of_line(d, at), "expected :::{let} or :::{statement} NAME");
+        at = stop;
+    }
+}
+
+/* ---- the file ------------------------------------------------------------------------------------------ */
+
+static int refuse_file(const struct document *d, const char *why)
+{
+    fprintf(stderr, "cagd: %s: %s\n", name_of_input(d->path), why);
+    return 1;
+}
+
+int read_document(const char *path, struct document *d)
+{
+    *d = (struct document){.path = path};
+    FILE *in = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    if (in == NULL)
+        return refuse_file(d, "cannot be read");
+    char *text = region_bytes(LARGEST + 1);
+    size_t size = text != NULL ? fread(text, 1, LARGEST + 1, in) : 0;
+    int bad = ferror(in);
+    if (in != stdin)
+        fclose(in);
+    d->formula = cagd_region_array(MOST_STATEMENTS + 1, 1, sizeof *d->formula);
+    if (text == NULL || d->formula == NULL || bad)
+        return refuse_file(d, "cannot be read");
+    if (size > LARGEST)
+        return refuse_file(d, "is larger than 4 MB");
+    if (memchr(text, '\0', size) != NULL)
+        return refuse_file(d, "is no text");
+    d->text = text, d->size = (int)size;
+    read_blocks(d);
+    if (d->complaints == 0 && d->count == 0)
+        return refuse_file(d, "has no statement: expected a block :::{statement} NAME");
+    if (d->complaints > MOST_COMPLAINTS)
+        fprintf(stderr, "cagd: %s: and %d more\n", name_of_input(path), d->complaints - MOST_COMPLAINTS);
+    return d->complaints;
+}

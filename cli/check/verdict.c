@@ -1,0 +1,219 @@
+#include "cli/check/verdict.h"
+
+#include "chapters/judge/tex.h"
+#include "cli/input.h"
+#include "cli/terminal.h"
+#include "exact/words.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 92, INDENT = 4, READABLE = 60 };
+
+const char *verdict_of(const cagd_finding *f) { return expected_name[f->answer]; }
+
+const char *evidence_of_finding(const cagd_finding *f)
+{
+    static const char *const words[] = {"none", "decided", "proved"};
+    return f->answer == CAGD_UNDECIDED ? "none" : f->answer == CAGD_FAILS ? "decided" : words[f->strength];
+}
+
+/* ---- scope --------------------------------------------------------------------------------------------- */
+
+/* A text that grows, in the region. */
+static const char *append(const char *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static const char *append(const char *text, const char *format, ...)
+{
+    char more[512];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(more, sizeof more, format, list);
+    va_end(list);
+    size_t n = strlen(text), m = strlen(more);
+    char *both = region_bytes(n + m + 1);
+    if (both == NULL)
+        return text;
+    memcpy(both, text, n);
+    memcpy(both + n, more, m + 1);
+    return both;
+}
+
+static const char *source(const struct document *d, const cagd_tree *t)
+{
+    const char *text = t != NULL ? cagd_text_of(d->text + t->from, t->to - t->from) : NULL;
+    return text != NULL ? text : "";
+}
+
+/* The letters of a name without its numbers: "\omega" of "\omega_3". */
+static int is_of(const char *key, const char *head)
+{
+    size_t n = strlen(head);
+    return strncmp(key, head, n) == 0 && (key[n] == '\0' || head[n - 1] == '_' || key[n] == '^');
+}
+
+const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    const cagd_variable *whole[16];
+    const char *text = "", *comma = "";
+    int count = cagd_whole_numbers(&s->scope, s->tree, whole, 16);
+    for (int k = 0; k < count; k++, comma = ", ") {
+        const cagd_variable *v = whole[k];
+        text = append(text, "%s$%s = %s$ to $%s$", comma, v->head, source(d, v->low), source(d, v->high));
+    }
+    for (const cagd_variable *v = s->scope.variables; v != NULL; v = v->next) {
+        int named = 0;
+        for (int k = 0; k < f->names; k++)
+            named |= is_of(f->name[k], v->head);
+        if (!named || cagd_declared(&s->scope, v->head) != v)
+            continue;
+        int bounded = f->bounded && (v->low != NULL || v->high != NULL);
+        if (!bounded)
+            text = append(text, "%sall $%s%s$", comma, v->head, v->lower > 0 ? "i" : "");
+        else
+            text = append(text, "%s$%s%s%s%s%s%s$", comma, source(d, v->low),
+                          v->low == NULL ? ""
+                          : v->low_open  ? " < "
+                                         : " \\le ",
+                          v->head, v->lower > 0 ? "i" : "",
+                          v->high == NULL ? ""
+                          : v->high_open  ? " < "
+                                          : " \\le ",
+                          source(d, v->high));
+        comma = ", ";
+    }
+    for (int k = 0; k < f->names; k++) {
+        int declared = 0;
+        for (const cagd_variable *v = s->scope.variables; v != NULL; v = v->next)
+            declared |= is_of(f->name[k], v->head);
+        if (!declared)
+            text = append(text, "%sall $%s$", comma, f->name[k]), comma = ", ";
+    }
+    return text;
+}
+
+const char *reason_of(const struct document *d, const cagd_finding *f)
+{
+    const char *text = "";
+    if (f->out_of_time)
+        text = append(text, "the time was over after %ld case%s", f->cases, f->cases == 1 ? "" : "s");
+    if (f->why != NULL)
+        text = append(text, "%s%s", text[0] != '\0' ? "; " : "", f->why);
+    if (f->where != NULL) {
+        int line, column;
+        place_of(d, f->where->from, &line, &column);
+        text = append(text, " (line %d, column %d: %s)", line, column, source(d, f->where));
+    }
+    if (f->cases == 0 && text[0] == '\0')
+        text = "there is no case: a range is empty";
+    return text;
+}
+
+/* ---- the page ------------------------------------------------------------------------------------------ */
+
+static void heading(const char *text) { printf("\n%s%s%s\n", style(stdout, BOLD), text, style(stdout, PLAIN)); }
+
+static void paragraph(const char *tex, int mixed)
+{
+    char *plain = tex_to_text(tex, mixed);
+    put_paragraph(stdout, plain, INDENT, WIDTH);
+    free(plain);
+}
+
+static void labelled(const char *tex, int width, const char *value)
+{
+    char *plain = tex_to_text(tex, 0);
+    printf("%*s", INDENT, "");
+    put_padded(stdout, plain, width);
+    printf(" = %s\n", value);
+    free(plain);
+}
+
+static int width_of(const char *tex)
+{
+    char *plain = tex_to_text(tex, 0);
+    int width = columns_of(plain);
+    free(plain);
+    return width;
+}
+
+static const char *const relation_word[] = {"=", "\\ne", "<", "\\le", ">", "\\ge"};
+
+static void print_example(const struct document *d, const cagd_finding *f)
+{
+    const char *sides[2] = {source(d, f->of_left), source(d, f->of_right)};
+    int width = 0;
+    for (int k = 0; k < 2; k++)
+        if (width_of(sides[k]) > READABLE / 2)
+            sides[k] = k == 0 ? "left" : "right";
+    for (int k = 0; k < f->given + 2; k++) {
+        int w = width_of(k < f->given ? f->example[k].name : sides[k - f->given]);
+        width = w > width ? w : width;
+    }
+    heading("Counterexample");
+    for (int k = 0; k < f->given; k++)
+        labelled(f->example[k].name, width, to_string_q(f->example[k].value));
+    labelled(sides[0], width, to_string_q(f->left));
+    if (f->of_right->kind != CAGD_NUMBER)
+        labelled(sides[1], width, to_string_q(f->right));
+    const char *said =
+        append("", "as printed: $%s %s %s$", to_string_q(f->left), relation_word[f->relation], to_string_q(f->right));
+    if (strlen(said) < READABLE)
+        paragraph(said, 1);
+}
+
+void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    printf("%s%s%s  (%s:%d)\n", style(stdout, BOLD), s->name, style(stdout, PLAIN), name_of_input(d->path), s->line);
+    heading("Printed");
+    paragraph(s->printed, 0);
+    heading("Verdict");
+    const char *scope = scope_of_finding(d, s, f), *words = "";
+    if (f->answer == CAGD_HOLDS) {
+        words = append("", "It holds as printed: %s", evidence_of_finding(f));
+        words = append(words, "%s%s.", scope[0] != '\0' ? " for " : "", scope);
+    } else if (f->answer == CAGD_FAILS) {
+        words = append("", "It fails as printed (decided)");
+        if (f->cases > 1)
+            words = append(words, ": in %ld of %ld cases%s", f->failing, f->cases, f->undecided > 0 ? "" : "");
+        if (f->undecided > 0)
+            words = append(words, ", %ld undecided", f->undecided);
+        words = append(words, ".");
+    } else {
+        words = append("", "It is undecided: %s.", reason_of(d, f));
+        if (f->cases > f->undecided + f->failing)
+            words = append(words, " Of %ld cases %ld hold.", f->cases, f->cases - f->undecided - f->failing);
+    }
+    paragraph(words, 1);
+    if (f->has_example)
+        print_example(d, f);
+    if (s->expected != EXPECT_NOTHING && (int)s->expected != (int)f->answer)
+        printf("\n%*sThe file expects that it %s.\n", INDENT, "",
+               s->expected == EXPECT_UNDECIDED ? "is undecided" : expected_name[s->expected]);
+}
+
+json_t *finding_json(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    json_t *example = json_null();
+    if (f->has_example) {
+        json_t *values = json_array();
+        for (int k = 0; k < f->given; k++)
+            json_array_append_new(
+                values, json_pack("{s:s, s:s}", "name", f->example[k].name, "value", to_string_q(f->example[k].value)));
+        example = json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", source(d, f->of_left),
+                            "relation", relation_word[f->relation], "right_tex", source(d, f->of_right), "left",
+                            to_string_q(f->left), "right", to_string_q(f->right));
+    }
+    char *scope = tex_to_text(scope_of_finding(d, s, f), 1);
+    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:I, s:I, s:I, s:o}", "name", s->name, "line", s->line,
+                          "printed_tex", s->printed, "verdict", verdict_of(f), "evidence", evidence_of_finding(f),
+                          "scope", f->answer == CAGD_HOLDS ? scope : "", "cases", (json_int_t)f->cases, "failing",
+                          (json_int_t)f->failing, "undecided", (json_int_t)f->undecided, "counterexample", example);
+    free(scope);
+    if (f->answer == CAGD_UNDECIDED)
+        json_object_set_new(j, "reason", json_string(reason_of(d, f)));
+    if (s->expected != EXPECT_NOTHING)
+        json_object_set_new(j, "expected", json_string(expected_name[s->expected]));
+    return j;
+}

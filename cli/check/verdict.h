@@ -1,0 +1,20 @@
+/* verdict.h -- what was found out about a formula, in words, on a page, and as JSON. */
+#ifndef CAGD_CLI_CHECK_VERDICT_H
+#define CAGD_CLI_CHECK_VERDICT_H
+
+#include "cli/check/document.h"
+#include "exact/expression/check.h"
+
+#include <jansson.h>
+
+/* "holds", "fails", "undecided"; "proved", "decided", "none". */
+const char *verdict_of(const cagd_finding *f);
+const char *evidence_of_finding(const cagd_finding *f);
+/* For which numbers, in TeX: "n = 1..12, all t"; in the region. */
+const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f);
+/* Why it is not decided, in words; in the region. */
+const char *reason_of(const struct document *d, const cagd_finding *f);
+
+void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f);
+json_t *finding_json(const struct document *d, const struct formula *s, const cagd_finding *f);
+#endif

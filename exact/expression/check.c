@@ -1,0 +1,392 @@
+#include "exact/expression/check.h"
+
+#include "exact/expression/example.h"
+#include "exact/words.h"
+
+#include <string.h>
+#include <time.h>
+
+enum { MOST_WHOLE = 8, FIRST_CASES = 8, FIELD_ROOM = 32 };
+
+/* One run over a statement. */
+struct run {
+    const cagd_scope *scope;
+    const cagd_tree *statement;
+    cagd_finding *out;
+    double until;
+    const cagd_variable *whole[MOST_WHOLE];
+    int wholes;
+    cagd_given chosen[MOST_WHOLE]; /* values of the whole numbers */
+};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* ---- what a statement depends on ----------------------------------------------------------------------- */
+
+static int uses(const cagd_scope *scope, const cagd_tree *t, const char *head, int depth)
+{
+    if (t == NULL || depth > 12)
+        return t != NULL;
+    if (t->head != NULL && strcmp(t->head, head) == 0)
+        return 1;
+    if (t->times != NULL && uses(scope, t->times, head, depth))
+        return 1;
+    for (int k = 0; k < t->count; k++)
+        if (uses(scope, t->at[k], head, depth))
+            return 1;
+    if (t->kind != CAGD_NAME)
+        return 0;
+    for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
+        if (strcmp(d->left->head, t->head) == 0 && !cagd_tree_has(d->left, head) &&
+            (cagd_tree_has(d->body, t->head) ? cagd_tree_has(d->body, head) : uses(scope, d->body, head, depth + 1)))
+            return 1;
+    return 0;
+}
+
+int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room)
+{
+    int count = 0;
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
+        int known = cagd_declared(scope, v->head) != v, used = uses(scope, statement, v->head, 0);
+        for (int k = 0; k < count; k++) /* or the range of one that is used */
+            used |= (list[k]->low != NULL && cagd_tree_has(list[k]->low, v->head)) ||
+                    (list[k]->high != NULL && cagd_tree_has(list[k]->high, v->head));
+        for (const cagd_variable *w = scope->variables; w != NULL; w = w->next)
+            used |= !w->whole && uses(scope, statement, w->head, 0) &&
+                    ((w->low != NULL && cagd_tree_has(w->low, v->head)) ||
+                     (w->high != NULL && cagd_tree_has(w->high, v->head)));
+        if (!v->whole || known || !used)
+            continue;
+        if (count == room)
+            return -1;
+        for (int k = count++; k > 0; k--)
+            list[k] = list[k - 1];
+        list[0] = v;
+    }
+    return count;
+}
+
+/* ---- one case ------------------------------------------------------------------------------------------ */
+
+/* A part of a case: pieces of some variables, and numbers for others. */
+struct part {
+    cagd_piece piece[CAGD_MOST_PIECES];
+    int pieces;
+    cagd_given number[CAGD_MOST_PIECES];
+    int numbers;
+};
+
+static void begin(const struct run *r, const struct part *p, cagd_context *c)
+{
+    *c = (cagd_context){.scope = r->scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
+    for (int k = 0; k < r->wholes; k++)
+        cagd_bind(c, r->chosen[k].name, cagd_value_q(r->chosen[k].value));
+    for (int k = 0; k < p->numbers; k++)
+        cagd_bind(c, p->number[k].name, cagd_value_q(p->number[k].value));
+    memcpy(c->piece, p->piece, sizeof p->piece);
+    c->pieces = p->pieces;
+}
+
+/* The sides of the box of all variables that are known. */
+static int sides(const cagd_context *c, cagd_side_of_box side[], int of[])
+{
+    int count = 0;
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        if (!b->unknown)
+            continue;
+        of[count] = k;
+        side[count++] =
+            (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
+    }
+    return count;
+}
+
+static cagd_answer worse(cagd_answer a, cagd_answer b)
+{
+    return a == CAGD_FAILS || b == CAGD_FAILS ? CAGD_FAILS : a == CAGD_UNDECIDED ? a : b;
+}
+
+static void weaken(cagd_finding *f, cagd_strength s)
+{
+    f->strength = f->strength == CAGD_BY_NOTHING || s < f->strength ? s : f->strength;
+}
+
+static cagd_answer undecided(struct run *r, const cagd_context *c, const char *why)
+{
+    if (r->out->why == NULL) {
+        r->out->why = c->trouble != NULL ? c->trouble : why;
+        r->out->where = c->trouble != NULL ? c->where : NULL;
+    }
+    return CAGD_UNDECIDED;
+}
+
+/* a relation b is refuted: by small numbers that are looked for, or by those that are given. */
+static cagd_answer refuted(struct run *r, cagd_context *c, const cagd_tree *t, int k, const num_q point[],
+                           const int of[], int count)
+{
+    cagd_finding *f = r->out;
+    if (f->has_example)
+        return CAGD_FAILS;
+    f->relation = t->relation[k], f->of_left = t->at[k], f->of_right = t->at[k + 1];
+    num_q value[CAGD_MOST_UNKNOWNS];
+    int found = cagd_find_example(c, t, k, value, &f->left, &f->right);
+    if (!found && point != NULL) {
+        for (int m = 0; m < count; m++)
+            value[of[m]] = point[m];
+        found = cagd_is_example(c, t, k, value, &f->left, &f->right);
+    }
+    if (!found)
+        return undecided(r, c, "no numbers were found for which it is false, though it is no identity");
+    f->has_example = 1;
+    for (int m = 0; m < c->count; m++) {
+        const cagd_binding *b = &c->binding[m];
+        if (b->key[0] != '\0')
+            f->example[f->given++] = (cagd_given){b->key, b->unknown ? value[m] : b->value.q};
+    }
+    return CAGD_FAILS;
+}
+
+/* The relation number k of the chain t for two values. */
+static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
+{
+    cagd_relation relation = t->relation[k];
+    cagd_value d =
+        relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL ? cagd_value_sub(b, a) : cagd_value_sub(a, b);
+    int names = 0;
+    for (int m = 0; m < c->count; m++)
+        names += c->binding[m].unknown;
+    r->out->comparisons++;
+    if (relation == CAGD_EQUAL || d.rational) {
+        int sign = d.rational ? cagd_sign_q(d.q) : 2;
+        int holds = relation == CAGD_EQUAL                              ? sign == 0
+                    : relation == CAGD_NOT_EQUAL                        ? sign != 0
+                    : relation == CAGD_LESS || relation == CAGD_GREATER ? sign > 0
+                                                                        : sign >= 0;
+        if (!holds)
+            return refuted(r, c, t, k, NULL, NULL, 0);
+        weaken(r->out, names > 0 && relation == CAGD_EQUAL ? CAGD_BY_IDENTITY : CAGD_BY_DECISION);
+        return CAGD_HOLDS;
+    }
+    weaken(r->out, CAGD_BY_DECISION);
+    r->out->bounded = 1;
+    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
+    num_q point[CAGD_MOST_UNKNOWNS];
+    int of[CAGD_MOST_UNKNOWNS], count = sides(c, side, of), rational;
+    num_f n = cagd_numerator_f(d.f), m = cagd_denominator_f(d.f);
+    int strict = relation == CAGD_LESS || relation == CAGD_GREATER || relation == CAGD_NOT_EQUAL;
+    cagd_answer answer = CAGD_UNDECIDED;
+    if (relation == CAGD_NOT_EQUAL) { /* of one sign, or of the other */
+        for (int minus = 0; minus < 2 && answer != CAGD_HOLDS; minus++)
+            answer = cagd_positive_in_box(minus ? neg_f(n) : n, 1, count, side, point, &rational);
+        if (answer == CAGD_FAILS)
+            return refuted(r, c, t, k, NULL, NULL, 0);
+    } else {
+        int one_sign = cagd_positive_in_box(m, 1, count, side, point, &rational) == CAGD_HOLDS;
+        answer = cagd_positive_in_box(one_sign ? n : mul_f(n, m), strict, count, side, point, &rational);
+        if (answer == CAGD_FAILS)
+            return refuted(r, c, t, k, rational ? point : NULL, of, count);
+    }
+    return answer == CAGD_HOLDS ? CAGD_HOLDS : undecided(r, c, "an inequality that was neither proved nor refuted");
+}
+
+static cagd_answer decide_part(struct run *r, const struct part *p);
+
+/* The variable `key` below the number, at it, and above it. */
+static cagd_answer split(struct run *r, const struct part *p, const char *key, num_q at)
+{
+    cagd_answer answer = CAGD_HOLDS;
+    r->out->bounded = 1;
+    for (int which = 0; which < 3; which++) {
+        struct part q = *p;
+        if (q.pieces == CAGD_MOST_PIECES || q.numbers == CAGD_MOST_PIECES || now() > r->until)
+            return CAGD_UNDECIDED;
+        if (which == 1)
+            q.number[q.numbers++] = (cagd_given){key, at};
+        else
+            q.piece[q.pieces++] = (cagd_piece){key, which == 0, at};
+        answer = worse(answer, decide_part(r, &q));
+    }
+    return answer;
+}
+
+/* Conditions that are supposed: 0 where one is false; -1 where one needs a cut. */
+static int supposed(struct run *r, cagd_context *c)
+{
+    int result = 1;
+    for (int k = 0; k < r->scope->condition_count && result > 0; k++) {
+        result = cagd_truth(c, r->scope->conditions[k]);
+        if (region_faults != 0 || (result < 0 && c->split == NULL)) { /* not used: what holds, holds without it */
+            region_faults &= FAULT_CROWDED | FAULT_MEMORY;
+            c->trouble = NULL;
+            r->out->missing_conditions = 1;
+            result = 1;
+        }
+    }
+    return result;
+}
+
+/* An empty piece has no numbers. */
+static int is_empty(const cagd_context *c)
+{
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        int order = b->unknown && b->has_low && b->has_high ? cagd_compare_q(b->low, b->high) : -1;
+        if (order > 0 || (order == 0 && (b->low_open || b->high_open)))
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether a number that a part is about is outside the bounds of its name. */
+static int is_outside(const cagd_scope *scope, const struct part *p, const struct run *r)
+{
+    for (int k = 0; k < p->numbers; k++) {
+        cagd_context c;
+        struct part none = {0};
+        begin(r, &none, &c);
+        cagd_tree name = {.kind = CAGD_NAME, .head = p->number[k].name};
+        if (cagd_declared(scope, name.head) == NULL)
+            continue;
+        cagd_evaluate(&c, &name);
+        const cagd_binding *b = cagd_binding_of(&c, name.head);
+        if (b == NULL || !b->unknown)
+            continue;
+        cagd_side_of_box s = {b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
+        if (!cagd_is_inside(&s, p->number[k].value))
+            return 1;
+    }
+    return 0;
+}
+
+static cagd_answer decide_part(struct run *r, const struct part *p)
+{
+    cagd_context *c = region_bytes(sizeof *c);
+    if (c == NULL || is_outside(r->scope, p, r))
+        return c == NULL ? CAGD_UNDECIDED : CAGD_HOLDS;
+    begin(r, p, c);
+    r->out->pieces++;
+    int is = supposed(r, c);
+    if (is == 0)
+        return CAGD_HOLDS;
+    if (is < 0)
+        return split(r, p, c->split, c->split_at);
+    cagd_answer answer = CAGD_HOLDS;
+    int chains = r->statement->kind == CAGD_ALL ? r->statement->count : 1;
+    for (int m = 0; m < chains && answer != CAGD_FAILS; m++) {
+        const cagd_tree *t = r->statement->kind == CAGD_ALL ? r->statement->at[m] : r->statement;
+        cagd_value left = cagd_evaluate(c, t->at[0]);
+        for (int k = 0; k + 1 < t->count && region_faults == 0 && answer != CAGD_FAILS; k++) {
+            cagd_value right = cagd_evaluate(c, t->at[k + 1]);
+            if (region_faults == 0 && !is_empty(c))
+                answer = worse(answer, compared(r, c, t, k, left, right));
+            left = right;
+        }
+        if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
+            return CAGD_UNDECIDED;
+        if (region_faults != 0 && c->split != NULL) {
+            region_faults = 0;
+            return is_empty(c) ? CAGD_HOLDS : split(r, p, c->split, c->split_at);
+        }
+        if (region_faults != 0) {
+            region_faults = 0;
+            return is_empty(c) ? CAGD_HOLDS : undecided(r, c, "a value that is not computed");
+        }
+    }
+    for (int k = 0; k < c->count; k++) {
+        cagd_finding *f = r->out;
+        int known = !c->binding[k].unknown || c->binding[k].key[0] == '\0' || f->names == CAGD_MOST_UNKNOWNS;
+        for (int m = 0; m < f->names; m++)
+            known |= strcmp(f->name[m], c->binding[k].key) == 0;
+        if (!known)
+            f->name[f->names++] = c->binding[k].key;
+    }
+    return answer;
+}
+
+/* ---- all cases ----------------------------------------------------------------------------------------- */
+
+/* The value of an end of a range in the numbers that are chosen already. */
+static int end_of_range(struct run *r, int level, const cagd_tree *end, long *value)
+{
+    cagd_context *c = region_bytes(sizeof *c);
+    if (c == NULL)
+        return 0;
+    *c = (cagd_context){.scope = r->scope, .steps = CAGD_USUAL_STEPS};
+    for (int k = 0; k < level; k++)
+        cagd_bind(c, r->chosen[k].name, cagd_value_q(r->chosen[k].value));
+    cagd_value v = cagd_evaluate(c, end);
+    int good = region_faults == 0 && cagd_value_is_whole(v, value);
+    if (!good) {
+        region_faults &= FAULT_MEMORY;
+        undecided(r, c, "a range that does not end at whole numbers");
+    }
+    return good;
+}
+
+static void decide_cases(struct run *r, int level)
+{
+    if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)))
+        return;
+    if (level == r->wholes) {
+        struct part all = {0};
+        if (now() > r->until) {
+            r->out->out_of_time = 1;
+            return;
+        }
+        r->out->cases++;
+        cagd_answer answer = decide_part(r, &all);
+        r->out->failing += answer == CAGD_FAILS;
+        r->out->undecided += answer == CAGD_UNDECIDED;
+        return;
+    }
+    const cagd_variable *v = r->whole[level];
+    long low, high;
+    if (!end_of_range(r, level, v->low, &low) || (v->high != NULL && !end_of_range(r, level, v->high, &high))) {
+        r->out->undecided++;
+        return;
+    }
+    low += v->low_open;
+    high = v->high != NULL ? high - v->high_open : low + FIRST_CASES - 1;
+    for (long m = low; m <= high; m++) {
+        region_mark mark = region_open();
+        int kept = r->out->has_example, why = r->out->why != NULL, names = r->out->names;
+        r->chosen[level] = (cagd_given){v->head, from_int_q(m)};
+        decide_cases(r, level + 1);
+        /* What was found lives on; a case that found nothing new leaves nothing behind. */
+        if (r->out->has_example == kept && (r->out->why != NULL) == why && r->out->names == names)
+            region_drop(mark);
+        if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)))
+            break;
+    }
+}
+
+void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
+{
+    struct run r = {.scope = scope, .statement = statement, .out = out, .until = now() + seconds};
+    r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
+    for (int room = FIELD_ROOM;; room = CAGD_FIELD_MAX_VARIABLES) {
+        *out = (cagd_finding){.answer = CAGD_UNDECIDED};
+        field_open(room);
+        if (r.wholes < 0)
+            out->why = "more than eight whole numbers", out->undecided = 1;
+        else
+            decide_cases(&r, 0);
+        unsigned faults = region_faults;
+        region_faults = 0;
+        if (!(faults & FAULT_CROWDED) || room == CAGD_FIELD_MAX_VARIABLES) {
+            if (faults != 0 && out->why == NULL)
+                out->why = faults & FAULT_MEMORY ? "there was no memory for it" : "too many variables";
+            out->undecided += faults != 0;
+            break;
+        }
+    }
+    out->answer = out->has_example                                                                ? CAGD_FAILS
+                  : out->undecided > 0 || out->failing > 0 || out->out_of_time || out->cases == 0 ? CAGD_UNDECIDED
+                                                                                                  : CAGD_HOLDS;
+}

@@ -1,0 +1,51 @@
+/* check.h -- a statement, read into a tree, is decided: proved, refuted by an example, or neither.
+ *
+ * It is looked at for every choice of its whole numbers.  An equality is decided in the field, where it holds for all values of
+ * the other names at once, and refuted by small rationals, with which both sides are computed again; an inequality is
+ * decided where the names have bounds (sign.h).  Where a case of a definition changes within the bounds, the parts and the
+ * number between them are looked at one by one. */
+#ifndef CAGD_CHECK_H
+#define CAGD_CHECK_H
+
+#include "exact/expression/sign.h"
+
+/* How strong the answer is: an identity of rational functions, or finitely many exact decisions. */
+typedef enum cagd_strength { CAGD_BY_NOTHING, CAGD_BY_DECISION, CAGD_BY_IDENTITY } cagd_strength;
+
+/* A name and its value in an example: both live in the region. */
+typedef struct cagd_given {
+    const char *name;
+    cagd_num_q value;
+} cagd_given;
+
+typedef struct cagd_finding {
+    cagd_answer answer;
+    cagd_strength strength;
+    long cases, failing, undecided; /* choices of the whole numbers; how many of them fail, or are not decided  */
+    long pieces, comparisons;
+    int out_of_time; /* not all cases were reached                                              */
+
+    /* The first case that fails; FAILS without an example when its coordinates are no rationals. */
+    int has_example, given;
+    cagd_given example[CAGD_MOST_UNKNOWNS];
+    cagd_num_q left, right;
+    cagd_relation relation; /* the one that does not hold between left and right                       */
+    const cagd_tree *of_left, *of_right;
+
+    /* Of the first case that is not decided: why, and at which part of which formula; empty or NULL where nothing is known. */
+    const char *why;
+    const cagd_tree *where;
+
+    /* The names that stand for all numbers, or all within their bounds; the bounds are used by `bounded` statements alone. */
+    int names, bounded;
+    const char *name[CAGD_MOST_UNKNOWNS];
+    int missing_conditions; /* conditions that were supposed and not used: the answer holds without them */
+} cagd_finding;
+
+/* The statement, within so many seconds.  The field is opened anew: no element of an earlier one may be alive.  What is found
+ * lives in the region. */
+void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out);
+
+/* The whole numbers that the statement depends on, in the order in which they were declared; their number. */
+int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room);
+#endif

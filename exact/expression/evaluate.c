@@ -1,0 +1,615 @@
+#include "exact/expression/evaluate.h"
+
+#include "exact/words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000 };
+
+/* What letters stand for inside a definition or a sum; the rest is the same everywhere. */
+typedef struct frame {
+    const char *head;
+    cagd_value value;
+    const struct frame *next;
+} frame;
+
+static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f);
+static int truth(cagd_context *c, const cagd_tree *t, const frame *f);
+
+static cagd_value fail(cagd_context *c, const cagd_tree *t, unsigned fault, const char *why)
+{
+    if (c->trouble == NULL && region_faults == 0)
+        c->trouble = why, c->where = t;
+    region_faults |= fault;
+    return cagd_value_int(0);
+}
+
+/* ---- names --------------------------------------------------------------------------------------------- */
+
+cagd_binding *cagd_binding_of(cagd_context *c, const char *key)
+{
+    for (int k = 0; k < c->count; k++)
+        if (strcmp(c->binding[k].key, key) == 0)
+            return &c->binding[k];
+    return NULL;
+}
+
+cagd_binding *cagd_bind(cagd_context *c, const char *key, cagd_value value)
+{
+    cagd_binding *b = cagd_binding_of(c, key);
+    if (b == NULL) {
+        if (c->count == CAGD_MOST_UNKNOWNS)
+            return NULL;
+        b = &c->binding[c->count++];
+    }
+    *b = (cagd_binding){.key = key, .value = value};
+    return b;
+}
+
+/* The bounds of a variable where they are numbers. */
+static void find_bounds(cagd_context *c, cagd_binding *b)
+{
+    const cagd_variable *v = b->variable;
+    const cagd_tree *end[2] = {v != NULL ? v->low : NULL, v != NULL ? v->high : NULL};
+    for (int k = 0; k < 2; k++) {
+        cagd_value x = end[k] != NULL ? evaluate(c, end[k], NULL) : cagd_value_int(0);
+        if (end[k] == NULL || !x.rational || region_faults != 0)
+            continue;
+        if (k == 0)
+            b->has_low = 1, b->low = x.q, b->low_open = v->low_open;
+        else
+            b->has_high = 1, b->high = x.q, b->high_open = v->high_open;
+    }
+    for (int k = 0; k < c->pieces; k++) {
+        const cagd_piece *p = &c->piece[k];
+        if (strcmp(p->key, b->key) != 0)
+            continue;
+        if (p->below)
+            b->has_high = 1, b->high = p->at, b->high_open = 1;
+        else
+            b->has_low = 1, b->low = p->at, b->low_open = 1;
+    }
+}
+
+/* A name without a value, as a variable of the field. */
+static cagd_value unknown(cagd_context *c, const cagd_tree *t, const char *key, const cagd_variable *v)
+{
+    if (!c->in_field)
+        return fail(c, t, FAULT_UNABLE, "a name without a value");
+    char name[16];
+    snprintf(name, sizeof name, "v%d", c->count);
+    key = cagd_text_of(key, (int)strlen(key));
+    cagd_binding *b = key != NULL ? cagd_bind(c, key, cagd_value_int(0)) : NULL;
+    if (b == NULL)
+        return fail(c, t, FAULT_UNABLE, "too many variables");
+    num_f x = variable_f(name);
+    b->value = (cagd_value){.f = x};
+    b->unknown = 1;
+    b->variable = v;
+    find_bounds(c, b);
+    return b->value;
+}
+
+/* "\omega_3^{2}": the name with the values of its indices. */
+static int key_of(cagd_context *c, const cagd_tree *t, const frame *f, char key[], int room)
+{
+    int used = snprintf(key, (size_t)room, "%s", t->head);
+    for (int k = 0; k < t->lower + t->upper && used < room; k++) {
+        long m;
+        cagd_value index = evaluate(c, t->at[k], f);
+        if (region_faults != 0 || !cagd_value_is_whole(index, &m)) {
+            fail(c, t->at[k], FAULT_UNABLE, "an index that is no whole number");
+            return 0;
+        }
+        int group = k < t->lower ? t->lower : t->upper, first = k == 0 || k == t->lower,
+            last = k + 1 == t->lower || k + 1 == t->lower + t->upper;
+        int braces = group > 1 || m < 0 || m > 9;
+        used += snprintf(key + used, (size_t)(room - used), "%s%s%ld%s",
+                         !first         ? ","
+                         : k < t->lower ? ""
+                                        : "^",
+                         first && braces ? "{" : "", m, last && braces ? "}" : "");
+    }
+    if (used >= room)
+        fail(c, t, FAULT_UNABLE, "a name that is too long");
+    return used < room;
+}
+
+/* A name that no definition fits, or that has none. */
+static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    char key[96];
+    if (!key_of(c, t, f, key, sizeof key))
+        return cagd_value_int(0);
+    const cagd_binding *b = cagd_binding_of(c, key);
+    if (b != NULL)
+        return b->value;
+    return unknown(c, t, key, cagd_declared(c->scope, t->head));
+}
+
+/* ---- definitions --------------------------------------------------------------------------------------- */
+
+/* The frame in which the left side has these values; its nodes are `room`.  0 where it does not fit; -1 where that depends on
+ * variables. */
+static int match(cagd_context *c, const cagd_definition *d, const cagd_value value[], frame room[], const frame **out)
+{
+    const frame *f = NULL;
+    for (int k = 0; k < d->left->count; k++) {
+        const cagd_tree *pattern = d->left->at[k];
+        if (pattern->kind == CAGD_NUMBER) {
+            if (!value[k].rational)
+                return -1;
+            if (!cagd_equal_q(pattern->number, value[k].q))
+                return 0;
+        } else {
+            room[k] = (frame){pattern->head, value[k], f};
+            f = &room[k];
+        }
+    }
+    *out = f;
+    return d->when == NULL ? 1 : truth(c, d->when, f);
+}
+
+/* The value of the definitions of that name for these indices and arguments. */
+static cagd_value apply(cagd_context *c, const cagd_tree *t, const cagd_value value[], const frame *caller)
+{
+    frame room[CAGD_MOST_CHILDREN];
+    for (const cagd_definition *d = c->scope->definitions; d != NULL; d = d->next) {
+        const frame *f;
+        if (strcmp(d->left->head, t->head) != 0)
+            continue;
+        int fits = match(c, d, value, room, &f);
+        if (region_faults != 0)
+            return cagd_value_int(0);
+        if (fits < 0)
+            return fail(c, t, FAULT_UNABLE, "which definition fits depends on variables");
+        if (!fits)
+            continue;
+        if (c->depth == MOST_CALLS)
+            return fail(c, t, FAULT_UNABLE, "definitions that use one another without end");
+        c->depth++;
+        cagd_value result = evaluate(c, d->body, f);
+        c->depth--;
+        return result;
+    }
+    if (cagd_declared(c->scope, t->head) != NULL)
+        return variable(c, t, caller);
+    return fail(c, t, FAULT_UNDEFINED, "no definition fits");
+}
+
+/* The binding whose variable the value is; NULL if it is none. */
+static const cagd_binding *plain_variable(const cagd_context *c, cagd_value a)
+{
+    for (int k = 0; k < c->count && !a.rational; k++)
+        if (c->binding[k].unknown && cagd_equal_f(c->binding[k].value.f, a.f))
+            return &c->binding[k];
+    return NULL;
+}
+
+/* A variable that occurs nowhere else, with the bounds of a where a is a variable. */
+static num_f fresh(cagd_context *c, cagd_value a)
+{
+    char name[16];
+    const cagd_binding *same = plain_variable(c, a);
+    snprintf(name, sizeof name, "d%d", c->fresh++);
+    num_f x = variable_f(name);
+    cagd_binding kept = same != NULL ? *same : (cagd_binding){0};
+    kept.key = "", kept.value = (cagd_value){.f = x}, kept.unknown = 1;
+    if (c->count == CAGD_MOST_UNKNOWNS)
+        region_faults |= FAULT_UNABLE;
+    else
+        c->binding[c->count++] = kept;
+    return x;
+}
+
+/* The fresh variable of binding k is no more. */
+static void forget(cagd_context *c, int k)
+{
+    c->fresh--;
+    if (k + 1 == c->count)
+        c->count = k;
+    else if (k < c->count)
+        c->binding[k] = (cagd_binding){.key = "", .value = cagd_value_int(0)};
+}
+
+/* The k-th derivative of F by x, at x = a. */
+static cagd_value derived(cagd_context *c, const cagd_tree *t, cagd_value F, num_f x, long k, cagd_value a)
+{
+    num_f g = cagd_in_field(F);
+    if (k < 0 || k > MOST_POWER)
+        return fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number, at least 0");
+    for (; k > 0 && region_faults == 0; k--)
+        g = derivative_f(g, x);
+    if (region_faults == 0)
+        g = substitute_f(g, x, cagd_in_field(a));
+    if (region_faults != 0)
+        return fail(c, t, FAULT_UNDEFINED, "a division by 0");
+    return cagd_value_f(g);
+}
+
+static long order_of(cagd_context *c, const cagd_tree *t, const cagd_tree *order, const frame *f)
+{
+    long k = -1;
+    cagd_value n = evaluate(c, order, f);
+    if (!cagd_value_is_whole(n, &k) && region_faults == 0)
+        fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number");
+    return k;
+}
+
+static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    if (t->count == 0)
+        for (const frame *g = f; g != NULL; g = g->next)
+            if (strcmp(g->head, t->head) == 0)
+                return g->value;
+    const cagd_definition *d = cagd_defined(c->scope, t->head);
+    if (d == NULL)
+        return variable(c, t, f);
+    cagd_value value[CAGD_MOST_CHILDREN];
+    for (int k = 0; k < d->left->count; k++) /* arguments that are left out are the letters of the definition */
+        value[k] = evaluate(c, k < t->count ? t->at[k] : d->left->at[k], f);
+    long order = t->order;
+    if (t->times != NULL)
+        order += order_of(c, t, t->times, f);
+    if (region_faults != 0)
+        return cagd_value_int(0);
+    if (order == 0)
+        return apply(c, t, value, f);
+    int first = t->lower + t->upper, known = c->count;
+    cagd_value a = value[first];
+    num_f x = fresh(c, a);
+    value[first] = (cagd_value){.f = x};
+    cagd_value F = region_faults == 0 ? apply(c, t, value, f) : a;
+    forget(c, known);
+    return region_faults != 0 ? F : derived(c, t, F, x, order, a);
+}
+
+/* d^k a / dx^k for a letter x that has a value here. */
+static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_tree letter = {.kind = CAGD_NAME, .head = t->head, .from = t->from, .to = t->to};
+    long order = order_of(c, t, t->at[1], f);
+    cagd_value at = name(c, &letter, f);
+    if (region_faults != 0)
+        return at;
+    int known = c->count;
+    num_f x = fresh(c, at);
+    frame inner = {t->head, {.f = x}, f};
+    cagd_value F = evaluate(c, t->at[0], &inner);
+    forget(c, known);
+    return region_faults != 0 ? F : derived(c, t, F, x, order, at);
+}
+
+static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_value low = evaluate(c, t->at[0], f), high = evaluate(c, t->at[1], f), sum = cagd_value_int(0);
+    int known = c->count;
+    num_f x = fresh(c, sum);
+    frame inner = {t->head, {.f = x}, f};
+    num_f F = cagd_in_field(evaluate(c, t->at[2], &inner));
+    forget(c, known);
+    if (region_faults != 0)
+        return sum;
+    if (cagd_denominator_degree_f(F, x) > 0)
+        return fail(c, t, FAULT_UNABLE, "only polynomials are integrated");
+    cagd_value of_low = low, of_high = high;
+    for (int k = 0; k <= cagd_degree_f(F, x); k++) {
+        cagd_value part = cagd_value_mul(cagd_value_f(cagd_coefficient_f(F, x, k)), cagd_value_sub(of_high, of_low));
+        sum = cagd_value_add(sum, cagd_value_div(part, cagd_value_int(k + 1)));
+        of_low = cagd_value_mul(of_low, low), of_high = cagd_value_mul(of_high, high);
+    }
+    return sum;
+}
+
+/* ---- comparisons --------------------------------------------------------------------------------------- */
+
+static int holds(int sign, cagd_relation relation)
+{
+    switch (relation) {
+    case CAGD_EQUAL:
+        return sign == 0;
+    case CAGD_NOT_EQUAL:
+        return sign != 0;
+    case CAGD_LESS:
+        return sign < 0;
+    case CAGD_LESS_OR_EQUAL:
+        return sign <= 0;
+    case CAGD_GREATER:
+        return sign > 0;
+    default:
+        return sign >= 0;
+    }
+}
+
+/* The sign of d = p (x - r) on the bounds of x, p being a number: -1, 0, 1.  -2 where it changes, or is not known. */
+static int sign_of(cagd_context *c, cagd_value d)
+{
+    if (d.rational)
+        return cagd_sign_q(d.q);
+    const cagd_binding *only = NULL;
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        if (!b->unknown || (cagd_degree_f(d.f, b->value.f) <= 0 && cagd_denominator_degree_f(d.f, b->value.f) <= 0))
+            continue;
+        if (only != NULL || !cagd_has_degrees_f(d.f, b->value.f, 1, 0))
+            return -2;
+        only = b;
+    }
+    if (only == NULL)
+        return -2;
+    num_q p, q;
+    if (!is_constant_f(cagd_coefficient_f(d.f, only->value.f, 1), &p) ||
+        !is_constant_f(cagd_coefficient_f(d.f, only->value.f, 0), &q))
+        return -2;
+    num_q r = neg_q(div_q(q, p));
+    int sign = cagd_sign_q(p);
+    int above = only->has_low ? cagd_compare_q(only->low, r) : -1,
+        below = only->has_high ? cagd_compare_q(only->high, r) : 1;
+    if (above > 0 || (above == 0 && only->low_open))
+        return sign;
+    if (below < 0 || (below == 0 && only->high_open))
+        return -sign;
+    if (c->split == NULL && only->key[0] != '\0')
+        c->split = only->key, c->split_at = r;
+    return -2;
+}
+
+int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
+{
+    cagd_value d = cagd_value_sub(a, b);
+    if (region_faults != 0)
+        return -1;
+    int sign = sign_of(c, d);
+    return sign == -2 ? -1 : holds(sign, relation);
+}
+
+static int truth(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    int result = 1;
+    if (t->kind == CAGD_ALL) {
+        for (int k = 0; k < t->count && result != 0; k++) {
+            int one = truth(c, t->at[k], f);
+            result = one == 0 ? 0 : one < 0 ? -1 : result;
+        }
+        return result;
+    }
+    if (t->kind != CAGD_RELATION)
+        return -1;
+    cagd_value left = evaluate(c, t->at[0], f);
+    for (int k = 0; k + 1 < t->count && region_faults == 0 && result != 0; k++) {
+        cagd_value right = evaluate(c, t->at[k + 1], f);
+        int one = cagd_compare_values(c, left, t->relation[k], right);
+        result = one == 0 ? 0 : one < 0 ? -1 : result;
+        left = right;
+    }
+    if (region_faults != 0)
+        return -1;
+    if (result < 0)
+        fail(c, t, 0, "a condition that depends on variables");
+    return result;
+}
+
+/* ---- the other operations ------------------------------------------------------------------------------ */
+
+static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long e;
+    cagd_value exponent = evaluate(c, t->at[1], f), base = evaluate(c, t->at[0], f), r = cagd_value_int(1);
+    if (region_faults != 0)
+        return r;
+    if (!cagd_value_is_whole(exponent, &e) || e > MOST_POWER || e < -MOST_POWER)
+        return fail(c, t->at[1], FAULT_UNABLE, "an exponent is a whole number, at most 1000");
+    if (e < 0 && cagd_value_is_zero(base))
+        return fail(c, t, FAULT_UNDEFINED, "a division by 0");
+    for (long m = e < 0 ? -e : e; m > 0; m /= 2) {
+        if (m % 2 == 1)
+            r = cagd_value_mul(r, base);
+        if (m > 1)
+            base = cagd_value_mul(base, base);
+    }
+    return e < 0 ? cagd_value_div(cagd_value_int(1), r) : r;
+}
+
+static cagd_value factorial(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long m;
+    cagd_value a = evaluate(c, t->at[0], f), r = cagd_value_int(1);
+    if (region_faults != 0)
+        return r;
+    if (!cagd_value_is_whole(a, &m) || m > MOST_FACTORIAL)
+        return fail(c, t, FAULT_UNABLE, "a factorial is of a whole number, at most 1000");
+    if (m < 0)
+        return fail(c, t, FAULT_UNDEFINED, "the factorial of a negative number");
+    for (long k = 2; k <= m; k++)
+        r = cagd_value_mul(r, cagd_value_int(k));
+    return r;
+}
+
+static cagd_value binomial(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long b;
+    cagd_value a = evaluate(c, t->at[0], f), below = evaluate(c, t->at[1], f), r = cagd_value_int(1);
+    if (region_faults != 0)
+        return r;
+    if (!cagd_value_is_whole(below, &b) || b > MOST_FACTORIAL)
+        return fail(c, t, FAULT_UNABLE, "below in a binomial coefficient stands a whole number, at most 1000");
+    if (b < 0)
+        return cagd_value_int(0);
+    for (long k = 0; k < b && !cagd_value_is_zero(r); k++)
+        r = cagd_value_div(cagd_value_mul(r, cagd_value_sub(a, cagd_value_int(k))), cagd_value_int(k + 1));
+    return r;
+}
+
+static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long n;
+    cagd_value a = evaluate(c, t->at[0], f), index = evaluate(c, t->at[1], f);
+    if (region_faults != 0)
+        return a;
+    if (!cagd_value_is_whole(index, &n) || n < 1 || n > MOST_POWER)
+        return fail(c, t, FAULT_UNABLE, "a root is the n-th for a whole number n");
+    cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
+    return region_faults != 0 ? fail(c, t, FAULT_UNABLE, "a root that is no rational number or function") : r;
+}
+
+/* Of the list the greatest or the least; of a number its amount, for the list a, -a. */
+static cagd_value extremum(cagd_context *c, const cagd_tree *t, const frame *f, cagd_relation better)
+{
+    cagd_value best = evaluate(c, t->at[0], f);
+    int amount = t->kind == CAGD_ABSOLUTE;
+    for (int k = amount ? 0 : 1; k < t->count && region_faults == 0; k++) {
+        cagd_value next = amount ? cagd_value_sub(cagd_value_int(0), best) : evaluate(c, t->at[k], f);
+        int is = region_faults == 0 ? cagd_compare_values(c, next, better, best) : 0;
+        if (is < 0)
+            return fail(c, t, FAULT_UNABLE, "which is larger depends on variables");
+        best = is ? next : best;
+    }
+    return best;
+}
+
+static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_value a = evaluate(c, t->at[0], f);
+    if (region_faults != 0)
+        return a;
+    if (!a.rational)
+        return fail(c, t, FAULT_UNABLE, "a rounded number that depends on variables");
+    mpq_t r;
+    mpq_init(r);
+    (t->kind == CAGD_FLOOR ? mpz_fdiv_q : mpz_cdiv_q)(mpq_numref(r), mpq_numref(a.q.at), mpq_denref(a.q.at));
+    cagd_value result = cagd_value_q(from_mpq_q(r));
+    mpq_clear(r);
+    return result;
+}
+
+static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long low, high;
+    cagd_value first = evaluate(c, t->at[0], f), last = evaluate(c, t->at[1], f);
+    int is_sum = t->kind == CAGD_SUM_OVER;
+    cagd_value r = cagd_value_int(is_sum ? 0 : 1);
+    if (region_faults != 0)
+        return r;
+    if (!cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high))
+        return fail(c, t, FAULT_UNABLE, "a sum runs between whole numbers");
+    if (high - low > MOST_TERMS)
+        return fail(c, t, FAULT_UNABLE, "a sum of too many terms");
+    for (long k = low; k <= high && region_faults == 0; k++) {
+        frame inner = {t->head, cagd_value_int(k), f};
+        int counted = 1;
+        for (int m = 3; m < t->count && counted == 1; m++)
+            counted = truth(c, t->at[m], &inner);
+        if (counted < 0)
+            return fail(c, t, FAULT_UNABLE, "a condition that depends on variables");
+        if (!counted)
+            continue;
+        cagd_value term = evaluate(c, t->at[2], &inner);
+        r = is_sum ? cagd_value_add(r, term) : cagd_value_mul(r, term);
+    }
+    return r;
+}
+
+static cagd_value cases(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    for (int k = 0; k < t->count; k += 2) {
+        int is = k + 1 < t->count ? truth(c, t->at[k + 1], f) : 1;
+        if (region_faults != 0)
+            return cagd_value_int(0);
+        if (is < 0)
+            return fail(c, t, FAULT_UNABLE, "a condition that depends on variables");
+        if (is)
+            return evaluate(c, t->at[k], f);
+    }
+    return fail(c, t, FAULT_UNDEFINED, "none of the cases");
+}
+
+static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_value a = evaluate(c, t->at[0], f), b = evaluate(c, t->at[1], f);
+    if (region_faults != 0)
+        return a;
+    if (cagd_value_is_zero(b) && cagd_value_is_zero(a) && c->scope->zero_over_zero)
+        return a;
+    return cagd_value_is_zero(b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
+}
+
+/* With 0/0 = 0 said, a factor that is divided by 0 is not asked for beside another that is 0. */
+static cagd_value product(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_value r = cagd_value_int(1);
+    unsigned faults = 0;
+    const char *trouble = c->trouble;
+    for (int k = 0; k < t->count; k++) {
+        cagd_value x = evaluate(c, t->at[k], f);
+        if (region_faults == FAULT_UNDEFINED && c->scope->zero_over_zero) {
+            faults |= region_faults;
+            region_faults = 0;
+            continue;
+        }
+        if (region_faults != 0)
+            return x;
+        r = cagd_value_mul(r, x);
+    }
+    if (faults != 0 && cagd_value_is_zero(r))
+        c->trouble = trouble;
+    else
+        region_faults |= faults;
+    return r;
+}
+
+static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    if (region_faults != 0)
+        return cagd_value_int(0);
+    if (--c->steps < 0)
+        return fail(c, t, FAULT_UNABLE, "more steps than are given to one case");
+    cagd_value r;
+    switch (t->kind) {
+    case CAGD_NUMBER:
+        return cagd_value_q(t->number);
+    case CAGD_NAME:
+        return name(c, t, f);
+    case CAGD_SUM:
+        r = cagd_value_int(0);
+        for (int k = 0; k < t->count; k++)
+            r = cagd_value_add(r, evaluate(c, t->at[k], f));
+        return r;
+    case CAGD_PRODUCT:
+        return product(c, t, f);
+    case CAGD_NEGATIVE:
+        return cagd_value_sub(cagd_value_int(0), evaluate(c, t->at[0], f));
+    case CAGD_QUOTIENT:
+        return quotient(c, t, f);
+    case CAGD_POWER:
+        return power(c, t, f);
+    case CAGD_FACTORIAL:
+        return factorial(c, t, f);
+    case CAGD_BINOMIAL:
+        return binomial(c, t, f);
+    case CAGD_ROOT:
+        return root(c, t, f);
+    case CAGD_ABSOLUTE:
+    case CAGD_MAXIMUM:
+        return extremum(c, t, f, CAGD_GREATER);
+    case CAGD_MINIMUM:
+        return extremum(c, t, f, CAGD_LESS);
+    case CAGD_FLOOR:
+    case CAGD_CEILING:
+        return rounded(c, t, f);
+    case CAGD_SUM_OVER:
+    case CAGD_PRODUCT_OVER:
+        return over(c, t, f);
+    case CAGD_DERIVATIVE:
+        return derivative(c, t, f);
+    case CAGD_INTEGRAL:
+        return integral(c, t, f);
+    case CAGD_CASES:
+        return cases(c, t, f);
+    default:
+        return fail(c, t, FAULT_UNABLE, "a relation is no value");
+    }
+}
+
+cagd_value cagd_evaluate(cagd_context *c, const cagd_tree *t) { return evaluate(c, t, NULL); }
+int cagd_truth(cagd_context *c, const cagd_tree *t) { return truth(c, t, NULL); }

@@ -1,0 +1,59 @@
+/* evaluate.h -- the value of a formula: in rationals, where all names have values, and in the field where some are variables.
+ *
+ * The power with exponent 0 is 1 whatever its base; a binomial coefficient is a(a-1)...(a-b+1)/b! for whole b >= 0, and 0 for
+ * b < 0; a sum over nothing is 0 and a product 1.  Primes and derivatives are computed in the field. */
+#ifndef CAGD_EVALUATE_H
+#define CAGD_EVALUATE_H
+
+#include "exact/expression/scope.h"
+#include "exact/expression/value.h"
+
+enum { CAGD_MOST_UNKNOWNS = 64 };
+
+/* A name with a value: "t", "\omega_3".  The value is a number, or a variable of the field; then the bounds are what is known of
+ * it. */
+typedef struct cagd_binding {
+    const char *key;
+    const cagd_variable *variable; /* its declaration, or NULL */
+    cagd_value value;
+    int unknown; /* a variable of the field */
+    int has_low, has_high, low_open, high_open;
+    cagd_num_q low, high;
+} cagd_binding;
+
+/* A variable is looked at below a number, or above it, only. */
+typedef struct cagd_piece {
+    const char *key;
+    int below;
+    cagd_num_q at;
+} cagd_piece;
+enum { CAGD_MOST_PIECES = 64 };
+
+typedef struct cagd_context {
+    const cagd_scope *scope;
+    cagd_binding binding[CAGD_MOST_UNKNOWNS];
+    int count;
+    cagd_piece piece[CAGD_MOST_PIECES];
+    int pieces;
+    int in_field; /* names without a value become variables of the field; otherwise they are UNABLE           */
+    long steps;   /* what may still be done; UNABLE when it is used up                                        */
+    int depth, fresh;
+    const char *trouble;    /* why there is no value, in words; NULL while nothing went wrong                 */
+    const cagd_tree *where; /* and at which part of the formula                                              */
+    const char *split;      /* a condition changes where this name has the value split_at                    */
+    cagd_num_q split_at;
+} cagd_context;
+
+enum { CAGD_USUAL_STEPS = 400000 };
+
+/* The value; region_faults are set where there is none, and `trouble` says why.  The field is open. */
+cagd_value cagd_evaluate(cagd_context *c, const cagd_tree *t);
+/* Whether relations hold: 1, 0; -1 and `split` or `trouble` where they depend on variables. */
+int cagd_truth(cagd_context *c, const cagd_tree *t);
+/* a relation b for two values, likewise. */
+int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
+
+/* The binding of that name; a new one without a value if there is none yet.  NULL when there is no room. */
+cagd_binding *cagd_bind(cagd_context *c, const char *key, cagd_value value);
+cagd_binding *cagd_binding_of(cagd_context *c, const char *key);
+#endif

@@ -1,0 +1,111 @@
+#include "exact/expression/example.h"
+
+#include "exact/expression/sign.h"
+#include "exact/words.h"
+
+enum { MOST_CANDIDATES = 14, MOST_TRIES = 1500 };
+
+static cagd_side_of_box side_of(const cagd_binding *b)
+{
+    return (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
+}
+
+int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, const num_q value[], num_q *left, num_q *right)
+{
+    cagd_context *exact = region_bytes(sizeof *exact);
+    if (exact == NULL || region_faults != 0)
+        return 0;
+    *exact = *c;
+    exact->in_field = 0, exact->steps = CAGD_USUAL_STEPS, exact->trouble = NULL, exact->split = NULL;
+    for (int m = 0; m < c->count; m++)
+        if (c->binding[m].unknown) {
+            cagd_side_of_box s = side_of(&c->binding[m]);
+            if (!cagd_is_inside(&s, value[m]))
+                return 0;
+            exact->binding[m].unknown = 0;
+            exact->binding[m].value = cagd_value_q(value[m]);
+        }
+    exact->in_field = 1; /* for what is derived */
+    int is = 1;
+    for (int m = 0; m < c->scope->condition_count && is == 1; m++)
+        is = cagd_truth(exact, c->scope->conditions[m]);
+    if (is == 1) {
+        cagd_value a = cagd_evaluate(exact, t->at[k]), b = cagd_evaluate(exact, t->at[k + 1]);
+        is = region_faults == 0 && a.rational && b.rational && cagd_compare_values(exact, a, t->relation[k], b) == 0;
+        *left = a.q, *right = b.q;
+    }
+    is = is == 1 && region_faults == 0;
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    return is;
+}
+
+/* Numbers within the bounds, the simplest first. */
+static int candidates(const cagd_binding *b, num_q out[])
+{
+    static const int simple[][2] = {{0, 1},  {1, 1}, {2, 1}, {-1, 1}, {1, 2}, {3, 1},
+                                    {-2, 1}, {1, 3}, {2, 3}, {-1, 2}, {3, 2}, {5, 1}};
+    cagd_side_of_box s = side_of(b);
+    int count = 0;
+    for (int k = 0; k < (int)(sizeof simple / sizeof *simple); k++) {
+        num_q x = from_ratio_q(simple[k][0], simple[k][1]);
+        if (cagd_is_inside(&s, x))
+            out[count++] = x;
+    }
+    if (count < 4 && s.has_low && s.has_high && cagd_compare_q(s.low, s.high) < 0) {
+        num_q cut = s.low;
+        for (int k = 0; k < 4; k++) {
+            cut = cagd_simplest_between(cut, s.high);
+            out[count++] = cut;
+        }
+    }
+    if (s.has_low && !s.low_open)
+        out[count++] = s.low;
+    if (s.has_high && !s.high_open)
+        out[count++] = s.high;
+    if (count == 0)
+        out[count++] = cagd_inside(&s);
+    return count;
+}
+
+/* All choices whose places in the lists have the sum `total`: simple numbers first. */
+struct search {
+    const cagd_context *c;
+    const cagd_tree *t;
+    int k, tries, unknowns, of[CAGD_MOST_UNKNOWNS], count[CAGD_MOST_UNKNOWNS];
+    num_q (*list)[MOST_CANDIDATES + 6];
+    num_q *value, *left, *right;
+};
+
+static int choose(struct search *s, int m, int total)
+{
+    if (m == s->unknowns) {
+        if (total > 0 || ++s->tries > MOST_TRIES)
+            return 0;
+        return cagd_is_example(s->c, s->t, s->k, s->value, s->left, s->right);
+    }
+    for (int i = 0; i < s->count[m] && i <= total && s->tries <= MOST_TRIES; i++) {
+        s->value[s->of[m]] = s->list[m][i];
+        if (choose(s, m + 1, total - i))
+            return 1;
+    }
+    return 0;
+}
+
+int cagd_find_example(const cagd_context *c, const cagd_tree *t, int k, num_q value[], num_q *left, num_q *right)
+{
+    struct search s = {.c = c, .t = t, .k = k, .value = value, .left = left, .right = right};
+    int most = 0;
+    s.list = cagd_region_array(CAGD_MOST_UNKNOWNS, 1, sizeof *s.list);
+    if (s.list == NULL)
+        return 0;
+    for (int m = 0; m < c->count; m++)
+        if (c->binding[m].unknown) {
+            s.of[s.unknowns] = m;
+            s.count[s.unknowns] = candidates(&c->binding[m], s.list[s.unknowns]);
+            most += s.count[s.unknowns++] - 1;
+        }
+    for (int total = 0; total <= most && s.tries <= MOST_TRIES; total++)
+        if (choose(&s, 0, total))
+            return 1;
+    return 0;
+}

@@ -1,0 +1,717 @@
+/* read.c -- expressions: sums, products, powers, fractions, sums over an index, cases. */
+#include "exact/expression/reader.h"
+#include "exact/words.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- tokens and trees ---------------------------------------------------------------------------------- */
+
+int cagd_reader_open(cagd_reader *r, const cagd_scope *scope, const char *text, int from, int to,
+                     cagd_reading_error *error)
+{
+    *error = (cagd_reading_error){0};
+    *r = (cagd_reader){.scope = scope, .text = text, .error = error};
+    r->token = cagd_tokens(text, from, to, error);
+    return r->token != NULL;
+}
+
+int cagd_next_is(const cagd_reader *r, const char *word)
+{
+    return r->token->kind != CAGD_TOKEN_END && strcmp(r->token->word, word) == 0;
+}
+int cagd_pass(cagd_reader *r, const char *word)
+{
+    int is = cagd_next_is(r, word);
+    r->token += is;
+    return is;
+}
+
+const char *cagd_name_of_next(const cagd_reader *r)
+{
+    if (r->token->kind == CAGD_TOKEN_END)
+        return "the end";
+    int n = r->token->to - r->token->from;
+    char text[48];
+    snprintf(text, sizeof text, "'%.*s'", n > 40 ? 40 : n, r->text + r->token->from);
+    const char *kept = cagd_text_of(text, (int)strlen(text));
+    return kept != NULL ? kept : "";
+}
+
+cagd_tree *cagd_refuse_token(cagd_reader *r, const char *format, ...)
+{
+    char message[240];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    cagd_refuse_reading(r->error, r->token->from, r->token->to, "%s", message);
+    return NULL;
+}
+cagd_tree *cagd_refuse_tree(cagd_reader *r, const cagd_tree *t, const char *format, ...)
+{
+    char message[240];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    cagd_refuse_reading(r->error, t->from, t->to, "%s", message);
+    return NULL;
+}
+
+int cagd_expect(cagd_reader *r, const char *word, const char *after)
+{
+    if (cagd_pass(r, word))
+        return 1;
+    return cagd_refuse_token(r, "expected '%s' after %s, not %s", word, after, cagd_name_of_next(r)) != NULL;
+}
+
+cagd_tree *cagd_new(cagd_reader *r, cagd_tree_kind kind, int from, int count)
+{
+    if (++r->nodes > CAGD_MOST_NODES)
+        return cagd_refuse_token(r, "the formula has more than %d parts", CAGD_MOST_NODES);
+    cagd_tree *t = cagd_tree_new(kind, from, r->token[-1].to, count);
+    return t != NULL ? t : cagd_refuse_token(r, "there is no memory for the formula");
+}
+cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count, const cagd_tree *const child[])
+{
+    for (int k = 0; k < count; k++)
+        if (child[k] == NULL)
+            return NULL;
+    cagd_tree *t = cagd_new(r, kind, from, count);
+    for (int k = 0; t != NULL && k < count; k++)
+        t->at[k] = child[k];
+    return t;
+}
+
+/* ---- scripts and arguments ----------------------------------------------------------------------------- */
+
+static const cagd_tree *factor(cagd_reader *r);
+
+static const cagd_tree *number(cagd_reader *r)
+{
+    cagd_tree *t = (r->token++, cagd_new(r, CAGD_NUMBER, r->token[-1].from, 0));
+    if (t != NULL)
+        t->number = from_string_q(r->token[-1].word);
+    if (t != NULL && region_faults != 0) {
+        region_faults = 0;
+        return cagd_refuse_tree(r, t, "a number of too many digits");
+    }
+    return t;
+}
+
+const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
+{
+    int from = r->token->from;
+    if (cagd_pass(r, "{")) {
+        const cagd_tree *t = cagd_read_sum(r);
+        return t != NULL && cagd_expect(r, "}", "the group") ? t : NULL;
+    }
+    if (r->token->kind == CAGD_TOKEN_NUMBER) {
+        if (strlen(r->token->word) > 1)
+            return cagd_refuse_token(r, "TeX takes one digit here: write {%s}", r->token->word);
+        return number(r);
+    }
+    if (r->token->kind == CAGD_TOKEN_LETTER) { /* a letter alone: what follows is not its index */
+        const char *head = (r->token++)->word;
+        cagd_tree *t = cagd_new(r, CAGD_NAME, from, 0);
+        if (t != NULL)
+            t->head = head;
+        if (t != NULL && !r->declaring && !cagd_is_known(r, head))
+            return cagd_refuse_tree(r, t, "%s is not defined", head);
+        return t;
+    }
+    if (is_script && r->token->kind != CAGD_TOKEN_WORD)
+        return cagd_refuse_token(r, "expected an index or a power, not %s", cagd_name_of_next(r));
+    return factor(r);
+}
+
+const char *cagd_read_words(cagd_reader *r)
+{
+    if (!cagd_next_is(r, "\\text") && !cagd_next_is(r, "\\mbox") && !cagd_next_is(r, "\\textrm"))
+        return NULL;
+    r->token++;
+    if (!cagd_expect(r, "{", "\\text"))
+        return "";
+    int from = r->token->from;
+    while (r->token->kind != CAGD_TOKEN_END && !cagd_next_is(r, "}"))
+        r->token++;
+    int to = r->token->from;
+    while (to > from && r->text[to - 1] == ' ')
+        to--;
+    const char *words = cagd_text_of(r->text + from, to - from);
+    cagd_pass(r, "}");
+    return words != NULL ? words : "";
+}
+
+/* ---- fractions and derivatives ------------------------------------------------------------------------- */
+
+/* How many tokens a differential sign has: d, \partial, \mathrm{d}; 0 where there is none. */
+static int differential(const cagd_reader *r, const cagd_token *t)
+{
+    if (strcmp(t->word, "\\partial") == 0)
+        return 1;
+    if (strcmp(t->word, "d") == 0)
+        return !cagd_is_known(r, "d");
+    if (strcmp(t->word, "\\mathrm") != 0)
+        return 0;
+    if (strcmp(t[1].word, "d") == 0)
+        return 1 + 1;
+    return strcmp(t[1].word, "{") == 0 && strcmp(t[2].word, "d") == 0 && strcmp(t[3].word, "}") == 0 ? 4 : 0;
+}
+
+/* d^k f / d t^k, the brace of the numerator being passed; the body f may follow the fraction. */
+static const cagd_tree *derivative(cagd_reader *r, int from)
+{
+    r->token += differential(r, r->token);
+    const cagd_tree *order = NULL, *body = NULL;
+    if (cagd_pass(r, "^") && (order = cagd_read_argument(r, 1)) == NULL)
+        return NULL;
+    if (!cagd_next_is(r, "}") && (body = cagd_read_sum(r)) == NULL)
+        return NULL;
+    if (!cagd_expect(r, "}", "the numerator") || !cagd_expect(r, "{", "the numerator"))
+        return NULL;
+    int sign = differential(r, r->token);
+    if (sign == 0)
+        return cagd_refuse_token(r, "expected d and a letter below the derivative, not %s", cagd_name_of_next(r));
+    r->token += sign;
+    const cagd_token *variable = r->token;
+    const char *head = cagd_read_head(r);
+    if (head == NULL)
+        return NULL;
+    if (!cagd_is_known(r, head)) {
+        r->token = variable;
+        return cagd_refuse_token(r, "%s is not defined", head);
+    }
+    const cagd_tree *again = NULL;
+    if (cagd_pass(r, "^") && (again = cagd_read_argument(r, 1)) == NULL)
+        return NULL;
+    if ((order == NULL) != (again == NULL) || (order != NULL && !cagd_tree_equal(order, again)))
+        return cagd_refuse_token(r, "the orders above and below are not the same");
+    if (!cagd_expect(r, "}", "the derivative"))
+        return NULL;
+    if (body == NULL)
+        body = cagd_read_product(r);
+    if (order == NULL)
+        order = cagd_tree_number(1, from, from);
+    cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, order});
+    if (t != NULL)
+        t->head = head;
+    return t;
+}
+
+static const cagd_tree *fraction(cagd_reader *r, int from)
+{
+    if (cagd_next_is(r, "{") && differential(r, r->token + 1) > 0) {
+        const cagd_token *second = r->token;
+        for (int depth = 0; second->kind != CAGD_TOKEN_END; second++) {
+            depth += (strcmp(second->word, "{") == 0) - (strcmp(second->word, "}") == 0);
+            if (depth == 0)
+                break;
+        }
+        if (second->kind != CAGD_TOKEN_END && strcmp(second[1].word, "{") == 0 && differential(r, second + 2) > 0) {
+            r->token++;
+            return derivative(r, from);
+        }
+    }
+    if (r->token->kind == CAGD_TOKEN_NUMBER && strlen(r->token->word) == 2) { /* \frac12 */
+        const char *digits = (r->token++)->word;
+        const cagd_tree *half[2];
+        for (int k = 0; k < 2; k++) {
+            if (digits[k] < '0' || digits[k] > '9')
+                return cagd_refuse_token(r, "write \\frac{...}{...}");
+            half[k] = cagd_tree_number(digits[k] - '0', from, r->token[-1].to);
+        }
+        return cagd_new_of(r, CAGD_QUOTIENT, from, 2, half);
+    }
+    const cagd_tree *a = cagd_read_argument(r, 0), *b = a != NULL ? cagd_read_argument(r, 0) : NULL;
+    return cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){a, b});
+}
+
+static const cagd_tree *root(cagd_reader *r, int from)
+{
+    const cagd_tree *n = NULL;
+    if (cagd_pass(r, "[")) {
+        n = cagd_read_sum(r);
+        if (n == NULL || !cagd_expect(r, "]", "the root"))
+            return NULL;
+    }
+    const cagd_tree *a = cagd_read_argument(r, 0);
+    if (n == NULL)
+        n = cagd_tree_number(2, from, from);
+    return cagd_new_of(r, CAGD_ROOT, from, 2, (const cagd_tree *[]){a, n});
+}
+
+/* ---- sums and products over an index ------------------------------------------------------------------- */
+
+/* The letter of an index, which has to be new. */
+static const char *index_letter(cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    const char *head = cagd_read_head(r);
+    const cagd_variable *v = head != NULL ? cagd_declared(r->scope, head) : NULL;
+    if (head != NULL && (cagd_is_bound(r, head) || (v != NULL && v->whole) || cagd_defined(r->scope, head) != NULL)) {
+        r->token = t;
+        return cagd_refuse_token(r, "the index %s has a meaning already: take another letter", head), NULL;
+    }
+    return head;
+}
+
+struct range {
+    const char *head;
+    const cagd_tree *low, *high, *condition[4];
+    int conditions;
+};
+
+/* What stands below: i=0, or 0 \le i \le n, and conditions behind commas. */
+static int below(cagd_reader *r, struct range *a, struct cagd_bound *bound)
+{
+    if (!cagd_expect(r, "{", "_"))
+        return 0;
+    if (cagd_begins_name(r) && strcmp(r->token[1].word, "=") == 0) {
+        a->head = index_letter(r);
+        if (a->head == NULL)
+            return 0;
+        r->token++;
+        a->low = cagd_read_sum(r);
+    } else {
+        cagd_relation relation;
+        a->low = cagd_read_sum(r);
+        if (a->low == NULL)
+            return 0;
+        for (int k = 0; k < 2; k++) {
+            if (!cagd_relation_next(r, &relation) || (relation != CAGD_LESS_OR_EQUAL && relation != CAGD_LESS))
+                return cagd_refuse_token(r, "expected a range such as {i=0} or {0 \\le i \\le n}") != NULL;
+            r->token++;
+            if (k == 0)
+                a->head = index_letter(r);
+            else
+                a->high = cagd_read_sum(r);
+            const cagd_tree *one = cagd_tree_number(k == 0 ? 1 : -1, r->token->from, r->token->from);
+            const cagd_tree **end = k == 0 ? &a->low : &a->high;
+            if (a->head == NULL || *end == NULL)
+                return 0;
+            if (relation == CAGD_LESS)
+                *end = cagd_new_of(r, CAGD_SUM, (*end)->from, 2, (const cagd_tree *[]){*end, one});
+        }
+    }
+    *bound = (struct cagd_bound){a->head, r->bound};
+    r->bound = bound;
+    while (a->low != NULL && cagd_pass(r, ",")) {
+        if (a->conditions == 4)
+            return cagd_refuse_token(r, "more than four conditions") != NULL;
+        a->condition[a->conditions] = cagd_read_relations(r);
+        if (a->condition[a->conditions++] == NULL)
+            return 0;
+    }
+    r->bound = bound->next;
+    return a->low != NULL && cagd_expect(r, "}", "the range");
+}
+
+static const cagd_tree *over(cagd_reader *r, cagd_tree_kind kind, int from)
+{
+    struct range a = {0};
+    struct cagd_bound bound;
+    const char *sign = kind == CAGD_SUM_OVER ? "sum" : "product";
+    if (!cagd_pass(r, "_"))
+        return cagd_refuse_token(r, "over what is the %s? expected _{i=0}^{n}", sign);
+    if (!below(r, &a, &bound))
+        return NULL;
+    if (a.high == NULL) {
+        if (!cagd_pass(r, "^"))
+            return cagd_refuse_token(r, "up to what is the %s? expected ^{n}", sign);
+        a.high = cagd_read_argument(r, 1);
+        if (a.high == NULL)
+            return NULL;
+    }
+    r->bound = &bound;
+    const cagd_tree *body = cagd_read_product(r);
+    r->bound = bound.next;
+    if (body == NULL)
+        return NULL;
+    cagd_tree *t = cagd_new(r, kind, from, 3 + a.conditions);
+    if (t == NULL)
+        return NULL;
+    t->head = a.head;
+    t->at[0] = a.low, t->at[1] = a.high, t->at[2] = body;
+    for (int k = 0; k < a.conditions; k++)
+        t->at[3 + k] = a.condition[k];
+    return t;
+}
+
+static const cagd_tree *integral(cagd_reader *r, int from)
+{
+    const cagd_tree *low = NULL, *high = NULL;
+    for (int k = 0; k < 2; k++)
+        if (cagd_pass(r, "_"))
+            low = cagd_read_argument(r, 1);
+        else if (cagd_pass(r, "^"))
+            high = cagd_read_argument(r, 1);
+    if (low == NULL || high == NULL)
+        return cagd_refuse_token(r, "from where to where is the integral? expected \\int_a^b ... dt");
+    /* The letter of the variable stands behind the integrand, and has to be known in it. */
+    const cagd_token *end = r->token;
+    while (end->kind != CAGD_TOKEN_END &&
+           (differential(r, end) == 0 || end[differential(r, end)].kind != CAGD_TOKEN_LETTER))
+        end++;
+    if (end->kind == CAGD_TOKEN_END)
+        return cagd_refuse_token(r, "by what is the integral? expected d and a letter at its end");
+    struct cagd_bound bound = {end[differential(r, end)].word, r->bound};
+    r->bound = &bound;
+    r->integrals++;
+    const cagd_tree *body = cagd_read_sum(r);
+    r->integrals--;
+    r->bound = bound.next;
+    if (body == NULL)
+        return NULL;
+    if (differential(r, r->token) == 0 || r->token != end)
+        return cagd_refuse_token(r, "expected d%s at the end of the integral, not %s", bound.head,
+                                 cagd_name_of_next(r));
+    r->token += differential(r, r->token) + 1;
+    cagd_tree *t = cagd_new_of(r, CAGD_INTEGRAL, from, 3, (const cagd_tree *[]){low, high, body});
+    if (t != NULL)
+        t->head = bound.head;
+    return t;
+}
+
+/* ---- brackets, lists, cases ---------------------------------------------------------------------------- */
+
+static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const char *close, int from)
+{
+    const cagd_tree *a = cagd_read_sum(r);
+    return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_new_of(r, kind, from, 1, &a) : NULL;
+}
+
+/* (...), [...], {...}: the value itself. */
+static const cagd_tree *group(cagd_reader *r, const char *close)
+{
+    const cagd_tree *a = cagd_read_sum(r);
+    if (a != NULL && cagd_next_is(r, ","))
+        return cagd_refuse_token(r, "points with components are not understood here; say each component");
+    return a != NULL && cagd_expect(r, close, "the bracket") ? a : NULL;
+}
+
+static const cagd_tree *extremum(cagd_reader *r, cagd_tree_kind kind, int from)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0;
+    const char *close = cagd_pass(r, "(") ? ")" : cagd_pass(r, "\\{") ? "\\}" : NULL;
+    if (close == NULL)
+        return cagd_refuse_token(r, "expected a list such as (a, b), not %s", cagd_name_of_next(r));
+    do {
+        if (count == CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "a list of more than %d", CAGD_MOST_CHILDREN);
+        list[count] = cagd_read_sum(r);
+        if (list[count++] == NULL)
+            return NULL;
+    } while (cagd_pass(r, ","));
+    return cagd_expect(r, close, "the list") ? cagd_new_of(r, kind, from, count, list) : NULL;
+}
+
+static int is_one_of(const char *word, const char *const words[])
+{
+    for (int k = 0; words[k] != NULL; k++)
+        if (strcmp(words[k], word) == 0)
+            return 1;
+    return 0;
+}
+
+/* The name of an environment: {cases}. */
+static int environment(cagd_reader *r, const char *name)
+{
+    const cagd_token *t = r->token;
+    if (!cagd_pass(r, "{"))
+        return 0;
+    for (const char *c = name; *c != '\0'; c++, r->token++)
+        if (r->token->word[0] != *c || r->token->word[1] != '\0') {
+            r->token = t;
+            return 0;
+        }
+    return cagd_pass(r, "}");
+}
+
+static const cagd_tree *cases(cagd_reader *r, int from)
+{
+    static const char *const otherwise[] = {"otherwise", "else", "otherwise.", "elsewhere", NULL};
+    static const char *const when[] = {"if", "for", "when", "where", "", NULL};
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0;
+    if (!environment(r, "cases"))
+        return cagd_refuse_token(r, "of the environments only {cases} is understood here");
+    do {
+        if (cagd_next_is(r, "\\end"))
+            break;
+        if (count + 2 > CAGD_MOST_CHILDREN || count % 2 == 1)
+            return cagd_refuse_token(r, count % 2 == 1 ? "'otherwise' is the last of the cases" : "too many cases");
+        list[count] = cagd_read_sum(r);
+        if (list[count++] == NULL)
+            return NULL;
+        cagd_pass(r, ",");
+        cagd_pass(r, "&");
+        const cagd_token *at = r->token;
+        const char *words = cagd_read_words(r);
+        if (words != NULL && is_one_of(words, otherwise))
+            continue;
+        if (words != NULL && !is_one_of(words, when)) {
+            r->token = at;
+            return cagd_refuse_token(r, "'%s' is not understood; expected 'if' or 'otherwise'", words);
+        }
+        list[count] = cagd_read_conditions(r);
+        if (list[count++] == NULL)
+            return NULL;
+    } while (cagd_pass(r, "\\\\"));
+    if (!cagd_expect(r, "\\end", "the cases") || !environment(r, "cases"))
+        return cagd_refuse_token(r, "expected \\end{cases}");
+    return count > 0 ? cagd_new_of(r, CAGD_CASES, from, count, list) : cagd_refuse_token(r, "cases without a case");
+}
+
+/* ---- factors ------------------------------------------------------------------------------------------- */
+
+static const cagd_tree *word(cagd_reader *r)
+{
+    int from = r->token->from;
+    const char *w = r->token->word;
+    if (strcmp(w, "\\frac") == 0)
+        return r->token++, fraction(r, from);
+    if (strcmp(w, "\\binom") == 0) {
+        r->token++;
+        const cagd_tree *a = cagd_read_argument(r, 0), *b = a != NULL ? cagd_read_argument(r, 0) : NULL;
+        return cagd_new_of(r, CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b});
+    }
+    if (strcmp(w, "\\sqrt") == 0)
+        return r->token++, root(r, from);
+    if (strcmp(w, "\\sum") == 0 || strcmp(w, "\\prod") == 0)
+        return r->token++, over(r, w[1] == 's' ? CAGD_SUM_OVER : CAGD_PRODUCT_OVER, from);
+    if (strcmp(w, "\\int") == 0)
+        return r->token++, integral(r, from);
+    if (strcmp(w, "\\max") == 0 || strcmp(w, "\\min") == 0)
+        return r->token++, extremum(r, w[2] == 'a' ? CAGD_MAXIMUM : CAGD_MINIMUM, from);
+    if (strcmp(w, "\\lfloor") == 0)
+        return r->token++, bracketed(r, CAGD_FLOOR, "\\rfloor", from);
+    if (strcmp(w, "\\lceil") == 0)
+        return r->token++, bracketed(r, CAGD_CEILING, "\\rceil", from);
+    if (strcmp(w, "\\begin") == 0)
+        return r->token++, cases(r, from);
+    static const char *const angles[] = {"\\sin", "\\cos", "\\tan", "\\exp", "\\log", "\\ln", NULL};
+    if (is_one_of(w, angles))
+        return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
+    if (strcmp(w, "\\dots") == 0)
+        return cagd_refuse_token(r, "what is left out? write it with \\sum or \\prod");
+    return cagd_refuse_token(r, "%s is not understood", w);
+}
+
+static const cagd_tree *base(cagd_reader *r)
+{
+    int from = r->token->from;
+    if (cagd_begins_name(r))
+        return cagd_read_name(r);
+    if (r->token->kind == CAGD_TOKEN_NUMBER)
+        return number(r);
+    if (r->token->kind == CAGD_TOKEN_WORD)
+        return word(r);
+    if (cagd_pass(r, "("))
+        return group(r, ")");
+    if (cagd_pass(r, "["))
+        return group(r, "]");
+    if (cagd_pass(r, "{"))
+        return group(r, "}");
+    if (cagd_pass(r, "\\{"))
+        return group(r, "\\}");
+    if (cagd_pass(r, "|"))
+        return bracketed(r, CAGD_ABSOLUTE, "|", from);
+    return cagd_refuse_token(r, "expected a number, a name or a bracket, not %s", cagd_name_of_next(r));
+}
+
+static const cagd_tree *factor(cagd_reader *r)
+{
+    int from = r->token->from;
+    if (++r->depth > CAGD_MOST_DEPTH)
+        return cagd_refuse_token(r, "more than %d levels of brackets", CAGD_MOST_DEPTH);
+    const cagd_tree *t = base(r);
+    while (t != NULL) {
+        if (cagd_pass(r, "!")) {
+            t = cagd_new_of(r, CAGD_FACTORIAL, from, 1, &t);
+        } else if (cagd_pass(r, "^")) {
+            const cagd_tree *power = cagd_read_argument(r, 1);
+            t = cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+        } else {
+            break;
+        }
+    }
+    r->depth--;
+    return t;
+}
+
+static int begins_factor(const cagd_reader *r)
+{
+    static const char *const words[] = {"\\frac", "\\binom", "\\sqrt",   "\\sum",   "\\prod",  "\\int",
+                                        "\\max",  "\\min",   "\\lfloor", "\\lceil", "\\begin", NULL};
+    if (r->integrals > 0 && differential(r, r->token) > 0)
+        return 0;
+    return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
+           (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) || cagd_next_is(r, "(") ||
+           cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{");
+}
+
+/* A sign that a product may have before a factor: t \cdot -2 is refused, as on paper. */
+const cagd_tree *cagd_read_product(cagd_reader *r)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0, from = r->token->from, juxtaposed = 1;
+    list[count++] = factor(r);
+    while (list[count - 1] != NULL) {
+        int dot = cagd_pass(r, "*"), stroke = !dot && cagd_pass(r, "/");
+        if (!dot && !stroke && !begins_factor(r))
+            break;
+        juxtaposed &= !dot && !stroke;
+        if (stroke) {
+            const cagd_tree *above = count > 1 ? cagd_new_of(r, CAGD_PRODUCT, from, count, list) : list[0];
+            const cagd_tree *under = factor(r);
+            if (under != NULL && begins_factor(r))
+                return cagd_refuse_token(r, "a/b c is (a/b) c or a/(b c): write \\frac or brackets");
+            list[0] = cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){above, under});
+            count = 1;
+            continue;
+        }
+        if (!dot && r->token->kind == CAGD_TOKEN_NUMBER && list[count - 1]->kind == CAGD_NUMBER)
+            return cagd_refuse_token(r, "two numbers side by side");
+        if (count == CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "more than %d factors", CAGD_MOST_CHILDREN);
+        list[count++] = factor(r);
+    }
+    if (list[count - 1] == NULL || count == 1)
+        return list[count - 1];
+    cagd_tree *t = cagd_new_of(r, CAGD_PRODUCT, from, count, list);
+    if (t != NULL)
+        t->juxtaposed = juxtaposed;
+    return t;
+}
+
+const cagd_tree *cagd_read_sum(cagd_reader *r)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0, from = r->token->from, begin = from, minus = cagd_pass(r, "-");
+    if (++r->depth > CAGD_MOST_DEPTH)
+        return cagd_refuse_token(r, "more than %d levels of brackets", CAGD_MOST_DEPTH);
+    if (!minus)
+        cagd_pass(r, "+");
+    for (;;) {
+        const cagd_tree *t = cagd_read_product(r);
+        if (t != NULL && minus)
+            t = cagd_new_of(r, CAGD_NEGATIVE, begin, 1, &t);
+        if (t == NULL)
+            return NULL;
+        if (count == CAGD_MOST_CHILDREN) { /* the sum so far is one of its terms */
+            list[0] = cagd_new_of(r, CAGD_SUM, from, count, list);
+            count = 1;
+        }
+        list[count++] = t;
+        begin = r->token->from;
+        minus = cagd_pass(r, "-");
+        if (!minus && !cagd_pass(r, "+"))
+            break;
+    }
+    r->depth--;
+    return count == 1 ? list[0] : cagd_new_of(r, CAGD_SUM, from, count, list);
+}
+
+/* ---- relations ----------------------------------------------------------------------------------------- */
+
+int cagd_relation_next(const cagd_reader *r, cagd_relation *relation)
+{
+    static const char *const words[] = {"=", "\\ne", "<", "\\le", ">", "\\ge"};
+    for (int k = 0; k < 6; k++)
+        if (cagd_next_is(r, words[k])) {
+            *relation = (cagd_relation)k;
+            return 1;
+        }
+    return 0;
+}
+
+/* The & and the breaks of lines before a relation. */
+static void pass_alignment(cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    cagd_relation relation;
+    while (cagd_next_is(r, "&") || cagd_next_is(r, "\\\\"))
+        r->token++;
+    if (!cagd_relation_next(r, &relation))
+        r->token = t;
+}
+
+const cagd_tree *cagd_read_relations(cagd_reader *r)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    cagd_relation relation[CAGD_MOST_CHILDREN];
+    int count = 0, from = r->token->from;
+    do {
+        if (count == CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_CHILDREN - 1);
+        cagd_pass(r, "&");
+        list[count] = cagd_read_sum(r);
+        if (list[count] == NULL)
+            return NULL;
+        pass_alignment(r);
+    } while (cagd_relation_next(r, &relation[count++]) && r->token++);
+    if (count == 1)
+        return cagd_refuse_token(r, "expected a relation, = or <, not %s", cagd_name_of_next(r));
+    cagd_tree *t = cagd_new_of(r, CAGD_RELATION, from, count, list);
+    cagd_relation *kept = t != NULL ? cagd_region_array(count, 1, sizeof *kept) : NULL;
+    if (kept == NULL)
+        return NULL;
+    memcpy(kept, relation, (size_t)(count - 1) * sizeof *kept);
+    t->relation = kept;
+    return t;
+}
+
+const cagd_tree *cagd_read_conditions(cagd_reader *r)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0, from = r->token->from, more;
+    do {
+        if (count == CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
+        list[count] = cagd_read_relations(r);
+        if (list[count++] == NULL)
+            return NULL;
+        const cagd_token *here = r->token;
+        more = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
+        const char *words = cagd_read_words(r);
+        if (words != NULL && strcmp(words, "and") == 0)
+            more = 1;
+        else if (words != NULL)
+            r->token = here, more = 0;
+        if (more && (r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
+            more = 0;
+    } while (more);
+    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
+}
+
+static int at_the_end(cagd_reader *r)
+{
+    if (r->token->kind == CAGD_TOKEN_SIGN && strcmp(r->token->word, ".") == 0)
+        r->token++;
+    if (r->token->kind == CAGD_TOKEN_END)
+        return 1;
+    return cagd_refuse_token(r, "expected the end of the formula, not %s", cagd_name_of_next(r)) != NULL;
+}
+
+const cagd_tree *cagd_read_value(const cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
+{
+    cagd_reader r;
+    if (!cagd_reader_open(&r, scope, text, from, to, error))
+        return NULL;
+    const cagd_tree *t = cagd_read_sum(&r);
+    return t != NULL && at_the_end(&r) ? t : NULL;
+}
+
+const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, int from, int to,
+                                     cagd_reading_error *error)
+{
+    cagd_reader r;
+    if (!cagd_reader_open(&r, scope, text, from, to, error))
+        return NULL;
+    const cagd_tree *t = cagd_read_conditions(&r);
+    return t != NULL && at_the_end(&r) ? t : NULL;
+}

@@ -1,0 +1,355 @@
+/* read_declaration.c -- lines that say what names mean, and for what a statement is said. */
+#include "exact/expression/reader.h"
+#include "exact/words.h"
+
+#include <string.h>
+
+/* Tries that fail leave no trace. */
+struct place {
+    const cagd_token *token;
+    int depth;
+};
+static struct place here(const cagd_reader *r) { return (struct place){r->token, r->depth}; }
+static int back(cagd_reader *r, struct place p)
+{
+    r->token = p.token, r->depth = p.depth;
+    *r->error = (cagd_reading_error){0};
+    return 0;
+}
+
+/* A name as it is declared: its indices are letters or numbers. */
+static const cagd_tree *declared_name(cagd_reader *r)
+{
+    if (!cagd_begins_name(r))
+        return NULL;
+    r->declaring = 1;
+    const cagd_tree *t = cagd_read_name(r);
+    r->declaring = 0;
+    return t != NULL && t->kind == CAGD_NAME ? t : NULL;
+}
+
+/* ---- definitions --------------------------------------------------------------------------------------- */
+
+/* Letters and numbers, no letter twice; arguments are letters.  As often as the same name was defined with. */
+static int is_left_side(cagd_reader *r, const cagd_tree *left)
+{
+    for (int k = 0; k < left->count; k++) {
+        const cagd_tree *t = left->at[k];
+        int letter = t->kind == CAGD_NAME && t->count == 0, index = k < left->lower + left->upper;
+        if (!letter && !(index && t->kind == CAGD_NUMBER))
+            return cagd_refuse_tree(r, t, "on the left of a definition %s",
+                                    index ? "an index is a letter or a number" : "an argument is a letter") != NULL;
+        for (int m = 0; letter && m < k; m++)
+            if (left->at[m]->kind == CAGD_NAME && strcmp(left->at[m]->head, t->head) == 0)
+                return cagd_refuse_tree(r, t, "the letter %s stands there twice", t->head) != NULL;
+    }
+    const cagd_definition *d = cagd_defined(r->scope, left->head);
+    if (d != NULL &&
+        (d->left->lower != left->lower || d->left->upper != left->upper || d->left->arguments != left->arguments))
+        return cagd_refuse_tree(r, left, "%s was defined with %d lower, %d upper indices and %d arguments", left->head,
+                                d->left->lower, d->left->upper, d->left->arguments) != NULL;
+    return 1;
+}
+
+static int definition(cagd_reader *r, cagd_scope *scope)
+{
+    r->declaring = 1;
+    const cagd_tree *left = cagd_read_name(r);
+    r->declaring = 0;
+    if (left == NULL)
+        return 0;
+    if (left->kind != CAGD_NAME)
+        return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
+               NULL;
+    if (!is_left_side(r, left) || !cagd_expect(r, "=", "the left side"))
+        return 0;
+    struct cagd_bound bound[CAGD_MOST_CHILDREN];
+    for (int k = 0; k < left->count; k++)
+        if (left->at[k]->kind == CAGD_NAME) {
+            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound};
+            r->bound = &bound[k];
+        }
+    cagd_definition *d = cagd_define(scope, left);
+    const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
+    if (body == NULL)
+        return 0;
+    d->body = body;
+    if (cagd_pass(r, ",") || cagd_next_is(r, "\\text")) {
+        cagd_read_words(r);
+        d->when = cagd_read_conditions(r);
+        if (d->when == NULL)
+            return 0;
+    }
+    r->bound = NULL;
+    return 1;
+}
+
+static int is_zero_over_zero(const cagd_token *t)
+{
+    static const char *const written[][12] = {{"0", "/", "0", "=", "0", "", NULL},
+                                              {"\\frac", "{", "0", "}", "{", "0", "}", "=", "0", "", NULL},
+                                              {"\\frac", "00", "=", "0", "", NULL}};
+    for (int k = 0; k < 3; k++) {
+        int m = 0;
+        while (written[k][m] != NULL && strcmp(t[m].word, written[k][m]) == 0)
+            m++;
+        if (written[k][m] == NULL)
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether the line is "name = ...", and no range: the first relation that stands in no bracket. */
+static int is_definition(const cagd_token *t)
+{
+    int depth = 0;
+    for (; t->kind != CAGD_TOKEN_END; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 &&
+            (strcmp(t->word, "\\in") == 0 || strchr("<>", t->word[0]) != NULL || strcmp(t->word, "\\le") == 0 ||
+             strcmp(t->word, "\\ge") == 0 || strcmp(t->word, "\\ne") == 0))
+            return 0;
+        if (depth == 0 && strcmp(t->word, "=") == 0)
+            break;
+    }
+    for (int inner = 0; t->kind != CAGD_TOKEN_END; t++) {
+        inner += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (inner == 0 && strcmp(t->word, "\\dots") == 0)
+            return 0;
+    }
+    return 1;
+}
+
+static int ranges(cagd_reader *r, cagd_scope *scope);
+
+int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
+{
+    cagd_reader r;
+    cagd_scope before = *scope;
+    if (!cagd_reader_open(&r, scope, text, from, to, error))
+        return 0;
+    if (is_zero_over_zero(r.token)) {
+        scope->zero_over_zero = 1;
+        return 1;
+    }
+    int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope);
+    if (good && (cagd_pass(&r, "."), r.token->kind != CAGD_TOKEN_END))
+        good = cagd_refuse_token(&r, "expected the end of the line, not %s", cagd_name_of_next(&r)) != NULL;
+    if (!good)
+        *scope = before;
+    return good;
+}
+
+/* ---- ranges -------------------------------------------------------------------------------------------- */
+
+static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cagd_variable v)
+{
+    v.head = name->head, v.lower = name->lower, v.upper = name->upper;
+    if (name->arguments > 0 || name->order > 0)
+        return cagd_refuse_tree(r, name, "a variable has no arguments: define the function") != NULL;
+    if (v.whole && name->count > 0)
+        return cagd_refuse_tree(r, name, "what runs over whole numbers has no indices") != NULL;
+    return cagd_declare(scope, v);
+}
+
+/* Behind \in: \mathbb{R}, \mathbb{N}, [a,b], (a,b). */
+static int set(cagd_reader *r, cagd_variable *v)
+{
+    if (cagd_pass(r, "\\R"))
+        return 1;
+    if (cagd_pass(r, "\\mathbb")) {
+        int braces = cagd_pass(r, "{");
+        if (!cagd_next_is(r, "R") && !cagd_next_is(r, "N"))
+            return cagd_refuse_token(r, "expected \\mathbb{R} or \\mathbb{N}; whole numbers are n = 1..12") != NULL;
+        v->whole = r->token->word[0] == 'N';
+        v->low = v->whole ? cagd_tree_number(0, r->token->from, r->token->to) : NULL;
+        r->token++;
+        return !braces || cagd_expect(r, "}", "the set");
+    }
+    v->low_open = cagd_next_is(r, "(");
+    if (!cagd_pass(r, "(") && !cagd_pass(r, "["))
+        return cagd_refuse_token(r, "expected \\mathbb{R} or an interval [a, b], not %s", cagd_name_of_next(r)) != NULL;
+    v->low = cagd_read_sum(r);
+    if (v->low == NULL || !cagd_expect(r, ",", "the end of the interval"))
+        return 0;
+    if (!cagd_pass(r, "\\infty") && (v->high = cagd_read_sum(r)) == NULL)
+        return 0;
+    v->high_open = cagd_next_is(r, ")");
+    return cagd_pass(r, ")") || cagd_expect(r, "]", "the interval");
+}
+
+/* x, y, P_i \in SET.  -1: it is no such thing. */
+static int elements(cagd_reader *r, cagd_scope *scope)
+{
+    const cagd_tree *name[CAGD_MOST_CHILDREN];
+    struct place start = here(r);
+    int count = 0;
+    do {
+        if (count == CAGD_MOST_CHILDREN || (name[count++] = declared_name(r)) == NULL)
+            return back(r, start) - 1;
+    } while (cagd_pass(r, ","));
+    if (!cagd_pass(r, "\\in"))
+        return back(r, start) - 1;
+    cagd_variable v = {0};
+    if (!set(r, &v))
+        return 0;
+    for (int k = 0; k < count; k++)
+        if (!declare(r, scope, name[k], v))
+            return 0;
+    return 1;
+}
+
+/* Behind the first number of a range: "..n", ", 2, \dots, n", ", \dots"; the last number, or NULL in *high where there is none.
+ * 0: there are no dots, and nothing was passed; -1: an error. */
+static int dots(cagd_reader *r, const cagd_tree **high)
+{
+    struct place start = here(r);
+    *high = NULL;
+    if (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) {
+        const cagd_tree *second = cagd_read_sum(r);
+        if (second == NULL || !cagd_pass(r, ",") || !cagd_next_is(r, "\\dots"))
+            return back(r, start);
+    }
+    if (!cagd_pass(r, "\\dots"))
+        return back(r, start);
+    struct place behind = here(r);
+    cagd_relation relation;
+    int comma = cagd_pass(r, ",");
+    if (cagd_pass(r, "\\infty"))
+        return 1;
+    if (r->token->kind == CAGD_TOKEN_END)
+        return r->token = behind.token, 1;
+    *high = cagd_read_sum(r);
+    if (*high == NULL && !comma)
+        return -1;
+    if (*high == NULL || cagd_relation_next(r, &relation) || cagd_next_is(r, "\\in"))
+        *high = NULL, back(r, behind);
+    return 1;
+}
+
+/* i = 0, \dots, n; or n = 3, which is a definition.  -1: it is no such thing. */
+static int numbers(cagd_reader *r, cagd_scope *scope)
+{
+    struct place start = here(r);
+    const cagd_tree *name = declared_name(r);
+    if (name == NULL || !cagd_pass(r, "="))
+        return back(r, start) - 1;
+    cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
+    if (v.low == NULL)
+        return 0;
+    int has_dots = dots(r, &v.high);
+    if (has_dots < 0)
+        return 0;
+    if (has_dots)
+        return declare(r, scope, name, v);
+    if (!is_left_side(r, name))
+        return 0;
+    cagd_definition *d = cagd_define(scope, name);
+    if (d != NULL)
+        d->body = v.low;
+    return d != NULL;
+}
+
+struct piece {
+    const cagd_tree *tree;
+    int alone; /* a name that is no whole number and nothing defined */
+};
+
+/* A member of a chain of relations: a name by itself, which need not be known, or a value. */
+static int piece(cagd_reader *r, struct piece *p)
+{
+    struct place start = here(r);
+    cagd_relation relation;
+    const cagd_tree *name = declared_name(r);
+    if (name != NULL && name->arguments == 0 &&
+        (cagd_relation_next(r, &relation) || cagd_next_is(r, ",") || r->token->kind == CAGD_TOKEN_END)) {
+        const cagd_variable *v = cagd_declared(r->scope, name->head);
+        *p = (struct piece){name, cagd_defined(r->scope, name->head) == NULL && (v == NULL || !v->whole)};
+        return 1;
+    }
+    back(r, start);
+    *p = (struct piece){cagd_read_sum(r), 0};
+    return p->tree != NULL;
+}
+
+static int is_less(cagd_relation a) { return a == CAGD_LESS || a == CAGD_LESS_OR_EQUAL; }
+static int is_greater(cagd_relation a) { return a == CAGD_GREATER || a == CAGD_GREATER_OR_EQUAL; }
+static int is_strict(cagd_relation a) { return a == CAGD_LESS || a == CAGD_GREATER; }
+
+/* -1 \le \lambda < 1: bounds of the only variable, or else a condition. */
+static int chain(cagd_reader *r, cagd_scope *scope)
+{
+    struct piece p[CAGD_MOST_INDICES];
+    cagd_relation relation[CAGD_MOST_INDICES];
+    int count = 0, alone = 0, which = 0, from = r->token->from, up = 1, down = 1;
+    do {
+        if (count == CAGD_MOST_INDICES)
+            return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
+        if (!piece(r, &p[count]))
+            return 0;
+        which = p[count].alone ? count : which;
+        alone += p[count].alone;
+    } while (cagd_relation_next(r, &relation[count++]) && r->token++);
+    if (count == 1)
+        return cagd_refuse_token(r, "expected a range or a condition, not %s", cagd_name_of_next(r)) != NULL;
+    for (int k = 0; k < count; k++) {
+        if (p[k].alone && cagd_declared(scope, p[k].tree->head) == NULL &&
+            !declare(r, scope, p[k].tree, (cagd_variable){0}))
+            return 0;
+        up &= k + 1 == count || is_less(relation[k]);
+        down &= k + 1 == count || is_greater(relation[k]);
+    }
+    if (alone == 1 && count <= 3 && (up || down) && (count == 2 || which == 1)) {
+        cagd_variable v = *cagd_declared(scope, p[which].tree->head);
+        for (int k = 0; k < count; k++) {
+            if (k == which)
+                continue;
+            int strict = is_strict(relation[k < which ? k : which]);
+            if ((k < which) == up)
+                v.low = p[k].tree, v.low_open = strict;
+            else
+                v.high = p[k].tree, v.high_open = strict;
+        }
+        return cagd_declare(scope, v);
+    }
+    const cagd_tree *list[CAGD_MOST_INDICES];
+    for (int k = 0; k < count; k++)
+        list[k] = p[k].tree;
+    cagd_tree *t = cagd_new_of(r, CAGD_RELATION, from, count, list);
+    cagd_relation *kept = t != NULL ? cagd_region_array(count, 1, sizeof *kept) : NULL;
+    if (kept == NULL)
+        return 0;
+    memcpy(kept, relation, (size_t)(count - 1) * sizeof *kept);
+    t->relation = kept;
+    return cagd_suppose(scope, t);
+}
+
+static int ranges(cagd_reader *r, cagd_scope *scope)
+{
+    do {
+        while (cagd_read_words(r) != NULL)
+            ;
+        int done = elements(r, scope);
+        if (done < 0)
+            done = numbers(r, scope);
+        if (done < 0)
+            done = chain(r, scope);
+        if (!done)
+            return 0;
+    } while (cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_next_is(r, "\\text"));
+    return 1;
+}
+
+int cagd_read_ranges(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
+{
+    cagd_reader r;
+    cagd_scope before = *scope;
+    if (!cagd_reader_open(&r, scope, text, from, to, error))
+        return 0;
+    int good = ranges(&r, scope);
+    if (good && r.token->kind != CAGD_TOKEN_END)
+        good = cagd_refuse_token(&r, "expected a comma or the end, not %s", cagd_name_of_next(&r)) != NULL;
+    if (!good)
+        *scope = before;
+    return good;
+}

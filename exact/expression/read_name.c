@@ -1,0 +1,322 @@
+/* read_name.c -- names: a letter with its faces, stars, primes, indices and arguments. */
+#include "exact/expression/reader.h"
+#include "exact/words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* What changes the letter behind it into another one. */
+static const char *const faces[] = {"\\hat",    "\\bar",      "\\tilde",     "\\dot",         "\\ddot",
+                                    "\\vec",    "\\check",    "\\breve",     "\\mathbf",      "\\mathrm",
+                                    "\\mathit", "\\mathcal",  "\\bm",        "\\boldsymbol",  "\\mathsf",
+                                    "\\mathbb", "\\mathfrak", "\\underline", "\\operatorname"};
+enum { FACES = sizeof faces / sizeof *faces, MOST_ARGUMENTS = 8, MOST_HEAD = 60 };
+
+static int is_face(const char *word)
+{
+    for (int k = 0; k < FACES; k++)
+        if (strcmp(faces[k], word) == 0)
+            return 1;
+    return 0;
+}
+
+int cagd_begins_name(const cagd_reader *r)
+{
+    return r->token->kind == CAGD_TOKEN_LETTER || (r->token->kind == CAGD_TOKEN_WORD && is_face(r->token->word));
+}
+
+int cagd_is_bound(const cagd_reader *r, const char *head)
+{
+    for (const struct cagd_bound *b = r->bound; b != NULL; b = b->next)
+        if (strcmp(b->head, head) == 0)
+            return 1;
+    return 0;
+}
+
+int cagd_is_known(const cagd_reader *r, const char *head)
+{
+    return cagd_is_bound(r, head) || cagd_defined(r->scope, head) != NULL || cagd_declared(r->scope, head) != NULL ||
+           cagd_is_parameter(r->scope, head);
+}
+
+struct parts {
+    const char *head;
+    int lower, upper, arguments, primes;
+    const cagd_tree *of_lower[CAGD_MOST_INDICES], *of_upper[CAGD_MOST_INDICES], *argument[MOST_ARGUMENTS];
+    const cagd_tree *power, *times;
+};
+
+/* before head after, as one head. */
+static const char *joined(cagd_reader *r, const char *before, const char *head, const char *after)
+{
+    char text[MOST_HEAD + 40];
+    int n = snprintf(text, sizeof text, "%s%s%s", before, head, after);
+    if (n > MOST_HEAD) {
+        cagd_refuse_token(r, "a name of more than %d letters", MOST_HEAD);
+        return NULL;
+    }
+    return cagd_text_of(text, n);
+}
+
+static int indices(cagd_reader *r, struct parts *p);
+
+/* A letter, or a face with a letter, or with a name that has its indices inside: \hat{B_i}. */
+static int letter(cagd_reader *r, struct parts *p)
+{
+    if (r->token->kind == CAGD_TOKEN_LETTER) {
+        p->head = (r->token++)->word;
+        return 1;
+    }
+    if (r->token->kind != CAGD_TOKEN_WORD || !is_face(r->token->word))
+        return cagd_refuse_token(r, "expected a letter, not %s", cagd_name_of_next(r)) != NULL;
+    if (++r->depth > CAGD_MOST_DEPTH)
+        return cagd_refuse_token(r, "more than %d levels of brackets", CAGD_MOST_DEPTH) != NULL;
+    const char *face = (r->token++)->word;
+    int braces = cagd_pass(r, "{");
+    if (!letter(r, p))
+        return 0;
+    while (braces && p->head != NULL && r->token->kind == CAGD_TOKEN_LETTER) /* \mathrm{SA} */
+        p->head = joined(r, p->head, (r->token++)->word, "");
+    if (p->head == NULL || (braces && (!indices(r, p) || !cagd_expect(r, "}", face))))
+        return 0;
+    char before[24];
+    snprintf(before, sizeof before, "%s{", face);
+    p->head = joined(r, before, p->head, p->lower > 0 ? "}_" : "}");
+    r->depth--;
+    return p->head != NULL;
+}
+
+const char *cagd_read_head(cagd_reader *r)
+{
+    struct parts p = {0};
+    return letter(r, &p) && p.lower + p.upper == 0 ? p.head : NULL;
+}
+
+/* Whether a lower index follows, perhaps behind a star, primes or what stands above: t and t_i are different names. */
+static int lower_follows(const cagd_token *t)
+{
+    for (;;) {
+        if (strcmp(t->word, "'") == 0) {
+            t++;
+        } else if (strcmp(t->word, "^") == 0) {
+            int depth = 0;
+            do {
+                t++;
+                depth += (strcmp(t->word, "{") == 0) - (strcmp(t->word, "}") == 0);
+            } while (depth > 0 && t->kind != CAGD_TOKEN_END);
+            t += t->kind != CAGD_TOKEN_END;
+        } else {
+            return strcmp(t->word, "_") == 0;
+        }
+    }
+}
+
+/* What messages call a head: "t_i" for "t_". */
+static const char *spelled(const char *head)
+{
+    char text[MOST_HEAD + 8];
+    size_t n = strlen(head);
+    int length = snprintf(text, sizeof text, "%s%s", head, n > 0 && head[n - 1] == '_' ? "i" : "");
+    const char *kept = cagd_text_of(text, length);
+    return kept != NULL ? kept : "";
+}
+
+/* How many upper indices the name was given where it was made known; -1 where it is not known. */
+static int known_upper(const cagd_reader *r, const char *head)
+{
+    const cagd_definition *d = cagd_defined(r->scope, head);
+    const cagd_variable *v = cagd_declared(r->scope, head);
+    return cagd_is_bound(r, head) ? 0 : d != NULL ? d->left->upper : v != NULL ? v->upper : -1;
+}
+
+static int known_arguments(const cagd_reader *r, const char *head)
+{
+    const cagd_definition *d = cagd_is_bound(r, head) ? NULL : cagd_defined(r->scope, head);
+    return d != NULL ? d->left->arguments : 0;
+}
+
+/* Indices with commas between, up to the closing brace if there are braces; side by side on the left of a definition: P_{ij}. */
+static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted)
+{
+    if (!cagd_next_is(r, "{")) {
+        out[(*count)++] = cagd_read_argument(r, 1);
+        return out[0] != NULL;
+    }
+    r->token++;
+    const char *close = cagd_pass(r, "[") ? "]" : cagd_pass(r, "(") ? ")" : NULL;
+    do {
+        if (*count == CAGD_MOST_INDICES)
+            return cagd_refuse_token(r, "more than %d indices", CAGD_MOST_INDICES) != NULL;
+        const cagd_tree *t = cagd_read_sum(r);
+        if (t == NULL)
+            return 0;
+        int many = t->kind == CAGD_PRODUCT && t->juxtaposed && (wanted < 0 || wanted > 1) &&
+                   t->count + *count <= CAGD_MOST_INDICES;
+        for (int k = 0; many && k < t->count; k++)
+            out[(*count)++] = t->at[k];
+        if (!many)
+            out[(*count)++] = t;
+    } while (cagd_pass(r, ","));
+    return (close == NULL || cagd_expect(r, close, "the index")) && cagd_expect(r, "}", "the index");
+}
+
+/* What follows ^: a star, primes, an index, the order of a derivative, or a power. */
+static int superscript(cagd_reader *r, struct parts *p)
+{
+    const cagd_token *t = r->token;
+    int braces = strcmp(t->word, "{") == 0;
+    t += braces;
+    if (strcmp(t->word, "*") == 0 && (!braces || strcmp(t[1].word, "}") == 0)) {
+        r->token = t + 1 + braces;
+        int lowered = p->head[strlen(p->head) - 1] == '_';
+        const char *without = cagd_text_of(p->head, (int)strlen(p->head) - lowered);
+        p->head = without != NULL ? joined(r, "", without, lowered ? "^*_" : "^*") : NULL;
+        return p->head != NULL;
+    }
+    int primes = 0;
+    while (strcmp(t[primes].word, "'") == 0 || strcmp(t[primes].word, "\\prime") == 0)
+        primes++;
+    if (primes > 0 && (!braces || strcmp(t[primes].word, "}") == 0)) {
+        r->token = t + primes + braces;
+        p->primes += primes;
+        return 1;
+    }
+    int upper = known_upper(r, p->head), arguments = known_arguments(r, p->head);
+    if (p->upper == 0 && (upper > 0 || (r->declaring && upper < 0)))
+        return list(r, &p->upper, p->of_upper, upper);
+    if (braces && arguments > 0 && strcmp(t->word, "(") == 0) {
+        r->token++;
+        const cagd_tree *order = (r->token++, cagd_read_sum(r));
+        p->times = order;
+        return order != NULL && cagd_expect(r, ")", "the order of the derivative") && cagd_expect(r, "}", "the order");
+    }
+    if (p->power != NULL)
+        return cagd_refuse_token(r, "two powers of one name") != NULL;
+    if (braces && (strcmp(t->word, "[") == 0 || strcmp(t->word, "(") == 0))
+        return cagd_refuse_token(r, "%s was not defined with an upper index, and a power has no brackets",
+                                 spelled(p->head)) != NULL;
+    p->power = cagd_read_argument(r, 1);
+    return p->power != NULL;
+}
+
+static int indices(cagd_reader *r, struct parts *p)
+{
+    for (;;) {
+        if (cagd_next_is(r, "_")) {
+            if (p->lower > 0)
+                return cagd_refuse_token(r, "two lower indices of one name") != NULL;
+            const cagd_definition *d = cagd_defined(r->scope, p->head);
+            const cagd_variable *v = cagd_declared(r->scope, p->head);
+            r->token++;
+            if (!list(r, &p->lower, p->of_lower, d != NULL ? d->left->lower : v != NULL ? v->lower : -1))
+                return 0;
+        } else if (cagd_next_is(r, "^")) {
+            r->token++;
+            if (!superscript(r, p))
+                return 0;
+        } else if (cagd_pass(r, "'")) {
+            p->primes++;
+        } else {
+            return 1;
+        }
+    }
+}
+
+static int arguments(cagd_reader *r, struct parts *p, int most)
+{
+    if (p->power != NULL && p->power->kind == CAGD_NEGATIVE)
+        return cagd_refuse_tree(r, p->power, "the inverse of %s, or 1 over it? write \\frac{1}{...}",
+                                spelled(p->head)) != NULL;
+    r->token++;
+    do {
+        if (p->arguments == MOST_ARGUMENTS || (most >= 0 && p->arguments == most))
+            return cagd_refuse_token(r, "%s was defined with %d argument%s", spelled(p->head), most,
+                                     most == 1 ? "" : "s") != NULL;
+        p->argument[p->arguments] = cagd_read_sum(r);
+        if (p->argument[p->arguments++] == NULL)
+            return 0;
+    } while (cagd_pass(r, ",") || cagd_pass(r, ";"));
+    return cagd_expect(r, ")", "the arguments");
+}
+
+/* Primes belong to the name where it is known with them; of a function they are derivatives. */
+static int primed(cagd_reader *r, struct parts *p)
+{
+    if (p->primes == 0)
+        return 1;
+    char primes[] = "''''''''";
+    if (p->primes < (int)sizeof primes) {
+        primes[p->primes] = '\0';
+        const char *with = joined(r, "", p->head, primes);
+        if (with == NULL)
+            return 0;
+        if (r->declaring || cagd_is_known(r, with)) {
+            p->head = with, p->primes = 0;
+            return 1;
+        }
+    }
+    if (known_arguments(r, p->head) > 0)
+        return 1;
+    return cagd_refuse_token(r, "%s is no function with arguments, so it has no derivative; %s' was not defined either",
+                             spelled(p->head), spelled(p->head)) != NULL;
+}
+
+static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
+{
+    const char *near = cagd_nearest(r->scope, p->head), *name = spelled(p->head);
+    cagd_refuse_reading(r->error, from, r->token[-1].to,
+                        "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
+                        "block makes it a variable",
+                        name, near != NULL ? ", but " : "", near != NULL ? spelled(near) : "",
+                        near != NULL ? " is" : "", name);
+    return NULL;
+}
+
+/* The numbers of indices and arguments are those with which it was made known. */
+static int fits(cagd_reader *r, const struct parts *p, int from)
+{
+    const cagd_definition *d = cagd_is_bound(r, p->head) ? NULL : cagd_defined(r->scope, p->head);
+    const cagd_variable *v = cagd_is_bound(r, p->head) || d != NULL ? NULL : cagd_declared(r->scope, p->head);
+    int lower = d != NULL ? d->left->lower : v != NULL ? v->lower : 0;
+    int upper = d != NULL ? d->left->upper : v != NULL ? v->upper : 0;
+    if (lower != p->lower)
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s has %d lower ind%s, not %d", spelled(p->head),
+                                   lower, lower == 1 ? "ex" : "ices", p->lower);
+    if (upper != p->upper)
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s has %d upper ind%s, not %d", spelled(p->head),
+                                   upper, upper == 1 ? "ex" : "ices", p->upper);
+    return 1;
+}
+
+const cagd_tree *cagd_read_name(cagd_reader *r)
+{
+    struct parts p = {0};
+    int from = r->token->from;
+    if (!letter(r, &p))
+        return NULL;
+    if (p.lower == 0 && lower_follows(r->token))
+        p.head = joined(r, "", p.head, "_");
+    if (p.head == NULL || !indices(r, &p) || !primed(r, &p))
+        return NULL;
+    if (!r->declaring && !cagd_is_known(r, p.head))
+        return complain_of_unknown(r, from, &p);
+    int most = r->declaring ? -1 : known_arguments(r, p.head);
+    if (!r->declaring && !fits(r, &p, from))
+        return NULL;
+    if (cagd_next_is(r, "(") && most != 0 && !arguments(r, &p, most))
+        return NULL;
+    cagd_tree *t = cagd_new(r, CAGD_NAME, from, p.lower + p.upper + p.arguments);
+    if (t == NULL)
+        return NULL;
+    t->head = p.head, t->lower = p.lower, t->upper = p.upper, t->arguments = p.arguments;
+    t->order = p.primes, t->times = p.times;
+    for (int k = 0; k < p.lower; k++)
+        t->at[k] = p.of_lower[k];
+    for (int k = 0; k < p.upper; k++)
+        t->at[p.lower + k] = p.of_upper[k];
+    for (int k = 0; k < p.arguments; k++)
+        t->at[p.lower + p.upper + k] = p.argument[k];
+    if (p.power == NULL)
+        return t;
+    return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, p.power});
+}

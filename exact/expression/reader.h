@@ -1,0 +1,66 @@
+/* reader.h -- what the parts of the reader share; only for read*.c. */
+#ifndef CAGD_READER_H
+#define CAGD_READER_H
+
+#include "exact/expression/read.h"
+#include "exact/expression/token.h"
+
+/* A letter that is bound where the reader stands: by a sum, by the left side of a definition. */
+struct cagd_bound {
+    const char *head;
+    const struct cagd_bound *next;
+};
+
+typedef struct cagd_reader {
+    const cagd_scope *scope;
+    const char *text;
+    const cagd_token *token; /* the next one */
+    const struct cagd_bound *bound;
+    cagd_reading_error *error;
+    int depth;
+    int declaring; /* on the left of a definition: names need not be known   */
+    int integrals; /* around what is read: d and a letter end the integrand  */
+    int nodes;
+} cagd_reader;
+
+enum { CAGD_MOST_NODES = 20000 };
+
+/* Starts at text[from..to); 0 and the error where there are no tokens. */
+int cagd_reader_open(cagd_reader *r, const cagd_scope *scope, const char *text, int from, int to,
+                     cagd_reading_error *error);
+
+/* Whether the next token is that word; whether it was, and then it is passed; and the same or an error. */
+int cagd_next_is(const cagd_reader *r, const char *word);
+int cagd_pass(cagd_reader *r, const char *word);
+int cagd_expect(cagd_reader *r, const char *word, const char *after);
+/* An error at the next token, or at a tree: NULL. */
+cagd_tree *cagd_refuse_token(cagd_reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+cagd_tree *cagd_refuse_tree(cagd_reader *r, const cagd_tree *t, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+/* What messages call the next token. */
+const char *cagd_name_of_next(const cagd_reader *r);
+
+/* A tree of the reader: like cagd_tree_new, counted. */
+cagd_tree *cagd_new(cagd_reader *r, cagd_tree_kind kind, int from, int count);
+/* The same with these children; NULL if one of them is. */
+cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count, const cagd_tree *const child[]);
+
+/* A sum of products; a product; the argument of a command or a script, in braces or a single token. */
+const cagd_tree *cagd_read_sum(cagd_reader *r);
+const cagd_tree *cagd_read_product(cagd_reader *r);
+const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script);
+/* A chain of relations, and conditions with "," or "and" between; a truth. */
+const cagd_tree *cagd_read_relations(cagd_reader *r);
+const cagd_tree *cagd_read_conditions(cagd_reader *r);
+int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
+/* The words of \text{...} if they come next, passed; "" for an empty one, and NULL if none comes next. */
+const char *cagd_read_words(cagd_reader *r);
+
+/* A name with indices and arguments, and perhaps a power, if the next token begins one. */
+int cagd_begins_name(const cagd_reader *r);
+const cagd_tree *cagd_read_name(cagd_reader *r);
+/* The letter with its faces: "t", "\hat{\omega}". */
+const char *cagd_read_head(cagd_reader *r);
+int cagd_is_known(const cagd_reader *r, const char *head);
+int cagd_is_bound(const cagd_reader *r, const char *head);
+#endif

@@ -1,0 +1,111 @@
+#include "exact/expression/scope.h"
+
+#include "exact/words.h"
+
+#include <string.h>
+
+const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head)
+{
+    const cagd_definition *d = scope->definitions;
+    while (d != NULL && strcmp(d->left->head, head) != 0)
+        d = d->next;
+    return d;
+}
+
+const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head)
+{
+    const cagd_variable *v = scope->variables;
+    while (v != NULL && strcmp(v->head, head) != 0)
+        v = v->next;
+    return v;
+}
+
+int cagd_is_parameter(const cagd_scope *scope, const char *head)
+{
+    for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
+        for (int k = 0; k < d->left->count; k++)
+            if (d->left->at[k]->kind == CAGD_NAME && strcmp(d->left->at[k]->head, head) == 0)
+                return 1;
+    return 0;
+}
+
+/* Levenshtein's distance of two short words; long ones are far from one another. */
+static int distance(const char *a, const char *b)
+{
+    enum { LONGEST = 30 };
+    int m = (int)strlen(a), n = (int)strlen(b), row[LONGEST + 1];
+    if (m > LONGEST || n > LONGEST)
+        return LONGEST;
+    for (int j = 0; j <= n; j++)
+        row[j] = j;
+    for (int i = 1; i <= m; i++) {
+        int corner = row[0];
+        row[0] = i;
+        for (int j = 1; j <= n; j++) {
+            int best = corner + (a[i - 1] != b[j - 1]);
+            best = row[j] + 1 < best ? row[j] + 1 : best;
+            best = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
+            corner = row[j];
+            row[j] = best;
+        }
+    }
+    return row[n];
+}
+
+const char *cagd_nearest(const cagd_scope *scope, const char *head)
+{
+    const char *nearest = NULL;
+    int best = ((int)strlen(head) + 1) / 2; /* less than half of it is different */
+    for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next) {
+        int far = distance(d->left->head, head);
+        if (far < best)
+            best = far, nearest = d->left->head;
+    }
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
+        int far = distance(v->head, head);
+        if (far < best)
+            best = far, nearest = v->head;
+    }
+    return nearest;
+}
+
+cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left)
+{
+    cagd_definition *first = NULL, **end = &first, *copy;
+    for (const cagd_definition *d = scope->definitions;; d = d->next) {
+        copy = region_bytes(sizeof *copy);
+        if (copy == NULL)
+            return NULL;
+        *copy = d != NULL ? *d : (cagd_definition){.left = left};
+        copy->next = NULL;
+        *end = copy;
+        end = &copy->next;
+        if (d == NULL)
+            break;
+    }
+    scope->definitions = first;
+    return copy;
+}
+
+int cagd_declare(cagd_scope *scope, cagd_variable v)
+{
+    cagd_variable *kept = region_bytes(sizeof *kept);
+    if (kept == NULL)
+        return 0;
+    *kept = v;
+    kept->next = scope->variables;
+    scope->variables = kept;
+    return 1;
+}
+
+int cagd_suppose(cagd_scope *scope, const cagd_tree *condition)
+{
+    const cagd_tree **list = cagd_region_array(scope->condition_count + 1, 1, sizeof *list);
+    if (list == NULL)
+        return 0;
+    for (int k = 0; k < scope->condition_count; k++)
+        list[k] = scope->conditions[k];
+    list[scope->condition_count++] = condition;
+    scope->conditions = list;
+    return 1;
+}

@@ -1,0 +1,48 @@
+/* scope.h -- what names mean: definitions, variables, and the letters that are bound where a formula is read.
+ *
+ * A definition B_i^n(t) = ... has patterns on its left: a letter stands for whatever is given, a number for itself alone; of
+ * several definitions of one name the first whose patterns and conditions fit is taken. */
+#ifndef CAGD_SCOPE_H
+#define CAGD_SCOPE_H
+
+#include "exact/expression/tree.h"
+
+typedef struct cagd_definition {
+    const cagd_tree *left, *body, *when; /* when: a condition, or NULL                    */
+    struct cagd_definition *next;        /* in the order in which they were written       */
+} cagd_definition;
+
+/* A variable, with so many lower and upper indices: "\omega_i", "t".  Its values, where bounds are known: the bounds are trees, which may have
+ * the names of numbers; a bound that is NULL is none. */
+typedef struct cagd_variable {
+    const char *head;
+    int lower, upper;
+    int whole; /* runs over the whole numbers from low to high; every number from low on when high is NULL */
+    const cagd_tree *low, *high;
+    int low_open, high_open; /* < and not <= */
+    const struct cagd_variable *next;
+} cagd_variable;
+
+typedef struct cagd_scope {
+    cagd_definition *definitions;
+    const cagd_variable *variables; /* the last declared first          */
+    const cagd_tree **conditions;   /* what else is supposed            */
+    int condition_count;
+    int zero_over_zero; /* whether 0/0 = 0 was said                     */
+} cagd_scope;
+
+/* The first definition of that name, the variable of that name; NULL if there is none. */
+const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head);
+const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head);
+/* Whether it is the letter of an argument or index on the left of some definition: such a letter is a number wherever else it
+ * stands. */
+int cagd_is_parameter(const cagd_scope *scope, const char *head);
+/* The known name that is nearest to that one in spelling, or NULL where none is near. */
+const char *cagd_nearest(const cagd_scope *scope, const char *head);
+
+/* The scope with one more, while copies of it that were made before stay what they are.  0, or NULL, when there is no memory.  The
+ * body of the new definition is to be filled in: it may use its own name. */
+cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
+int cagd_declare(cagd_scope *scope, cagd_variable v);
+int cagd_suppose(cagd_scope *scope, const cagd_tree *condition);
+#endif

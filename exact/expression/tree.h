@@ -1,0 +1,65 @@
+/* tree.h -- a formula as a tree.  Trees live in the region, with numbers that are rationals. */
+#ifndef CAGD_TREE_H
+#define CAGD_TREE_H
+
+#include "exact/expression/reading.h"
+
+enum { CAGD_MOST_CHILDREN = 64, CAGD_MOST_DEPTH = 200, CAGD_MOST_INDICES = 4 };
+
+/* In brackets: what the children are. */
+typedef enum cagd_tree_kind {
+    CAGD_NUMBER, /* `number`                                                                                   */
+    CAGD_NAME, /* head with [lower indices, upper indices, arguments], derived `order` times by its first argument, or as
+                       often as `times` says */
+    CAGD_SUM,  /* [a, b, ...] */
+    CAGD_PRODUCT,   /* [a, b, ...] */
+    CAGD_NEGATIVE,  /* [a] */
+    CAGD_QUOTIENT,  /* [a, b] */
+    CAGD_POWER,     /* [a, b] */
+    CAGD_FACTORIAL, /* [a] */
+    CAGD_BINOMIAL,  /* [a, b] */
+    CAGD_ROOT,      /* [a, n] */
+    CAGD_ABSOLUTE,  /* [a] */
+    CAGD_FLOOR,     /* [a] */
+    CAGD_CEILING,   /* [a] */
+    CAGD_MAXIMUM,   /* [a, b, ...] */
+    CAGD_MINIMUM,   /* [a, b, ...] */
+    CAGD_SUM_OVER,  /* [low, high, body, conditions ...] over the index `head`                                    */
+    CAGD_PRODUCT_OVER,
+    CAGD_DERIVATIVE, /* [a]: `order` times by the variable `head`                                                 */
+    CAGD_INTEGRAL,   /* [low, high, a] by the variable `head`                                                     */
+    CAGD_CASES,      /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
+    CAGD_RELATION,   /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
+    CAGD_ALL         /* [conditions ...]: each of them                                                            */
+} cagd_tree_kind;
+
+typedef enum cagd_relation {
+    CAGD_EQUAL,
+    CAGD_NOT_EQUAL,
+    CAGD_LESS,
+    CAGD_LESS_OR_EQUAL,
+    CAGD_GREATER,
+    CAGD_GREATER_OR_EQUAL
+} cagd_relation;
+
+typedef struct cagd_tree {
+    cagd_tree_kind kind;
+    int from, to; /* the bytes of the text that it was read from */
+    cagd_num_q number;
+    const char *head; /* "t", "\\hat{B}_" of a name with lower indices: t and t_i are different names */
+    int lower, upper, arguments, order;
+    const struct cagd_tree *times;
+    int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij} */
+    int count;
+    const struct cagd_tree **at;
+    const cagd_relation *relation;
+} cagd_tree;
+
+/* A tree with room for so many children, the others fields 0; NULL when there is no memory. */
+cagd_tree *cagd_tree_new(cagd_tree_kind kind, int from, int to, int count);
+cagd_tree *cagd_tree_number(long value, int from, int to);
+
+/* Whether the name occurs in the tree as it stands; and whether the trees are the same, wherever they were read. */
+int cagd_tree_has(const cagd_tree *t, const char *head);
+int cagd_tree_equal(const cagd_tree *a, const cagd_tree *b);
+#endif

@@ -1,0 +1,51 @@
+#include "exact/expression/value.h"
+
+#include "exact/words.h"
+
+cagd_value cagd_value_q(num_q q) { return (cagd_value){.rational = 1, .q = q}; }
+cagd_value cagd_value_int(long m) { return cagd_value_q(from_int_q(m)); }
+
+cagd_value cagd_value_f(num_f f)
+{
+    num_q q;
+    if (region_faults != 0)
+        return cagd_value_int(0);
+    return is_constant_f(f, &q) ? cagd_value_q(q) : (cagd_value){.f = f};
+}
+
+num_f cagd_in_field(cagd_value a) { return a.rational ? from_rational_f(a.q) : a.f; }
+
+cagd_value cagd_value_add(cagd_value a, cagd_value b)
+{
+    if (a.rational && b.rational)
+        return cagd_value_q(add_q(a.q, b.q));
+    return cagd_value_f(add_f(cagd_in_field(a), cagd_in_field(b)));
+}
+cagd_value cagd_value_sub(cagd_value a, cagd_value b)
+{
+    if (a.rational && b.rational)
+        return cagd_value_q(sub_q(a.q, b.q));
+    return cagd_value_f(sub_f(cagd_in_field(a), cagd_in_field(b)));
+}
+cagd_value cagd_value_mul(cagd_value a, cagd_value b)
+{
+    if (a.rational && b.rational)
+        return cagd_value_q(mul_q(a.q, b.q));
+    return cagd_value_f(mul_f(cagd_in_field(a), cagd_in_field(b)));
+}
+cagd_value cagd_value_div(cagd_value a, cagd_value b)
+{
+    if (a.rational && b.rational)
+        return cagd_value_q(div_q(a.q, b.q));
+    return cagd_value_f(div_f(cagd_in_field(a), cagd_in_field(b)));
+}
+
+int cagd_value_is_zero(cagd_value a) { return a.rational && cagd_is_zero_q(a.q); }
+
+int cagd_value_is_whole(cagd_value a, long *m)
+{
+    if (!a.rational || !cagd_is_whole_q(a.q) || !mpz_fits_slong_p(mpq_numref(a.q.at)))
+        return 0;
+    *m = mpz_get_si(mpq_numref(a.q.at));
+    return 1;
+}
