@@ -105,8 +105,6 @@ const char *reason_of(const struct document *d, const cagd_finding *f)
         place_of(d, f->where->from, &line, &column);
         text = append(text, " (line %d, column %d: %s)", line, column, source(d, f->where));
     }
-    if (f->cases == 0 && text[0] == '\0')
-        text = "there is no case: a range is empty";
     return text;
 }
 

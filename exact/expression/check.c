@@ -243,32 +243,11 @@ static int is_empty(const cagd_context *c)
     return 0;
 }
 
-/* Whether a number that a part is about is outside the bounds of its name. */
-static int is_outside(const cagd_scope *scope, const struct part *p, const struct run *r)
-{
-    for (int k = 0; k < p->numbers; k++) {
-        cagd_context c;
-        struct part none = {0};
-        begin(r, &none, &c);
-        cagd_tree name = {.kind = CAGD_NAME, .head = p->number[k].name};
-        if (cagd_declared(scope, name.head) == NULL)
-            continue;
-        cagd_evaluate(&c, &name);
-        const cagd_binding *b = cagd_binding_of(&c, name.head);
-        if (b == NULL || !b->unknown)
-            continue;
-        cagd_side_of_box s = {b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
-        if (!cagd_is_inside(&s, p->number[k].value))
-            return 1;
-    }
-    return 0;
-}
-
 static cagd_answer decide_part(struct run *r, const struct part *p)
 {
     cagd_context *c = region_bytes(sizeof *c);
-    if (c == NULL || is_outside(r->scope, p, r))
-        return c == NULL ? CAGD_UNDECIDED : CAGD_HOLDS;
+    if (c == NULL)
+        return CAGD_UNDECIDED;
     begin(r, p, c);
     r->out->pieces++;
     int is = supposed(r, c);
@@ -386,7 +365,16 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
             break;
         }
     }
-    out->answer = out->has_example                                                                ? CAGD_FAILS
-                  : out->undecided > 0 || out->failing > 0 || out->out_of_time || out->cases == 0 ? CAGD_UNDECIDED
-                                                                                                  : CAGD_HOLDS;
+    for (int k = 0; k < r.wholes; k++)
+        if (r.whole[k]->high == NULL && out->undecided == 0) {
+            out->undecided = 1;
+            out->why = "the first cases hold, and for every number it is not proved";
+        }
+    if (out->comparisons == 0 && out->undecided == 0) {
+        out->undecided = 1;
+        out->why = out->cases == 0 ? "there is no case: a range is empty" : "what is supposed is never true";
+    }
+    out->answer = out->has_example                                             ? CAGD_FAILS
+                  : out->undecided > 0 || out->failing > 0 || out->out_of_time ? CAGD_UNDECIDED
+                                                                               : CAGD_HOLDS;
 }

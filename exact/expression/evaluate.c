@@ -265,6 +265,31 @@ static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
     return region_faults != 0 ? F : derived(c, t, F, x, order, a);
 }
 
+/* The value of t when the letter is x, inside what is evaluated and in the definitions that it uses. */
+static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, num_f x, const frame *f)
+{
+    frame inner = {letter, {.f = x}, f};
+    for (const frame *g = f; g != NULL; g = g->next) /* a letter of this definition alone */
+        if (strcmp(g->head, letter) == 0)
+            return evaluate(c, t, &inner);
+    int known = 0;
+    while (known < c->count && strcmp(c->binding[known].key, letter) != 0)
+        known++;
+    cagd_binding before = known < c->count ? c->binding[known] : (cagd_binding){0};
+    if (known == c->count && cagd_bind(c, letter, cagd_value_int(0)) == NULL)
+        return fail(c, t, FAULT_UNABLE, "too many variables");
+    c->binding[known].value = inner.value;
+    c->binding[known].unknown = 0;
+    cagd_value F = evaluate(c, t, &inner);
+    if (before.key != NULL)
+        c->binding[known] = before;
+    else if (known + 1 == c->count)
+        c->count = known;
+    else
+        c->binding[known] = (cagd_binding){.key = "", .value = cagd_value_int(0)};
+    return F;
+}
+
 /* d^k a / dx^k for a letter x that has a value here. */
 static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f)
 {
@@ -273,10 +298,11 @@ static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f
     cagd_value at = name(c, &letter, f);
     if (region_faults != 0)
         return at;
+    if (cagd_defined(c->scope, t->head) != NULL)
+        return fail(c, t, FAULT_UNABLE, "a derivative by what was given a value");
     int known = c->count;
     num_f x = fresh(c, at);
-    frame inner = {t->head, {.f = x}, f};
-    cagd_value F = evaluate(c, t->at[0], &inner);
+    cagd_value F = with_letter(c, t->at[0], t->head, x, f);
     forget(c, known);
     return region_faults != 0 ? F : derived(c, t, F, x, order, at);
 }
@@ -286,8 +312,7 @@ static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
     cagd_value low = evaluate(c, t->at[0], f), high = evaluate(c, t->at[1], f), sum = cagd_value_int(0);
     int known = c->count;
     num_f x = fresh(c, sum);
-    frame inner = {t->head, {.f = x}, f};
-    num_f F = cagd_in_field(evaluate(c, t->at[2], &inner));
+    num_f F = cagd_in_field(with_letter(c, t->at[2], t->head, x, f));
     forget(c, known);
     if (region_faults != 0)
         return sum;

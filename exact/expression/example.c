@@ -3,11 +3,28 @@
 #include "exact/expression/sign.h"
 #include "exact/words.h"
 
-enum { MOST_CANDIDATES = 14, MOST_TRIES = 1500 };
+enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500 };
 
 static cagd_side_of_box side_of(const cagd_binding *b)
 {
     return (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
+}
+
+/* Whether the number is within what was declared of its name, the other names having values. */
+static int is_declared(cagd_context *exact, const cagd_binding *b)
+{
+    const cagd_variable *v = b->variable;
+    for (int high = 0; v != NULL && high < 2; high++) {
+        const cagd_tree *end = high ? v->high : v->low;
+        int strict = high ? v->high_open : v->low_open;
+        if (end == NULL)
+            continue;
+        cagd_relation relation =
+            high ? (strict ? CAGD_LESS : CAGD_LESS_OR_EQUAL) : (strict ? CAGD_GREATER : CAGD_GREATER_OR_EQUAL);
+        if (cagd_compare_values(exact, b->value, relation, cagd_evaluate(exact, end)) != 1)
+            return 0;
+    }
+    return 1;
 }
 
 int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, const num_q value[], num_q *left, num_q *right)
@@ -27,6 +44,8 @@ int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, const num_
         }
     exact->in_field = 1; /* for what is derived */
     int is = 1;
+    for (int m = 0; m < c->count && is == 1; m++)
+        is = is_declared(exact, &exact->binding[m]);
     for (int m = 0; m < c->scope->condition_count && is == 1; m++)
         is = cagd_truth(exact, c->scope->conditions[m]);
     if (is == 1) {
@@ -42,8 +61,8 @@ int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, const num_
 /* Numbers within the bounds, the simplest first. */
 static int candidates(const cagd_binding *b, num_q out[])
 {
-    static const int simple[][2] = {{0, 1},  {1, 1}, {2, 1}, {-1, 1}, {1, 2}, {3, 1},
-                                    {-2, 1}, {1, 3}, {2, 3}, {-1, 2}, {3, 2}, {5, 1}};
+    static const int simple[][2] = {{0, 1}, {1, 1},  {2, 1}, {-1, 1}, {1, 2}, {3, 1},  {-2, 1}, {1, 3},
+                                    {2, 3}, {-1, 2}, {3, 2}, {1, 4},  {3, 4}, {1, 10}, {10, 1}};
     cagd_side_of_box s = side_of(b);
     int count = 0;
     for (int k = 0; k < (int)(sizeof simple / sizeof *simple); k++) {

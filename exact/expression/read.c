@@ -88,6 +88,7 @@ cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count,
 /* ---- scripts and arguments ----------------------------------------------------------------------------- */
 
 static const cagd_tree *factor(cagd_reader *r);
+static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const char *index);
 
 static const cagd_tree *number(cagd_reader *r)
 {
@@ -250,8 +251,8 @@ static const char *index_letter(cagd_reader *r)
 {
     const cagd_token *t = r->token;
     const char *head = cagd_read_head(r);
-    const cagd_variable *v = head != NULL ? cagd_declared(r->scope, head) : NULL;
-    if (head != NULL && (cagd_is_bound(r, head) || (v != NULL && v->whole) || cagd_defined(r->scope, head) != NULL)) {
+    if (head != NULL &&
+        (cagd_is_bound(r, head) || cagd_declared(r->scope, head) != NULL || cagd_defined(r->scope, head) != NULL)) {
         r->token = t;
         return cagd_refuse_token(r, "the index %s has a meaning already: take another letter", head), NULL;
     }
@@ -326,7 +327,7 @@ static const cagd_tree *over(cagd_reader *r, cagd_tree_kind kind, int from)
             return NULL;
     }
     r->bound = &bound;
-    const cagd_tree *body = cagd_read_product(r);
+    const cagd_tree *body = product(r, kind, a.head);
     r->bound = bound.next;
     if (body == NULL)
         return NULL;
@@ -389,7 +390,7 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     const cagd_tree *a = cagd_read_sum(r);
     if (a != NULL && cagd_next_is(r, ","))
         return cagd_refuse_token(r, "points with components are not understood here; say each component");
-    return a != NULL && cagd_expect(r, close, "the bracket") ? a : NULL;
+    return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_read_primed_group(r, a) : NULL;
 }
 
 static const cagd_tree *extremum(cagd_reader *r, cagd_tree_kind kind, int from)
@@ -531,6 +532,8 @@ static const cagd_tree *factor(cagd_reader *r)
     const cagd_tree *t = base(r);
     while (t != NULL) {
         if (cagd_pass(r, "!")) {
+            if (cagd_next_is(r, "!"))
+                return cagd_refuse_token(r, "the double factorial is not understood; (x!)! has brackets");
             t = cagd_new_of(r, CAGD_FACTORIAL, from, 1, &t);
         } else if (cagd_pass(r, "^")) {
             const cagd_tree *power = cagd_read_argument(r, 1);
@@ -554,8 +557,15 @@ static int begins_factor(const cagd_reader *r)
            cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{");
 }
 
-/* A sign that a product may have before a factor: t \cdot -2 is refused, as on paper. */
-const cagd_tree *cagd_read_product(cagd_reader *r)
+/* Whether another sum or product over that index comes next: what is summed ends before it. */
+static int is_over(const cagd_reader *r, const char *index)
+{
+    const cagd_token *t = r->token;
+    return index != NULL && strcmp(t[1].word, "_") == 0 && strcmp(t[2].word, "{") == 0 && strcmp(t[3].word, index) == 0;
+}
+
+/* A product, or what a sum or product over an index is `inside`. */
+static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const char *index)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0, from = r->token->from, juxtaposed = 1;
@@ -564,6 +574,10 @@ const cagd_tree *cagd_read_product(cagd_reader *r)
         int dot = cagd_pass(r, "*"), stroke = !dot && cagd_pass(r, "/");
         if (!dot && !stroke && !begins_factor(r))
             break;
+        if ((cagd_next_is(r, "\\sum") || cagd_next_is(r, "\\prod")) && is_over(r, index) && !dot && !stroke)
+            break;
+        if (cagd_next_is(r, "\\prod") && inside == CAGD_PRODUCT_OVER)
+            return cagd_refuse_token(r, "is the second product inside the first? write brackets");
         juxtaposed &= !dot && !stroke;
         if (stroke) {
             const cagd_tree *above = count > 1 ? cagd_new_of(r, CAGD_PRODUCT, from, count, list) : list[0];
@@ -587,6 +601,8 @@ const cagd_tree *cagd_read_product(cagd_reader *r)
         t->juxtaposed = juxtaposed;
     return t;
 }
+
+const cagd_tree *cagd_read_product(cagd_reader *r) { return product(r, CAGD_PRODUCT, NULL); }
 
 const cagd_tree *cagd_read_sum(cagd_reader *r)
 {
@@ -629,6 +645,16 @@ int cagd_relation_next(const cagd_reader *r, cagd_relation *relation)
     return 0;
 }
 
+int cagd_changes_direction(const cagd_relation relation[], int count)
+{
+    int less = 0, greater = 0;
+    for (int k = 0; k < count; k++) {
+        less |= relation[k] == CAGD_LESS || relation[k] == CAGD_LESS_OR_EQUAL;
+        greater |= relation[k] == CAGD_GREATER || relation[k] == CAGD_GREATER_OR_EQUAL;
+    }
+    return less && greater;
+}
+
 /* The & and the breaks of lines before a relation. */
 static void pass_alignment(cagd_reader *r)
 {
@@ -654,6 +680,8 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
             return NULL;
         pass_alignment(r);
     } while (cagd_relation_next(r, &relation[count++]) && r->token++);
+    if (cagd_changes_direction(relation, count - 1))
+        return cagd_refuse_token(r, "a chain with < and >: write two relations");
     if (count == 1)
         return cagd_refuse_token(r, "expected a relation, = or <, not %s", cagd_name_of_next(r));
     cagd_tree *t = cagd_new_of(r, CAGD_RELATION, from, count, list);

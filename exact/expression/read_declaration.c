@@ -30,6 +30,15 @@ static const cagd_tree *declared_name(cagd_reader *r)
 
 /* ---- definitions --------------------------------------------------------------------------------------- */
 
+/* Whether it fits whatever is given, so that nothing behind it is ever taken. */
+static int fits_always(const cagd_definition *d)
+{
+    for (int k = 0; k < d->left->count; k++)
+        if (d->left->at[k]->kind == CAGD_NUMBER)
+            return 0;
+    return d->when == NULL;
+}
+
 /* Letters and numbers, no letter twice; arguments are letters.  As often as the same name was defined with. */
 static int is_left_side(cagd_reader *r, const cagd_tree *left)
 {
@@ -43,11 +52,17 @@ static int is_left_side(cagd_reader *r, const cagd_tree *left)
             if (left->at[m]->kind == CAGD_NAME && strcmp(left->at[m]->head, t->head) == 0)
                 return cagd_refuse_tree(r, t, "the letter %s stands there twice", t->head) != NULL;
     }
+    if (left->upper > 0 && left->lower + left->arguments == 0)
+        return cagd_refuse_tree(r, left, "a power is no name: define %s", cagd_spelled(left->head)) != NULL;
+    for (const cagd_definition *d = r->scope->definitions; d != NULL; d = d->next)
+        if (strcmp(d->left->head, left->head) == 0 && fits_always(d))
+            return cagd_refuse_tree(r, left, "%s was defined already, for all indices and arguments",
+                                    cagd_spelled(left->head)) != NULL;
     const cagd_definition *d = cagd_defined(r->scope, left->head);
     if (d != NULL &&
         (d->left->lower != left->lower || d->left->upper != left->upper || d->left->arguments != left->arguments))
-        return cagd_refuse_tree(r, left, "%s was defined with %d lower, %d upper indices and %d arguments", left->head,
-                                d->left->lower, d->left->upper, d->left->arguments) != NULL;
+        return cagd_refuse_tree(r, left, "%s was defined with %d lower, %d upper indices and %d arguments",
+                                cagd_spelled(left->head), d->left->lower, d->left->upper, d->left->arguments) != NULL;
     return 1;
 }
 
@@ -292,6 +307,8 @@ static int chain(cagd_reader *r, cagd_scope *scope)
     } while (cagd_relation_next(r, &relation[count++]) && r->token++);
     if (count == 1)
         return cagd_refuse_token(r, "expected a range or a condition, not %s", cagd_name_of_next(r)) != NULL;
+    if (cagd_changes_direction(relation, count - 1))
+        return cagd_refuse_token(r, "a chain with < and >: put a comma between two ranges") != NULL;
     for (int k = 0; k < count; k++) {
         if (p[k].alone && cagd_declared(scope, p[k].tree->head) == NULL &&
             !declare(r, scope, p[k].tree, (cagd_variable){0}))

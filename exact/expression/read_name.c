@@ -111,8 +111,7 @@ static int lower_follows(const cagd_token *t)
     }
 }
 
-/* What messages call a head: "t_i" for "t_". */
-static const char *spelled(const char *head)
+const char *cagd_spelled(const char *head)
 {
     char text[MOST_HEAD + 8];
     size_t n = strlen(head);
@@ -135,14 +134,29 @@ static int known_arguments(const cagd_reader *r, const char *head)
     return d != NULL ? d->left->arguments : 0;
 }
 
+/* {12} for a name with two indices: one digit each.  0 where it is nothing of the kind, and nothing was passed. */
+static int digits(cagd_reader *r, int *count, const cagd_tree *out[], int wanted)
+{
+    const cagd_token *t = r->token;
+    if (wanted < 2 || t->kind != CAGD_TOKEN_NUMBER || (int)strlen(t->word) != wanted || strcmp(t[1].word, "}") != 0 ||
+        strchr(t->word, '.') != NULL)
+        return 0;
+    for (int k = 0; k < wanted; k++)
+        out[(*count)++] = cagd_tree_number(t->word[k] - '0', t->from + k, t->from + k + 1);
+    r->token += 2;
+    return out[wanted - 1] != NULL;
+}
+
 /* Indices with commas between, up to the closing brace if there are braces; side by side on the left of a definition: P_{ij}. */
-static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted)
+static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, int *primes)
 {
     if (!cagd_next_is(r, "{")) {
         out[(*count)++] = cagd_read_argument(r, 1);
         return out[0] != NULL;
     }
     r->token++;
+    if (digits(r, count, out, wanted))
+        return 1;
     const char *close = cagd_pass(r, "[") ? "]" : cagd_pass(r, "(") ? ")" : NULL;
     do {
         if (*count == CAGD_MOST_INDICES)
@@ -157,6 +171,8 @@ static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted)
         if (!many)
             out[(*count)++] = t;
     } while (cagd_pass(r, ","));
+    while (primes != NULL && (cagd_pass(r, "\\prime") || cagd_pass(r, "'")))
+        ++*primes;
     return (close == NULL || cagd_expect(r, close, "the index")) && cagd_expect(r, "}", "the index");
 }
 
@@ -183,7 +199,7 @@ static int superscript(cagd_reader *r, struct parts *p)
     }
     int upper = known_upper(r, p->head), arguments = known_arguments(r, p->head);
     if (p->upper == 0 && (upper > 0 || (r->declaring && upper < 0)))
-        return list(r, &p->upper, p->of_upper, upper);
+        return list(r, &p->upper, p->of_upper, upper, &p->primes);
     if (braces && arguments > 0 && strcmp(t->word, "(") == 0) {
         r->token++;
         const cagd_tree *order = (r->token++, cagd_read_sum(r));
@@ -194,7 +210,7 @@ static int superscript(cagd_reader *r, struct parts *p)
         return cagd_refuse_token(r, "two powers of one name") != NULL;
     if (braces && (strcmp(t->word, "[") == 0 || strcmp(t->word, "(") == 0))
         return cagd_refuse_token(r, "%s was not defined with an upper index, and a power has no brackets",
-                                 spelled(p->head)) != NULL;
+                                 cagd_spelled(p->head)) != NULL;
     p->power = cagd_read_argument(r, 1);
     return p->power != NULL;
 }
@@ -208,7 +224,7 @@ static int indices(cagd_reader *r, struct parts *p)
             const cagd_definition *d = cagd_defined(r->scope, p->head);
             const cagd_variable *v = cagd_declared(r->scope, p->head);
             r->token++;
-            if (!list(r, &p->lower, p->of_lower, d != NULL ? d->left->lower : v != NULL ? v->lower : -1))
+            if (!list(r, &p->lower, p->of_lower, d != NULL ? d->left->lower : v != NULL ? v->lower : -1, NULL))
                 return 0;
         } else if (cagd_next_is(r, "^")) {
             r->token++;
@@ -216,6 +232,8 @@ static int indices(cagd_reader *r, struct parts *p)
                 return 0;
         } else if (cagd_pass(r, "'")) {
             p->primes++;
+        } else if (cagd_next_is(r, "{") && strcmp(r->token[1].word, "}") == 0) {
+            r->token += 2;
         } else {
             return 1;
         }
@@ -226,12 +244,13 @@ static int arguments(cagd_reader *r, struct parts *p, int most)
 {
     if (p->power != NULL && p->power->kind == CAGD_NEGATIVE)
         return cagd_refuse_tree(r, p->power, "the inverse of %s, or 1 over it? write \\frac{1}{...}",
-                                spelled(p->head)) != NULL;
+                                cagd_spelled(p->head)) != NULL;
     r->token++;
     do {
-        if (p->arguments == MOST_ARGUMENTS || (most >= 0 && p->arguments == most))
-            return cagd_refuse_token(r, "%s was defined with %d argument%s", spelled(p->head), most,
-                                     most == 1 ? "" : "s") != NULL;
+        if (p->arguments == MOST_ARGUMENTS || p->arguments == most)
+            return cagd_refuse_token(r,
+                                     most >= 0 ? "%s was defined with %d argument%s" : "%s has more than 8 arguments",
+                                     cagd_spelled(p->head), most, most == 1 ? "" : "s") != NULL;
         p->argument[p->arguments] = cagd_read_sum(r);
         if (p->argument[p->arguments++] == NULL)
             return 0;
@@ -258,16 +277,16 @@ static int primed(cagd_reader *r, struct parts *p)
     if (known_arguments(r, p->head) > 0)
         return 1;
     return cagd_refuse_token(r, "%s is no function with arguments, so it has no derivative; %s' was not defined either",
-                             spelled(p->head), spelled(p->head)) != NULL;
+                             cagd_spelled(p->head), cagd_spelled(p->head)) != NULL;
 }
 
 static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
 {
-    const char *near = cagd_nearest(r->scope, p->head), *name = spelled(p->head);
+    const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head);
     cagd_refuse_reading(r->error, from, r->token[-1].to,
                         "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
                         "block makes it a variable",
-                        name, near != NULL ? ", but " : "", near != NULL ? spelled(near) : "",
+                        name, near != NULL ? ", but " : "", near != NULL ? cagd_spelled(near) : "",
                         near != NULL ? " is" : "", name);
     return NULL;
 }
@@ -280,11 +299,11 @@ static int fits(cagd_reader *r, const struct parts *p, int from)
     int lower = d != NULL ? d->left->lower : v != NULL ? v->lower : 0;
     int upper = d != NULL ? d->left->upper : v != NULL ? v->upper : 0;
     if (lower != p->lower)
-        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s has %d lower ind%s, not %d", spelled(p->head),
-                                   lower, lower == 1 ? "ex" : "ices", p->lower);
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s has %d lower ind%s, not %d",
+                                   cagd_spelled(p->head), lower, lower == 1 ? "ex" : "ices", p->lower);
     if (upper != p->upper)
-        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s has %d upper ind%s, not %d", spelled(p->head),
-                                   upper, upper == 1 ? "ex" : "ices", p->upper);
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s has %d upper ind%s, not %d",
+                                   cagd_spelled(p->head), upper, upper == 1 ? "ex" : "ices", p->upper);
     return 1;
 }
 
@@ -319,4 +338,26 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     if (p.power == NULL)
         return t;
     return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, p.power});
+}
+
+const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t)
+{
+    if (t->kind != CAGD_NAME || t->arguments > 0 || known_arguments(r, t->head) == 0 ||
+        !(cagd_next_is(r, "'") || cagd_next_is(r, "(")))
+        return t;
+    struct parts p = {.head = t->head};
+    cagd_tree *whole = cagd_new(r, CAGD_NAME, t->from, t->count + MOST_ARGUMENTS);
+    while (cagd_pass(r, "'"))
+        p.primes++;
+    if (whole == NULL || (cagd_next_is(r, "(") && !arguments(r, &p, known_arguments(r, t->head))))
+        return NULL;
+    const cagd_tree **at = whole->at;
+    *whole = *t;
+    whole->at = at, whole->to = r->token[-1].to;
+    whole->order += p.primes, whole->arguments = p.arguments, whole->count += p.arguments;
+    for (int k = 0; k < t->count; k++)
+        at[k] = t->at[k];
+    for (int k = 0; k < p.arguments; k++)
+        at[t->count + k] = p.argument[k];
+    return whole;
 }

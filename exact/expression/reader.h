@@ -53,14 +53,20 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script);
 const cagd_tree *cagd_read_relations(cagd_reader *r);
 const cagd_tree *cagd_read_conditions(cagd_reader *r);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
+/* Whether a chain has relations of both directions. */
+int cagd_changes_direction(const cagd_relation relation[], int count);
 /* The words of \text{...} if they come next, passed; "" for an empty one, and NULL if none comes next. */
 const char *cagd_read_words(cagd_reader *r);
 
 /* A name with indices and arguments, and perhaps a power, if the next token begins one. */
 int cagd_begins_name(const cagd_reader *r);
 const cagd_tree *cagd_read_name(cagd_reader *r);
+/* {B_i^n}'(t): a name in brackets, and primes and arguments behind them. */
+const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t);
 /* The letter with its faces: "t", "\hat{\omega}". */
 const char *cagd_read_head(cagd_reader *r);
+/* What messages call a head: "t_i" for "t_". */
+const char *cagd_spelled(const char *head);
 int cagd_is_known(const cagd_reader *r, const char *head);
 int cagd_is_bound(const cagd_reader *r, const char *head);
 #endif

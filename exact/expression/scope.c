@@ -23,8 +23,8 @@ const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head)
 int cagd_is_parameter(const cagd_scope *scope, const char *head)
 {
     for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
-        for (int k = 0; k < d->left->count; k++)
-            if (d->left->at[k]->kind == CAGD_NAME && strcmp(d->left->at[k]->head, head) == 0)
+        for (int k = d->left->lower + d->left->upper; k < d->left->count; k++)
+            if (strcmp(d->left->at[k]->head, head) == 0)
                 return 1;
     return 0;
 }
@@ -52,17 +52,25 @@ static int distance(const char *a, const char *b)
     return row[n];
 }
 
+/* How far a name that is known is from one that is not: the same letter with another decoration is near. */
+static int far_from(const char *known, const char *head)
+{
+    size_t n = strcspn(head, "_");
+    const char *found = strstr(known, head);
+    return found != NULL || (n > 0 && strncmp(known, head, n) == 0) ? 0 : distance(known, head);
+}
+
 const char *cagd_nearest(const cagd_scope *scope, const char *head)
 {
     const char *nearest = NULL;
     int best = ((int)strlen(head) + 1) / 2; /* less than half of it is different */
     for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next) {
-        int far = distance(d->left->head, head);
+        int far = far_from(d->left->head, head);
         if (far < best)
             best = far, nearest = d->left->head;
     }
     for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
-        int far = distance(v->head, head);
+        int far = far_from(v->head, head);
         if (far < best)
             best = far, nearest = v->head;
     }

@@ -34,8 +34,7 @@ typedef struct cagd_scope {
 /* The first definition of that name, the variable of that name; NULL if there is none. */
 const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head);
 const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head);
-/* Whether it is the letter of an argument or index on the left of some definition: such a letter is a number wherever else it
- * stands. */
+/* Whether it is the letter of an argument on the left of some definition: such a letter is a number wherever else it stands. */
 int cagd_is_parameter(const cagd_scope *scope, const char *head);
 /* The known name that is nearest to that one in spelling, or NULL where none is near. */
 const char *cagd_nearest(const cagd_scope *scope, const char *head);

@@ -15,26 +15,52 @@ cagd_value cagd_value_f(num_f f)
 
 num_f cagd_in_field(cagd_value a) { return a.rational ? from_rational_f(a.q) : a.f; }
 
+/* Products of numbers of more words, or of more coefficients, are not computed. */
+static const long most_words = 2000000;
+
+static long words(cagd_value a)
+{
+    if (!a.rational)
+        return cagd_words_f(a.f);
+    return (long)(mpz_size(mpq_numref(a.q.at)) + mpz_size(mpq_denref(a.q.at)));
+}
+
+/* Whether the two are small enough; UNABLE. */
+static int fit(cagd_value a, cagd_value b)
+{
+    if (region_faults == 0 && words(a) * words(b) > most_words)
+        region_faults |= FAULT_UNABLE;
+    return region_faults == 0;
+}
+
 cagd_value cagd_value_add(cagd_value a, cagd_value b)
 {
+    if (!fit(a, b))
+        return cagd_value_int(0);
     if (a.rational && b.rational)
         return cagd_value_q(add_q(a.q, b.q));
     return cagd_value_f(add_f(cagd_in_field(a), cagd_in_field(b)));
 }
 cagd_value cagd_value_sub(cagd_value a, cagd_value b)
 {
+    if (!fit(a, b))
+        return cagd_value_int(0);
     if (a.rational && b.rational)
         return cagd_value_q(sub_q(a.q, b.q));
     return cagd_value_f(sub_f(cagd_in_field(a), cagd_in_field(b)));
 }
 cagd_value cagd_value_mul(cagd_value a, cagd_value b)
 {
+    if (!fit(a, b))
+        return cagd_value_int(0);
     if (a.rational && b.rational)
         return cagd_value_q(mul_q(a.q, b.q));
     return cagd_value_f(mul_f(cagd_in_field(a), cagd_in_field(b)));
 }
 cagd_value cagd_value_div(cagd_value a, cagd_value b)
 {
+    if (!fit(a, b))
+        return cagd_value_int(0);
     if (a.rational && b.rational)
         return cagd_value_q(div_q(a.q, b.q));
     return cagd_value_f(div_f(cagd_in_field(a), cagd_in_field(b)));

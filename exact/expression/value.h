@@ -15,6 +15,7 @@ cagd_value cagd_value_f(cagd_num_f f); /* a constant becomes a rational */
 cagd_value cagd_value_int(long m);
 cagd_num_f cagd_in_field(cagd_value a);
 
+/* UNABLE where the operands are so large that the result would take long, or much memory. */
 cagd_value cagd_value_add(cagd_value a, cagd_value b);
 cagd_value cagd_value_sub(cagd_value a, cagd_value b);
 cagd_value cagd_value_mul(cagd_value a, cagd_value b);

@@ -417,6 +417,22 @@ num_f cagd_denominator_f(num_f a)
     return (num_f){r};
 }
 
+static long words_of(const fmpz_mpoly_t p)
+{
+    slong bits = fmpz_mpoly_max_bits(p);
+    return (long)fmpz_mpoly_length(p, field.ctx) * (1 + (long)(bits < 0 ? -bits : bits) / 64);
+}
+
+long cagd_words_f(num_f a)
+{
+    fmpz_mpoly_t denominator;
+    fmpz_mpoly_init(denominator, cagd_field_context());
+    cagd_fraction_denominator(denominator, a.at);
+    long words = words_of(a.at->numerator) + words_of(denominator);
+    fmpz_mpoly_clear(denominator, field.ctx);
+    return words;
+}
+
 int cagd_factors_f(num_f a, num_f variable, int room, num_f factor[], int power[])
 {
     int v = field_variable_f(variable), count = 0;

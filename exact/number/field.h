@@ -60,6 +60,9 @@ int cagd_coefficients_sign_f(cagd_num_f a);
 cagd_num_f cagd_numerator_f(cagd_num_f a);
 cagd_num_f cagd_denominator_f(cagd_num_f a);
 
+/* How many words the coefficients of numerator and denominator take, about: what is large takes long to multiply. */
+long cagd_words_f(cagd_num_f a);
+
 /* The factors of the numerator that contain the variable, irreducible over the rationals, with their powers; their number,
  * at most room, or -1 when there are more.  The rest is a factor without the variable. */
 int cagd_factors_f(cagd_num_f a, cagd_num_f variable, int room, cagd_num_f factor[], int power[]);

@@ -1,0 +1,163 @@
+"""cagd check: what it says of formulas that are known, and of what is no formula.
+
+    python3 test_check.py CAGD
+
+literature.md has facts of the literature and the same with a fault, each with what has to come out.  malformed.txt has a line
+for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+LET = "B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\nF(t) = t^2\nx, y, u, v, \\omega_i, x_i \\in \\mathbb{R}\n"
+
+
+def check(text, *options):
+    return subprocess.run([CAGD, "check", *options, "-"], input=text, capture_output=True, text=True, timeout=120)
+
+
+def document(printed, ranges="n = 1..3", let=""):
+    return f":::{{let}}\n{LET}{let}\n:::\n:::{{statement}} s\n:printed: {printed}\n:for: {ranges}\n:::\n"
+
+
+def verdict(printed, ranges="n = 1..3", let=""):
+    r = check(document(printed, ranges, let), "--json")
+    assert r.returncode in (0, 1), r.stderr
+    return json.loads(r.stdout)["statements"][0]
+
+
+class Literature(unittest.TestCase):
+    """Every true formula is proved, or left undecided; every false one is refuted."""
+
+    def test_every_formula_is_what_the_file_says(self):
+        r = subprocess.run([CAGD, "check", "--json", HERE / "literature.md"], capture_output=True, text=True, timeout=300)
+        statements = json.loads(r.stdout)["statements"]
+        wrong = [s["name"] for s in statements if s["expected"] == "fails"]
+        self.assertGreaterEqual(len(statements), 60)
+        self.assertGreaterEqual(3 * len(wrong), len(statements))
+        for s in statements:
+            allowed = {"fails"} if s["expected"] == "fails" else {"holds", "undecided"}
+            self.assertIn(s["verdict"], allowed, s)
+            self.assertEqual(s["verdict"], s["expected"], s)
+        self.assertEqual(r.returncode, 0)
+
+
+class Mistakes(unittest.TestCase):
+    """One line, the line of the file, and a caret; nothing is decided."""
+
+    def test_every_mistake_is_named_where_it_is(self):
+        lines = [line.split("\t") for line in (HERE / "malformed.txt").read_text().splitlines()]
+        self.assertGreaterEqual(len(lines), 200)
+        for kind, text, place, message in lines:
+            with self.subTest(text=text):
+                r = check(document(*{"formula": (text,), "range": ("x = x", text), "definition": ("x = x", "n = 1", text)}[kind]))
+                self.assertEqual((r.returncode, r.stdout), (2, ""))
+                first, source, caret = r.stderr.splitlines()
+                self.assertEqual(first, f"cagd: standard input:{place}: {message}")
+                self.assertEqual(caret.strip()[0], "^")
+                self.assertEqual(caret.index("^") - 2, int(place.split(":")[1]) - 1)
+
+    def test_what_is_large_gets_one_line(self):
+        for text in ("(" * 10**6 + "x" + ")" * 10**6, "x + " * 250000 + "x", "{" * 19000, "\\frac{" * 3000, "-" * 10**6,
+                     "x^{" * 5000, "\\hat{" * 5000, "\\sum_{i=0}^{" * 1500, "1" * 200000, "|" * 1000):
+            r = check(document(text + " = 1"))
+            self.assertEqual((r.returncode, r.stdout), (2, ""), text[:20])
+            self.assertEqual(len(r.stderr.splitlines()), 1, text[:20])
+            self.assertLess(len(r.stderr), 300)
+
+    def test_files_that_are_none(self):
+        for text, words in (("", "no statement"), ("# Text\n", "no statement"), ("a\0b", "no text"), (":::{let}\n", "does not end"),
+                            (":::{theorem} x\n:::\n", "expected :::{let}"), (":::{statement}\n:printed: 1 = 1\n:::\n", "without a name"),
+                            (":::{statement} x\n:::\n", "without a formula"), (":::{statement} x\n:prnted: 1 = 1\n:::\n", ":printed:"),
+                            (":::{statement} x\n:printed: 1 = 1\n:expected: true\n:::\n", "holds, fails or undecided"),
+                            (":::{statement} x\n:printed: 1 = 1\n:seconds: many\n:::\n", "seconds")):
+            r = check(text)
+            self.assertEqual((r.returncode, r.stdout), (2, ""), text)
+            self.assertIn(words, r.stderr)
+        self.assertEqual(subprocess.run([CAGD, "check", "/no/such/file"], capture_output=True).returncode, 2)
+
+    def test_all_mistakes_of_a_file_are_told(self):
+        r = check(document("x = z") + ":::{statement} r\n:printed: x = 1 +\n:::\n")
+        self.assertEqual(r.stderr.count("cagd: "), 2)
+
+
+class Verdicts(unittest.TestCase):
+    def test_exit_codes(self):
+        self.assertEqual(check(document("x = x")).returncode, 0)
+        self.assertEqual(check(document("x = 2 x")).returncode, 1)
+        self.assertEqual(check(document("x = 2 x").replace(":for:", ":expected: fails\n:for:")).returncode, 0)
+        self.assertEqual(check(document("x = x").replace(":for:", ":expected: fails\n:for:")).returncode, 1)
+
+    def test_a_page(self):
+        page = check(document("\\sum_{i=0}^n B_i^n(t) = 1")).stdout
+        self.assertIn("∑ᵢ₌₀ⁿ Bᵢⁿ(t) = 1", page)
+        self.assertIn("It holds as printed: proved for n = 1 to 3, all t.", page)
+        page = check(document("\\sum_{i=1}^n B_i^n(t) = 1")).stdout
+        self.assertIn("It fails as printed (decided): in 3 of 3 cases.", page)
+        self.assertRegex(page, r"n += 1\n +t += 0\n")
+
+    def test_evidence_is_not_stronger_than_the_run(self):
+        self.assertEqual(verdict("B_1^2(t) = 2 t (1-t)")["evidence"], "proved")
+        self.assertEqual(verdict("B_1^2(t) \\ge 0", "0 \\le t \\le 1")["evidence"], "decided")
+        self.assertEqual(verdict("\\sum_{i=0}^n \\binom{n}{i} = 2^n")["evidence"], "decided")
+
+    def test_nothing_is_claimed_of_every_number_from_the_first_ones(self):
+        s = verdict("(n-1)(n-2)(n-3)(n-4)(n-5)(n-6)(n-7)(n-8) = 0", "n = 1..")
+        self.assertEqual((s["verdict"], s["evidence"]), ("undecided", "none"))
+
+    def test_an_empty_range_proves_nothing(self):
+        s = verdict("1 = 2", "n = 3..1, x = n")
+        self.assertNotEqual(s["verdict"], "holds")
+        self.assertEqual(verdict("n = 1", "n = 3..1")["verdict"], "undecided")
+
+    def test_examples_are_within_the_bounds_and_the_conditions(self):
+        s = verdict("x < y", "0 < x \\le 1, 0 \\le y < 1/3, x \\ne y")
+        values = {v["name"]: eval(v["value"].replace("/", "*1.0/")) for v in s["counterexample"]["values"]}
+        self.assertTrue(0 < values["x"] <= 1 and 0 <= values["y"] < 1 / 3 and values["x"] > values["y"], s)
+
+    def test_inequalities_at_the_ends_of_their_ranges(self):
+        self.assertEqual(verdict("t (1-t) > 0", "0 < t < 1")["verdict"], "holds")
+        self.assertEqual(verdict("t (1-t) > 0", "0 < t \\le 1")["verdict"], "fails")
+        self.assertEqual(verdict("t^2 > 2", "t > 3/2")["verdict"], "holds")
+        self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 1")["verdict"], "holds")
+        # it is false at the root of 2 alone, of which there is no rational example
+        self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 2")["verdict"], "undecided")
+        self.assertEqual(verdict("x^2 - 2 x y + y^2 \\ge 0", "0 \\le x \\le 1, 0 \\le y \\le 1")["verdict"], "holds")
+        self.assertEqual(verdict("x^2 + y^2 + u^2 > 0", "1 \\le x \\le 2, -1 \\le y \\le 1, -1 \\le u \\le 1")["verdict"], "holds")
+        self.assertEqual(verdict("x + y + u > 1/100", "0 \\le x \\le 2, 0 \\le y \\le 1, 0 \\le u \\le 1")["verdict"], "fails")
+
+    def test_derivatives_by_a_letter_of_the_definitions(self):
+        let = "G(t) = y t^2"
+        self.assertEqual(verdict("\\frac{d}{dy} G(t) = t^2", let=let)["verdict"], "holds")
+        self.assertEqual(verdict("\\frac{d}{dy} G(t) = 0", let=let)["verdict"], "fails")
+        self.assertEqual(verdict("\\int_0^1 G(t) dt = \\frac{y}{3}", let=let)["verdict"], "holds")
+        self.assertEqual(verdict("G''(x) = 2 y, \\quad G^{(n)}(x) = 0", "n = 3..5", let=let)["verdict"], "holds")
+
+    def test_what_is_not_defined_is_no_example(self):
+        self.assertEqual(verdict("\\frac{x}{x} = 1")["verdict"], "holds")
+        s = verdict("\\frac{x^2}{x} = 1")
+        self.assertNotEqual(s["counterexample"]["values"][0]["value"], "0")
+
+    def test_pieces(self):
+        let = "H(t) = \\begin{cases} t & t < 1/2 \\\\ 1/2 & \\text{otherwise} \\end{cases}"
+        self.assertEqual(verdict("H(t) \\le 1/2", "0 \\le t \\le 1", let)["verdict"], "holds")
+        self.assertEqual(verdict("H(t) < 1/2", "0 \\le t < 1/2", let)["verdict"], "holds")
+        s = verdict("H(t) < 1/2", "0 \\le t \\le 1/2", let)
+        self.assertEqual(s["counterexample"]["values"], [{"name": "t", "value": "1/2"}])
+
+    def test_bounds_that_are_names(self):
+        self.assertEqual(verdict("x \\le 2 y", "0 \\le x \\le y, 0 \\le y \\le 1")["verdict"], "undecided")
+        s = verdict("x = y", "0 \\le x \\le y, 0 \\le y \\le 1")
+        values = {v["name"]: v["value"] for v in s["counterexample"]["values"]}
+        self.assertEqual(values, {"x": "0", "y": "1"})
+
+    def test_what_is_supposed_and_never_true_proves_nothing(self):
+        self.assertEqual(verdict("x = 2 x", "n = 1..3, n > 5")["verdict"], "undecided")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,279 @@
+/* test_expression.c -- formulas as they are read, their values, and the signs of polynomials in boxes. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "exact/expression/check.h"
+#include "exact/expression/read.h"
+#include "exact/words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static cagd_scope scope;
+
+static int define(const char *line)
+{
+    cagd_reading_error error;
+    return cagd_read_definition(&scope, line, 0, (int)strlen(line), &error);
+}
+static void begin(void)
+{
+    scope = (cagd_scope){0};
+    field_open(16);
+    assert_true(define("B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}"));
+    assert_true(define("x, y, P_i, Q_{ij} \\in \\mathbb{R}"));
+}
+
+static const cagd_tree *read_value(const char *text)
+{
+    cagd_reading_error error;
+    const cagd_tree *t = cagd_read_value(&scope, text, 0, (int)strlen(text), &error);
+    if (t == NULL)
+        print_message("%s: %s\n", text, error.message);
+    return t;
+}
+
+/* The value where x = 2/3 and y = -5. */
+static cagd_value value_of(const char *text)
+{
+    static cagd_context c;
+    const cagd_tree *t = read_value(text);
+    assert_non_null(t);
+    c = (cagd_context){.scope = &scope, .steps = CAGD_USUAL_STEPS, .in_field = 1};
+    cagd_bind(&c, "x", cagd_value_q(from_ratio_q(2, 3)));
+    cagd_bind(&c, "y", cagd_value_int(-5));
+    return cagd_evaluate(&c, t);
+}
+static void has_value(const char *text, long p, long q)
+{
+    cagd_value v = value_of(text);
+    if (region_faults != 0 || !v.rational || !cagd_equal_q(v.q, from_ratio_q(p, q)))
+        fail_msg("%s = %s and not %ld/%ld", text, v.rational ? to_string_q(v.q) : "a function", p, q);
+}
+
+static void test_values(void **state)
+{
+    (void)state;
+    begin();
+    has_value("2+3\\cdot 4", 14, 1);
+    has_value("-x^2", -4, 9);
+    has_value("(-x)^2", 4, 9);
+    has_value("1-2-3", -4, 1);
+    has_value("3xy", -10, 1);
+    has_value("1/2/2", 1, 4);
+    has_value("\\frac{x}{y}", -2, 15);
+    has_value("\\frac12 x", 1, 3);
+    has_value("2^{3^2}", 512, 1);
+    has_value("x^{-1}", 3, 2);
+    has_value("0^0 + y^0", 2, 1);
+    has_value("4! + 0!", 25, 1);
+    has_value("\\binom{5}{2} + \\binom{5}{7} + \\binom{5}{-1} + \\binom{-2}{3}", 6, 1);
+    has_value("\\sqrt{49} + \\sqrt[3]{8}", 9, 1);
+    has_value("|y| + \\max(x, y) - \\min\\{x, y\\}", 32, 3);
+    has_value("\\lfloor -7/2 \\rfloor + \\lceil x \\rceil", -3, 1);
+    has_value("\\sum_{k=1}^4 k^2", 30, 1);
+    has_value("\\sum_{1 \\le k < 4} k", 6, 1);
+    has_value("\\sum_{k=0, k \\ne 2}^3 k", 4, 1);
+    has_value("\\sum_{k=1}^0 k + \\prod_{k=1}^0 k", 1, 1);
+    has_value("\\prod_{k=1}^3 (x+k) \\prod_{k=1}^2 k", 880 * 2, 27 * 2);
+    has_value("\\sum_{k=0}^2 k + 1", 4, 1);
+    has_value("\\begin{cases} 1 & x < 0 \\\\ 2 & 0 \\le x < 1, y < 0 \\\\ 3 & \\text{otherwise} \\end{cases}", 2, 1);
+    has_value("B_1^3(x)", 2 * 3, 27);
+    has_value("B_1^3{}'(1/2) + (B_1^3)'(1) + B_1^{3\\prime\\prime}(0)", -3 - 48, 4);
+    has_value("\\frac{d^2}{dx^2} x^3", 4, 1);
+    has_value("\\int_0^1 B_2^4(x) dx", 1, 5);
+    has_value("2 − 3·x", 0, 1);
+    field_close();
+}
+
+/* Values that are none. */
+static void test_no_values(void **state)
+{
+    (void)state;
+    begin();
+    static const struct {
+        const char *text;
+        unsigned fault;
+    } none[] = {{"1/(x-2/3)", FAULT_UNDEFINED},
+                {"0^{-1}", FAULT_UNDEFINED},
+                {"(-1)!", FAULT_UNDEFINED},
+                {"(1/2)!", FAULT_UNABLE},
+                {"x^{1/2}", FAULT_UNABLE},
+                {"\\binom{3}{1/2}", FAULT_UNABLE},
+                {"\\sqrt{2}", FAULT_UNABLE},
+                {"2^{1001}", FAULT_UNABLE},
+                {"\\sum_{k=0}^{1/2} k", FAULT_UNABLE},
+                {"((((9^{999})^{999})^{999})^{999})^{999}", FAULT_UNABLE},
+                {"\\begin{cases} 1 & x < 0 \\end{cases}", FAULT_UNDEFINED}};
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+        value_of(none[k].text);
+        if ((region_faults & none[k].fault) == 0)
+            fail_msg("%s has a value", none[k].text);
+        region_faults = 0;
+    }
+    assert_true(define("L_n = L_n + 1"));
+    value_of("L_3");
+    expect_fault(FAULT_UNABLE);
+    field_close();
+}
+
+/* In the field: names without a value are variables, t and t_i are different ones, and indices are told apart. */
+static void test_names(void **state)
+{
+    (void)state;
+    begin();
+    assert_true(define("t_i, t, \\hat{t}, t^* \\in \\mathbb{R}"));
+    static const char *const different[] = {"t",   "t_0",    "t_1",    "t_{10}",  "\\hat t",
+                                            "t^*", "Q_{12}", "Q_{21}", "Q_{1,1}", "P_{-1}"};
+    int count = (int)(sizeof different / sizeof *different);
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++) {
+            char text[80];
+            snprintf(text, sizeof text, "%s - %s", different[i], different[j]);
+            assert_int_equal(cagd_value_is_zero(value_of(text)), i == j);
+        }
+    assert_true(cagd_value_is_zero(value_of("P_{1+1} - P_2")));
+    assert_true(cagd_value_is_zero(value_of("\\hat{t} - \\hat t")));
+    assert_true(cagd_value_is_zero(value_of("\\sum_{i=0}^5 B_i^5(t) - 1")));
+    assert_false(cagd_value_is_zero(value_of("\\sum_{i=0}^4 B_i^5(t) - 1")));
+    field_close();
+}
+
+static void test_definitions(void **state)
+{
+    (void)state;
+    begin();
+    assert_true(define("F_0 = 0"));
+    assert_true(define("F_1 = 1"));
+    assert_true(define("F_n = F_{n-1} + F_{n-2}, \\quad n \\ge 2"));
+    has_value("F_{12}", 144, 1);
+    value_of("F_{-1}");
+    expect_fault(FAULT_UNDEFINED);
+    assert_true(define("F_n = 0"));
+    has_value("F_{-1}", 0, 1);
+    assert_false(define("F_n = 1")); /* there is nothing left */
+    assert_false(define("F_n^k = 1"));
+    assert_true(define("g(s;y) = s + y"));
+    has_value("g(1)", -4, 1); /* the argument that is left out is the letter */
+    has_value("g(1;2)", 3, 1);
+    cagd_scope before = scope;
+    assert_true(define("h = 7"));
+    assert_null(cagd_defined(&before, "h"));
+    assert_non_null(cagd_defined(&scope, "h"));
+    assert_null(cagd_nearest(&scope, "z"));
+    assert_string_equal(cagd_nearest(&scope, "P"), "P_");
+    /* Cox and de Boor: 0/0 = 0, and 1/0 beside a factor 0 */
+    value_of("0/0");
+    expect_fault(FAULT_UNDEFINED);
+    assert_true(define("0/0 = 0"));
+    has_value("\\frac{0}{0} + \\frac{1}{0} \\cdot 0", 0, 1);
+    value_of("\\frac{1}{0}");
+    expect_fault(FAULT_UNDEFINED);
+    field_close();
+}
+
+/* The simplest number between two: none with a smaller denominator is between them. */
+static void test_simplest(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 300; k++) {
+        num_q a = coarse_q(60, 40), b = coarse_q(60, 40);
+        int order = cagd_compare_q(a, b);
+        if (order == 0)
+            continue;
+        num_q low = order < 0 ? a : b, high = order < 0 ? b : a, x = cagd_simplest_between(low, high);
+        assert_true(cagd_compare_q(low, x) < 0 && cagd_compare_q(x, high) < 0);
+        long least = mpz_get_si(mpq_denref(x.at));
+        for (long q = 1; q < least; q++)
+            for (long p = -61 * q; p <= 61 * q; p++) {
+                num_q y = from_ratio_q(p, q);
+                assert_false(cagd_compare_q(low, y) < 0 && cagd_compare_q(y, high) < 0);
+            }
+    }
+}
+
+static cagd_side_of_box side(const char *name, long low, long high, int open)
+{
+    return (cagd_side_of_box){variable_f(name), 1, 1, open, open, from_int_q(low), from_int_q(high)};
+}
+
+/* Random products of linear forms in two and three variables, against their values on a grid. */
+static void test_signs_in_boxes(void **state)
+{
+    (void)state;
+    int seen[3] = {0};
+    for (int k = 0; k < 200; k++) {
+        region_mark mark = region_open();
+        field_open(4);
+        int count = 1 + k % 3, rational;
+        cagd_side_of_box s[] = {side("a", 0, 2, 0), side("b", -1, 1, 0), side("c", 0, 1, 0)};
+        num_q point[3];
+        num_f p = from_int_f(1);
+        for (int m = 0; m < 2; m++) {
+            num_f form = from_int_f(random_int(-2, 5));
+            for (int v = 0; v < count; v++)
+                form = add_f(form, mul_f(from_int_f(random_int(-2, 2)), s[v].variable));
+            p = mul_f(p, k % 5 == 0 && m == 1 ? p : form);
+        }
+        cagd_answer answer = cagd_positive_in_box(p, 0, count, s, point, &rational);
+        assert_int_equal(region_faults, 0);
+        seen[answer]++;
+        if (answer == CAGD_FAILS) {
+            num_q value;
+            num_f at = p;
+            for (int v = 0; v < count; v++) {
+                assert_true(cagd_is_inside(&s[v], point[v]));
+                at = substitute_f(at, s[v].variable, from_rational_f(point[v]));
+            }
+            assert_true(is_constant_f(at, &value) && cagd_sign_q(value) < 0);
+        }
+        for (int g = 0; answer == CAGD_HOLDS && g < 125; g++) {
+            num_q value;
+            num_f at = p;
+            for (int v = 0, i = g; v < count; v++, i /= 5) {
+                num_q length = sub_q(s[v].high, s[v].low), x = add_q(s[v].low, mul_q(length, from_ratio_q(i % 5, 4)));
+                at = substitute_f(at, s[v].variable, from_rational_f(x));
+            }
+            assert_true(is_constant_f(at, &value) && cagd_sign_q(value) >= 0);
+        }
+        field_close();
+        region_drop(mark);
+    }
+    assert_true(seen[CAGD_HOLDS] > 20 && seen[CAGD_FAILS] > 20 && seen[CAGD_UNDECIDED] < 30);
+}
+
+/* For which parameters (c - 1) (c^2 - 2) + t >= 0 on [0,1]: those of [-sqrt 2, 1] and from sqrt 2 on. */
+static void test_cells(void **state)
+{
+    (void)state;
+    field_open(4);
+    num_f t = variable_f("t"), c = variable_f("c"), one = from_int_f(1);
+    num_f p = add_f(mul_f(sub_f(c, one), sub_f(mul_f(c, c), from_int_f(2))), t);
+    cagd_side_of_box of_t = {t, 1, 1, 0, 0, from_int_q(0), from_int_q(1)}, all = {.variable = c};
+    cagd_cells *cells = region_bytes(sizeof *cells);
+    assert_true(cagd_positive_cells(p, 0, &of_t, &all, cells));
+    int changes = 0;
+    for (int k = 0; k < cells->count; k++) {
+        assert_false(cells->empty[k]);
+        if (cells->cell[k] != cells->cell[k + 1]) {
+            static const double expected[] = {-1.41421356, 1, 1.41421356};
+            struct cagd_root r = cagd_equal_q(cells->root[k].lo, cells->root[k].hi)
+                                     ? cells->root[k]
+                                     : refine_root(cells->root[k], from_ratio_q(1, 1000000));
+            double x = to_double_q(r.lo);
+            assert_true(x - expected[changes] < 1e-5 && expected[changes] - x < 1e-5);
+            assert_int_equal(cells->at[k], CAGD_HOLDS); /* closed */
+            changes++;
+        }
+    }
+    assert_int_equal(changes, 3);
+    assert_int_equal(cells->cell[0], CAGD_FAILS);
+    field_close();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {unit(test_values),      unit(test_no_values), unit(test_names),
+                                       unit(test_definitions), unit(test_simplest),  unit(test_signs_in_boxes),
+                                       unit(test_cells)};
+    return run_unit_tests(tests);
+}
