@@ -1,8 +1,9 @@
 #include "cli/check/verdict.h"
 
-#include "chapters/judge/tex.h"
 #include "cli/input.h"
+#include "cli/layout.h"
 #include "cli/terminal.h"
+#include "cli/tex.h"
 #include "exact/words.h"
 
 #include <stdarg.h>
@@ -114,7 +115,7 @@ static void heading(const char *text) { printf("\n%s%s%s\n", style(stdout, BOLD)
 
 static void paragraph(const char *tex, int mixed)
 {
-    char *plain = tex_to_text(tex, mixed);
+    char *plain = tex_to_layout(tex, mixed);
     put_paragraph(stdout, plain, INDENT, WIDTH);
     free(plain);
 }
@@ -155,10 +156,6 @@ static void print_example(const struct document *d, const cagd_finding *f)
     labelled(sides[0], width, to_string_q(f->left));
     if (f->of_right->kind != CAGD_NUMBER)
         labelled(sides[1], width, to_string_q(f->right));
-    const char *said =
-        append("", "as printed: $%s %s %s$", to_string_q(f->left), relation_word[f->relation], to_string_q(f->right));
-    if (strlen(said) < READABLE)
-        paragraph(said, 1);
 }
 
 void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
