@@ -23,6 +23,8 @@ static int check(const struct asked *a)
         const struct formula *s = &d.formula[k];
         region_mark mark = region_open();
         cagd_check(&s->scope, s->tree, s->seconds, &found);
+        if (found.answer == CAGD_HOLDS)
+            cagd_check_changes(&s->scope, s->tree, s->seconds / 10, &found);
         good &= is_as_expected(s, &found);
         if (a->json)
             json_array_append_new(list, finding_json(&d, s, &found));

@@ -61,7 +61,10 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
     int count = cagd_whole_numbers(&s->scope, s->tree, whole, 16);
     for (int k = 0; k < count; k++, comma = ", ") {
         const cagd_variable *v = whole[k];
-        text = append(text, "%s$%s = %s$ to $%s$", comma, v->head, source(d, v->low), source(d, v->high));
+        if (v->high == NULL)
+            text = append(text, "%severy $%s %s %s$", comma, v->head, v->low_open ? ">" : "\\ge", source(d, v->low));
+        else
+            text = append(text, "%s$%s = %s$ to $%s$", comma, v->head, source(d, v->low), source(d, v->high));
     }
     for (const cagd_variable *v = s->scope.variables; v != NULL; v = v->next) {
         int named = 0;
@@ -158,6 +161,28 @@ static void print_example(const struct document *d, const cagd_finding *f)
         labelled(sides[1], width, to_string_q(f->right));
 }
 
+/* What everybody can check: the identity of rational functions that telescopes. */
+static void print_every(const cagd_every *e)
+{
+    heading("Proof");
+    paragraph(append("", "By creative telescoping, for $F(%s,%s)$ the terms of the sum and $G = R F$:", e->n, e->k), 1);
+    const char *sum = "";
+    for (int j = 0; j <= e->order; j++)
+        sum = append(sum, "%s(%s) F(%s%s,%s)", j > 0 ? " + " : "", e->a[j], e->n,
+                     j == 0   ? ""
+                     : j == 1 ? "+1"
+                              : "+2",
+                     e->k);
+    paragraph(append(sum, " = G(%s,%s+1) - G(%s,%s)", e->n, e->k, e->n, e->k), 0);
+    paragraph(append("R = ", "%s", e->R), 0);
+    paragraph(
+        append("",
+               "Nothing is left at the ends. The right side satisfies the same recurrence for $%s \\ge %ld$, and the "
+               "first cases were computed.",
+               e->n, e->from),
+        1);
+}
+
 void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     printf("%s%s%s  (%s:%d)\n", style(stdout, BOLD), s->name, style(stdout, PLAIN), name_of_input(d->path), s->line);
@@ -181,8 +206,16 @@ void print_finding_page(const struct document *d, const struct formula *s, const
             words = append(words, " Of %ld cases %ld hold.", f->cases, f->cases - f->undecided - f->failing);
     }
     paragraph(words, 1);
+    if (f->says_nothing)
+        paragraph("But it says nothing: it holds however it is changed, or both sides are one formula.", 1);
+    else if (f->changes > 0)
+        paragraph(append("", "Changed in one number, sign, index, range or relation it fails in %d of %d ways.",
+                         f->noticed, f->changes),
+                  1);
     if (f->has_example)
         print_example(d, f);
+    if (f->for_every)
+        print_every(&f->every);
     if (s->expected != EXPECT_NOTHING && (int)s->expected != (int)f->answer)
         printf("\n%*sThe file expects that it %s.\n", INDENT, "",
                s->expected == EXPECT_UNDECIDED ? "is undecided" : expected_name[s->expected]);
@@ -208,6 +241,19 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
     free(scope);
     if (f->answer == CAGD_UNDECIDED)
         json_object_set_new(j, "reason", json_string(reason_of(d, f)));
+    if (f->changes > 0) {
+        json_object_set_new(j, "changes", json_integer(f->changes));
+        json_object_set_new(j, "changes_noticed", json_integer(f->noticed));
+        json_object_set_new(j, "says_nothing", json_boolean(f->says_nothing));
+    }
+    if (f->for_every) {
+        json_t *a = json_array();
+        for (int k = 0; k <= f->every.order; k++)
+            json_array_append_new(a, json_string(f->every.a[k]));
+        json_object_set_new(j, "telescoper",
+                            json_pack("{s:s, s:s, s:I, s:o, s:s}", "n", f->every.n, "k", f->every.k, "from",
+                                      (json_int_t)f->every.from, "a", a, "R", f->every.R));
+    }
     if (s->expected != EXPECT_NOTHING)
         json_object_set_new(j, "expected", json_string(expected_name[s->expected]));
     return j;

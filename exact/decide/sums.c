@@ -2,7 +2,8 @@
 
 #include "exact/words.h"
 
-#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
 
 /* ---- terms ----------------------------------------------------------------------------------------- */
 
@@ -270,19 +271,48 @@ int cagd_telescoper_holds(cagd_term F, num_f n, num_f k, const cagd_telescoper *
 
 /* ---- sums ------------------------------------------------------------------------------------------- */
 
-/* Whether the irreducible p is positive or negative for all whole n >= k >= 0 and positive values of all other variables: in
- * k and n - k all coefficients have one sign, and one is left when both are 0. */
-static int has_one_sign(num_f p, num_f n, num_f k)
+/* Whether all coefficients of p have one sign, and one is left when n and k are 0: then p has one sign for n, k >= 0 and positive
+ * values of all other variables. */
+static int has_sign_of_constant(num_f p, num_f n, num_f k)
 {
-    num_f q = substitute_f(p, n, add_f(n, k)); /* n now stands for n - k >= 0 */
-    num_f constant = substitute_f(substitute_f(q, n, whole(0)), k, whole(0));
-    int sign = cagd_coefficients_sign_f(q), at_zero = cagd_coefficients_sign_f(constant);
+    num_f constant = substitute_f(substitute_f(p, n, whole(0)), k, whole(0));
+    int sign = cagd_coefficients_sign_f(p), at_zero = cagd_coefficients_sign_f(constant);
     return (sign == 1 || sign == -1) && at_zero == sign;
 }
 
-/* Whether the polynomial p is nowhere 0 for whole n >= k >= 0, as a function of the other variables: every factor that contains
- * n or k has one sign; a factor without them is a function that is not 0. */
-static int never_zero(num_f p, num_f n, num_f k)
+/* Whether the irreducible p is positive or negative for all whole n >= k >= 0, n >= from, and positive values of all other
+ * variables: for each k < from, with n - from >= 0; and for the others in k - from and n - k. */
+static int has_one_sign(num_f p, num_f n, num_f k, int from)
+{
+    for (int j = 0; j < from; j++)
+        if (!has_sign_of_constant(substitute_f(shifted(p, n, from), k, whole(j)), n, k))
+            return 0;
+    return has_sign_of_constant(substitute_f(shifted(p, k, from), n, add_f(plus(n, from), k)), n, k);
+}
+
+/* The same, or p is a function of another variable of which some coefficient has one sign: then it is nowhere the function 0. */
+static int is_never_the_zero_function(num_f p, num_f n, num_f k, int from)
+{
+    if (has_one_sign(p, n, k, from))
+        return 1;
+    const char *name = cagd_field_variables();
+    for (size_t length; *name != '\0'; name += length + (name[length] == ' ')) {
+        char one[CAGD_FIELD_MAX_NAME + 1];
+        length = strcspn(name, " ");
+        snprintf(one, sizeof one, "%.*s", (int)length, name);
+        num_f x = cagd_variable_f(one);
+        if (cagd_equal_f(x, n) || cagd_equal_f(x, k))
+            continue;
+        for (int j = cagd_degree_f(p, x); j >= 0 && cagd_degree_f(p, x) > 0; j--)
+            if (has_one_sign(cagd_coefficient_f(p, x, j), n, k, from))
+                return 1;
+    }
+    return 0;
+}
+
+/* Whether the polynomial p is nowhere 0 for whole n >= k >= 0, n >= from, as a function of the other variables: every factor that
+ * contains n or k has one sign; a factor without them is a function that is not 0. */
+static int never_zero(num_f p, num_f n, num_f k, const cagd_sum *s)
 {
     num_f factor[MOST_FACTORS], variable[] = {n, k};
     int power[MOST_FACTORS];
@@ -293,7 +323,7 @@ static int never_zero(num_f p, num_f n, num_f k)
         if (count < 0)
             return 0;
         for (int i = 0; i < count; i++)
-            if (!has_one_sign(factor[i], n, k))
+            if (!(s->generic ? is_never_the_zero_function : has_one_sign)(factor[i], n, k, s->from))
                 return 0;
     }
     return 1;
@@ -319,11 +349,11 @@ static num_f rest_at_the_end(cagd_term F, num_f n, num_f k, const cagd_telescope
     return rest;
 }
 
-/* sum_{k=0}^m F(m,k) for the number m. */
+/* sum_{k=0}^m F(m,k) for the number m >= from. */
 static num_f sum_of_row(const cagd_sum *s, num_f n, num_f k, int m)
 {
     num_f value = s->first, sum = whole(0);
-    for (int i = 0; i < m; i++)
+    for (int i = s->from; i < m; i++)
         value = mul_f(value, substitute_f(substitute_f(s->F.by_n, k, whole(0)), n, whole(i)));
     num_f by_k = substitute_f(s->F.by_k, n, whole(m));
     for (int i = 0; i <= m; i++) {
@@ -337,7 +367,7 @@ enum cagd_sum_answer cagd_sum_for_every_n(const cagd_sum *s, num_f n, num_f k, i
 {
     /* The first rows: a sum that is wrong is wrong early. */
     num_f S = s->start;
-    for (int m = 0; m <= most + 1; m++) {
+    for (int m = s->from; m <= s->from + most + 1; m++) {
         if (!cagd_equal_f(sum_of_row(s, n, k, m), S))
             return CAGD_SUM_REFUTED;
         S = mul_f(S, substitute_f(s->ratio, n, whole(m)));
@@ -346,12 +376,14 @@ enum cagd_sum_answer cagd_sum_for_every_n(const cagd_sum *s, num_f n, num_f k, i
         !cagd_telescoper_holds(s->F, n, k, T))
         return CAGD_SUM_UNDECIDED;
     /* 0 <= k <= n: the ratios and G are defined, and nothing is left at either end. */
-    if (!never_zero(cagd_denominator_f(s->F.by_k), n, k))
+    if (!never_zero(cagd_denominator_f(s->F.by_k), n, k, s))
+        return CAGD_SUM_UNDECIDED;
+    if (!never_zero(cagd_denominator_f(s->ratio), n, k, s))
         return CAGD_SUM_UNDECIDED;
     for (int j = 1; j <= T->order; j++)
-        if (!never_zero(cagd_denominator_f(step_in_n(s->F, n, j)), n, k))
+        if (!never_zero(cagd_denominator_f(step_in_n(s->F, n, j)), n, k, s))
             return CAGD_SUM_UNDECIDED;
-    if (!never_zero(cagd_denominator_f(T->R), n, k) || !cagd_is_zero_f(substitute_f(T->R, k, whole(0))) ||
+    if (!never_zero(cagd_denominator_f(T->R), n, k, s) || !cagd_is_zero_f(substitute_f(T->R, k, whole(0))) ||
         !cagd_is_zero_f(rest_at_the_end(s->F, n, k, T)))
         return CAGD_SUM_UNDECIDED;
     /* S satisfies the recurrence, which determines the next value, a_J being nowhere 0. */
@@ -360,5 +392,5 @@ enum cagd_sum_answer cagd_sum_for_every_n(const cagd_sum *s, num_f n, num_f k, i
         left = add_f(left, mul_f(T->a[j], product));
         product = mul_f(product, shifted(s->ratio, n, j));
     }
-    return cagd_is_zero_f(left) && never_zero(T->a[T->order], n, k) ? CAGD_SUM_PROVED : CAGD_SUM_UNDECIDED;
+    return cagd_is_zero_f(left) && never_zero(T->a[T->order], n, k, s) ? CAGD_SUM_PROVED : CAGD_SUM_UNDECIDED;
 }

@@ -44,15 +44,18 @@ int cagd_telescope(cagd_term F, cagd_num_f n, cagd_num_f k, int most, cagd_teles
 int cagd_telescoper_holds(cagd_term F, cagd_num_f n, cagd_num_f k, const cagd_telescoper *T);
 
 /* A sum over k = 0, ..., n of a term that is 0 for other k: F(n,n+1)/F(n,n) = 0 and F(n,-1)/F(n,0) = 0.  It is S(n) with
- * S(n+1)/S(n) = ratio for every n >= 0 when both satisfy one recurrence of the telescoper and agree for n = 0, ..., J-1.
+ * S(n+1)/S(n) = ratio for every n >= from when both satisfy one recurrence of the telescoper and agree for n = from, ..., from+J-1.
  * Steps that cannot be decided make the answer UNDECIDED; so does a factor that vanishes somewhere for 0 <= k <= n.  Variables
  * besides n and k stand for positive values wherever a sign is needed. */
 enum cagd_sum_answer { CAGD_SUM_PROVED, CAGD_SUM_REFUTED, CAGD_SUM_UNDECIDED };
 typedef struct cagd_sum {
     cagd_term F;
-    cagd_num_f first; /* F(0,0)                                                              */
+    cagd_num_f first; /* F(from,0)                                                           */
     cagd_num_f ratio; /* S(n+1)/S(n); what the sum is said to be                             */
-    cagd_num_f start; /* S(0)                                                                */
+    cagd_num_f start; /* S(from)                                                             */
+    int from;         /* at least 0                                                          */
+    int generic;      /* whether S(n) is meant as a rational function of the variables besides n and k, and not for
+                         each of their positive values: what is 0 for some of them alone is no harm                   */
 } cagd_sum;
 enum cagd_sum_answer cagd_sum_for_every_n(const cagd_sum *s, cagd_num_f n, cagd_num_f k, int most, cagd_telescoper *T);
 #endif

@@ -1,12 +1,13 @@
 #include "exact/expression/check.h"
 
+#include "exact/expression/change.h"
 #include "exact/expression/example.h"
 #include "exact/words.h"
 
 #include <string.h>
 #include <time.h>
 
-enum { MOST_WHOLE = 8, FIRST_CASES = 8, FIELD_ROOM = 32 };
+enum { MOST_WHOLE = 8, FIRST_CASES = 8, QUICK_CASES = 16, MOST_CHANGES = 60, FIELD_ROOM = 32 };
 
 /* One run over a statement. */
 struct run {
@@ -14,6 +15,7 @@ struct run {
     const cagd_tree *statement;
     cagd_finding *out;
     double until;
+    int quick; /* one case that fails is enough, and few cases are */
     const cagd_variable *whole[MOST_WHOLE];
     int wholes;
     cagd_given chosen[MOST_WHOLE]; /* values of the whole numbers */
@@ -53,6 +55,8 @@ int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, cons
     int count = 0;
     for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
         int known = cagd_declared(scope, v->head) != v, used = uses(scope, statement, v->head, 0);
+        for (int k = 0; k < scope->condition_count; k++)
+            used |= uses(scope, scope->conditions[k], v->head, 0);
         for (int k = 0; k < count; k++) /* or the range of one that is used */
             used |= (list[k]->low != NULL && cagd_tree_has(list[k]->low, v->head)) ||
                     (list[k]->high != NULL && cagd_tree_has(list[k]->high, v->head));
@@ -308,6 +312,8 @@ static int end_of_range(struct run *r, int level, const cagd_tree *end, long *va
     return good;
 }
 
+static int is_enough(const cagd_finding *f) { return f->has_example || f->cases >= QUICK_CASES; }
+
 static void decide_cases(struct run *r, int level)
 {
     if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)))
@@ -340,14 +346,34 @@ static void decide_cases(struct run *r, int level)
         /* What was found lives on; a case that found nothing new leaves nothing behind. */
         if (r->out->has_example == kept && (r->out->why != NULL) == why && r->out->names == names)
             region_drop(mark);
-        if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)))
+        if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)) || (r->quick && is_enough(r->out)))
             break;
     }
 }
 
-void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
+static int has_no_end(const struct run *r)
 {
-    struct run r = {.scope = scope, .statement = statement, .out = out, .until = now() + seconds};
+    for (int k = 0; k < r->wholes; k++)
+        if (r->whole[k]->high == NULL)
+            return 1;
+    return 0;
+}
+
+/* For the only whole number, whose first cases hold. */
+static int proved_for_every(struct run *r)
+{
+    long low;
+    if (r->wholes != 1 || r->scope->condition_count > 0 || !end_of_range(r, 0, r->whole[0]->low, &low))
+        return 0;
+    r->out->for_every = cagd_holds_for_every(r->scope, r->statement, r->whole[0], low + r->whole[0]->low_open,
+                                             FIRST_CASES, &r->out->every);
+    r->out->strength = r->out->for_every ? CAGD_BY_IDENTITY : r->out->strength;
+    return r->out->for_every;
+}
+
+static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
+{
+    struct run r = {.scope = scope, .statement = statement, .out = out, .until = now() + seconds, .quick = quick};
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     for (int room = FIELD_ROOM;; room = CAGD_FIELD_MAX_VARIABLES) {
         *out = (cagd_finding){.answer = CAGD_UNDECIDED};
@@ -365,11 +391,11 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
             break;
         }
     }
-    for (int k = 0; k < r.wholes; k++)
-        if (r.whole[k]->high == NULL && out->undecided == 0) {
-            out->undecided = 1;
-            out->why = "the first cases hold, and for every number it is not proved";
-        }
+    if (out->undecided == 0 && !out->has_example && !out->out_of_time && !quick && has_no_end(&r) &&
+        !proved_for_every(&r)) {
+        out->undecided = 1;
+        out->why = "the first cases hold, and for every number it is not proved";
+    }
     if (out->comparisons == 0 && out->undecided == 0) {
         out->undecided = 1;
         out->why = out->cases == 0 ? "there is no case: a range is empty" : "what is supposed is never true";
@@ -377,4 +403,30 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
     out->answer = out->has_example                                             ? CAGD_FAILS
                   : out->undecided > 0 || out->failing > 0 || out->out_of_time ? CAGD_UNDECIDED
                                                                                : CAGD_HOLDS;
+}
+
+void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
+{
+    check(scope, statement, seconds, 0, out);
+}
+
+void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
+{
+    double until = now() + seconds;
+    int same = statement->kind == CAGD_RELATION && statement->count == 2 &&
+               cagd_tree_equal(statement->at[0], statement->at[1]);
+    for (int k = 0; k < MOST_CHANGES && now() < until; k++) {
+        region_mark mark = region_open();
+        cagd_finding *f = region_bytes(sizeof *f);
+        const cagd_tree *changed = f != NULL ? cagd_changed(statement, k) : NULL;
+        if (changed != NULL) {
+            check(scope, changed, until - now(), 1, f);
+            out->changes++;
+            out->noticed += f->answer == CAGD_FAILS;
+        }
+        region_drop(mark);
+        if (changed == NULL)
+            break;
+    }
+    out->says_nothing = same || (out->changes > 0 && out->noticed == 0 && now() < until);
 }

@@ -7,6 +7,7 @@
 #ifndef CAGD_CHECK_H
 #define CAGD_CHECK_H
 
+#include "exact/expression/every.h"
 #include "exact/expression/sign.h"
 
 /* How strong the answer is: an identity of rational functions, or finitely many exact decisions. */
@@ -39,12 +40,19 @@ typedef struct cagd_finding {
     /* The names that stand for all numbers, or all within their bounds; the bounds are used by `bounded` statements alone. */
     int names, bounded;
     const char *name[CAGD_MOST_UNKNOWNS];
+    int for_every; /* it was proved for every number of a range without end: the first ones, and by `every`  */
+    cagd_every every;
+    int changes, noticed;   /* ways in which the statement was changed (change.h), and how many of them fail      */
+    int says_nothing;       /* it holds however it is changed, or both sides are one formula                     */
     int missing_conditions; /* conditions that were supposed and not used: the answer holds without them */
 } cagd_finding;
 
 /* The statement, within so many seconds.  The field is opened anew: no element of an earlier one may be alive.  What is found
  * lives in the region. */
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out);
+
+/* A statement that holds is changed in many ways, for so many seconds; what becomes of it is noted in *out. */
+void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out);
 
 /* The whole numbers that the statement depends on, in the order in which they were declared; their number. */
 int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room);

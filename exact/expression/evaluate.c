@@ -7,12 +7,7 @@
 
 enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000 };
 
-/* What letters stand for inside a definition or a sum; the rest is the same everywhere. */
-typedef struct frame {
-    const char *head;
-    cagd_value value;
-    const struct frame *next;
-} frame;
+typedef cagd_frame frame;
 
 static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f);
 static int truth(cagd_context *c, const cagd_tree *t, const frame *f);
@@ -151,31 +146,40 @@ static int match(cagd_context *c, const cagd_definition *d, const cagd_value val
     return d->when == NULL ? 1 : truth(c, d->when, f);
 }
 
+const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_value value[], cagd_frame room[],
+                              const cagd_frame **inner)
+{
+    for (const cagd_definition *d = c->scope->definitions; d != NULL; d = d->next) {
+        if (strcmp(d->left->head, t->head) != 0)
+            continue;
+        int fits = match(c, d, value, room, inner);
+        if (region_faults == 0 && fits < 0)
+            fail(c, t, FAULT_UNABLE, "which definition fits depends on variables");
+        if (region_faults != 0)
+            return NULL;
+        if (fits)
+            return d->body;
+    }
+    return NULL;
+}
+
 /* The value of the definitions of that name for these indices and arguments. */
 static cagd_value apply(cagd_context *c, const cagd_tree *t, const cagd_value value[], const frame *caller)
 {
     frame room[CAGD_MOST_CHILDREN];
-    for (const cagd_definition *d = c->scope->definitions; d != NULL; d = d->next) {
-        const frame *f;
-        if (strcmp(d->left->head, t->head) != 0)
-            continue;
-        int fits = match(c, d, value, room, &f);
-        if (region_faults != 0)
-            return cagd_value_int(0);
-        if (fits < 0)
-            return fail(c, t, FAULT_UNABLE, "which definition fits depends on variables");
-        if (!fits)
-            continue;
-        if (c->depth == MOST_CALLS)
-            return fail(c, t, FAULT_UNABLE, "definitions that use one another without end");
-        c->depth++;
-        cagd_value result = evaluate(c, d->body, f);
-        c->depth--;
-        return result;
-    }
-    if (cagd_declared(c->scope, t->head) != NULL)
-        return variable(c, t, caller);
-    return fail(c, t, FAULT_UNDEFINED, "no definition fits");
+    const frame *f;
+    const cagd_tree *body = cagd_body_of(c, t, value, room, &f);
+    if (region_faults != 0)
+        return cagd_value_int(0);
+    if (body == NULL)
+        return cagd_declared(c->scope, t->head) != NULL ? variable(c, t, caller)
+                                                        : fail(c, t, FAULT_UNDEFINED, "no definition fits");
+    if (c->depth == MOST_CALLS)
+        return fail(c, t, FAULT_UNABLE, "definitions that use one another without end");
+    c->depth++;
+    cagd_value result = evaluate(c, body, f);
+    c->depth--;
+    return result;
 }
 
 /* The binding whose variable the value is; NULL if it is none. */
@@ -237,6 +241,13 @@ static long order_of(cagd_context *c, const cagd_tree *t, const cagd_tree *order
     return k;
 }
 
+void cagd_arguments_of(cagd_context *c, const cagd_tree *t, const cagd_definition *d, const cagd_frame *f,
+                       cagd_value value[])
+{
+    for (int k = 0; k < d->left->count; k++) /* arguments that are left out are the letters of the definition */
+        value[k] = evaluate(c, k < t->count ? t->at[k] : d->left->at[k], f);
+}
+
 static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     if (t->count == 0)
@@ -247,8 +258,7 @@ static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
     if (d == NULL)
         return variable(c, t, f);
     cagd_value value[CAGD_MOST_CHILDREN];
-    for (int k = 0; k < d->left->count; k++) /* arguments that are left out are the letters of the definition */
-        value[k] = evaluate(c, k < t->count ? t->at[k] : d->left->at[k], f);
+    cagd_arguments_of(c, t, d, f, value);
     long order = t->order;
     if (t->times != NULL)
         order += order_of(c, t, t->times, f);
@@ -637,4 +647,5 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
 }
 
 cagd_value cagd_evaluate(cagd_context *c, const cagd_tree *t) { return evaluate(c, t, NULL); }
+cagd_value cagd_evaluate_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f) { return evaluate(c, t, f); }
 int cagd_truth(cagd_context *c, const cagd_tree *t) { return truth(c, t, NULL); }

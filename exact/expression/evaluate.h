@@ -44,10 +44,24 @@ typedef struct cagd_context {
     cagd_num_q split_at;
 } cagd_context;
 
+/* What letters stand for inside a definition or a sum; all other names are the same everywhere. */
+typedef struct cagd_frame {
+    const char *head;
+    cagd_value value;
+    const struct cagd_frame *next;
+} cagd_frame;
+
 enum { CAGD_USUAL_STEPS = 400000 };
 
 /* The value; region_faults are set where there is none, and `trouble` says why.  The field is open. */
 cagd_value cagd_evaluate(cagd_context *c, const cagd_tree *t);
+cagd_value cagd_evaluate_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
+/* The indices and arguments of the name t, which is defined by d and others; and the body that fits them, with the frame in which
+ * it stands, whose nodes are room[]: NULL when none fits. */
+void cagd_arguments_of(cagd_context *c, const cagd_tree *t, const cagd_definition *d, const cagd_frame *f,
+                       cagd_value value[]);
+const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_value value[], cagd_frame room[],
+                              const cagd_frame **inner);
 /* Whether relations hold: 1, 0; -1 and `split` or `trouble` where they depend on variables. */
 int cagd_truth(cagd_context *c, const cagd_tree *t);
 /* a relation b for two values, likewise. */

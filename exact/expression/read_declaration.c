@@ -208,9 +208,14 @@ static int elements(cagd_reader *r, cagd_scope *scope)
     cagd_variable v = {0};
     if (!set(r, &v))
         return 0;
-    for (int k = 0; k < count; k++)
-        if (!declare(r, scope, name[k], v))
+    for (int k = 0; k < count; k++) {
+        const cagd_variable *before = cagd_declared(scope, name[k]->head);
+        cagd_variable w = v;
+        if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
+            w = *before, w.whole = 1;
+        if (!declare(r, scope, name[k], w))
             return 0;
+    }
     return 1;
 }
 
@@ -220,16 +225,15 @@ static int dots(cagd_reader *r, const cagd_tree **high)
 {
     struct place start = here(r);
     *high = NULL;
-    if (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) {
-        const cagd_tree *second = cagd_read_sum(r);
-        if (second == NULL || !cagd_pass(r, ",") || !cagd_next_is(r, "\\dots"))
+    int comma = cagd_pass(r, ",");
+    for (int k = 0; comma && k < 3 && !cagd_next_is(r, "\\dots"); k++)
+        if (cagd_read_sum(r) == NULL || !cagd_pass(r, ","))
             return back(r, start);
-    }
     if (!cagd_pass(r, "\\dots"))
         return back(r, start);
     struct place behind = here(r);
     cagd_relation relation;
-    int comma = cagd_pass(r, ",");
+    comma = cagd_pass(r, ",");
     if (cagd_pass(r, "\\infty"))
         return 1;
     if (r->token->kind == CAGD_TOKEN_END)
@@ -267,7 +271,7 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
 
 struct piece {
     const cagd_tree *tree;
-    int alone; /* a name that is no whole number and nothing defined */
+    int alone; /* a name that is no whole number and nothing defined: 1; a whole number: -1 */
 };
 
 /* A member of a chain of relations: a name by itself, which need not be known, or a value. */
@@ -279,7 +283,7 @@ static int piece(cagd_reader *r, struct piece *p)
     if (name != NULL && name->arguments == 0 &&
         (cagd_relation_next(r, &relation) || cagd_next_is(r, ",") || r->token->kind == CAGD_TOKEN_END)) {
         const cagd_variable *v = cagd_declared(r->scope, name->head);
-        *p = (struct piece){name, cagd_defined(r->scope, name->head) == NULL && (v == NULL || !v->whole)};
+        *p = (struct piece){name, cagd_defined(r->scope, name->head) != NULL ? 0 : v != NULL && v->whole ? -1 : 1};
         return 1;
     }
     back(r, start);
@@ -291,43 +295,57 @@ static int is_less(cagd_relation a) { return a == CAGD_LESS || a == CAGD_LESS_OR
 static int is_greater(cagd_relation a) { return a == CAGD_GREATER || a == CAGD_GREATER_OR_EQUAL; }
 static int is_strict(cagd_relation a) { return a == CAGD_LESS || a == CAGD_GREATER; }
 
+/* Whether a bound leaves room for all that another, which may be NULL, leaves out: of numbers, those are compared. */
+static int is_tighter(const cagd_tree *bound, const cagd_tree *before, int up)
+{
+    if (before == NULL)
+        return 1;
+    int order =
+        bound->kind == CAGD_NUMBER && before->kind == CAGD_NUMBER ? cagd_compare_q(bound->number, before->number) : 0;
+    return up ? order > 0 : order < 0;
+}
+
 /* -1 \le \lambda < 1: bounds of the only variable, or else a condition. */
 static int chain(cagd_reader *r, cagd_scope *scope)
 {
     struct piece p[CAGD_MOST_INDICES];
     cagd_relation relation[CAGD_MOST_INDICES];
-    int count = 0, alone = 0, which = 0, from = r->token->from, up = 1, down = 1;
+    int count = 0, alone = 0, whole = 0, which = 0, from = r->token->from, up = 1, down = 1;
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
         if (!piece(r, &p[count]))
             return 0;
-        which = p[count].alone ? count : which;
-        alone += p[count].alone;
+        which = p[count].alone > 0 || (p[count].alone < 0 && alone == 0) ? count : which;
+        alone += p[count].alone > 0;
+        whole += p[count].alone < 0;
     } while (cagd_relation_next(r, &relation[count++]) && r->token++);
     if (count == 1)
         return cagd_refuse_token(r, "expected a range or a condition, not %s", cagd_name_of_next(r)) != NULL;
     if (cagd_changes_direction(relation, count - 1))
         return cagd_refuse_token(r, "a chain with < and >: put a comma between two ranges") != NULL;
     for (int k = 0; k < count; k++) {
-        if (p[k].alone && cagd_declared(scope, p[k].tree->head) == NULL &&
+        if (p[k].alone > 0 && cagd_declared(scope, p[k].tree->head) == NULL &&
             !declare(r, scope, p[k].tree, (cagd_variable){0}))
             return 0;
         up &= k + 1 == count || is_less(relation[k]);
         down &= k + 1 == count || is_greater(relation[k]);
     }
-    if (alone == 1 && count <= 3 && (up || down) && (count == 2 || which == 1)) {
+    if ((alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) && (count == 2 || which == 1)) {
         cagd_variable v = *cagd_declared(scope, p[which].tree->head);
+        int replaces = 1;
         for (int k = 0; k < count; k++) {
             if (k == which)
                 continue;
-            int strict = is_strict(relation[k < which ? k : which]);
-            if ((k < which) == up)
+            int strict = is_strict(relation[k < which ? k : which]), below = (k < which) == up;
+            replaces &= !v.whole || is_tighter(p[k].tree, below ? v.low : v.high, below);
+            if (below)
                 v.low = p[k].tree, v.low_open = strict;
             else
                 v.high = p[k].tree, v.high_open = strict;
         }
-        return cagd_declare(scope, v);
+        if (replaces)
+            return cagd_declare(scope, v);
     }
     const cagd_tree *list[CAGD_MOST_INDICES];
     for (int k = 0; k < count; k++)

@@ -31,7 +31,7 @@ static cagd_term bernstein(void)
 /* The sum is S for every n, of a telescoper of that order. */
 static void proved(cagd_term F, num_f first, num_f start, num_f ratio, int order)
 {
-    cagd_sum s = {F, first, ratio, start};
+    cagd_sum s = {F, first, ratio, start, 0, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
     assert_int_equal(T.order, order);
@@ -59,7 +59,7 @@ static void test_known_sums(void **state)
     /* Vandermonde: sum (n choose k) (m choose k) = (n+m choose n), of ratio (n+m+1)/(n+1) */
     num_f m = variable_f("m");
     F = cagd_term_times_binomial(binomials(1), n, k, 0, 0, m, 0, 1, whole(0));
-    cagd_sum s = {F, one, div_f(add_f(n1, m), n1), one};
+    cagd_sum s = {F, one, div_f(add_f(n1, m), n1), one, 0, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
     field_close();
@@ -81,7 +81,7 @@ static void test_a_recurrence_of_order_two(void **state)
     assert_true(cagd_equal_f(T.a[1], neg_f(mul_f(scale, middle))));
     assert_true(cagd_equal_f(T.a[0], neg_f(mul_f(scale, mul_f(whole(8), mul_f(n1, n1))))));
     /* No closed form with a rational ratio is accepted. */
-    cagd_sum s = {binomials(3), whole(1), div_f(whole(2), whole(1)), whole(1)};
+    cagd_sum s = {binomials(3), whole(1), div_f(whole(2), whole(1)), whole(1), 0, 0};
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
     field_close();
 }
@@ -132,7 +132,7 @@ static void test_late_differences(void **state)
     num_f late = whole(1); /* n (n-1) ... (n-6) vanishes for the first rows */
     for (int i = 0; i < 7; i++)
         late = mul_f(late, sub_f(n, whole(i)));
-    cagd_sum s = {binomials(1), whole(1), add_f(whole(2), late), whole(1)};
+    cagd_sum s = {binomials(1), whole(1), add_f(whole(2), late), whole(1), 0, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
     field_close();
@@ -215,11 +215,39 @@ static void test_poles_in_a_term(void **state)
         cagd_term F = cagd_term_times_power(binomials(1), whole(-1), 0, 1);
         F = cagd_term_times_rational(F, n, k, div_f(whole(1), add_f(k, x)));
         num_f start = div_f(whole(1), x), ratio = div_f(add_f(n, whole(1)), add_f(add_f(n, whole(1)), x));
-        cagd_sum s = {F, start, ratio, start};
+        cagd_sum s = {F, start, ratio, start, 0, 0};
         cagd_telescoper T;
         /* `first` is F(0,0), and later rows begin with F(m,0) = F(0,0) */
         assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), less ? CAGD_SUM_UNDECIDED : CAGD_SUM_PROVED);
+        s.generic = 1; /* as a function of t it is defined for t - 2, too */
+        assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
     }
+    field_close();
+}
+
+/* sum_k (n choose k)/n = 2^n/n from n = 1 on; for n = 0 there is no such term. */
+static void test_sums_from_a_number_on(void **state)
+{
+    (void)state;
+    open_field();
+    num_f one = whole(1), half = div_f(one, whole(2));
+    cagd_term F = cagd_term_times_rational(binomials(1), n, k, div_f(one, n));
+    cagd_sum s = {F, one, div_f(mul_f(whole(2), n), add_f(n, one)), whole(2), 1, 0};
+    cagd_telescoper T;
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED); /* 2^n/n */
+    s.from = 0;
+    region_faults = 0;
+    assert_int_not_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+    region_faults = 0;
+    s.from = 1, s.start = half;
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
+    /* a factor n - 2 in a denominator is no harm from 3 on, and is one from 1 on */
+    F = cagd_term_times_rational(binomials(1), n, k, div_f(one, sub_f(n, whole(2))));
+    s = (cagd_sum){F, one, div_f(mul_f(whole(2), sub_f(n, whole(2))), sub_f(n, one)), whole(8), 3, 0};
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+    s.from = 1;
+    assert_int_not_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+    region_faults = 0;
     field_close();
 }
 
@@ -248,6 +276,7 @@ int main(void)
                                        unit(test_factors),
                                        unit(test_terms_by_their_values),
                                        unit(test_poles_in_a_term),
-                                       unit(test_coefficients_that_are_zero)};
+                                       unit(test_coefficients_that_are_zero),
+                                       unit(test_sums_from_a_number_on)};
     return run_unit_tests(tests);
 }

@@ -1,0 +1,307 @@
+#include "exact/expression/every.h"
+
+#include "exact/words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_DEPTH = 60, MOST_POWER = 60, MOST_ORDER = 2 };
+
+/* A product of powers of trees, as it is taken apart: ratios of neighbours, and the product of the factors that are rational
+ * functions of n and k. */
+struct product {
+    cagd_term ratio;
+    num_f rational;
+};
+
+struct search {
+    cagd_context c;
+    num_f n, k;
+    int depth;
+};
+
+static num_f power(num_f a, int e)
+{
+    num_f r = from_int_f(1);
+    for (int i = 0; i < (e < 0 ? -e : e); i++)
+        r = mul_f(r, a);
+    return e < 0 ? div_f(from_int_f(1), r) : r;
+}
+
+static num_f shifted(num_f a, num_f x, long by) { return substitute_f(a, x, add_f(x, from_int_f(by))); }
+
+/* The value as a rational function of n and k; 0 where it is none. */
+static int value_of(struct search *s, const cagd_tree *t, const cagd_frame *f, num_f *out)
+{
+    cagd_value v = cagd_evaluate_in(&s->c, t, f);
+    if (region_faults == 0) {
+        *out = cagd_in_field(v);
+        return 1;
+    }
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    s->c.trouble = NULL;
+    return 0;
+}
+
+/* p n + q k + c with small whole p and q, and c free of n and k. */
+static int linear(struct search *s, num_f v, int *p, int *q, num_f *c)
+{
+    num_f variable[] = {s->n, s->k};
+    int *slope[] = {p, q};
+    *c = v;
+    for (int i = 0; i < 2; i++) {
+        num_q d;
+        if (!is_constant_f(derivative_f(v, variable[i]), &d) || !cagd_is_whole_q(d) ||
+            !mpz_fits_sint_p(mpq_numref(d.at)))
+            return 0;
+        *slope[i] = (int)mpz_get_si(mpq_numref(d.at));
+        if (*slope[i] > MOST_POWER || *slope[i] < -MOST_POWER)
+            return 0;
+        *c = sub_f(*c, mul_f(from_int_f(*slope[i]), variable[i]));
+    }
+    return 1;
+}
+
+/* The product times t^e. */
+static int take(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out);
+
+static int take_factorial(struct search *s, num_f a, int e, struct product *out)
+{
+    int p, q;
+    num_f c;
+    if (!linear(s, a, &p, &q, &c))
+        return 0;
+    out->ratio = cagd_term_times_factorial(out->ratio, s->n, s->k, p, q, c, e);
+    return 1;
+}
+
+static int take_power(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out)
+{
+    num_f exponent, base, c;
+    num_q whole;
+    int p, q;
+    if (!value_of(s, t->at[1], f, &exponent))
+        return 0;
+    if (is_constant_f(exponent, &whole))
+        return cagd_is_whole_q(whole) && mpz_cmpabs_ui(mpq_numref(whole.at), MOST_POWER) < 0 &&
+               take(s, t->at[0], f, e * (int)mpz_get_si(mpq_numref(whole.at)), out);
+    if (!value_of(s, t->at[0], f, &base) || !linear(s, exponent, &p, &q, &c) || !is_constant_f(c, &whole) ||
+        !cagd_is_whole_q(whole) || cagd_is_zero_f(base) || degree_f(base, s->n) > 0 || degree_f(base, s->k) > 0 ||
+        denominator_degree_f(base, s->n) > 0 || denominator_degree_f(base, s->k) > 0)
+        return 0;
+    out->ratio = cagd_term_times_power(out->ratio, base, e * p, e * q);
+    return 1;
+}
+
+static int take_name(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out)
+{
+    const cagd_definition *d = cagd_defined(s->c.scope, t->head);
+    cagd_frame room[CAGD_MOST_CHILDREN];
+    cagd_value value[CAGD_MOST_CHILDREN];
+    const cagd_frame *inner = NULL;
+    if (d == NULL || t->order > 0 || t->times != NULL)
+        return 0;
+    cagd_arguments_of(&s->c, t, d, f, value);
+    const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, &inner) : NULL;
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    return body != NULL && take(s, body, inner, e, out);
+}
+
+static int take(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out)
+{
+    num_f v, a, b;
+    if (s->depth == MOST_DEPTH || e > MOST_POWER || e < -MOST_POWER)
+        return 0;
+    if (value_of(s, t, f, &v)) {
+        if (cagd_is_zero_f(v))
+            return 0;
+        num_f r = power(v, e);
+        out->rational = mul_f(out->rational, r);
+        out->ratio = cagd_term_times_rational(out->ratio, s->n, s->k, r);
+        return region_faults == 0;
+    }
+    int good = 0;
+    s->depth++;
+    switch (t->kind) {
+    case CAGD_PRODUCT:
+        good = 1;
+        for (int i = 0; i < t->count && good; i++)
+            good = take(s, t->at[i], f, e, out);
+        break;
+    case CAGD_NEGATIVE:
+        out->rational = e % 2 ? neg_f(out->rational) : out->rational;
+        good = take(s, t->at[0], f, e, out);
+        break;
+    case CAGD_QUOTIENT:
+        good = take(s, t->at[0], f, e, out) && take(s, t->at[1], f, -e, out);
+        break;
+    case CAGD_POWER:
+        good = take_power(s, t, f, e, out);
+        break;
+    case CAGD_FACTORIAL:
+        good = value_of(s, t->at[0], f, &a) && take_factorial(s, a, e, out);
+        break;
+    case CAGD_BINOMIAL:
+        good = value_of(s, t->at[0], f, &a) && value_of(s, t->at[1], f, &b) && take_factorial(s, a, e, out) &&
+               take_factorial(s, b, -e, out) && take_factorial(s, sub_f(a, b), -e, out);
+        break;
+    case CAGD_NAME:
+        good = take_name(s, t, f, e, out);
+        break;
+    default:
+        break;
+    }
+    s->depth--;
+    return good && region_faults == 0;
+}
+
+/* ---- the sum ------------------------------------------------------------------------------------------- */
+
+/* The sum that t is, perhaps by a definition, with a factor before it: its tree and frame; the factor goes to `out`. */
+static const cagd_tree *find_sum(struct search *s, const cagd_tree *t, const cagd_frame *f, cagd_frame room[],
+                                 const cagd_frame **inner, struct product *out)
+{
+    *inner = f;
+    if (t->kind == CAGD_SUM_OVER)
+        return t->count == 3 ? t : NULL;
+    if (t->kind == CAGD_NAME) {
+        const cagd_definition *d = cagd_defined(s->c.scope, t->head);
+        cagd_value value[CAGD_MOST_CHILDREN];
+        if (d == NULL || t->order > 0 || t->times != NULL)
+            return NULL;
+        cagd_arguments_of(&s->c, t, d, f, value);
+        const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, inner) : NULL;
+        region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+        return body != NULL && body->kind == CAGD_SUM_OVER && body->count == 3 ? body : NULL;
+    }
+    if (t->kind != CAGD_PRODUCT || t->at[t->count - 1]->kind != CAGD_SUM_OVER)
+        return NULL;
+    for (int i = 0; i + 1 < t->count; i++)
+        if (!take(s, t->at[i], f, 1, out))
+            return NULL;
+    return t->at[t->count - 1]->count == 3 ? t->at[t->count - 1] : NULL;
+}
+
+/* For the number n: the first term of the sum that `whole` is, its factor with it, and the value of the other side. */
+static int at_number(struct search *s, const cagd_tree *whole, const cagd_tree *other, const char *n, long number,
+                     long begin, num_f *first, num_f *start)
+{
+    cagd_frame room[CAGD_MOST_CHILDREN];
+    const cagd_frame *f;
+    struct product unused = {cagd_term_one(), from_int_f(1)};
+    num_f x;
+    cagd_binding_of(&s->c, n)->value = cagd_value_int(number);
+    const cagd_tree *sum = find_sum(s, whole, NULL, room, &f, &unused);
+    int good = sum != NULL && value_of(s, other, NULL, start);
+    if (good) {
+        cagd_frame inner = {sum->head, cagd_value_int(begin), f};
+        good = value_of(s, sum->at[2], &inner, first);
+    }
+    for (int i = 0; good && whole->kind == CAGD_PRODUCT && i + 1 < whole->count; i++) {
+        good = value_of(s, whole->at[i], NULL, &x);
+        *first = good ? mul_f(*first, x) : *first;
+    }
+    cagd_binding_of(&s->c, n)->value = (cagd_value){.f = s->n};
+    return good && !cagd_is_zero_f(*start) && !cagd_is_zero_f(*first);
+}
+
+/* In the letters of the statement. */
+static const char *spelled(const struct search *s, num_f a, const char *n, const char *k)
+{
+    const char *text = cagd_to_string_f(a);
+    size_t room = 8 * strlen(text) + 64, used = 0;
+    char *out = region_bytes(room);
+    for (const char *p = text; out != NULL && *p != '\0' && used + 64 < room;) {
+        const char *word = NULL;
+        size_t length = 0;
+        if (strncmp(p, "vn", 2) == 0)
+            word = n, length = 2;
+        else if (strncmp(p, "vk", 2) == 0)
+            word = k, length = 2;
+        else if (p[0] == 'v') {
+            length = 1 + strspn(p + 1, "0123456789");
+            for (int m = 0; m < s->c.count; m++) {
+                char name[16];
+                snprintf(name, sizeof name, "v%d", m);
+                if (strlen(name) == length && strncmp(name, p, length) == 0)
+                    word = s->c.binding[m].key;
+            }
+        }
+        if (word == NULL) {
+            out[used++] = *p++;
+            continue;
+        }
+        used += (size_t)snprintf(out + used, room - used, "%.60s", word);
+        p += length;
+    }
+    if (out != NULL)
+        out[used] = '\0';
+    return out != NULL ? out : "";
+}
+
+int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
+                         int checked, cagd_every *out)
+{
+    static const long furthest = 1000;
+    struct search *s = region_bytes(sizeof *s);
+    if (s == NULL || statement->kind != CAGD_RELATION || statement->count != 2 || statement->relation[0] != CAGD_EQUAL)
+        return 0;
+    *s = (struct search){.c = {.scope = scope, .in_field = 1, .steps = 100 * CAGD_USUAL_STEPS}};
+    s->n = variable_f("vn"), s->k = variable_f("vk");
+    cagd_bind(&s->c, n->head, (cagd_value){.f = s->n});
+    struct product F = {cagd_term_one(), from_int_f(1)}, S = F;
+    cagd_frame room[CAGD_MOST_CHILDREN];
+    const cagd_frame *f = NULL;
+    const cagd_tree *sum = NULL, *other = NULL, *whole = NULL;
+    for (int side = 0; side < 2 && sum == NULL; side++) {
+        F = S;
+        whole = statement->at[side], other = statement->at[!side];
+        sum = find_sum(s, whole, NULL, room, &f, &F);
+    }
+    num_f first, last;
+    num_q first_k, last_k;
+    if (sum == NULL || !value_of(s, sum->at[0], f, &first) || !value_of(s, sum->at[1], f, &last) ||
+        !is_constant_f(first, &first_k) || !is_constant_f(sub_f(last, s->n), &last_k) || !cagd_is_whole_q(first_k) ||
+        !cagd_is_whole_q(last_k))
+        return 0;
+    cagd_frame inner = {sum->head, {.f = s->k}, f};
+    if (!take(s, sum->at[2], &inner, 1, &F) || !take(s, other, NULL, 1, &S))
+        return 0;
+    /* k runs from `begin` to n + end; where the term vanishes at an end, that end is left out. */
+    if (mpz_cmpabs_ui(mpq_numref(first_k.at), 1000) > 0 || mpz_cmpabs_ui(mpq_numref(last_k.at), 1000) > 0)
+        return 0;
+    long begin = mpz_get_si(mpq_numref(first_k.at)), end = mpz_get_si(mpq_numref(last_k.at));
+    while (begin < furthest && cagd_is_zero_f(substitute_f(F.rational, s->k, from_int_f(begin))) && region_faults == 0)
+        begin++;
+    while (end > -furthest && cagd_is_zero_f(substitute_f(F.rational, s->k, add_f(s->n, from_int_f(end)))) &&
+           region_faults == 0)
+        end--;
+    /* The n of the sum is n + end - begin, its k is k - begin. */
+    long by_n = begin - end;
+    cagd_sum question = {{shifted(shifted(F.ratio.by_n, s->k, begin), s->n, by_n),
+                          shifted(shifted(F.ratio.by_k, s->k, begin), s->n, by_n)},
+                         from_int_f(0),
+                         shifted(S.ratio.by_n, s->n, by_n),
+                         from_int_f(0),
+                         0,
+                         1};
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    cagd_telescoper T;
+    for (long from = low > by_n ? low : by_n; from < low + checked; from++) {
+        question.from = (int)(from - by_n);
+        if (!at_number(s, whole, other, n->head, from, begin, &question.first, &question.start))
+            continue;
+        enum cagd_sum_answer answer = cagd_sum_for_every_n(&question, s->n, s->k, MOST_ORDER, &T);
+        unsigned faults = region_faults;
+        region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+        if (answer != CAGD_SUM_PROVED || faults != 0)
+            continue;
+        *out = (cagd_every){.order = T.order, .from = from, .n = n->head, .k = sum->head};
+        /* The n and k of the statement again. */
+        for (int j = 0; j <= T.order; j++)
+            out->a[j] = spelled(s, shifted(T.a[j], s->n, -by_n), n->head, sum->head);
+        out->R = spelled(s, shifted(shifted(T.R, s->k, -begin), s->n, -by_n), n->head, sum->head);
+        return region_faults == 0;
+    }
+    return 0;
+}
