@@ -82,10 +82,13 @@ class Exact(Room):
 
 class Judge(Room):
     """The judge, and the commands that report what it found."""
-    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_comparison", "test_command", "test_judge")}
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_comparison", "test_judge", "test_command")}
 
     def units(self):
         return {c: [c] for c in [*sources("chapters/judge/*.c"), *(f"cli/{name}.c" for name in "verify ledger show page report junit manifest".split())]}
+
+    def first(self, file):
+        return ["test_command"] if file.startswith("cli/") or file.endswith("certificate.c") else []
 
 
 class Core(Room):

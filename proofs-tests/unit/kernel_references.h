@@ -138,7 +138,7 @@ REFERENCE(bernstein_to_power) { powers_of(D->n, 1, D->x, 0, out); }
 REFERENCE(bernstein_from_power) { points_of(D->n, 1, D->x, 0, out); }
 REFERENCE(bernstein_on_interval)
 {
-    num a = D->x[0], h = D->w[0]; /* f over [a, a+h] */
+    num a = D->x[0], h = length_q(D); /* f over [a, a+h] */
     on_interval(D->n, 1, D->x + 1, div(sub(D->t, a), h), div(sub(D->u, a), h), out);
 }
 

@@ -6,10 +6,13 @@
 
 struct G(data) {
     int n, dim, r;    /* 1 <= n <= MAX_DEGREE, 1 <= dim <= MAX_DIM, 0 <= r <= 5 */
-    const num *x, *w; /* x: not 0; w: squares, positive                        */
-    num t, u;         /* in [0,1]                                              */
+    const num *x, *w; /* x: not 0; w: squares, positive; of rational curves the ends may be below 0 */
+    num t, u;         /* u in [0,1], t mostly                                  */
 };
 typedef int G(runner)(const struct G(data) * D, num out[]);
+
+/* Of an interval, which may be turned round. */
+static inline num G(length)(const struct G(data) * D) { return D->r % 2 == 1 ? neg(D->w[0]) : D->w[0]; }
 
 /* a[0] z^n + ... + a[n] = leading (z - z_1) ... (z - z_n). */
 static inline void G(from_roots)(int n, num leading, const num z[], num a[])
@@ -71,7 +74,7 @@ RUN(bernstein_from_power)
 }
 RUN(bernstein_on_interval)
 {
-    G(bernstein_on_interval)(D->n, D->x[0], add(D->x[0], D->w[0]), ALONE(D->x + 1, D->n + 1), D->t, D->u, out);
+    G(bernstein_on_interval)(D->n, D->x[0], add(D->x[0], G(length)(D)), ALONE(D->x + 1, D->n + 1), D->t, D->u, out);
     return D->n + 1;
 }
 RUN(bezier_casteljau)

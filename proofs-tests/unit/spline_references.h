@@ -208,7 +208,7 @@ REFERENCE(bspline_to_bezier)
 REFERENCE(bspline_point_of_bezier)
 {
     int p = D->n < 7 ? D->n : 7;
-    num c[8], a[8], length = D->w[0];
+    num c[8], a[8], length = length_q(D);
     for (int at = 0; at < D->dim; at++) { /* in powers of (t - x_0)/w_0, then in powers of t */
         powers_of(p, D->dim, D->x, at, c);
         compose(p, c, neg(div(D->x[0], length)), div(from_int(1), length), a);

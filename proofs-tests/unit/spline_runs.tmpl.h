@@ -200,7 +200,7 @@ RUN(bspline_to_bezier)
 }
 RUN(bspline_point_of_bezier)
 {
-    num to = add(D->x[0], D->w[0]);
+    num to = add(D->x[0], G(length)(D));
     int p = D->n < 7 ? D->n : 7;
     G(bspline_point_of_bezier)(p, D->dim, ALONE(D->x, (p + 1) * D->dim), D->x[0], to, ALONE(D->w, p), out);
     return D->dim;

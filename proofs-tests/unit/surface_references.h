@@ -95,7 +95,7 @@ REFERENCE(hermite_blending)
     for (int k = 0; k <= D->r; k++)
         for (int i = 0; i < 4; i++) {
             num unit[4] = {from_int(i == 0), from_int(i == 1), from_int(i == 2), from_int(i == 3)};
-            out[4 * k + i] = cubic_with_data(unit, D->x[0], D->w[0], k, D->t);
+            out[4 * k + i] = cubic_with_data(unit, D->x[0], length_q(D), k, D->t);
         }
 }
 REFERENCE(hermite_cubic)
@@ -105,7 +105,7 @@ REFERENCE(hermite_cubic)
             num data[4];
             for (int i = 0; i < 4; i++)
                 data[i] = D->x[1 + i * D->dim + at];
-            out[k * D->dim + at] = cubic_with_data(data, D->x[0], D->w[0], k, D->t);
+            out[k * D->dim + at] = cubic_with_data(data, D->x[0], length_q(D), k, D->t);
         }
 }
 /* A row of powers at one of the nodes is replaced by that of t. */

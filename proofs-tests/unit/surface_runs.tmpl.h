@@ -64,12 +64,12 @@ RUN(bezier_surface_part)
 }
 RUN(hermite_blending)
 {
-    G(hermite_blending)(D->x[0], add(D->x[0], D->w[0]), D->t, D->r, out);
+    G(hermite_blending)(D->x[0], add(D->x[0], G(length)(D)), D->t, D->r, out);
     return 4 * (D->r + 1);
 }
 RUN(hermite_cubic)
 {
-    G(hermite_cubic)(D->dim, D->x[0], add(D->x[0], D->w[0]), ALONE(D->x + 1, 4 * D->dim), D->t, D->r, out);
+    G(hermite_cubic)(D->dim, D->x[0], add(D->x[0], G(length)(D)), ALONE(D->x + 1, 4 * D->dim), D->t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(lagrange_blending)
