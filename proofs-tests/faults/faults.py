@@ -85,7 +85,7 @@ class Judge(Room):
     tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_comparison", "test_judge", "test_command")}
 
     def units(self):
-        return {c: [c] for c in [*sources("chapters/judge/*.c"), *(f"cli/{name}.c" for name in "verify ledger show page report junit manifest".split())]}
+        return {c: [c] for c in [*sources("chapters/judge/*.c"), *(f"cli/{name}.c" for name in "verify ledger page report junit manifest".split())]}
 
     def first(self, file):
         return ["test_command"] if file.startswith("cli/") or file.endswith("certificate.c") else []

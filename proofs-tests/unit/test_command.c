@@ -32,10 +32,19 @@ static void powers_f(trial *T)
     same_f(T, mul_f(p, x), mul_f(x, fault(T, p, x)));
     vanishes_f(T, sub_f(p, fault(T, p, x)));
 }
+/* What is proved in the field is certified there. */
+static void powers_q(trial *T) { same_q(T, from_int_q(T->degree), from_int_q(fault(T, T->degree, 9))); }
+static void variable_f_is_itself(trial *T)
+{
+    num_f x = unknown_f(T, "x", 0);
+    same_f(T, x, fault(T, x, from_int_f(1)));
+}
 static void double_q(trial *T)
 {
     num_q x = unknown_q(T, "x", 0);
     same_q(T, add_q(x, x), mul_q(from_int_q(fault(T, 2, 3)), x));
+    if (T->deep)
+        agree(T, 1);
 }
 static void double_i(trial *T)
 {
@@ -52,6 +61,8 @@ static void is_nine_q(trial *T)
 {
     num_q x = given_q(T, "x");
     same_q(T, mul_q(x, x), from_int_q(fault(T, 9, 8)));
+    num_q again = mul_q(x, from_int_q(1)); /* equal sums of different nodes */
+    same_q(T, add_q(x, again), add_q(x, x));
 }
 static void is_four_q(trial *T)
 {
@@ -87,21 +98,22 @@ static const datum only_three[] = {{.name = "x", .text = "3", .rows = 1, .column
     .then = "$x = x$ in " claim_name, .method = "computed, as in [book]", .control = "another number", .scope = "",    \
     .over = "x#: points", .argued_for = "", .argued = "", .chapter = "first", .defines = "", .letter = "n",            \
     .file = "chapters/first/" in_file ".claims.h", .line = at
-static const claim claims[] = {
+static claim claims[] = {
     {TEXTS("square_is_product", "one", 10), .body = {[FIELD_TYPE] = square_f}},
     {TEXTS("sum_is_double", "one", 20),
      .body = {[RATIONAL_TYPE] = double_q, [INTERVAL_TYPE] = double_i, [DOUBLE_TYPE] = double_m}},
     {TEXTS("sum_is_double_in_degrees", "one", 25), .degree_low = 1, .degree_high = 3, .degree_sampled = 9,
      .body = {[DOUBLE_TYPE] = double_m}},
     {TEXTS("powers_commute", "one", 28), .degree_low = 2, .degree_high = 4, .degree_sampled = 4,
-     .body = {[FIELD_TYPE] = powers_f}},
+     .body = {[FIELD_TYPE] = powers_f, [RATIONAL_TYPE] = powers_q}},
     {TEXTS("three_squared", "two", 30), .kind = DECISION, .body = {[RATIONAL_TYPE] = is_nine_q}, .data = only_three},
     {TEXTS("three_is_four", "two", 40), .kind = COUNTEREXAMPLE, .body = {[RATIONAL_TYPE] = is_four_q}, .data = three},
+    {TEXTS("variable_is_itself", "two", 45), .kind = DECISION, .body = {[FIELD_TYPE] = variable_f_is_itself}},
     {TEXTS("one_is_two", "two", 50), .body = {[RATIONAL_TYPE] = is_not_q}},
     {TEXTS("nobody_knows", "two", 60), .body = {[FIELD_TYPE] = is_unable_f}},
     {.name = NULL}};
 /* The first claims, which are as expected. */
-enum { GOOD = 6 };
+enum { GOOD = 7 };
 
 #define STATEMENT(of, in_source, at, its_class, correction, about, drawn)                                              \
     .id = in_source ":" of, .title = "Title of " of, .title_zh = "命题", .printed = "x = " of, .class = its_class,     \
@@ -120,8 +132,10 @@ static const statement good_statements[] = {
      .links = LINKS({REFUTED_BY, "three_is_four", NULL, ""}, {CORRECTED_BY, "three_squared", NULL, ""},
                     {ARGUED, NULL, "every n", "because"})},
     {STATEMENT("3", "book", 3, "", "", "", ""),
-     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, ""}, {HYPOTHESIS, "three_is_four", NULL, "$x > 0$"},
-                    {NEEDS, "three_is_four", "page 7", "$y > 0$"})},
+     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, ""}, {HYPOTHESIS, "square_is_product", NULL, "$x = 0$"},
+                    {HYPOTHESIS, "three_is_four", NULL, "$x > 0$"}, {NEEDS, "three_is_four", "page 7", "$y > 0$"})},
+    {STATEMENT("longer-than-others", "book", 9, "", "", "", ""), .is_definition = 1,
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL})},
     {STATEMENT("4", "paper", 4, "", "", "", ""), .is_definition = 1,
      .links = LINKS({CHECKED_BY, "three_squared", NULL, ""}, {CITES, NULL, "[book], 5", "a theorem"})},
     {STATEMENT("5", "paper", 5, "", "", "", ""), .is_definition = 1, .links = LINKS({HOLDS_BY, NULL, NULL, NULL})},
@@ -138,6 +152,12 @@ static const statement bad_statements[] = {
     {STATEMENT("2", "book", 2, "", "", "", ""), .links = LINKS({HOLDS_BY, "one_is_two", NULL, ""})},
     {STATEMENT("3", "book", 3, "", "", "", ""), .links = LINKS({HOLDS_BY, "nobody_knows", NULL, ""})},
     {.id = NULL}};
+/* All claims do what they should, and a statement does not follow from them. */
+static const statement lost_statements[] = {
+    {STATEMENT("1", "book", 1, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, ""})},
+    {STATEMENT("2", "book", 2, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, ""}, {HOLDS_BY, "missing", NULL, ""})},
+    {.id = NULL}};
 static const source sources[] = {{"book", "Ann Author, Bob Author", "A book", "书", "1999", "Press", "chapter 1", "n"},
                                  {"paper", "unknown", "A paper", "", "unknown", "", "pages 1 to 9", "n"},
                                  {.key = NULL}};
@@ -145,7 +165,8 @@ static const chapter chapters[] = {{"first", "The first"}, {.name = NULL}};
 static const figure figures[] = {{.name = NULL}};
 static claim good_claims[GOOD + 1];
 static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL},
-                           bad = {claims, bad_statements, chapters, figures, sources, NULL};
+                           bad = {claims, bad_statements, chapters, figures, sources, NULL},
+                           lost = {good_claims, lost_statements, chapters, figures, sources, NULL};
 
 /* main.c has the list of the commands; here there is no other. */
 const struct command *const commands[] = {&command_verify, NULL};
@@ -253,8 +274,8 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_verify, {"square_is_product"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_verify, {"one_is_two"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
         {&command_verify, {"nobody_knows"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
-        {&command_verify, {"--shard", "1/8"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
-        {&command_verify, {"--shard", "7/8"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"--shard", "1/9"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_verify, {"--shard", "8/9"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_verify, {"--shard", "8/7"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "0/7"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "7"}, EXIT_USAGE, EXIT_USAGE},
@@ -274,6 +295,9 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_show, {"book:2", "book:1"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_show, {"one_is_two"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
         {&command_show, {"paper:5"}, EXIT_AS_EXPECTED, EXIT_USAGE},
+        {&command_show, {"first.square_is_product"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_show, {"--json", "book:1", "book:2"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_show, {"--json"}, EXIT_USAGE, EXIT_USAGE},
     };
     for (size_t k = 0; k < sizeof list / sizeof *list; k++)
         for (int is_bad = 0; is_bad < 2; is_bad++) {
@@ -287,6 +311,67 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         }
 }
 
+/* A statement that does not follow counts as much as a claim. */
+static void statements_are_counted(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/test_command_XXXXXX", command[64], path[64], *out;
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(CALL(verify, &lost, &out, "-j1"), EXIT_AS_EXPECTED);
+    free(out);
+    assert_int_equal(CALL(verify, &lost, &out, "-j1", "--report", folder), EXIT_NOT_AS_EXPECTED);
+    free(out);
+    assert_int_equal(CALL(verify, &good, &out, "-j1", "--report", folder), EXIT_AS_EXPECTED);
+    free(out);
+    assert_int_equal(CALL(ledger, &lost, &out, "-j1"), EXIT_NOT_AS_EXPECTED);
+    free(out);
+    assert_int_equal(CALL(show, &lost, &out, "book:2"), EXIT_NOT_AS_EXPECTED);
+    free(out);
+    assert_int_equal(CALL(show, &lost, &out, "book:1"), EXIT_AS_EXPECTED);
+    free(out);
+    /* A certificate that cannot be written. */
+    snprintf(command, sizeof command, "mkdir -p '%s/claims/three_squared.json'", folder);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder), EXIT_INTERNAL);
+    free(out);
+    snprintf(path, sizeof path, "%s/manifest.json", folder);
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    assert_int_equal(system(command), 0);
+}
+
+/* Results that no run made. */
+static void reports_of_given_results(void **state)
+{
+    (void)state;
+    claim_result r[2] = {{.claim = &claims[0], .as_expected = 1}, {.claim = &claims[1], .as_expected = 1}};
+    assert_null(speaking_type(&r[0]));
+    r[0].by[INTERVAL_TYPE].outcome = FAILS; /* and did not run */
+    assert_null(speaking_type(&r[0]));
+    r[0].by[DOUBLE_TYPE].ran = 1;
+    assert_ptr_equal(speaking_type(&r[0]), &r[0].by[DOUBLE_TYPE]);
+    r[0].by[RATIONAL_TYPE] = (type_result){.ran = 1, .outcome = UNDECIDED};
+    assert_ptr_equal(speaking_type(&r[0]), &r[0].by[RATIONAL_TYPE]);
+    r[0].by[DOUBLE_TYPE].outcome = FAILS;
+    assert_ptr_equal(speaking_type(&r[0]), &r[0].by[DOUBLE_TYPE]);
+    r[0].by[FIELD_TYPE] = (type_result){.ran = 1, .outcome = FAILS};
+    assert_ptr_equal(speaking_type(&r[0]), &r[0].by[FIELD_TYPE]);
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        r[0].by[t] = (type_result){.ran = 1, .seconds = 1 << t, .worst = 100};
+        r[1].by[t] = (type_result){.ran = 1, .seconds = 0.5};
+    }
+    char path[] = "/tmp/test_command_XXXXXX";
+    int file = mkstemp(path);
+    assert_true(file >= 0);
+    close(file);
+    assert_int_equal(write_junit(path, r, 2), 0);
+    char *text = text_of(path);
+    assert_non_null(strstr(text, "tests=\"2\" failures=\"0\" errors=\"0\" time=\"17.000\""));
+    assert_non_null(strstr(text, "name=\"square_is_product\" time=\"15.000\"/>"));
+    assert_non_null(strstr(text, "name=\"sum_is_double\" time=\"2.000\"/>"));
+    free(text);
+    remove(path);
+}
+
 static void verify_says(void **state)
 {
     (void)state;
@@ -294,7 +379,7 @@ static void verify_says(void **state)
     SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-bad.txt", "-j2");
     SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-bad.tap", "--tap");
     SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-bad.json", "--json");
-    SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-shard.txt", "--shard", "3/4");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &bad, "verify-shard.txt", "--shard", "4/4");
     SAYS(EXIT_AS_EXPECTED, verify, &good, "verify-deep.txt", "--deep", "sum_is_double*");
 }
 
@@ -329,17 +414,17 @@ static void pages_say(void **state)
         const char *id, *says[6];
     } list[] = {
         {"book:1",
-         {"It holds as printed: decided for the stated instance", "An identity and a decision decide it together."}},
+         {"It holds as printed: argued for the stated instance",
+          "An identity, a decision and an argument in words decide it together."}},
         {"book:2",
-         {"It fails as printed: a misprint (decided).",
-          "It holds: decided for the stated instance; argued for every n.",
-          "A decision and an argument in words decide it together.", "because"}},
+         {"It fails as printed: a misprint (decided).", "It holds: argued for the stated instance; argued for every n.",
+          "A decision and two arguments in words decide it together.", "because"}},
         {"book:3",
          {"It holds under more hypotheses: sampled for 24 random instances.", "An identity decides it.", "x > 0",
           "y > 0", "page 7"}},
         {"paper:4",
-         {"A definition: argued for the stated instance.", "A decision and a cited theorem decide it together.",
-          "a theorem"}},
+         {"A definition: argued for the stated instance.",
+          "A decision, an argument in words and a cited theorem decide it together.", "a theorem"}},
         {"paper:5", {"A definition."}},
         {"paper:6", {"It can be read in several ways.", "one way", "another way"}},
         {"paper:7", {"It holds as printed: sampled for 24 random instances.", "the other"}},
@@ -378,6 +463,8 @@ static void files_say(void **state)
                                            {"claims/sum_is_double_in_degrees.json", "certificate-none.json"},
                                            {"claims/powers_commute.json", "certificate-two-cases.json"},
                                            {"claims/sum_is_double.json", "certificate-rational.json"},
+                                           {"claims/three_squared.json", "certificate-argued.json"},
+                                           {"claims/variable_is_itself.json", "certificate-decision-in-field.json"},
                                            {"claims/three_is_four.json", "certificate-counterexample.json"},
                                            {"book/1.json", "certificate-holds.json"},
                                            {"book/2.json", "certificate-fails.json"},
@@ -424,11 +511,16 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         unit(exit_status_is_that_of_the_verdicts),
+        unit(statements_are_counted),
+        unit(reports_of_given_results),
         unit(verify_says),
         unit(ledger_says),
         unit(pages_say),
         unit(files_say),
     };
+    for (claim *c = claims; c->name != NULL; c++)
+        if (strcmp(c->name, "three_squared") == 0)
+            c->argued = "words";
     memcpy(good_claims, claims, GOOD * sizeof *claims);
     setenv("ARGP_HELP_FMT", "", 1);
     return run_unit_tests(tests);

@@ -72,6 +72,8 @@ static void intervals_refute_and_confirm_no_equality(void **state)
     same_i(&T, between(0, 4), from_int_i(5));
     assert_int_equal(T.outcome, FAILS);
     assert_int_equal(T.exhibits, 2);
+    assert_string_equal(shown(&T, "left"), "[0, 4]");
+    assert_string_equal(shown(&T, "right"), "[5, 5]");
     done(&T);
     vanishes_i(&T, between(1, 2));
     assert_int_equal(T.outcome, FAILS);
@@ -90,7 +92,8 @@ static void signs_in_every_type(void **state)
         nonnegative_i(&T, between(intervals[k].low, intervals[k].high));
         assert_int_equal(T.outcome, intervals[k].outcome);
         assert_int_equal(T.exhibits, intervals[k].outcome == FAILS);
-        assert_true((shown(&T, "negative") != NULL) == (intervals[k].outcome == FAILS));
+        if (intervals[k].outcome == FAILS)
+            assert_string_equal(shown(&T, "negative"), "[-2, -1]");
         assert_int_equal(T.compared, 1);
         done(&T);
     }
@@ -106,6 +109,8 @@ static void signs_in_every_type(void **state)
         nonnegative_m(&T, (num_m){-(1 + sign) * unit_roundoff, 1.5, 0});
         assert_int_equal(T.outcome, sign > 0 ? FAILS : HOLDS);
         assert_int_equal(T.exhibits, sign > 0);
+        if (sign > 0)
+            assert_string_equal(shown(&T, "negative"), "-2.2204460492503131e-16");
         done(&T);
     }
     field_open(4);
@@ -170,6 +175,8 @@ static void zero_in_every_type(void **state)
         vanishes_m(&T, from_int_m(value));
         assert_int_equal(T.outcome, value == 0 ? HOLDS : FAILS);
         assert_int_equal(T.compared, 1);
+        if (value != 0)
+            assert_string_equal(shown(&T, "left"), "1");
         done(&T);
         vanishes_i(&T, from_int_i(value));
         assert_int_equal(T.outcome, value == 0 ? UNDECIDED : FAILS);
@@ -224,6 +231,45 @@ static void the_generator_is_splitmix64(void **state)
     assert_int_equal(pick(&T, -5, 999994), (int)(0x06c45d188009454fu % 1000000) - 5);
 }
 
+/* Numbers in [-1, 1], weights in [1/8, 4], parameters inside (0, 1), of twenty binary digits. */
+static void where_data_lie(void **state)
+{
+    (void)state;
+    enum { ONE = 1 << 20 };
+    trial T = {.state = 7}, U = T;
+    for (int k = 0; k < 10; k++) {
+        assert_true(cagd_equal_q(unknown_q(&T, "x", 0), from_ratio_q(pick(&U, -ONE, ONE), ONE)));
+        assert_true(cagd_equal_q(positive_q(&T, "w", 0), from_ratio_q(pick(&U, ONE / 8, 4 * ONE), ONE)));
+        assert_true(cagd_equal_q(parameter_q(&T, "t"), from_ratio_q(pick(&U, 1, ONE - 1), ONE)));
+        assert_true(cagd_equal_q(whole_q(&T, "n", 3, 99), from_int_q(pick(&U, 3, 99))));
+        assert_true(cagd_equal_q(inside_q(&T, "s"), from_ratio_q(pick(&U, 1, ONE - 1), ONE)));
+    }
+}
+
+/* A formula of 401 letters is cut, one of 400 is not. */
+static void a_long_formula_is_cut(void **state)
+{
+    (void)state;
+    field_open(2);
+    trial T = tried();
+    for (int digits = 399; digits <= 401; digits++) {
+        char number[402];
+        memset(number, '1', (size_t)digits);
+        number[digits] = '\0';
+        num_f a = from_rational_f(from_string_q(number));
+        show_f(&T, "number", a);
+        if (digits <= 400) {
+            assert_string_equal(shown(&T, "number"), number);
+        } else {
+            number[400] = '\0';
+            assert_int_equal(strncmp(shown(&T, "number"), number, 400), 0);
+            assert_string_equal(shown(&T, "number") + 400, " ...");
+        }
+        done(&T);
+    }
+    field_close();
+}
+
 static void what_lies_inside(void **state)
 {
     (void)state;
@@ -244,6 +290,11 @@ static const datum given[] = {
     {ONE_VALUE("large", "99999999999")},
     {ONE_VALUE("small", "-99999999999")},
     {ONE_VALUE("variable", "w1")},
+    {ONE_VALUE("letter", "A")},
+    {ONE_VALUE("below", "-0.1")},
+    {ONE_VALUE("most", "2147483647")},
+    {ONE_VALUE("least", "-2147483648")},
+    {.name = "signs", .text = "\"%%\"", .rows = 1, .columns = 0, .value = VALUES("%%")},
     {ONE_VALUE("tenth", "0.1")},
     {.name = "text", .text = "\"y\"", .rows = 1, .columns = 0, .value = VALUES("y")},
     {.name = "points", .rows = 2, .columns = 3, .value = VALUES("1", "2", "3", "4", "5", "6")},
@@ -287,6 +338,11 @@ static void what_is_given(void **state)
     made_a_mistake(&T, "'nothing': the block has no such datum");
     given_whole(&T, "points");
     made_a_mistake(&T, "'points': the datum has another shape");
+    assert_int_equal(given_whole(&T, "most"), 2147483647);
+    assert_int_equal(given_whole(&T, "least"), -2147483647 - 1);
+    made_a_mistake(&T, NULL);
+    assert_string_equal(given_text(&T, "signs"), "%%");
+    assert_string_equal(shown(&T, "signs"), "%%");
     assert_string_equal(given_text(&T, "text"), "y");
     assert_string_equal(shown(&T, "text"), "y");
     made_a_mistake(&T, NULL);
@@ -294,6 +350,7 @@ static void what_is_given(void **state)
     made_a_mistake(&T, "'three': the datum has another shape");
     given_points_q(&T, "points", 2, 3, P);
     assert_true(cagd_equal_q(P[5], from_int_q(6)));
+    assert_string_equal(shown(&T, "points"), "(1, 2, 3) (4, 5, 6)");
     made_a_mistake(&T, NULL);
     given_points_q(&T, "points", 1, 3, P);
     made_a_mistake(&T, "'points': the datum has another shape");
@@ -302,12 +359,15 @@ static void what_is_given(void **state)
     field_open(2);
     assert_true(equal_f(given_f(&T, "variable"), variable_f("w1")));
     assert_true(equal_f(given_f(&T, "half"), from_ratio_f(1, 2)));
+    assert_true(equal_f(given_f(&T, "letter"), variable_f("A")));
     made_a_mistake(&T, NULL);
     field_close();
     /* The nearest binary64 of 1/10, an error of half a unit of its last place at most, once rounded. */
     num_m tenth = given_m(&T, "tenth"), half = given_m(&T, "half");
     assert_true(tenth.v == 0.1 && tenth.e == 0.1 && tenth.k == 1);
+    num_m below = given_m(&T, "below");
     assert_true(half.v == 0.5 && half.e == 0);
+    assert_true(below.v == -0.1 && below.e == 0.1);
     made_a_mistake(&T, NULL);
 }
 
@@ -445,7 +505,7 @@ static char instance[] = "the stated instance", nothing[] = "";
 static const claim proved = {.name = "proved", .scope = ""},
                    against = {.name = "against", .scope = "", .kind = COUNTEREXAMPLE},
                    another = {.name = "another", .scope = "", .kind = COUNTEREXAMPLE},
-                   broken = {.name = "broken", .scope = ""},
+                   broken = {.name = "broken", .scope = ""}, finite = {.name = "finite", .scope = ""},
                    induction = {.name = "induction", .scope = "", .argued_for = "every n", .argued = "words"};
 #define IN_FIELD                                                                                                       \
     {                                                                                                                  \
@@ -461,7 +521,13 @@ static const claim_result results[] = {
      .outcome = HOLDS,
      .evidence = PROVED,
      .computed = PROVED,
-     .by = {[FIELD_TYPE] = {.ran = 1, .degree_low = 1, .degree_high = 4, .variables = nothing, .positive = nothing}}}};
+     .by = {[FIELD_TYPE] = {.ran = 1, .degree_low = 1, .degree_high = 4, .variables = nothing, .positive = nothing}}},
+    {.claim = &finite,
+     .as_expected = 1,
+     .outcome = HOLDS,
+     .evidence = PROVED,
+     .computed = PROVED,
+     .by = {[FIELD_TYPE] = {.ran = 1, .degree_low = 2, .degree_high = 9, .variables = nothing, .positive = nothing}}}};
 static statement_result derived(const statement_link links[])
 {
     const statement s = {.id = "source:1", .links = links};
@@ -509,9 +575,54 @@ static void cases_that_words_add(void **state)
     assert_string_equal(r.as_printed.argued_for, "every n; n < 0");
     assert_int_equal(r.as_printed.evidence, PROVED);
     free_statement_result(&r);
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, ""}, {ARGUED, NULL, "n > 7", ""}, {ARGUED, NULL, "n < 0", ""},
+                      {ARGUED, NULL, "n > 7", ""}));
+    assert_string_equal(r.as_printed.argued_for, "n > 7; n < 0");
+    free_statement_result(&r);
+    /* One that stays behind is enough, wherever it stands. */
+    for (int turned = 0; turned < 2; turned++) {
+        r = derived(turned ? LINKS({HOLDS_BY, "finite", NULL, ""}, {HOLDS_BY, "induction", NULL, ""})
+                           : LINKS({HOLDS_BY, "induction", NULL, ""}, {HOLDS_BY, "finite", NULL, ""}));
+        assert_string_equal(r.as_printed.argued_for, "");
+        assert_string_equal(r.as_printed.scope, "n = 2 to 4");
+        free_statement_result(&r);
+    }
+    static char long_text[4001];
+    memset(long_text, 'n', 4000);
+    r = derived(LINKS({HOLDS_BY, "induction", NULL, ""}, {ARGUED, NULL, long_text, ""}));
+    assert_int_equal(strlen(r.as_printed.argued_for), strlen("every n; ") + 4000);
+    free_statement_result(&r);
     r = derived(LINKS({HOLDS_BY, "induction", NULL, ""}, {HOLDS_BY, "proved", NULL, ""}));
     assert_string_equal(r.as_printed.argued_for, "every n");
     free_statement_result(&r);
+}
+
+/* Phrases of one length are two; a letter means itself and its first, not its seventh; orders have the letter k, other numbers
+ * their own. */
+static void scopes_in_words(void **state)
+{
+    (void)state;
+    static char names[] = "beta7 beta0";
+    static const claim phrases = {.name = "phrases", .scope = "odd knots; two knots", .over = "beta"},
+                       endless = {.name = "endless", .scope = "", .letter = "m", .all_degrees = 1};
+    static const claim_result scoped[] = {
+        {.claim = &phrases,
+         .as_expected = 1,
+         .evidence = PROVED,
+         .computed = PROVED,
+         .by = {[FIELD_TYPE] = {.ran = 1, .variables = names, .positive = nothing}}},
+        {.claim = &endless, .as_expected = 1, .evidence = PROVED, .computed = PROVED, .by = IN_FIELD}};
+    static const char *const expected[][2] = {{"odd knots; two knots; every β, all other data", "every m"},
+                                              {"odd knots; two knots; every β, all other data", "every m"}};
+    for (int letter = 0; letter < 2; letter++)
+        for (int k = 0; k < 2; k++) {
+            const statement s = {.id = "source:1",
+                                 .letter = letter ? "k" : "n",
+                                 .links = LINKS({HOLDS_BY, scoped[k].claim->name, NULL, ""})};
+            statement_result r = derive(&s, scoped, 2);
+            assert_string_equal(r.as_printed.scope, expected[letter][k]);
+            free_statement_result(&r);
+        }
 }
 
 int main(void)
@@ -524,6 +635,8 @@ int main(void)
         unit(zero_in_every_type),
         unit(comparisons_are_noted),
         unit(the_generator_is_splitmix64),
+        unit(where_data_lie),
+        unit(a_long_formula_is_cut),
         unit(what_lies_inside),
         unit(what_is_given),
         unit(what_is_found),
@@ -532,6 +645,7 @@ int main(void)
         unit(the_highest_degree_is_told),
         unit(verdicts_from_links),
         unit(cases_that_words_add),
+        unit(scopes_in_words),
     };
     return run_unit_tests(tests);
 }
