@@ -17,22 +17,26 @@ static json_t *of_claim(const claim_result *r, const struct recorded *recorded)
                                                    r->by[t].degree_low, "degree_high", r->by[t].degree_high));
     for (int k = 0; k < recorded->count; k++) {
         const struct recorded_case *x = &recorded->cases[k];
-        json_array_append_new(cases, json_pack("{s:s, s:i, s:i, s:i, s:i, s:i}", "type", number_type_name[x->type],
+        json_array_append_new(cases, json_pack("{s:s, s:i, s:i, s:i, s:i, s:i, s:i}", "type", number_type_name[x->type],
                                                "degree", x->degree, "inputs", x->inputs, "nodes", x->nodes, "compared",
-                                               x->compared, "of_the_same", x->of_the_same));
+                                               x->compared, "of_the_same", x->of_the_same, "facts", x->facts));
     }
-    return json_pack("{s:s, s:s, s:o, s:o}", "claim", r->claim->name, "kind", kind_name[r->claim->kind], "types", types,
-                     "certificate", cases);
+    return json_pack("{s:s, s:s, s:o, s:o, s:s}", "claim", r->claim->name, "kind", kind_name[r->claim->kind], "types",
+                     types, "certificate", cases, "sha256", recorded->digest);
 }
 
-static json_t *of_statement(const statement *s)
+static json_t *of_statement(const statement_result *r)
 {
+    const statement *s = r->statement;
     json_t *links = json_array();
     for (const statement_link *link = s->links; link->claim != NULL || link->text != NULL; link++)
         json_array_append_new(links, json_pack("{s:s, s:s*, s:s*, s:s*}", "role", role_key[link->role], "claim",
                                                link->claim, "place", link->place, "text", link->text));
-    return json_pack("{s:s, s:b, s:s, s:s*, s:o}", "statement", s->id, "definition", s->is_definition, "printed",
-                     s->printed, "corrected", s->corrected, "links", links);
+    char digest[DIGEST], *text = certificate_of_statement(r);
+    digest_of_text(text, digest);
+    free(text);
+    return json_pack("{s:s, s:b, s:s, s:s*, s:o, s:s}", "statement", s->id, "definition", s->is_definition, "printed",
+                     s->printed, "corrected", s->corrected, "links", links, "sha256", digest);
 }
 
 int write_manifest(const cagd_register *r, const char *folder, const claim_result *results, int count,
@@ -44,7 +48,7 @@ int write_manifest(const cagd_register *r, const char *folder, const claim_resul
     for (const statement *s = r->statements; s->id != NULL; s++) {
         statement_result derived = derive(s, results, count);
         if (derived.verdict != VERDICT_OPEN)
-            json_array_append_new(statements, of_statement(s));
+            json_array_append_new(statements, of_statement(&derived));
         free_statement_result(&derived);
     }
     json_t *manifest =

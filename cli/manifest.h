@@ -5,9 +5,11 @@
 
 #include "chapters/judge/certificate.h"
 #include "chapters/judge/register.h"
+#include "cli/digest.h"
 
-/* The cases in the certificate of one claim. */
+/* The cases in the certificate of one claim, and the digest of the file. */
 struct recorded {
+    char digest[DIGEST];
     int count;
     struct recorded_case cases[MOST_RECORDED];
 };

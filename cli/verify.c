@@ -155,6 +155,7 @@ static void write_certificate(void *context, int k)
         return;
     char path[4096], *text = certificate_of_claim(&c->results[k], &c->recorded[k].count, c->recorded[k].cases);
     snprintf(path, sizeof path, "%s/claims/%s.json", c->folder, c->results[k].claim->name);
+    digest_of_text(text, c->recorded[k].digest);
     if (write_text_file(path, text) != 0)
         c->bad = 1;
     free(text);

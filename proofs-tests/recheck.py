@@ -11,8 +11,8 @@ Python's standard library, and nothing of the project that wrote them.  For each
     cannot recheck this kind  some claim noted nothing, or nothing that can be computed again here
 
 The manifest, DIR/manifest.json if no other is named, says what is certified: the printed text of every statement with its claims and
-their roles, and of every claim the number types, cases, inputs and comparisons that its certificate must have.  A certificate that it
-does not list, or that has less, is wrong; so is one that is missing.  Whoever does not trust the folder names a manifest of their own run.
+their roles, of every claim the number types, cases, inputs, comparisons and facts that its certificate must have, and the SHA-256 of every
+certificate.  One that it does not list, or that is another, is wrong; so is one that is missing.  Whoever does not trust the folder names a manifest of their own run.
 
 A certificate holds straight-line programs: nodes, each made of earlier ones by one operation, from inputs; and steps, which
 are comparisons of nodes and decisions about them.  All steps are computed again at the recorded inputs, in fractions.
@@ -567,7 +567,7 @@ def check_listed_claim(c, listed):
     require(listed is not None, "a claim that the manifest does not list")
     require(c["kind"] == listed["kind"], "a claim of another kind")
     found = [{"type": case["type"], "degree": case["degree"], "inputs": len(case["inputs"]), "nodes": len(case["nodes"]),
-              "compared": sum("fact" not in s for s in case["steps"]),
+              "compared": sum("fact" not in s for s in case["steps"]), "facts": sum("fact" in s for s in case["steps"]),
               "of_the_same": sum(case["nodes"][i] == case["nodes"][j] for i, j in (s["same"] for s in case["steps"] if "same" in s))}
              for case in c["cases"]]
     require(found == listed["certificate"], "other cases than the manifest says")
@@ -630,9 +630,11 @@ def attempt(check, *arguments):
         return e
     except (KeyError, IndexError, TypeError, ValueError, ZeroDivisionError, AttributeError) as e:
         return Wrong(f"malformed: {type(e).__name__} {e}")
-def load(path):
+def load(path, listed=None):
     try:
-        return recheck_format.read(path.read_text())
+        content = path.read_bytes()
+        require(listed is None or hashlib.sha256(content).hexdigest() == listed["sha256"], "another file than the manifest says")
+        return recheck_format.read(content.decode())
     except (OSError, ValueError) as e:
         raise Wrong(f"{path.name} cannot be read: {e}") from e
 
@@ -657,7 +659,7 @@ def main():
     def claim_of(name):
         if name not in known:
             try:
-                text = load(root / "claims" / f"{name}.json")
+                text = load(root / "claims" / f"{name}.json", claims.get(name))
                 require(isinstance(text, dict) and text.get("claim") == name, f"{name}.json is about another claim")
                 known[name] = text, attempt(check_claim, text, claims.get(name))
                 text.pop("cases", None) # the statements ask for what is decided alone
@@ -670,7 +672,7 @@ def main():
     written = {f"{path.parent.name}:{path.stem}": path for path in root.glob("*/*.json") if path.parent.name != "claims"}
     for name in sorted(statements.keys() | written.keys()):
         path = written.get(name, root / (name.replace(":", "/", 1) + ".json"))
-        tell(name, attempt(lambda: check_statement(load(path), name, statements.get(name), claim_of)))
+        tell(name, attempt(lambda: check_statement(load(path, statements.get(name)), name, statements.get(name), claim_of)))
     of_statements = list(outcomes)
     for name in sorted(claims.keys() | {path.stem for path in (root / "claims").glob("*.json")}):
         if isinstance(e := claim_of(name)[1], Wrong):

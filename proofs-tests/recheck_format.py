@@ -1,6 +1,6 @@
 """What a certificate looks like.  recheck.py calls a certificate wrong that looks otherwise, so that a field with an unknown word, a
 list of another length or an entry that stands twice is never taken for something that merely cannot be rechecked."""
-import json
+import json, re
 
 WORDS = {"meant", "argued", "cites"} # roles without a claim
 ROLES = {"holds-by", "confirmed-by", "refuted-by", "corrected-by", "hypothesis", "needs", "reading", "checked-by"} | WORDS
@@ -33,6 +33,9 @@ truth = lambda x: type(x) is bool
 bit = lambda x: type(x) is int and x in (0, 1)
 sign = lambda x: type(x) is int and x in (-1, 0, 1)
 text = lambda x: type(x) is str
+number = lambda x: text(x) and re.fullmatch(r"-?[0-9]+(/[0-9]+)?", x)
+inputs = lambda x: several(several(text, 2))(x) and all(number(value) for _, value in x)
+program = lambda a: type(a) is list and all(whole(x) or text(x) for x in a) and (a[:1] not in (["c"], ["o"]) or all(map(number, a[1:])))
 end = lambda x: type(x) is int and x >= -1
 def several(of, *lengths):
     return lambda x: type(x) is list and all(map(of, x)) and (not lengths or len(x) in lengths)
@@ -62,8 +65,7 @@ FACTS = {
 }
 STEPS = [{"same": several(node, 2), "equal": truth}, {"agree": truth}, {"nonnegative": node, "good": truth},
          {"nonnegative": node, "good": truth, "text": text, "sign": sign}]
-CASE = {"type": one_of({"field", "rational"}), "degree": count, "inputs": lambda x: several(several(text, 2))(x), "nodes": several(several(
-    lambda a: whole(a) or text(a))), "steps": several(lambda x: type(x) is dict)}
+CASE = {"type": one_of({"field", "rational"}), "degree": count, "inputs": inputs, "nodes": several(program), "steps": several(lambda x: type(x) is dict)}
 CLAIM = {"schema": one_of({"cagd-certificate-1"}), "claim": text, "kind": one_of(KINDS), "outcome": one_of({"holds", "fails", "undecided"}),
          "evidence": one_of(EVIDENCE - {"argued"}), "argued": truth, "cases": several(lambda x: type(x) is dict)}
 STATEMENT = {"schema": one_of({"cagd-certificate-1"}), "statement": text, "definition": truth, "verdict": one_of(VERDICTS),
@@ -99,6 +101,7 @@ def check_claim(c):
         has(case, CASE, "a case")
         ask(case["steps"], "a case that compares nothing")
         ask(c["evidence"] != "proved" or case["type"] == "field", "what is proved is proved in the field")
+        ask(case["type"] != "field" or len(dict(case["inputs"])) == len(case["inputs"]), "two variables of one name")
         for step in case["steps"]:
             check_step(step)
 

@@ -44,6 +44,14 @@ static int comparisons_of_the_same(const char *nodes, const char *steps)
     return count;
 }
 
+static int facts_in(const char *steps)
+{
+    int count = 0;
+    for (const char *s = steps; (s = strstr(s, "{\"fact\":")) != NULL; s++)
+        count++;
+    return count;
+}
+
 /* Case k, recorded behind `before`, unless its program is too long. */
 static int record(FILE *out, const char *before, const claim *c, number_type type, int k, size_t most,
                   struct recorded_case *recorded)
@@ -62,6 +70,7 @@ static int record(FILE *out, const char *before, const claim *c, number_type typ
             .nodes = lists_in(nodes, NULL),
             .compared = T.compared,
             .of_the_same = comparisons_of_the_same(nodes, cagd_trace_steps()),
+            .facts = facts_in(cagd_trace_steps()),
         };
         fprintf(out, "%s{\"type\":\"%s\",\"degree\":%d,\n\"inputs\":%s,\"nodes\":%s,\"steps\":%s}", before,
                 number_type_name[type], T.degree, cagd_trace_inputs(), cagd_trace_nodes(), cagd_trace_steps());

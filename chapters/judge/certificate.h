@@ -5,11 +5,12 @@
 
 #include "chapters/judge/run.h"
 
-/* A case that a certificate has: how many inputs and nodes its program has, how many comparisons it made, and how many of
- * these were of a node with itself or with one of the same text, which are true whatever the program computes. */
+/* A case that a certificate has: how many inputs and nodes its program has, how many comparisons it made, how many of
+ * these were of a node with itself or with one of the same text, which are true whatever the program computes, and how many facts
+ * it noted. */
 struct recorded_case {
     number_type type;
-    int degree, inputs, nodes, compared, of_the_same;
+    int degree, inputs, nodes, compared, of_the_same, facts;
 };
 enum { MOST_RECORDED = 2 };
 

@@ -61,18 +61,20 @@ const char *text_f(num_f a)
 /* count rows of dim numbers, as (0, 0) (1/2, 1), or as 1, 2, 3 where dim is 1. */
 void show_written(trial *T, const char *name, int count, int dim, const char *const number[])
 {
-    size_t room = 1;
-    for (int k = 0; k < count * dim; k++)
-        room += strlen(number[k]) + 4;
-    char *text = region_bytes(room + 4), *at = text;
-    *at = '\0';
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        abort();
     for (int k = 0; k < count * dim; k++)
         if (dim == 1)
-            at += sprintf(at, "%s%s", k > 0 ? ", " : "", number[k]);
+            fprintf(out, "%s%s", k > 0 ? ", " : "", number[k]);
         else
-            at += sprintf(at, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", number[k],
-                          k % dim == dim - 1 ? ")" : "");
+            fprintf(out, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", number[k],
+                    k % dim == dim - 1 ? ")" : "");
+    fclose(out);
     show_text(T, name, "%s", text);
+    free(text);
 }
 
 #define SHOWN(S)                                                                                                       \

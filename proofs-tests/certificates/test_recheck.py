@@ -4,8 +4,11 @@
 
 WHOLE_RUN is the folder that whole_run.py wrote: a run over everything.
 """
+import copy
+import hashlib
 import json
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -70,7 +73,7 @@ def cases(document):
     """What a manifest says of the cases of a certificate that is what it seems; None when it is too strange for that."""
     try:
         return [{"type": c["type"], "degree": c["degree"], "inputs": len(c["inputs"]), "nodes": len(c["nodes"]),
-                 "compared": sum("fact" not in s for s in c["steps"]),
+                 "compared": sum("fact" not in s for s in c["steps"]), "facts": sum("fact" in s for s in c["steps"]),
                  "of_the_same": sum(c["nodes"][s["same"][0]] == c["nodes"][s["same"][1]] for s in c["steps"] if "same" in s)}
                 for c in document["cases"]]
     except (KeyError, IndexError, TypeError):
@@ -81,9 +84,10 @@ class Tampered(unittest.TestCase):
     """One statement with a claim that is proved, one with signs of coefficients, one with root counts, one that fails.
     The certificates are those of the run over everything, in which nothing is wrong."""
 
-    def refuses(self, name, change, fitting=True):
+    def refuses(self, name, change, fitting=True, hashed=True):
         """After the change recheck.py says `wrong`.  A claim is rechecked by itself, a statement with its claims.  The manifest is made
-        to fit the changed certificate, so that what is refused is the certificate; unless `fitting` is false."""
+        to fit the changed certificate, so that what is refused is the certificate; unless `fitting` is false, and then it has its
+        hash alone; nor that where `hashed` is false."""
         original = certificate(name)
         document = json.loads(original)
         texts = {claim(link["claim"]): certificate(claim(link["claim"])) for link in document.get("links", []) if "claim" in link}
@@ -97,6 +101,9 @@ class Tampered(unittest.TestCase):
                 entry["kind"] = document["kind"]
         for entry in listed["statements"] if fitting and "links" in document else []:
             entry["links"] = document["links"]
+        for entry in [*listed["claims"], *listed["statements"]] if hashed else []:
+            if name in (claim(entry.get("claim")), entry.get("statement", "").replace(":", "/", 1) + ".json"):
+                entry["sha256"] = hashlib.sha256(texts[name].encode()).hexdigest()
         self.is_wrong(texts, listed)
 
     def is_wrong(self, texts, listed):
@@ -246,6 +253,41 @@ class Tampered(unittest.TestCase):
         self.refuses(self.STATEMENT, lambda d: d["links"].pop() and None, fitting=False)
         self.refuses(self.STATEMENT, lambda d: d["links"].append({"role": "needs", "claim": self.PROVED}), fitting=False)
         self.refuses(self.STATEMENT, lambda d: d.update(definition=not d["definition"]), fitting=False)
+
+    def test_numbers_names_and_facts(self):
+        for text in (" 1/2", "1/2 ", "+1/2", "1_0", "0.5", "1e3", "1/", "/2", "", "½", "1/-2", "0x1"):
+            self.tamper(self.ROOTS, lambda c: c["inputs"].append(["another", text]))
+            self.tamper(self.ROOTS, lambda c: self.node(c, "c").__setitem__(1, text))
+        self.tamper(self.PROVED, lambda c: c["inputs"][1].__setitem__(0, c["inputs"][0][0]))
+        for name in (self.ROOTS, self.HULL, self.COST, self.MINORS):
+            steps = lambda d: d["cases"][0]["steps"]
+            self.refuses(claim(name), lambda d: steps(d).remove(self.last(steps(d), "fact")), fitting=False)
+            self.refuses(claim(name), lambda d: steps(d).append(self.last(steps(d), "fact")), fitting=False)
+
+    def test_anything_else(self):
+        """Sixty changes at random places, of which many leave a certificate of something true: of the claim that the manifest names it
+        is none."""
+        def change(document, rng):
+            at = document
+            while isinstance(at, (dict, list)) and at:
+                parent, key = at, rng.choice(sorted(at) if isinstance(at, dict) else range(len(at)))
+                at = parent[key]
+            ways = [lambda: parent.__delitem__(key) if isinstance(parent, dict) else parent.pop(key),
+                    lambda: parent.__setitem__(key, {int: lambda x: x + 1, bool: lambda x: not x, str: lambda x: x + "1"}.get(type(at), str)(at)),
+                    lambda: parent.__setitem__(key, [copy.deepcopy(at)])]
+            if isinstance(parent, list):
+                ways += [lambda: parent.insert(key, copy.deepcopy(at)), lambda: parent.append(parent.pop(0) if len(parent) > 1 else at)]
+            rng.choice(ways)()
+        names = [claim(n) for n in (self.PROVED, self.SIGNS, self.ROOTS, self.LINES, self.HULL, self.WHOLE, self.MINORS, self.COST, self.FAILS)]
+        for seed in range(60):
+            rng, name = random.Random(seed), [*names, self.STATEMENT][seed % 10]
+            while True:
+                document = json.loads(certificate(name))
+                change(document, rng)
+                if document != json.loads(certificate(name)):
+                    break
+            with self.subTest(seed=seed, name=name):
+                self.refuses(name, lambda _: json.dumps(document), fitting=False, hashed=False)
 
     def test_the_manifest(self):
         names = {claim(self.PROVED)}

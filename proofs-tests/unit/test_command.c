@@ -6,6 +6,7 @@
 #include "chapters/judge/certificate.h"
 #include "chapters/judge/words.h"
 #include "cli/commands.h"
+#include "cli/digest.h"
 #include "cli/report.h"
 
 #include <signal.h>
@@ -339,6 +340,15 @@ static void statements_are_counted(void **state)
     assert_int_equal(system(command), 0);
 }
 
+static int run_tenths(const struct call *call)
+{
+    (void)call;
+    print_json_exactly(json_pack("[f]", 0.1));
+    print_json(json_pack("[f]", 0.1));
+    return 7;
+}
+static const struct command print_tenths = {.name = "tenths", .run = run_tenths};
+
 /* Results that no run made. */
 static void reports_of_given_results(void **state)
 {
@@ -359,6 +369,10 @@ static void reports_of_given_results(void **state)
         r[0].by[t] = (type_result){.ran = 1, .seconds = 1 << t, .worst = 100};
         r[1].by[t] = (type_result){.ran = 1, .seconds = 0.5};
     }
+    char *out;
+    assert_int_equal(call_of(&print_tenths, &good, &out, (const char *const[]){NULL}), 7);
+    assert_string_equal(out, "[\n  0.10000000000000001\n]\n[\n  0.1\n]\n");
+    free(out);
     char path[] = "/tmp/test_command_XXXXXX";
     int file = mkstemp(path);
     assert_true(file >= 0);
@@ -370,6 +384,37 @@ static void reports_of_given_results(void **state)
     assert_non_null(strstr(text, "name=\"sum_is_double\" time=\"2.000\"/>"));
     free(text);
     remove(path);
+}
+
+/* Of the empty text, of texts that end before, at and behind the end of a block, and of 10^5 letters: as sha256sum has them. */
+static void digests(void **state)
+{
+    (void)state;
+    static const struct {
+        int length;
+        const char *digest;
+    } list[] = {
+        {0, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"},
+        {1, "ca978112ca1bbdcafac231b39a23dc4da786eff8147c4e72b9807785afee48bb"},
+        {55, "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318"},
+        {56, "b35439a4ac6f0948b6d6f9e3c6af0f5f590ce20f1bde7090ef7970686ec6738a"},
+        {63, "7d3e74a05d7db15bce4ad9ec0658ea98e3f06eeecf16b4c6fff2da457ddc2f34"},
+        {64, "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb"},
+        {65, "635361c48bb9eab14198e76ea8ab7f1a41685d6ad62aa9146d301d4f17eb0ae0"},
+        {119, "31eba51c313a5c08226adf18d4a359cfdfd8d2e816b13f4af952f7ea6584dcfb"},
+        {120, "2f3d335432c70b580af0e8e1b3674a7c020d683aa5f73aaaedfdc55af904c21c"},
+        {100000, "6d1cf22d7cc09b085dfc25ee1a1f3ae0265804c607bc2074ad253bcc82fd81ee"},
+    };
+    static char text[100001];
+    char digest[DIGEST];
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        memset(text, 'a', (size_t)list[k].length);
+        text[list[k].length] = '\0';
+        digest_of_text(text, digest);
+        assert_string_equal(digest, list[k].digest);
+    }
+    digest_of_text("标题 abc", digest);
+    assert_string_equal(digest, "45da5821edd6aedfeec4f005c24a7ecd3a114ceff435bdd21238aa1ce356f449");
 }
 
 static void verify_says(void **state)
@@ -513,6 +558,7 @@ int main(void)
         unit(exit_status_is_that_of_the_verdicts),
         unit(statements_are_counted),
         unit(reports_of_given_results),
+        unit(digests),
         unit(verify_says),
         unit(ledger_says),
         unit(pages_say),

@@ -604,6 +604,7 @@ static void scopes_in_words(void **state)
     (void)state;
     static char names[] = "beta7 beta0";
     static const claim phrases = {.name = "phrases", .scope = "odd knots; two knots", .over = "beta"},
+                       from_two = {.name = "from two", .scope = "", .letter = "m", .all_degrees = 1, .degree_low = 2},
                        endless = {.name = "endless", .scope = "", .letter = "m", .all_degrees = 1};
     static const claim_result scoped[] = {
         {.claim = &phrases,
@@ -611,16 +612,17 @@ static void scopes_in_words(void **state)
          .evidence = PROVED,
          .computed = PROVED,
          .by = {[FIELD_TYPE] = {.ran = 1, .variables = names, .positive = nothing}}},
-        {.claim = &endless, .as_expected = 1, .evidence = PROVED, .computed = PROVED, .by = IN_FIELD}};
-    static const char *const expected[][2] = {{"odd knots; two knots; every β, all other data", "every m"},
-                                              {"odd knots; two knots; every β, all other data", "every m"}};
+        {.claim = &endless, .as_expected = 1, .evidence = PROVED, .computed = PROVED, .by = IN_FIELD},
+        {.claim = &from_two, .as_expected = 1, .evidence = PROVED, .computed = PROVED, .by = IN_FIELD}};
+    static const char *const expected[] = {"odd knots; two knots; every β, all other data", "every m",
+                                           "every m from 2 on"};
     for (int letter = 0; letter < 2; letter++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 3; k++) {
             const statement s = {.id = "source:1",
                                  .letter = letter ? "k" : "n",
                                  .links = LINKS({HOLDS_BY, scoped[k].claim->name, NULL, ""})};
-            statement_result r = derive(&s, scoped, 2);
-            assert_string_equal(r.as_printed.scope, expected[letter][k]);
+            statement_result r = derive(&s, scoped, 3);
+            assert_string_equal(r.as_printed.scope, expected[k]);
             free_statement_result(&r);
         }
 }

@@ -1,0 +1,9 @@
+/* digest.h -- SHA-256 (散列) of a text, by which a manifest knows a certificate again.  Source: FIPS 180-4. */
+#ifndef CAGD_DIGEST_H
+#define CAGD_DIGEST_H
+
+enum { DIGEST = 64 + 1 };
+
+/* The digest in 64 hexadecimal digits, and the zero behind them. */
+void digest_of_text(const char *text, char digest[DIGEST]);
+#endif
