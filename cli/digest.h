@@ -1,4 +1,4 @@
-/* digest.h -- SHA-256 (散列) of a text, by which a manifest knows a certificate again.  Source: FIPS 180-4. */
+/* digest.h -- SHA-256 (散列) of a text, by which a manifest knows a certificate again: as FIPS 180-4 defines it. */
 #ifndef CAGD_DIGEST_H
 #define CAGD_DIGEST_H
 

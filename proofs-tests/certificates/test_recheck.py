@@ -257,7 +257,7 @@ class Tampered(unittest.TestCase):
     def test_numbers_names_and_facts(self):
         for text in (" 1/2", "1/2 ", "+1/2", "1_0", "0.5", "1e3", "1/", "/2", "", "½", "1/-2", "0x1"):
             self.tamper(self.ROOTS, lambda c: c["inputs"].append(["another", text]))
-            self.tamper(self.ROOTS, lambda c: self.node(c, "c").__setitem__(1, text))
+            self.tamper(self.PROVED, lambda c: self.node(c, "c").__setitem__(1, text))
         self.tamper(self.PROVED, lambda c: c["inputs"][1].__setitem__(0, c["inputs"][0][0]))
         for name in (self.ROOTS, self.HULL, self.COST, self.MINORS):
             steps = lambda d: d["cases"][0]["steps"]
