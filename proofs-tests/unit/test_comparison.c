@@ -505,7 +505,7 @@ static char instance[] = "the stated instance", nothing[] = "";
 static const claim proved = {.name = "proved", .scope = ""},
                    against = {.name = "against", .scope = "", .kind = COUNTEREXAMPLE},
                    another = {.name = "another", .scope = "", .kind = COUNTEREXAMPLE},
-                   broken = {.name = "broken", .scope = ""}, finite = {.name = "finite", .scope = ""},
+                   broken = {.name = "broken", .scope = ""}, few_degrees = {.name = "few_degrees", .scope = ""},
                    induction = {.name = "induction", .scope = "", .argued_for = "every n", .argued = "words"};
 #define IN_FIELD                                                                                                       \
     {                                                                                                                  \
@@ -522,7 +522,7 @@ static const claim_result results[] = {
      .evidence = PROVED,
      .computed = PROVED,
      .by = {[FIELD_TYPE] = {.ran = 1, .degree_low = 1, .degree_high = 4, .variables = nothing, .positive = nothing}}},
-    {.claim = &finite,
+    {.claim = &few_degrees,
      .as_expected = 1,
      .outcome = HOLDS,
      .evidence = PROVED,
@@ -581,8 +581,8 @@ static void cases_that_words_add(void **state)
     free_statement_result(&r);
     /* One that stays behind is enough, wherever it stands. */
     for (int turned = 0; turned < 2; turned++) {
-        r = derived(turned ? LINKS({HOLDS_BY, "finite", NULL, ""}, {HOLDS_BY, "induction", NULL, ""})
-                           : LINKS({HOLDS_BY, "induction", NULL, ""}, {HOLDS_BY, "finite", NULL, ""}));
+        r = derived(turned ? LINKS({HOLDS_BY, "few_degrees", NULL, ""}, {HOLDS_BY, "induction", NULL, ""})
+                           : LINKS({HOLDS_BY, "induction", NULL, ""}, {HOLDS_BY, "few_degrees", NULL, ""}));
         assert_string_equal(r.as_printed.argued_for, "");
         assert_string_equal(r.as_printed.scope, "n = 2 to 4");
         free_statement_result(&r);
