@@ -485,7 +485,8 @@ CLAIM(column_by_differences_is_the_function)
 :title: The limits of the double sum
 :zh: (4.4.12) 的求和上限
 :printed: 0\le\mu\le k-1-\max(j,k-l_\lambda),\quad0\le j\le k-1,\quad r-k+1\le i\le r
-:holds-by: summation_orders_agree printed_double_sum_gives_the_basis
+:holds-by: printed_double_sum_gives_the_basis
+:confirmed-by: summation_orders_agree
 :figure: both_matrices
 
 For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and
@@ -809,25 +810,23 @@ $\mu$ a given $j$ occurs.
 :title: The pairs of mu and j are the same in both orders of summation
 :zh: 两种求和次序的指标集相同
 :kind: decision
-:given: $k=1,\dots,K$, $1\le l\le k$
-:data: K = 12
+:given: $1\le l\le k$
 :then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
-:method: Both sets are listed.
-:scope: k up to 12
+:method: Both sets are listed.  For every $k$: $\mu\le k-1-\max(j,k-l)$ says $\mu\le k-1-j$ and $\mu\le l-1$.
+:degrees: k = 1..12
 :control: $\max$ replaced by $\min$
 :::
 */
 CLAIM(summation_orders_agree)
 {
-    int largest = given_whole(T, "K");
-    for (int k = 1; k <= largest; k++)
-        for (int l = 1; l <= k; l++)
-            for (int mu = 0; mu <= k; mu++)
-                for (int j = 0; j <= k; j++) {
-                    int larger = fault(T, j > k - l ? j : k - l, j < k - l ? j : k - l);
-                    int printed = mu <= l - 1 && j <= k - mu - 1, collected = j <= k - 1 && mu <= k - 1 - larger;
-                    agree(T, printed == collected);
-                }
+    int k = T->degree;
+    for (int l = 1; l <= k; l++)
+        for (int mu = 0; mu <= k; mu++)
+            for (int j = 0; j <= k; j++) {
+                int larger = fault(T, j > k - l ? j : k - l, j < k - l ? j : k - l);
+                int printed = mu <= l - 1 && j <= k - mu - 1, collected = j <= k - 1 && mu <= k - 1 - larger;
+                agree(T, printed == collected);
+            }
 }
 #endif
 

@@ -71,7 +71,7 @@ derivatives, and the next one does not vanish.
   $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, not 0
 :method: The derivatives are those of the rational function of $t$ in the field.
 :types: field
-:degrees: 0..6
+:degrees: k = 0..6
 :over: t#: nodes; s#: coefficients; x: -
 :control: the multiplicity of the last node counted as one more
 :::
@@ -121,30 +121,26 @@ The order of the $\tau_i$ is used nowhere in the identities of this section; tha
 :title: The 2^k compositions of k+1 are the sets of multiplicities
 :zh: k+1 的全部有序分拆
 :kind: decision
-:given: $k=0,\dots,K$ and every pattern of equal neighbours among $k+1$ ordered nodes
-:data: K = 7
+:given: every pattern of equal neighbours among $k+1$ ordered nodes
 :then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
 :method: All patterns are listed and their lists of sizes compared two by two.
-:scope: k up to 7
+:degrees: k = 0..7
 :control: a pattern of $k+1$ bits, where only $k$ count
 :::
 */
 CLAIM(compositions_are_all_multiplicities)
 {
     enum { MOST = 7 };
-    int largest = given_whole(T, "K");
-    for (int k = 0; k <= largest && k <= MOST; k++) {
-        int l[1 << MOST][MOST + 1] = {{0}};
-        for (int m = 0; m < 1 << k; m++) {
-            int d = G(composition)(k, m << fault(T, 0, k > 0), l[m]), sum = 0, positive_sizes = 1;
-            for (int i = 0; i < d; i++) {
-                sum += l[m][i];
-                positive_sizes &= l[m][i] > 0;
-            }
-            agree(T, sum == k + 1 && positive_sizes);
-            for (int other = 0; other < m; other++)
-                agree(T, memcmp(l[m], l[other], sizeof l[m]) != 0);
+    int k = T->degree, l[1 << MOST][MOST + 1] = {{0}};
+    for (int m = 0; m < 1 << k; m++) {
+        int d = G(composition)(k, m << fault(T, 0, k > 0), l[m]), sum = 0, positive_sizes = 1;
+        for (int i = 0; i < d; i++) {
+            sum += l[m][i];
+            positive_sizes &= l[m][i] > 0;
         }
+        agree(T, sum == k + 1 && positive_sizes);
+        for (int other = 0; other < m; other++)
+            agree(T, memcmp(l[m], l[other], sizeof l[m]) != 0);
     }
 }
 #endif
@@ -181,7 +177,7 @@ is seen to say what osculation means.
 :given: every set of multiplicities of $k+1$ nodes, the nodes variables
 :then: entry $(b(i,j),c)$ of `confluent_vandermonde` is $\frac{d^j}{dt^j}t^c$ at $\tau_i$
 :method: In the field the other side is the formal derivative, elsewhere the falling factorial times the power.
-:degrees: 0..5 sampled 8
+:degrees: k = 0..5 sampled 8
 :over: t#: nodes; x: -
 :defines: confluent_vandermonde
 :control: the derivatives at each node taken in the opposite order
@@ -220,7 +216,7 @@ CLAIM(confluent_vandermonde_holds_derivatives)
 :then: entry $b(i,j)$ of $H(T;1,\dots,t^k)\,c$ is the $j$-th derivative at $\tau_i$ of $c_0+\dots+c_kt^k$
 :method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
 :types: field
-:degrees: 0..6
+:degrees: k = 0..6
 :over: t#: nodes; c#: coefficients; x: -
 :control: the coefficients $c_0$ and $c_k$ exchanged
 :::
@@ -397,7 +393,7 @@ equal nodes have to be counted as one.
 :then: $\det H(T;1,\dots,t^k)$ is the printed product, and `confluent_vandermonde_determinant` computes it
 :method: The determinant of the matrix of derivatives, by sums over all permutations up to $k=3$ and by
   Bird's algorithm, against the product written out factor by factor.
-:degrees: 0..6 sampled 8
+:degrees: k = 0..6 sampled 8
 :over: t#: nodes
 :defines: confluent_vandermonde_determinant
 :control: the exponents $l_il_j$ taken as 1
@@ -494,7 +490,7 @@ the last unknown of the system.  The lemma of the source expands the upper deter
 :then: `divided_difference` of its values and derivatives is $c_k$
 :method: Every osculation problem has one solution $g$, and $f$ enters by its values only, which are those of $g$; so it
   is enough to know the claim for polynomials $g$.
-:degrees: 0..6 sampled 8
+:degrees: k = 0..6 sampled 8
 :over: t#: nodes; c#: coefficients
 :defines: divided_difference
 :control: $c_0$ on the right
@@ -533,7 +529,7 @@ CLAIM(divided_difference_is_leading_coefficient)
 :given: every set of multiplicities of $k+1$ nodes, the nodes and the $k+1$ values and derivatives of $f$ variables
 :then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
 :method: Both determinants are computed from the matrices.
-:degrees: 0..5 sampled 7
+:degrees: k = 0..5 sampled 7
 :over: t#: nodes; f#: data of f
 :control: $f$ in the first column, in the place of the powers $t^0$
 :::
@@ -599,7 +595,7 @@ column belongs to which derivative: $b(i,j)$ counts the rows, from 0.
 :then: $\alpha_{ij}=\beta_{b(i,j)}/\det$, with the printed product for the determinant and the printed $b(i,j)$, is
   what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
 :method: The cofactors are determinants of order $k$ of the matrix of derivatives.
-:degrees: 0..5 sampled 7
+:degrees: k = 0..5 sampled 7
 :over: t#: nodes; f#: data of f
 :defines: divided_weights
 :control: minors in the place of cofactors
@@ -633,7 +629,8 @@ CLAIM(printed_weights_give_divided_difference)
 :title: The sum of the lemma has one term for each datum
 :zh: (4.4.8) 的求和范围
 :printed: i=1,\dots,d,\quad j=0,\dots,l_i-1
-:holds-by: places_count_the_rows printed_weights_give_divided_difference
+:holds-by: printed_weights_give_divided_difference
+:confirmed-by: places_count_the_rows
 
 These are $k+1$ terms, as many as there are nodes.
 :::
@@ -645,24 +642,22 @@ These are $k+1$ terms, as many as there are nodes.
 :title: b(i,j) runs through 0, ..., k in the order of the rows
 :zh: b(i,j) 依次取 0,…,k
 :kind: decision
-:given: every set of multiplicities of $k+1$ nodes, $k=0,\dots,K$
-:data: K = 7
+:given: every set of multiplicities of $k+1$ nodes
 :then: the printed $b(i,j)$ is the number of the row of $f^{(j)}(\tau_i)$, counted from 0
 :method: The rows are counted one by one.
-:scope: k up to 7
+:degrees: k = 0..7
 :control: $b(i,j)=j$ for all $i$
 :::
 */
 CLAIM(places_count_the_rows)
 {
-    int largest = given_whole(T, "K");
-    for (int k = 0; k <= largest && k < LARGEST_ORDER; k++)
-        for (int m = 0; m < 1 << k; m++) {
-            int l[LARGEST_ORDER], d = G(composition)(k, m, l), row = 0;
-            for (int i = 0; i < d; i++)
-                for (int j = 0; j < l[i]; j++, row++)
-                    agree(T, fault(T, G(printed_place)(i, j, l), j) == row);
-        }
+    int k = T->degree;
+    for (int m = 0; m < 1 << k; m++) {
+        int l[LARGEST_ORDER], d = G(composition)(k, m, l), row = 0;
+        for (int i = 0; i < d; i++)
+            for (int j = 0; j < l[i]; j++, row++)
+                agree(T, fault(T, G(printed_place)(i, j, l), j) == row);
+    }
 }
 
 /*
@@ -742,7 +737,7 @@ from trying functions with a single datum that is not 0.
 :then: for the $f$ whose only nonzero datum is $f^{(j)}(\tau_i)=1$ the sum with $\gamma$ is $\gamma_{ij}$ and the
   divided difference is $\alpha_{ij}$; so the sums agree for all $f$ only when $\gamma=\alpha$
 :method: The table of divided differences on each unit vector of data against the weights of the kernel.
-:degrees: 0..6 sampled 8
+:degrees: k = 0..6 sampled 8
 :over: t#: nodes
 :control: the data of the neighbouring unit vector
 :::

@@ -65,7 +65,7 @@ recursions.
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the divisor $k-r+1$
 :::
 */
@@ -75,7 +75,7 @@ CLAIM(family_steps_along_the_tangent)
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         G(knots_of_span)(T, p, shape, u, place);
         for (int r = 1; r <= k - 1; r++) {
             num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], Q[2], Q1[2];
@@ -102,7 +102,7 @@ CLAIM(family_steps_along_the_tangent)
 :method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
   right side by the levels of de Boor's triangle and the derivatives of a segment.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac{r}{k-r+1}$
 :::
 */
@@ -113,7 +113,7 @@ CLAIM(derivative_by_tau_is_that_of_the_level_before)
     int place[MOST_KNOTS];
     for (int i = 0; i <= p; i++)
         H[i] = unknown(T, "H", i);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num d[MAX_DEGREE + 1];
         G(knots_of_span)(T, p, shape, u, place);
         for (int i = 0; i <= p; i++)
@@ -225,7 +225,7 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 :then: the printed equation
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: $t$ in the place of $\tau$ in the first term
 :::
 */
@@ -236,7 +236,7 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
     int place[MOST_KNOTS];
     for (int i = 0; i <= p; i++)
         w[i] = positive(T, "w", i);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num a[MAX_DEGREE + 1], b[MAX_DEGREE + 1]; /* the weights at tau and at t */
         G(knots_of_span)(T, p, shape, u, place);
         for (int i = 0; i <= p; i++)
@@ -284,7 +284,7 @@ includes, the values are limits from the left.
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
 :method: Every expression by its letter, term by term.
 :degrees: 2..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 */
@@ -298,7 +298,7 @@ CLAIM(level_by_sums_over_the_level_before)
     int place[MOST_KNOTS];
     for (int i = 0; i <= p; i++)
         w[i] = positive(T, "w", i);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num a[MAX_DEGREE + 1], b[MAX_DEGREE + 1];
         G(knots_of_span)(T, p, shape, u, place);
         for (int i = 0; i <= p; i++)
@@ -648,7 +648,7 @@ corners arise.
   corners of a strictly convex polygon in this order, all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have
   one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5
-:scope: the gaps of the knots variables up to order 4, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the gaps of the knots variables up to order 4, numbers above
 :over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x#: -
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
@@ -659,7 +659,7 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
     num P[3 * (MAX_DEGREE + 1)];
     for (int i = 0; i < 3 * (p + 1); i++)
         P[i] = unknown(T, "P", i);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num u[MOST_KNOTS], inside_span[2], d[3 * (MAX_DEGREE + 1)];
         G(gaps_of_span)(T, p, shape, u);
         for (int c = 0; c < 2; c++) {

@@ -35,14 +35,15 @@ the whole segment holds for its polar form, and the control points are values of
 :title: The points of a span are values of the polar form of its segment: a linear relation of the segment is one of
   the points
 :zh: 控制顶点是该段极形式之值
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the
+  distinct knots
   variables for $k\le5$ and numbers above; points
 :then: the point $i$ is the polar form of the segment, given by its Bézier points, at $t_{i+1},\dots,t_{i+k-1}$
 :method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for
   all $t$ with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So
   a segment in a plane, on a line or in a plane through the origin has its points there.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the knots from $t_i$ on
 :::
 */
@@ -53,7 +54,7 @@ CLAIM(points_are_polar_values_of_the_segment)
     int place[MOST_KNOTS];
     for (int i = 0; i <= p; i++)
         c[i] = unknown(T, "c", i);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         G(knots_of_span)(T, p, shape, u, place);
         G(bspline_to_bezier)(G(on_span)(p, 1, u, mu, c), b);
         for (int i = 0; i <= p; i++) {
@@ -218,7 +219,7 @@ and their derivatives its linear part.
 :method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the
   second does.  A linear map that can be inverted keeps parallel vectors parallel, and makes none so.
 :degrees: 2..4 sampled 6
-:scope: the knots numbers in the field
+:scope: every pattern of the knots of a span up to order 4, three above; the knots numbers in the field
 :over: l#: affine functions
 :control: $c$ left out at the last point
 :::
@@ -236,7 +237,7 @@ CLAIM(family_moves_with_its_points)
         L[i] = add(mul(l[0], R[2 * i]), mul(l[1], R[2 * i + 1]));
         L[i] = fault(T, add(L[i], l[2]), i == p ? L[i] : add(L[i], l[2]));
     }
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         G(knots_of_span)(T, p, shape, u, place);
         G(numbers_above)(1, p, 2 * p + 2, place, u);
         for (int r = 1; r <= p - 1; r++) {

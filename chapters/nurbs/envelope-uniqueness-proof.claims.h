@@ -167,7 +167,7 @@ but to solve these equations backwards there is one of them too few.
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$
 :method: The points by (4.1.4), which divides by weights.
 :degrees: 2..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :over: A# B#: vectors
 :control: $1-\alpha$ and $\alpha$ exchanged
 :::
@@ -182,7 +182,7 @@ CLAIM(weighted_points_follow_the_recursion)
         a[c] = unknown(T, "A", c);
         b[c] = unknown(T, "B", c);
     }
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         G(knots_of_span)(T, p, shape, u, place);
         for (int r = 2; r <= k - 1; r++) {
             num Rr[3 * (MAX_DEGREE + 1)], wr[MAX_DEGREE + 1], Rs[3 * (MAX_DEGREE + 1)], ws[MAX_DEGREE + 1];

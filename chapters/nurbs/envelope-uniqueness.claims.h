@@ -129,7 +129,7 @@ first derivative at $t$, followed as far as $\tau-t$, with the factor $\frac1{k-
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the divisors doubled
 :::
 */
@@ -142,7 +142,7 @@ CLAIM(differences_of_span_give_the_derivative)
         c[i] = unknown(T, "c", i);
         one[i] = from_int(1);
     }
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num N[MAX_DEGREE + 1], S[2], sum = from_int(0);
         G(knots_of_span)(T, p, shape, u, place);
         G(derivative_sums)(p, 1, u, mu, c, one, t, S);
@@ -175,7 +175,7 @@ CLAIM(differences_of_span_give_the_derivative)
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
@@ -186,7 +186,7 @@ CLAIM(first_level_follows_the_tangent)
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
     num step = mul(sub(tau, t), from_ratio(1, fault(T, p, p + 1)));
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], P[2], P1[2];
         G(knots_of_span)(T, p, shape, u, place);
         G(level_of_curve)(p, 1, u, mu, R, w, 1, tau, Rr, wr);

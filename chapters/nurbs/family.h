@@ -10,14 +10,25 @@
 #include "chapters/judge/claims_on.h"
 
 /* The knots of one span mu = p: 2p+2 knots, p+1 points.
- *     shape 0: simple knots;   1: both ends of the span p-fold;   2: its left end double.
+ *     shape 0: simple knots;   1: both ends of the span p-fold;   2: its left end double;
+ *     from 3 on, in the field and for p <= 3: all 4^{p-1} patterns of the p knots on either side of the span.
  * In the field the distinct knots are variables for p <= 4 and the numbers 0, 1, 3, 6, 10, ... for p > 4. */
-enum { SHAPES = 3 };
+enum { KINDS_OF_SPAN = 3 };
+static inline int G(shapes)(int p) { return KINDS_OF_SPAN + (FIELD && p > 0 && p <= 3 ? 1 << (2 * p - 2) : 0); }
+
 static inline void G(knots_of_span)(trial *T, int p, int shape, num u[], int place[])
 {
     char pattern[MOST_KNOTS + 1] = {0};
     int length = 0;
-    if (shape == 1) {
+    if (shape >= KINDS_OF_SPAN) {
+        int bits = shape - KINDS_OF_SPAN; /* whether a knot differs from the one before */
+        for (int i = 0; i < 2 * p + 2; i++) {
+            int within = i > 1 && i < 2 * p + 1 && i != p + 1, grows = within ? bits & 1 : i > 0;
+            length += grows;
+            pattern[length] = (char)(pattern[length] != 0 ? pattern[length] + 1 : '1');
+            bits >>= within;
+        }
+    } else if (shape == 1) {
         pattern[0] = pattern[3] = '1';
         pattern[1] = pattern[2] = (char)('0' + p);
     } else {

@@ -78,7 +78,7 @@ column replaced.
 :then: the cofactor of a place is the determinant, as a sum over permutations, of the matrix with that column replaced
   by the unit vector of the row
 :method: `cofactor` leaves out row and column; the other side keeps all $n$ rows.
-:degrees: 1..4 sampled 6
+:degrees: rows = 1..4 sampled 6
 :over: m#: entries
 :defines: cofactor
 :control: the unit vector of the next row

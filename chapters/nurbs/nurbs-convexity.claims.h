@@ -71,7 +71,7 @@ triples are not enough: a polygon may turn left at every vertex and come round t
   $\ge0$, one of them positive.  Then no point is on the right of an edge $r_ir_{i+1}$ or of the chord $r_nr_1$, so that
   all edges are on the boundary of the hull, in its direction; and a polygon that comes round a second time has three points
   in clockwise order.  Conversely three points in order of the boundary turn left or are on one line.
-:degrees: 3..6
+:degrees: points = 3..6
 :scope: the stated polygons; all others by the argument given
 :control: only the areas of three neighbouring points are asked for, which leaves out some for $n>3$
 :::
@@ -130,7 +130,7 @@ static int every_edge_on_the_border(int n, const num_q R[])
   of the hull
 :method: An edge is part of the boundary of the hull exactly when no two vertices are on different sides of its line.  Convexity by
   `exact/decide/hull.h`.
-:degrees: 3..6
+:degrees: points = 3..6
 :scope: the stated polygons
 :control: the converse: every polygon on the boundary of its hull runs through once
 :::

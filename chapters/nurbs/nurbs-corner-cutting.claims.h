@@ -158,7 +158,7 @@ the corners are cut.
 :method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables for $n\le4$; the minors by their coefficients.  Minors are polynomials in the
   $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits.  Three rows have entries in six columns at most, and which of
   these coincide is decided by whether neighbouring rows follow one another; with $n\ge5$ all cases occur.
-:degrees: 3..6
+:degrees: points = 3..6
 :scope: signs for every n, by the last remark
 :over: a#: ratios of α to 1-α; x#: homogeneous points
 :control: two neighbouring rows exchanged in the minors

@@ -33,7 +33,7 @@ recursion.
 :then: $w_i^{[r]}(\tau)=w_1$, and $r_i^{[r]}(\tau)$ is the point of level $r$ of de Boor's triangle without weights
 :method: The rational recursion against the kernel of de Boor's levels, one coordinate.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :over: w#: equal weights
 :control: the first weight different
 :::
@@ -46,7 +46,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
     G(free_curve)(T, p, 1, R, w);
     for (int i = 0; i <= p; i++)
         w[i] = fault(T, all, i == 0 ? add(all, from_int(1)) : all);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num d[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1];
         G(knots_of_span)(T, p, shape, u, place);
         for (int i = 0; i <= p; i++)
@@ -153,7 +153,7 @@ this leg is a tangent.
 :then: (4.3.3) is (4.3.8)
 :method: Both quotients by their letter, one coordinate.
 :degrees: 2..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: $t-t_j$ and $t_{j+1}-t$ exchanged
 :::
 */
@@ -163,7 +163,7 @@ CLAIM(lines_of_the_family_by_two_points)
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2];
         G(knots_of_span)(T, p, shape, u, place);
         G(level_of_curve)(p, 1, u, mu, R, w, p - 1, tau, Rr, wr);
@@ -193,7 +193,7 @@ curve.
   coordinate and for the weight
 :method: The levels of de Boor's triangle in homogeneous coordinates, and the kernel of the derivatives of a segment.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factors left out
 :::
 */
@@ -204,7 +204,7 @@ CLAIM(span_derivatives_are_parallel)
     int place[MOST_KNOTS];
     for (int m = 0; m < 2 * (p + 1); m++)
         H[m] = unknown(T, "H", m);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num D[2 * (MAX_DEGREE + 1)], E[2 * (MAX_DEGREE + 1)], d[2 * (MAX_DEGREE + 1)];
         G(knots_of_span)(T, p, shape, u, place);
         G(bspline_derivatives)(G(span_alone)(p, 2, u, mu, H), t, p, D);
@@ -288,7 +288,7 @@ CLAIM(curvature_of_the_span_member)
     num u[MOST_KNOTS], R[3 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
     int place[MOST_KNOTS];
     for (int dim = 2; dim <= 3; dim++)
-        for (int shape = 0; shape < SHAPES; shape++) {
+        for (int shape = 0; shape < G(shapes)(p); shape++) {
             num t = parameter(T, "t"), D[9], E[9];
             G(free_curve)(T, p, dim, R, w);
             G(knots_of_span)(T, p, shape, u, place);

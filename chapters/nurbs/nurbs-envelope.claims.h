@@ -97,14 +97,15 @@ the places that are left.
 :::{claim} member_of_span_is_polar
 :title: The member is the polar form with r arguments τ and k-1-r arguments t
 :zh: 族曲线即极形式
-:given: $k=p+1$; a span of simple knots, one with a double knot, and one whose ends are $(k-1)$-fold, the distinct
+:given: $k=p+1$; a span of simple knots, one with a double knot, one whose ends are $(k-1)$-fold, and for $k\le4$ all patterns,
+  the distinct
   knots variables for $k\le5$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
 :then: $\sum N_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$
 :method: The left side runs the recursion (4.1.3), (4.1.4), which divides by weights, and sums with the B-splines of
   order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,
   so one suffices.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: one argument $\tau$ of the polar form replaced by $t$
 :::
 */
@@ -114,7 +115,7 @@ CLAIM(member_of_span_is_polar)
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num H[2 * (MAX_DEGREE + 1)];
         G(knots_of_span)(T, p, shape, u, place);
         G(rational_homogenize)(p, 1, R, w, H);
@@ -137,7 +138,8 @@ CLAIM(member_of_span_is_polar)
 :::{claim} extrapolated_members_keep_positive_weights_inside
 :title: On its own span every weight of every level and every denominator of a member is positive
 :zh: 在本段内各层权及族曲线分母恒正
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; positive
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; positive
   weights; $t$ and $\tau$ inside the span
 :then: $w_i^{[r]}(\tau)>0$ for all $r=1,\dots,k-2$ and $i=j-k+r+1,\dots,j$, and $\sum N_{i,k-r}(t)w_i^{[r]}(\tau)>0$
 :method: With $t=(t_j+t_{j+1}x)/(1+x)$, $\tau$ likewise with $y$, and the gaps of the knots, the weights, $x$ and $y$
@@ -146,7 +148,7 @@ CLAIM(member_of_span_is_polar)
   positive.
 :types: field rational
 :degrees: 2..6 sampled 7
-:scope: the distinct knots variables up to order 4, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 4, numbers above
 :over: y#: ratios in which the parameters divide the span; x#: -
 :control: the weights negative
 :::
@@ -159,7 +161,7 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
         w[i] = fault(T, positive(T, "w", i), neg(positive(T, "w", i)));
         R[i] = from_int(1);
     }
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num u[MOST_KNOTS];
         G(gaps_of_span)(T, p, shape, u);
         for (int k = 0; k < 2; k++) {
@@ -197,12 +199,13 @@ it.
 :::{claim} member_of_extreme_levels
 :title: Level 0 gives the curve for every τ, level k-1 its point
 :zh: 第 0 层即曲线,第 k-1 层即曲线上的点
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; weights and
   points, any $t$ and $\tau$
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: level $k-2$ in the place of level $k-1$
 :::
 */
@@ -212,7 +215,7 @@ CLAIM(member_of_extreme_levels)
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], point;
         G(knots_of_span)(T, p, shape, u, place);
         G(level_of_curve)(p, 1, u, mu, R, w, 0, tau, Rr, wr);
@@ -254,13 +257,14 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :::{claim} levels_keep_weight_and_point
 :title: At τ = t every level sums up to the same weight and the same point
 :zh: τ=t 时各层之和相同
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
 :then: both sums of level $r$ over $N_{i,k-r}(t)$ are those of level $r-1$ over $N_{i,k-r+1}(t)$ and those of level 0,
   $w(t)$ and $p(t)$
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
 :degrees: 2..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the recursion of the level at $\tau=t+1$
 :::
 */
@@ -270,7 +274,7 @@ CLAIM(levels_keep_weight_and_point)
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num S[2], before[2], first[2];
         G(knots_of_span)(T, p, shape, u, place);
         G(sums)(p, 1, u, mu, R, w, t, first);
@@ -314,12 +318,13 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :::{claim} levels_shrink_the_derivative
 :title: The derivative of the basis alone gives (k-r-1)/(k-r) of the level before and (k-r-1)/(k-1) of the curve
 :zh: 仅对基函数求导所得的比例
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
 :then: the displays (4.3.6) and (4.3.7), each equality
 :method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
 :degrees: 2..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac{k-r}{k-r+1}$ for one level
 :::
 */
@@ -329,7 +334,7 @@ CLAIM(levels_shrink_the_derivative)
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num S[2], before[2], first[2];
         G(knots_of_span)(T, p, shape, u, place);
         G(derivative_sums)(p, 1, u, mu, R, w, t, first);
@@ -402,14 +407,15 @@ the display is compared too.
 :::{claim} member_of_span_touches_curve
 :title: At τ = t the member has the point of the curve and (k-r-1)/(k-1) of its derivative
 :zh: τ=t 处族曲线与曲线同点,导矢之比为 (k-r-1)/(k-1)
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
 :then: $r^{[k-r]}(t,t)=r(t)$ and
   $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
   number, so the ends of the span are covered, with the derivatives of its polynomials.
 :degrees: 2..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factor left out
 :::
 */
@@ -418,7 +424,7 @@ CLAIM(member_of_span_touches_curve)
     int p = T->degree, k = p + 1, mu = p;
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num D[2], S[2], S1[2];
         G(knots_of_span)(T, p, shape, u, place);
         G(curve_about)(T, p, t, u, R, w);
@@ -519,14 +525,15 @@ to look out for.
 :::{claim} envelope_condition_holds_on_the_diagonal
 :title: On the diagonal the derivatives of the member by t and by τ are parallel
 :zh: 对角线上族曲线对 t, τ 的偏导矢平行
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
 :then: at $\tau=t$: $\partial_\tau r^{[k-r]}=\frac r{k-1}r'$ and $\partial_tr^{[k-r]}=\frac{k-r-1}{k-1}r'$, so that
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
   coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
 :degrees: 2..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
 */
@@ -535,7 +542,7 @@ CLAIM(envelope_condition_holds_on_the_diagonal)
     int p = T->degree, k = p + 1, mu = p, more = fault(T, 0, 1);
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
-    for (int shape = 0; shape < SHAPES; shape++) {
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
         num D[2];
         G(knots_of_span)(T, p, shape, u, place);
         G(curve_about)(T, p, t, u, R, w);

@@ -317,7 +317,7 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 :method: The quotient of the two polynomials is an element of the field, which differentiates it formally $r$ times; here $r$ is the number that
   is called $n$.  In rationals the series at $t$ are divided.
 :types: field rational
-:degrees: 0..4 sampled 5
+:degrees: r = 0..4 sampled 5
 :over: y# q#: coefficients
 :defines: rational_quotient_derivatives
 :control: the second derivative of $w$, or for $r<2$ its value, doubled

@@ -28,7 +28,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :given: $k+1$ simple nodes, variables
 :then: $\det H=\prod_{i<j}(t_j-t_i)$, and row $i$ of $H$ is $1,t_i,\dots,t_i^k$
 :method: The determinant of the kernel's matrix, and its product formula, against the product of the differences.
-:degrees: 0..5 sampled 8
+:degrees: k = 0..5 sampled 8
 :over: t#: nodes
 :control: the order of the last two nodes exchanged in the product
 :::
@@ -88,7 +88,7 @@ not show.
 :given: $k+1$ simple nodes and the values of $f$, variables
 :then: $[t_0,\dots,t_k]f=\sum f(t_l)/\prod_{j\ne l}(t_l-t_j)$, and the printed sum is $(-1)^k$ times this
 :method: The table of divided differences against both sums.
-:degrees: 0..6 sampled 10
+:degrees: k = 0..6 sampled 10
 :over: t#: nodes; f#: values of f
 :control: the sign $(-1)^{k+1}$
 :::
