@@ -35,7 +35,8 @@ sections rest on it.
 :then: `bspline_basis` gives $N_{\mu-p,p}(t),\dots,N_{\mu,p}(t)$, and $N_{i,p}=0$ on the span for every other $i$
 :method: The kernel against the recursion of de Boor and Cox by its letter, for each index $i$ of the knot vector.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :defines: bspline_basis_level bspline_basis
 :control: the span of the interval replaced by its neighbour on the left or, in the first interval, on the right
 :::
@@ -110,7 +111,8 @@ CLAIM(bspline_is_divided_difference)
 :method: All $n$ polynomials of the interval, from the recursion by its letter, are added; the sum must have the coefficients
   $1,0,\dots,0$.
 :degrees: 0..6 sampled 9
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :control: the first B-spline of the span left out
 :::
 */
@@ -343,7 +345,8 @@ one jumps.  The jump is known exactly, and it is never $0$.
   $(-1)^{p-m}\frac{p!}{(m-1)!}\,(u_{i+p+1}-u_i)\big/\prod_{u_l\ne\xi}(\xi-u_l)\ne0$
 :method: The polynomials of both intervals in powers of $t-\xi$, from the recursion by its letter.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :control: the jump asked for one order lower
 :::
 */
@@ -478,7 +481,8 @@ as the control polygon of a function, and what the section on convergence compar
 :method: The coefficients of the sum in powers of $t-u_\mu$, from the recursion by its letter, must be $u_\mu,1,0,\dots,0$.
   As the B-splines are independent no other numbers have this property.
 :degrees: 1..6 sampled 9
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :defines: bspline_greville
 :control: the abscissae of the next points
 :::

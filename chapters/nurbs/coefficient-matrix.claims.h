@@ -100,6 +100,7 @@ pattern of coincident knots.
 :method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with
   the rule $0/0=0$ decided by the pattern.
 :degrees: 0..5 sampled 7
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots
 :defines: bspline_matrix
 :control: the matrix of the span before
@@ -131,6 +132,7 @@ may be taken as integers; and that the B-splines have the sum 1 is a property of
 :then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
 :method: The two matrices of the kernel.
 :degrees: 0..5 sampled 7
+:scope: simple knots
 :over: t#: knots; a: factor; b: shift
 :control: the first inner knot is not moved
 :::
@@ -154,15 +156,14 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :zh: 曲线段的幂基表示
 :printed: \mathbf r^*(u)=\sum_{i=r-k+1}^rN_{i,k}(t)\mathbf r_i=(1,u,\dots,u^{k-1})\,\mathbf A_{r,k,T}\,(\mathbf
   r_{r-k+1},\dots,\mathbf r_r)^T,\quad 0\le u<1
-:reading: matrix_gives_homogeneous_curve | "in homogeneous coordinates" applies to the points: $\mathbf r_i$ is the
-  $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); so read it is true
-:reading: affine_points_need_the_weights | $\mathbf r_i$ and $\mathbf r$ are what (4.1.2) calls so, affine points and
-  the affine curve; so read it is false as soon as two weights differ
-:corrected: $\tilde{\mathbf r}^*(u)=(1,\dots,u^{k-1})\,\mathbf A\,(\tilde{\mathbf r}_{r-k+1},\dots,\tilde{\mathbf r}_r)^T$,
-  and the affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and
-  $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$
-:corrected-by: matrix_gives_homogeneous_curve
+:holds-by: matrix_gives_homogeneous_curve
+:meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
+  $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); only the tilde is left out.
+:reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: false as soon as
+  two weights differ
 :figure: matrix_and_weights
+
+The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$.
 :::
 
 :::{claim} matrix_gives_homogeneous_curve
@@ -175,6 +176,7 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
   is any coordinate, so one suffices.  Both sides are linear in $w_ir_i$ and in $w_i$, so that degree 5 is contained in
   `matrix_holds_the_powers_of_the_basis`.
 :degrees: 0..4 sampled 7
+:scope: simple knots
 :over: t#: knots; x#: points
 :control: the last weight left out
 :::
@@ -268,6 +270,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :method: The sums of the entries of the kernel.  An identity of rational functions of simple knots holds for coincident
   ones, because the denominators are differences of knots on the two sides of the span.
 :degrees: 0..5 sampled 7
+:scope: simple knots
 :over: t#: knots
 :control: the last column left out
 :::
@@ -368,6 +371,7 @@ static int G(function_pattern)(trial *T, int k, int m) { return k <= (FIELD ? 5 
 :then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ as printed, limits and all, and $\alpha$ from the cofactors (4.4.9)
 :method: The double sum by its letter, against the recursion of Cox and de Boor.
 :degrees: 0..4 sampled 5
+:scope: every multiplicity of the knots of a function
 :over: t#: knots
 :control: the upper limit one less for double knots and more
 :::
@@ -454,6 +458,7 @@ The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and wha
 :then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
 :method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
 :degrees: 0..4 sampled 7
+:scope: every multiplicity of the knots of a function
 :over: t#: knots
 :defines: bspline_column_by_differences
 :control: the span taken as the last one of the function
@@ -511,6 +516,7 @@ For the homogeneous curve (4.1.1).
 :then: `bspline_matrix_by_differences` and `bspline_matrix` give the same matrix
 :method: Entry by entry.  That all multiplicities are covered up to the order 5 is the claim on columns.
 :degrees: 0..4 sampled 7
+:scope: every pattern of the knots around a span up to order 3, the two extreme ones above
 :over: t#: knots
 :defines: bspline_matrix_by_differences
 :control: the last two columns exchanged
@@ -568,6 +574,7 @@ left and those of an ordinary power at the nodes on the right; that is all that 
 :method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$
   right of the span and 0 left of it.
 :degrees: 0..4 sampled 7
+:scope: every multiplicity of the knots of a function
 :over: t#: knots
 :control: the data right and left of the span exchanged
 :::
@@ -672,6 +679,7 @@ because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
 :then: the printed second line is 0 for every $t$
 :method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
 :degrees: 0..4 sampled 7
+:scope: every multiplicity of the knots of a function
 :over: t#: knots
 :control: powers of one degree more
 :::

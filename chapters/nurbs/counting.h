@@ -116,6 +116,21 @@ static inline void counted_ways(int p, struct counted_way way[3], long *tree)
     }
 }
 
+/* The operations that the coefficient matrix of degree p < counted_points takes: by the recursion, and by Marsden's identity. */
+static inline void counted_matrices(int p, long cost[2])
+{
+    num_n u[counted_knots], A[counted_points * counted_points];
+    for (int way = 0; way < 2; way++) {
+        cost[way] = 0;
+        for (int i = 0; i < 2 * p + 2; i++)
+            u[i] = (num_n){.steps = &cost[way]};
+        if (way == 0)
+            bspline_matrix_n(p, u, p, A);
+        else
+            bspline_matrix_by_marsden_n(p, u, p, A);
+    }
+}
+
 /* The operations of these three ways alone. */
 static inline void counted_work(int p, long cost[3], long *tree)
 {

@@ -52,6 +52,7 @@ speak about multisets there; a product of matrices has no such cases.
 :then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
 :method: All by the recursion by its letter.
 :degrees: 1..6 sampled 6
+:scope: 17 triples of patterns of knots
 :control: $T_1$ and $T_2$ exchanged in the second factor only
 :::
 */
@@ -91,6 +92,7 @@ weights that the first has made. The printed formula does this, without saying w
 :then: (4.1.7), and the same for the weights
 :method: (4.1.6) for one step and for two, all sums by their letter.
 :degrees: 1..6 sampled 6
+:scope: 17 triples of patterns of knots
 :control: the weights after the first step taken as 1
 :::
 */
@@ -145,6 +147,7 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :then: the points, weights and knots are the same
 :method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
 :degrees: 1..6 sampled 7
+:scope: two knots put between clamped ends
 :control: the second order with another second knot
 :::
 */
@@ -190,6 +193,7 @@ CLAIM(insertions_commute)
 :then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
 :method: The kernel; signs are read off coefficients.
 :degrees: 1..6 sampled 7
+:scope: one span of simple knots
 :over: s: ratio in which τ divides its interval
 :control: $s_i$ without the weights
 :::
@@ -273,7 +277,8 @@ static int G(knots_below)(const struct G(refinement) * r, int place)
 :method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
   knots before $t'$.
 :degrees: 0..6 sampled 6
-:scope: the distinct knots variables up to order 6, numbers above
+:scope: a knot of every multiplicity below k between simple and clamped ones; the distinct knots variables up to order 6,
+  numbers above
 :control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
 :::
 */

@@ -56,6 +56,7 @@ shares $\alpha_i(j)w_i$. For these to be means the $\alpha_i(j)$ must not be neg
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
 :degrees: 1..6 sampled 6
+:scope: 22 pairs of patterns of knots
 :control: the share of $r_1$ left out of the sum
 :::
 */
@@ -92,7 +93,7 @@ itself. It is stronger than the equality of the quotients, which a common factor
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 6, numbers above
+:scope: 22 pairs of patterns of knots; the distinct knots variables up to order 6, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
 */
@@ -218,7 +219,7 @@ outside makes the weight of an end smaller, several also those next to it, and a
   true of multiple knots.  More knots one after the other, by (4.1.7).
 :types: field rational
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 4, numbers above
+:scope: one knot outside the domain of k+1 points over simple knots; the distinct knots variables up to order 4, numbers above
 :control: the first or the last share, that which is less than $1$, taken as $1$
 :::
 */
@@ -434,6 +435,7 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
 :method: Both recursions by their letter.
 :degrees: 1..6 sampled 6
+:scope: 22 pairs of patterns of knots
 :control: $\alpha_{i,k}(j)$ taken at $j+1$
 :::
 */
@@ -466,6 +468,7 @@ CLAIM(discrete_bsplines_refine_the_basis)
 :then: `bspline_discrete` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
 :degrees: 1..6 sampled 6
+:scope: 22 pairs of patterns of knots
 :defines: bspline_discrete
 :control: $v_{j+1}$ replaced by $v_j$
 :::

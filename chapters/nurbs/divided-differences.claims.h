@@ -298,13 +298,14 @@ CLAIM(printed_last_row_has_wrong_factor)
 :zh: 方程组的未知量与右端
 :printed: H\cdot(c_0,c_1,c_2,\dots,f^{(l_1-1)}(\tau_1),\dots,f(\tau_d),\dots,f^{(l_d-1)}(\tau_d))^T,\ \text{without an
   equals sign}
-:reading: system_says_osculation | the column is two columns run into one: the unknowns $c_0,\dots,c_k$, an equals
-  sign, and the values of $f$ and its derivatives; so read the system is right
-:reading: mixed_column_is_no_system | the column is what the matrix is multiplied by, with the values of $f$ in the
-  places of $c_3,\dots$; then nothing is equated, and the product is not the vector of values
+:class: misprint
+:refuted-by: mixed_column_is_no_system
 :corrected: H(T;1,t,\dots,t^k)\,(c_0,\dots,c_k)^T=(f(\tau_1),\dots,f^{(l_1-1)}(\tau_1),\dots,f^{(l_d-1)}(\tau_d))^T
 :corrected-by: system_says_osculation
 :figure: osculating_polynomial
+
+Two columns have run into one: the unknowns $c_0,\dots,c_k$, an equals sign, and the values of $f$ and its derivatives.  As
+printed, nothing is equated; and with the values of $f$ in the places of $c_3,\dots$ the product is not the vector of values.
 :::
 */
 
@@ -720,10 +721,10 @@ The places are the numbers $0,\dots,k$, each once.
 :::{statement} wang-ch4:lemma-4.4.1-independent
 :title: The weights depend on the nodes, not on the function
 :zh: 系数依赖于节点而与 f 无关
-:printed: \alpha_{ij}(T)\ \text{depends on }T\text{ and not on }f
+:printed: \alpha_{ii}(T)\ \text{depends on }T\text{ and not on }f
 :holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
 
-The source has the indices $ii$ here, for $ij$.  Only nodes and multiplicities enter the cofactors, and because the
+Printed are the indices $ii$ for $ij$, see `notation-4.4`.  Only nodes and multiplicities enter the cofactors, and because the
 values of $f$ are free no other weights do the same.
 :::
 

@@ -20,14 +20,16 @@ vanishing curvature or torsion, and its members have them.
 */
 #include "chapters/nurbs/family.h"
 
+#include <string.h>
+
 #include "chapters/judge/claims_on.h"
 
 /*
 :::{statement} wang-ch4:thm-4.3.3
 :title: For every r the envelope is unique
 :zh: 对任意 r 包络唯一
-:printed: for every $r=1,2,\dots,k-2$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$, $t_j\le
-  t<t_{j+1}$, of the curve
+:printed: for every $r=1,2,\dots,k-2$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$,
+  $t_i\le t<t_{i+1}$, of the curve
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope twisted_sextic_has_second_envelope
 :reading: convex_quartic_of_span_has_second_envelope | all joint solutions, for plane curves without inflections:
@@ -43,10 +45,12 @@ vanishing curvature or torsion, and its members have them.
   $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
+:argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
+  is a polar form of the level before.
 :striking: 2
 :figure: nurbs_envelope_square
 
-For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
+Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
 $\mathbf r'\times\mathbf r''=0$ at $\tau$.  As $f[\tau^r,t^{k-1-r}]$ says, $r$ and $k-1-r$ have the same solutions
 with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have to be fulfilled, so as a rule single
 pairs are left and no curve; for $k=7$ there can be a curve.
@@ -268,11 +272,12 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
   +\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
 :holds-by: level_by_sums_over_the_level_before
-:hypothesis: first_term_of_the_chain_divides_by_zero | a quotient 0/0 counts as 0; the terms $i=j-k+r$ and $i=j$
-  contain B-splines that vanish on the span, divided by differences of knots that may be 0
+:meant: (2.1.1), the recursion of the B-splines | A quotient $0/0$ counts as $0$, as everywhere in the theory of B-splines.
+:reading: first_term_of_the_chain_divides_by_zero | with division by its letter: false at multiple knots, as the terms $i=j-k+r$
+  and $i=j$ contain B-splines that vanish on the span over differences of knots that may be $0$
 :figure: divisor_zero
 
-All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
+In the last line the source has $i=i-k+r$ for $i=j-k+r$, twice: see `notation-4.3`.  All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
 includes, the values are limits from the left.
 :::
 
@@ -377,6 +382,88 @@ CLAIM(first_term_of_the_chain_divides_by_zero)
     about(T, "no divisor is 0");
     refute(T, zeros > 0);
 }
+#endif
+
+/*
+:::{statement} wang-ch4:notation-4.3
+:title: The letter of the span in the last proof
+:zh: 区间与求和下标中的字母
+:printed: $t_i\le t<t_{i+1}$ in theorem 4.3.3, with the difference of the weights, in (4.3.17) and with the products of level $r-2$;
+  $\sum_{i=i-k+r}^j$, twice, in the last line of the display for the denominator
+:class: misprint
+:refuted-by: sum_begins_at_no_index span_has_the_letter_of_the_sum
+:corrected: $t_j\le t<t_{j+1}$ and $\sum_{i=j-k+r}^j$
+:corrected-by: span_has_its_own_letter
+
+$j$ is the number of the span, $i$ that of a term of the sums.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} sum_begins_at_no_index
+:title: No index i is i-k+r for r < k
+:zh: 求和下限 i=i-k+r 无意义
+:kind: counterexample
+:given: $k$, $r$, $j$ and an index $i$; the lower limit of the sum taken from $i$, as printed
+:data: k = 4; r = 2; j = 6; i = 4
+:then: $i$ is not $i-k+r$, so that the sum has no first term
+:result: lower limit = 2
+:method: The lower limit is computed and compared with $i$.
+:control: the lower limit taken from $j$
+:::
+*/
+CLAIM(sum_begins_at_no_index)
+{
+    int k = given_whole(T, "k"), r = given_whole(T, "r"), j = given_whole(T, "j"), i = given_whole(T, "i");
+    int lower = fault(T, j, i) - k + r;
+    found_whole(T, "lower limit", lower);
+    about(T, "the index and the lower limit");
+    same(T, from_int(i), from_int(lower));
+}
+
+/* Whether the span has the letter of the span in each of four places. */
+static int spans_have_their_letter(trial *T)
+{
+    static const char *const place[] = {"theorem 4.3.3", "difference of the weights", "(4.3.17)",
+                                        "products of level r-2"};
+    int all = 1;
+    for (int m = 0; m < 4; m++)
+        all &= strcmp(given_text(T, place[m]), "t_j") == 0;
+    about(T, "the span begins with t_j");
+    return all;
+}
+
+/*
+:::{claim} span_has_the_letter_of_the_sum
+:title: In four places the span has the letter of the sums
+:zh: 四处区间用了求和下标
+:kind: counterexample
+:given: the knot with which the span begins, in four places; everywhere else in these sections it is $t_j$
+:data: theorem 4.3.3 = "t_i"; difference of the weights = "t_i"; (4.3.17) = "t_i"; products of level r-2 = "t_i"
+:instead: theorem 4.3.3 = "t_j"; difference of the weights = "t_j"; (4.3.17) = "t_j"; products of level r-2 = "t_j"
+:then: none of the four is $t_j$
+:method: Place by place.
+:control: the four letters corrected
+:::
+*/
+CLAIM(span_has_the_letter_of_the_sum) { agree(T, spans_have_their_letter(T)); }
+
+/*
+:::{claim} span_has_its_own_letter
+:title: With the letters corrected the span is that of the other formulas
+:zh: 更正后区间一致
+:kind: decision
+:given: the four letters, corrected
+:data: theorem 4.3.3 = "t_j"; difference of the weights = "t_j"; (4.3.17) = "t_j"; products of level r-2 = "t_j"
+:instead: theorem 4.3.3 = "t_i"; difference of the weights = "t_i"; (4.3.17) = "t_i"; products of level r-2 = "t_i"
+:then: each is $t_j$
+:method: Place by place.
+:scope: the four places
+:control: the letters as printed
+:::
+*/
+CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
 #endif
 
 /*

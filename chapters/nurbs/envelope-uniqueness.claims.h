@@ -40,6 +40,8 @@ inflection: it is touched by every member.
   only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
   convex_polygon_of_span_has_one_envelope
+:argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
+  is a polar form of the level before.
 :striking: 2
 :figure: nurbs_second_line
 
@@ -545,6 +547,9 @@ osculating plane passes through it, and is therefore weaker than (4.3.9), which 
 :method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
   product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
   weights, knots and $t$ as variables.
+:scope: k = 2 to 4 for the sum over the points
+:argued: every order | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
+  $N_{i,k}(t)w_ir_i$.
 :over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the sign
 :::

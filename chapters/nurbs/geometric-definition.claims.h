@@ -47,6 +47,8 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :then: $\sum_{i=1}^nN_{i,2}(t)w_ir_i/\sum_{i=1}^nN_{i,2}(t)w_i$ is the printed quotient, $j=2,\dots,n$
 :method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
   variable.
+:scope: k = 2 with five points; simple knots and five patterns with double ones
+:argued: every number of points | On a span two functions of order 2 are not 0, and these know four knots.
 :control: the weights of the two points exchanged
 :::
 */
@@ -158,8 +160,10 @@ CLAIM(double_knot_skips_a_leg)
 :zh: 多边形的统一表示
 :printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
 :holds-by: polygon_is_the_curve_of_order_two
-:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
-  $t_{n+1}=t_{n+2}$: by the letter the sum is $0/0$ there, and the polygon lacks $\mathbf r_n$
+:meant: the range $t_2\le t\le t_{n+1}$ is printed closed | At its end the limit from the left, as `def-4.1.1-interval` says once for all
+  curves.
+:reading: polygon_end_belongs_to_no_interval | at $t=t_{n+1}=t_{n+2}$ by the letter of the half-open intervals: false, the sum is
+  $0/0$ there, and the polygon lacks $\mathbf r_n$
 :figure: nurbs_polygons
 :::
 
@@ -256,9 +260,9 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 :hypothesis: lower_level_lacks_a_point | nor any $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$
 :hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with
   $t_i=t_{i+2}$, whose $N_{i,2}$ is 0, are left out
-:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
-  $t_{n+1}=t_{n+2}$
 :figure: nurbs_polygons
+
+Values at $t_{n+1}$ are limits from the left, see `def-4.1.1-interval`.
 :::
 
 In the polygon of $\tau$ only one leg belongs to the span of $\tau$.  What are the others?  By the polar form the leg
@@ -277,7 +281,7 @@ it by continuing each segment beyond its knots.
   is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
   `first_level_condition_factors` with $t$ and $\tau$ exchanged.
 :degrees: 2..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: simple knots; the distinct knots variables up to order 5, numbers above
 :control: the segment of the first span for every span
 :::
 */
@@ -440,6 +444,7 @@ of knots.
 :method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
   span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
   zero.
+:scope: k = 3 over simple knots
 :control: the factor 2
 :::
 */

@@ -80,6 +80,61 @@ CLAIM(cited_label_is_not_printed)
 }
 
 /*
+:::{statement} wang-ch4:notation-4.4
+:title: Indices of section 4.4
+:zh: 4.4 节若干记号的下标
+:printed: $\omega_{i,\iota}(x)$ in the proof of theorem 4.4.2; the cofactors $g^*_\mu$ of $g_\mu$ below theorem 4.4.3; $\alpha_{ii}(T)$ below
+  lemma 4.4.1; $\mathbf A_{r,t,T}$ for equidistant knots
+:class: misprint
+:refuted-by: four_names_have_other_indices
+:corrected: $\omega_{i,k}(x)$, $g^*_{\mu i}$ of $g_{\mu i}$, $\alpha_{ij}(T)$, $\mathbf A_{r,k,T}$
+:corrected-by: four_names_have_their_indices
+:::
+*/
+
+/* Whether each of the four names has the indices that it has elsewhere in the section. */
+static int names_have_their_indices(trial *T)
+{
+    static const char *const name[] = {"ω", "g*", "α", "A"}, *const indices[] = {"i,k", "μi", "ij", "r,k,T"};
+    int all = 1;
+    for (int m = 0; m < 4; m++)
+        all &= strcmp(given_text(T, name[m]), indices[m]) == 0;
+    about(T, "the indices are those of the other formulas");
+    return all;
+}
+
+/*
+:::{claim} four_names_have_other_indices
+:title: Four names have other indices than everywhere else
+:zh: 四处记号的下标有误
+:kind: counterexample
+:given: the indices of four names, each in one place of section 4.4
+:data: ω = "i,ι"; g* = "μ"; α = "ii"; A = "r,t,T"
+:instead: ω = "i,k"; g* = "μi"; α = "ij"; A = "r,k,T"
+:then: none of them are those of the definitions
+:method: Name by name.
+:control: the four indices corrected
+:::
+*/
+CLAIM(four_names_have_other_indices) { agree(T, names_have_their_indices(T)); }
+
+/*
+:::{claim} four_names_have_their_indices
+:title: With the indices corrected the names are those of the definitions
+:zh: 更正后记号一致
+:kind: decision
+:given: the indices of the four names, corrected
+:data: ω = "i,k"; g* = "μi"; α = "ij"; A = "r,k,T"
+:instead: ω = "i,ι"; g* = "μ"; α = "ii"; A = "r,t,T"
+:then: each has the indices of its definition
+:method: Name by name.
+:scope: the four names
+:control: the indices as printed
+:::
+*/
+CLAIM(four_names_have_their_indices) { agree(T, names_have_their_indices(T)); }
+
+/*
 The keys of the main references contain a year.  One key is cited that the list does not have; with another year it
 does.
 

@@ -154,6 +154,7 @@ of $u$.  The formula is computed as it stands, with determinants over all permut
 :method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the
   B-splines by their definition.
 :degrees: 0..4 sampled 4
+:scope: every pattern of the knots around a span up to order 3, the two extreme ones above
 :over: t#: knots
 :defines: bspline_matrix_by_marsden
 :control: the cofactors transposed
@@ -235,7 +236,7 @@ representation in powers.
   sides of the span only, so where they agree for simple variable knots they agree for coincident ones as well; the
   case distinctions of the other kernel are settled column by column in the section before.
 :degrees: 0..4 sampled 6
-:scope: every multiplicity
+:scope: every pattern of the knots around a span
 :over: t#: knots
 :control: the knot $t_{r+2}$ is moved for the second matrix
 :::
@@ -432,11 +433,14 @@ CLAIM(empty_span_makes_g_singular)
 :title: The reason given: linear independence of the basis
 :zh: 由线性无关性推出 det G ≠ 0
 :printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
-:holds-by: singular_g_makes_powers_dependent
-:hypothesis: independent_functions_do_not_suffice | the basis that is used is that of the powers on the left of (4.4.21); the
-  independence of the B-splines alone does not say that $k$ combinations of them are independent
+:class: invalid-proof
+:refuted-by: independent_functions_do_not_suffice
+:corrected: by the linear independence of the powers on the left of (4.4.21), $\det\mathbf G_{r,k,T}\ne0$: a vector $c$ with
+  $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$
+:corrected-by: singular_g_makes_powers_dependent
 
-A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of the B-splines is then a consequence.
+The independence of $k$ functions does not say that $k$ combinations of them are independent; that of the combinations does.  The
+independence of the B-splines is then a consequence.
 :::
 
 The reason that the source gives is one of two halves.  The rows of $G$ express the powers by the B-splines, so a
@@ -449,6 +453,7 @@ dependence of the rows is one of the powers; that the B-splines are independent 
 :then: $\sum_\mu c_\mu t^\mu=\sum_i(G^Tc)_iN_{i,k}(t)$; so $G^Tc=0$ makes the polynomial vanish, and $c=0$
 :method: Both sides at a variable $t$.
 :degrees: 0..5 sampled 7
+:scope: simple knots
 :over: t#: knots; c#: coefficients
 :control: $G$ in the place of its transpose
 :::
@@ -518,6 +523,7 @@ With $\det G\ne0$ the last two steps are the inverse matrix by cofactors and the
 :then: $\det G\,N_{i,k}(t)=\sum_\mu g^*_{\mu i}t^\mu$
 :method: Determinants and cofactors of the kernels; the B-splines by definition.
 :degrees: 0..4 sampled 7
+:scope: simple knots
 :over: t#: knots
 :control: the cofactors transposed
 :::

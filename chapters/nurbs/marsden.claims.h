@@ -105,7 +105,8 @@ CLAIM(elementary_symmetric_is_sum_over_subsets)
 :title: Marsden's identity
 :zh: 定理 4.4.2 Marsden 恒等式
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
-:holds-by: marsden_identity marsden_identity_for_every_pattern
+:holds-by: marsden_step_for_every_order
+:confirmed-by: marsden_identity marsden_identity_for_every_pattern
 :needs: marsden_identity_ends_with_the_span | the theorem names the span | $t$ lies in the span whose functions are
   summed
 :figure: marsden_identity
@@ -134,6 +135,7 @@ as well.
 :method: The B-splines by their definition.  On the span they are rational functions of the knots whose denominators are
   differences of knots on its two sides; so the identity holds for coincident knots as well.
 :degrees: 0..5 sampled 7
+:scope: simple knots
 :over: t#: knots; x
 :control: the coefficient of the first function left out
 :::
@@ -149,6 +151,51 @@ CLAIM(marsden_identity)
     same(T, sum, G(power)(sub(x, t), k - 1));
 }
 
+#if FIELD
+/*
+The induction of the source can be run for all orders at once.  In the sum over the functions of order $k$ the recursion puts two
+functions of order $k-1$ in the place of each; $N_{i,k-1}$ then stands in two neighbouring terms, with the factor that two
+neighbouring products have in common.
+
+:::{claim} marsden_step_for_every_order
+:title: From one order to the next, whatever the order
+:zh: 任意阶数的归纳步
+:types: field
+:given: $N_{i,k-1}(t)$ and its two neighbours, the product $q=\omega_{i,k-1}(x)$, the knots $a=t_i$, $b=t_{i+k-1}$; so that
+  $\omega_{i,k}(x)=q\,(x-b)$ and $\omega_{i-1,k}(x)=q\,(x-a)$; all variables
+:then: in $W_iN_{i,k}(t)+W_{i-1}N_{i-1,k}(t)$ the function $N_{i,k-1}(t)$ has the factor
+  $\frac{t-a}{b-a}W_i+\frac{b-t}{b-a}W_{i-1}$, and for $W_i=\omega_{i,k}(x)$, $W_{i-1}=\omega_{i-1,k}(x)$ this is $(x-t)\,q$
+:method: Both functions of order $k$ by the recursion of Cox and de Boor, with other factors $c$, $d$ for the outer functions; the
+  derivative by $N_{i,k-1}$.  So $\sum\omega_{i,k}N_{i,k}=(x-t)\sum\omega_{i,k-1}N_{i,k-1}$: on the span the outer functions of the
+  sum vanish, and for $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide.  For $k=1$ the identity is $1=1$.
+:degrees: all
+:over: x; q: product; a b: knot; N#: values of functions; W#: coefficients; c: -; d: -
+:control: the factors $x-a$ and $x-b$ exchanged
+:::
+*/
+CLAIM(marsden_step_for_every_order)
+{
+    num x = unknown(T, "x", 0), t = parameter(T, "t"), q = unknown(T, "q", 0), a = unknown(T, "a", 0),
+        b = unknown(T, "b", 0);
+    num N[3], W[2], rise = div(sub(t, a), sub(b, a)), fall = div(sub(b, t), sub(b, a));
+    for (int m = 0; m < 3; m++)
+        N[m] = unknown(T, "N", m);
+    for (int m = 0; m < 2; m++)
+        W[m] = unknown(T, "W", m);
+    /* N_i,k = rise N_i,k-1 + c N_i+1,k-1 and N_i-1,k = d N_i-1,k-1 + fall N_i,k-1; N[1] is N_i,k-1 */
+    num right = add(mul(rise, N[1]), mul(unknown(T, "c", 0), N[2])),
+        left = add(mul(unknown(T, "d", 0), N[0]), mul(fall, N[1]));
+    num factor = derivative_f(add(mul(W[1], right), mul(W[0], left)), N[1]);
+    about(T, "the factor of N_i,k-1");
+    same(T, factor, add(mul(rise, W[1]), mul(fall, W[0])));
+    num here = mul(q, sub(x, fault(T, b, a))), before = mul(q, sub(x, fault(T, a, b)));
+    about(T, "the factor with the products");
+    same(T, add(mul(rise, here), mul(fall, before)), mul(sub(x, t), q));
+    about(T, "order 1");
+    same(T, G(power)(sub(x, t), 0), from_int(1));
+}
+#endif
+
 /*
 :::{claim} marsden_identity_for_every_pattern
 :title: Marsden's identity for coincident knots
@@ -158,6 +205,7 @@ CLAIM(marsden_identity)
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
 :degrees: 0..4 sampled 7
+:scope: every pattern of the knots around a span up to order 4, random ones above
 :over: t#: knots; x
 :control: $x$ and $t$ exchanged on the right
 :::
@@ -221,7 +269,8 @@ CLAIM(marsden_identity_ends_with_the_span)
 :title: The identity as one of polynomials in x and t
 :zh: 恒等式作为 x 与 t 的多项式恒等式
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
-:holds-by: marsden_identity marsden_identity_up_to_order_eight
+:holds-by: marsden_step_for_every_order
+:confirmed-by: marsden_identity marsden_identity_up_to_order_eight
 :figure: marsden_identity
 
 With the polynomials of the span in the places of the $N_{i,k}$ it holds for all $t$, not in the span alone.
@@ -235,6 +284,7 @@ With the polynomials of the span in the places of the $N_{i,k}$ it holds for all
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines from the kernel of the basis, at a variable $t$.
 :degrees: 0..7 sampled 12
+:scope: equidistant knots, or all equal on each side
 :over: x; a: knot
 :control: the coefficient of the last function left out
 :::
@@ -265,7 +315,8 @@ functions is one level of de Boor's algorithm for the coefficients.
 :title: The proof needs nothing but the recursion of de Boor
 :zh: 证明只用 deBoor 递推公式
 :printed: a short new proof is given, which needs only de Boor's formula (2.1.1)
-:holds-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
+:holds-by: marsden_step_for_every_order
+:confirmed-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
 :needs: one_level_needs_the_span | (2.1.1), which the proof cites | that $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on
   the span, which (2.1.1) says with the functions of order 1, by induction
 :figure: marsden_identity
@@ -286,7 +337,8 @@ begins.  As the step of the recursion alone it does not suffice: then the suppor
 :zh: 递推转移到系数
 :printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
   W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
-:holds-by: one_level_moves_to_the_coefficients
+:holds-by: marsden_step_for_every_order
+:confirmed-by: one_level_moves_to_the_coefficients
 :needs: one_level_needs_the_span | (2.1.1), which the proof cites | the functions at the ends, $N_{r-k+1,k-1}$ and
   $N_{r+1,k-1}$, vanish on the span
 :figure: marsden_identity
@@ -316,6 +368,7 @@ the span, so that the sum loses one term.
 :then: $\sum W_i^0N_{i,k}(t)=\sum W_i^1N_{i,k-1}(t)$ with the printed $W_i^1$ and the printed limits
 :method: All functions by their definition.
 :degrees: 1..5 sampled 7
+:scope: every pattern of the knots around a span up to order 3, simple knots above
 :over: t#: knots; W#: coefficients
 :control: the two fractions in $W_i^1$ exchanged
 :::
@@ -379,7 +432,8 @@ CLAIM(one_level_needs_the_span)
 :title: For the coefficients of the identity one level takes off a factor
 :zh: ω 经一层递推降一阶
 :printed: W_i^0=\omega_{i,k}(x)\ \Rightarrow\ W_i^1=(x-t)\,\omega_{i,k-1}(x)
-:holds-by: one_level_takes_off_a_factor
+:holds-by: marsden_step_for_every_order
+:confirmed-by: one_level_takes_off_a_factor
 :figure: marsden_identity
 
 The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is
@@ -420,7 +474,8 @@ CLAIM(one_level_takes_off_a_factor)
 :zh: 逐层递推的等式链
 :printed: \sum_{i=r-k+1}^r\omega_{i,k}N_{i,k}=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}N_{i,k-1}=\dots=(x-t)^{k-1}\omega_{r,1}
   N_{r,1}=(x-t)^{k-1}
-:holds-by: every_link_of_the_chain
+:holds-by: marsden_step_for_every_order
+:confirmed-by: every_link_of_the_chain
 :figure: marsden_identity
 :::
 
@@ -433,6 +488,7 @@ So each step lowers the order by 1 and leaves a factor behind, until one functio
 :then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
 :method: Each sum by itself, from the definitions.
 :degrees: 0..5 sampled 7
+:scope: simple knots
 :over: t#: knots; x
 :control: the sums begin at $i=r-m+2$
 :::
@@ -492,6 +548,7 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
 :types: field
 :degrees: 0..5
+:scope: simple knots
 :over: t#: knots; x: -
 :control: the sign $(-1)^\mu$ left out
 :::
@@ -535,6 +592,7 @@ knots.  This is a polar form in disguise: the control value of $t^j$ at the inne
 :then: (4.4.22) for every $j$
 :method: The symmetric functions as sums over subsets, the B-splines by definition.
 :degrees: 0..5 sampled 7
+:scope: every pattern of the knots around a span up to order 3, simple knots above
 :over: t#: knots
 :control: the knots $t_i,\dots,t_{i+k-2}$
 :::

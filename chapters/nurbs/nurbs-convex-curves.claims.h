@@ -23,6 +23,9 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more; else the curve is
   not continuous
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | positive weights
+:argued: | For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, and they turn as
+  the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
+  linearly independent; it goes straight on, and so does the curve.
 :figure: convex_polygon_convex_spline
 
 For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, so by the
@@ -45,6 +48,7 @@ polygon (`periodic_curves_of_convex_polygons_are_convex`).
   treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
   at $t',\dots,t'$.
 :degrees: k = 2..6 sampled 6
+:scope: clamped ends with one knot of every multiplicity below k between
 :control: the second vertex counted one too low
 :::
 */
@@ -244,6 +248,8 @@ corollary 4.1.1 is that of the $T'_m$.
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
+:argued: | The limit of a decreasing sequence of compact sets is their intersection, and an intersection of closed convex sets is
+  closed and convex.
 :figure: hulls_of_knot_sets
 
 What is decided is that the sets decrease.  The limit of a decreasing sequence of compact sets is their intersection, and
@@ -291,6 +297,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
   together with the segment over which it jumps
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
+:argued: | A limit of points of the boundaries is on the boundary of the limit, since a disc inside $A$ is inside every hull.
 :figure: where_hypotheses_are_needed
 
 The reason is not given.  It is this: let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every

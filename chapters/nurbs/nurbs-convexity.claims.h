@@ -72,7 +72,9 @@ triples are not enough: a polygon may turn left at every vertex and come round t
   all edges are on the boundary of the hull, in its direction; and a polygon that comes round a second time has three points
   in clockwise order.  Conversely three points in order of the boundary turn left or are on one line.
 :degrees: points = 3..6
-:scope: the stated polygons; all others by the argument given
+:scope: the stated polygons
+:argued: every polygon | If the $D_{ijl}$ are $\ge0$ and one is positive, no point is on the right of an edge or of the chord, so that all edges
+  are on the boundary of the hull, in its direction; a second round would give three points in clockwise order.
 :control: only the areas of three neighbouring points are asked for, which leaves out some for $n>3$
 :::
 */

@@ -34,6 +34,8 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same with intervals closed on the right, and $\tau=t_1$ excluded as well; when $t_k$ is a
   $k$-fold knot it is not inserted again
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
+:argued: every order and every number of points and knots | One corner after the other is cut, and neither the triangles nor the
+  identities of one insertion know how many points there are; their other cases are those of the claims.
 :figure: cutting_corners
 
 Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  A knot outside the domain makes the weight of an end
@@ -59,7 +61,7 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
   variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
 :degrees: k = 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: simple knots, and clamped ends with one knot between; the distinct knots variables up to order 5, numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
 */
@@ -159,7 +161,8 @@ the corners are cut.
   $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits.  Three rows have entries in six columns at most, and which of
   these coincide is decided by whether neighbouring rows follow one another; with $n\ge5$ all cases occur.
 :degrees: points = 3..6
-:scope: signs for every n, by the last remark
+:argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
+  and which of these coincide is decided by whether neighbouring rows follow one another.
 :over: a#: ratios of α to 1-α; x#: homogeneous points
 :control: two neighbouring rows exchanged in the minors
 :::
@@ -422,6 +425,7 @@ see it in the points.
   $m\ge k$ the first repeats $r_\mu$, the second $r_{\mu+m-k+1}$, and the old points are all kept
 :method: All $\alpha_i$ by the printed cases, with the knots variables.
 :degrees: k = 2..6
+:scope: a multiple knot among simple ones
 :control: the second with $\mu+m+1$ for $\mu+m$
 :::
 */
@@ -578,13 +582,14 @@ With the new weights, which the notation does not show; in the second equation t
 :::{claim} knots_are_inserted_in_any_order
 :title: Two insertions give the same points and weights in either order, and those of the Oslo algorithm
 :zh: 嵌节点次序无关
-:given: orders $k=2,3,4$, ends of multiplicity $k$ and two simple knots between; two new knots, in one interval, in different
+:given: ends of multiplicity $k$ and two simple knots between; two new knots, in one interval, in different
   intervals, the same knot twice, or the knots of the curve themselves
 :then: the printed insertion, once for each knot, gives the same points and weights in either order; the homogeneous points are those
   of `bspline_refine`
 :method: The field, all knots, weights and points variables.  For more knots by induction: every two neighbours in the order may be
   exchanged.
 :degrees: k = 2..6 sampled 7
+:scope: clamped ends with two simple knots between
 :over: r#: points
 :control: the second knot inserted with the weights of the old polygon
 :::

@@ -7,6 +7,7 @@ ratio of the weights at its ends.
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
+#include "chapters/nurbs/patterns.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -67,12 +68,13 @@ end.
 :::{claim} rational_triangle_follows_the_recursion
 :title: The levels of the kernel are those of (4.1.3) and (4.1.4)
 :zh: 核函数各层即 (4.1.3)、(4.1.4)
-:given: an interval between simple knots, values variables; weights and points of the plane, any $t$; every level
+:given: every segment, the distinct knots variables; weights and points of the plane, any $t$; every level
 :then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
   stay where they were
 :method: The kernel against the two recursions by their letter, in the indices of the source.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
+  numbers above
 :defines: nurbs_deboor_level
 :control: the last level is given the weights 1
 :::
@@ -80,32 +82,34 @@ end.
 CLAIM(rational_triangle_follows_the_recursion)
 {
     int p = T->degree, k = p + 1, j = k;
-    num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
-    G(distinct_knots)(T, 2 * k, 4, u);
+    struct G(knot_vector) K = {0};
+    num R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
     G(weighted_points)(T, k, 2, R, w);
-    for (int m = 0; m < k; m++) {
-        v[m] = w[m];
-        P[2 * m] = R[2 * m];
-        P[2 * m + 1] = R[2 * m + 1];
-    }
-    for (int r = 1; r <= p; r++) {
-        int points = k - r; /* after this level */
-        num last = v[points], end[2] = {P[2 * points], P[2 * points + 1]};
-        for (int m = 0; T->faulty && r == p && m <= points; m++)
-            v[m] = last = from_int(1);
-        G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, u, j - 1, NULL, NULL), r, P, v, t);
-        for (int m = 0; m < points; m++) {
-            int i = j - k + r + 1 + m;
-            about(T, "w_i^[r]");
-            same(T, v[m], G(printed_weight)(k, u, w, r, i, t));
-            about(T, "r_i^[r]");
-            for (int c = 0; c < 2; c++)
-                same(T, P[2 * m + c], G(printed_point)(k, 2, u, R, w, r, i, c, t));
+    for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
+        for (int m = 0; m < k; m++) {
+            v[m] = w[m];
+            P[2 * m] = R[2 * m];
+            P[2 * m + 1] = R[2 * m + 1];
         }
-        about(T, "the last of the level before");
-        same(T, v[points], last);
-        for (int c = 0; c < 2; c++)
-            same(T, P[2 * points + c], end[c]);
+        for (int r = 1; r <= p; r++) {
+            int points = k - r; /* after this level */
+            num last = v[points], end[2] = {P[2 * points], P[2 * points + 1]};
+            for (int m = 0; T->faulty && r == p && m <= points; m++)
+                v[m] = last = from_int(1);
+            G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, K.u, j - 1, NULL, NULL), r, P, v, t);
+            for (int m = 0; m < points; m++) {
+                int i = j - k + r + 1 + m;
+                about(T, "w_i^[r]");
+                same(T, v[m], G(printed_weight)(k, K.u, w, r, i, t));
+                about(T, "r_i^[r]");
+                for (int c = 0; c < 2; c++)
+                    same(T, P[2 * m + c], G(printed_point)(k, 2, K.u, R, w, r, i, c, t));
+            }
+            about(T, "the last of the level before");
+            same(T, v[points], last);
+            for (int c = 0; c < 2; c++)
+                same(T, P[2 * points + c], end[c]);
+        }
     }
 }
 
@@ -155,39 +159,28 @@ Better with $j$ in the place of $i$, as $i$ has been running up to here.
 :::{claim} rational_triangle_gives_the_point
 :title: After k-1 levels the point of the curve is reached
 :zh: k-1 层之后得到曲线上的点
-:given: every pattern of knots of the list, values variables; every interval $[t_j,t_{j+1})$ of the domain; weights, points, any
-  $t$
+:given: several segments, the distinct knots variables; every interval $[t_j,t_{j+1})$ of the domain; weights, points, any $t$
 :then: $r_j^{[k-1]}(t)=r(t)$ and $w_j^{[k-1]}(t)=w(t)$, by the recursion and by the kernel
 :method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
   of $t$: at the right end of a closed interval the recursion gives the limit from the left.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :defines: nurbs_deboor
 :control: the point $r_{j-1}^{[k-2]}(t)$
 :::
 */
-static const char *const G(kinds)[][4] = {
-    {NULL},
-    {"1111", "222", "1221", NULL},
-    {"11111", "323", "2112", NULL},
-    {"1111111", "434", "42124", NULL},
-    {"515", "12222", NULL},
-    {"66", "61326", NULL},
-    {"727", NULL},
-};
-
 CLAIM(rational_triangle_gives_the_point)
 {
-    int p = T->degree, k = p + 1, place[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], point, out, t = unknown(T, "t", 0);
-    for (int m = 0; G(kinds)[p][m] != NULL; m++) {
-        const char *pattern = G(kinds)[p][m];
-        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
-        int count = G(knots_at)(pattern, x, u, place), n = count - k;
-        G(weighted_points)(T, n, 1, R, w);
-        for (int interval = place[p]; interval < place[n]; interval++) {
-            int j = G(span_of_interval)(count, place, interval) + 1;
-            num total = G(nurbs_by_definition)(n, p, 1, u, place, R, w, interval, t, &point);
+    int p = T->degree, k = p + 1;
+    struct G(knot_vector) K = {0};
+    num R[MOST_KNOTS], w[MOST_KNOTS], point, out, t = unknown(T, "t", 0);
+    for (int m = G(several_knots)(T, p, 0, &K); m > 0; m = G(several_knots)(T, p, m, &K)) {
+        const num *u = K.u;
+        G(weighted_points)(T, K.n, 1, R, w);
+        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
+            int j = G(span_of_interval)(K.count, K.place, interval) + 1;
+            num total = G(nurbs_by_definition)(K.n, p, 1, u, K.place, R, w, interval, t, &point);
             about(T, "the point by the recursion");
             int r = fault(T, p, p - 1), i = fault(T, j, j - 1);
             same(T, G(printed_point)(k, 1, u, R, w, r, i, 0, t), point);
@@ -352,41 +345,45 @@ points are the old ones: a ratio is $0$ where $t_i=t_j$.
 :::{claim} every_level_divides_its_edges
 :title: The points of a level divide the edges of the level before
 :zh: 各层顶点分割上一层的边
-:given: an interval between simple knots with any positive gaps, $t=t_j+(t_{j+1}-t_j)\frac s{1+s}$, $s>0$; positive weights
+:given: every segment with any positive gaps of its knots, $t=t_j+(t_{j+1}-t_j)\frac s{1+s}$, $s>0$; positive weights
 :let: $\lambda=(t-t_i)w_i^{[r-1]}/[(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}]$
 :then: $r_i^{[r]}=(1-\lambda)\,r_{i-1}^{[r-1]}+\lambda\,r_i^{[r-1]}$ with $0\le\lambda\le1$, on every level
 :method: The kernel's levels; signs are read off coefficients in $s$, the gaps and the weights.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
-:over: s: ratio in which t divides its interval
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
+  numbers above
+:over: s: ratio in which t divides its interval; x: first knot
 :control: $\lambda$ and $1-\lambda$ exchanged
 :::
 */
 CLAIM(every_level_divides_its_edges)
 {
     int p = T->degree, k = p + 1, mu = p;
-    num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS];
-    G(increasing_knots)(T, 2 * k, 4, u);
-    G(weighted_points)(T, k, 2, R, w);
-    num t = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
-    for (int r = 1; r <= p; r++) {
-        for (int m = 0; m <= k - r; m++) {
-            v[m] = w[m];
-            P[2 * m] = R[2 * m];
-            P[2 * m + 1] = R[2 * m + 1];
-        }
-        G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, u, mu, NULL, NULL), r, R, w, t);
-        for (int m = 0; m < k - r; m++) {
-            int i = mu - p + r + m;
-            /* λ = (t - t_i) w_i / ((t - t_i) w_i + (t_{i+k-r} - t) w_{i-1}) */
-            num right = mul(sub(t, u[i]), v[m + 1]), left = mul(sub(u[i + p + 1 - r], t), v[m]);
-            num lambda = div(fault(T, right, left), add(left, right)), rest = sub(from_int(1), lambda);
-            about(T, "the ratio is in [0, 1]");
-            nonnegative(T, lambda);
-            nonnegative(T, rest);
-            about(T, "the new point");
-            for (int c = 0; c < 2; c++)
-                same(T, R[2 * m + c], add(mul(rest, P[2 * m + c]), mul(lambda, P[2 * m + 2 + c])));
+    struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
+    num R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS];
+    for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
+        const num *u = K.u;
+        num t = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+        G(weighted_points)(T, k, 2, R, w);
+        for (int r = 1; r <= p; r++) {
+            for (int m = 0; m <= k - r; m++) {
+                v[m] = w[m];
+                P[2 * m] = R[2 * m];
+                P[2 * m + 1] = R[2 * m + 1];
+            }
+            G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, u, mu, NULL, NULL), r, R, w, t);
+            for (int m = 0; m < k - r; m++) {
+                int i = mu - p + r + m;
+                /* λ = (t - t_i) w_i / ((t - t_i) w_i + (t_{i+k-r} - t) w_{i-1}) */
+                num right = mul(sub(t, u[i]), v[m + 1]), left = mul(sub(u[i + p + 1 - r], t), v[m]);
+                num lambda = div(fault(T, right, left), add(left, right)), rest = sub(from_int(1), lambda);
+                about(T, "the ratio is in [0, 1]");
+                nonnegative(T, lambda);
+                nonnegative(T, rest);
+                about(T, "the new point");
+                for (int c = 0; c < 2; c++)
+                    same(T, R[2 * m + c], add(mul(rest, P[2 * m + c]), mul(lambda, P[2 * m + 2 + c])));
+            }
         }
     }
 }
@@ -395,29 +392,32 @@ CLAIM(every_level_divides_its_edges)
 :::{claim} weights_of_levels_are_positive
 :title: The weights of all levels are positive
 :zh: 各层权因子均为正
-:given: an interval between simple knots with any positive gaps, $t$ in it, positive weights
+:given: every segment with any positive gaps of its knots, $t$ in it, positive weights
 :then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
-:method: The recursion by its letter; signs are read off coefficients.  Where knots coincide, and at $t=t_j$: the divisors are positive
+:method: The recursion by its letter; signs are read off coefficients.  At $t=t_j$: the divisors are positive
   (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
-:over: s: ratio in which t divides its interval
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
+  numbers above
+:over: s: ratio in which t divides its interval; x: first knot
 :control: all weights negative
 :::
 */
 CLAIM(weights_of_levels_are_positive)
 {
     int p = T->degree, k = p + 1, j = k;
-    num u[MOST_KNOTS], w[MOST_KNOTS];
-    G(increasing_knots)(T, 2 * k, 4, u);
+    struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
+    num w[MOST_KNOTS];
     for (int i = 0; i < k; i++) {
         num weight = positive(T, "w", i);
         w[i] = fault(T, weight, neg(weight));
     }
-    num t = add(u[j - 1], mul(sub(u[j], u[j - 1]), inside(T, "s")));
-    for (int r = 0; r <= p; r++)
-        for (int i = j - k + r + 1; i <= j; i++)
-            G(must_be_positive)(T, G(printed_weight)(k, u, w, r, i, t));
+    for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
+        num t = add(K.u[j - 1], mul(sub(K.u[j], K.u[j - 1]), inside(T, "s")));
+        for (int r = 0; r <= p; r++)
+            for (int i = j - k + r + 1; i <= j; i++)
+                G(must_be_positive)(T, G(printed_weight)(k, K.u, w, r, i, t));
+    }
 }
 
 #if RATIONAL

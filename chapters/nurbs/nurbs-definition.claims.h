@@ -7,6 +7,7 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
+#include "chapters/nurbs/patterns.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -35,21 +36,10 @@ open is in the entries after that: whether there is an interval, what happens at
 :::
 */
 
-/* For each degree: simple knots, clamped ends with multiple inner knots up to the order, unclamped ends. */
-static const char *const G(kinds)[][5] = {
-    {NULL},
-    {"11111", "2122", "1221", NULL},
-    {"1111111", "3123", "21312", NULL},
-    {"111111111", "41214", "43314", "1132211", NULL},
-    {"11111111111", "512315", "545", NULL},
-    {"1111111111111", "6124156", NULL},
-    {"111111111111111", "7325617", NULL},
-};
-
-/* A parameter strictly inside the interval. */
-static num G(parameter_inside)(trial *T, const num x[], int interval)
+/* A parameter strictly inside the interval of a span. */
+static num G(parameter_inside)(trial *T, const num u[], int mu)
 {
-    return add(x[interval], mul(sub(x[interval + 1], x[interval]), inside(T, "s")));
+    return add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
 }
 
 /*
@@ -60,30 +50,28 @@ mean.
 :::{claim} basis_is_a_partition_of_unity
 :title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
 :zh: 定义域内 B 样条基非负且和为一,故分母为正
-:given: every pattern of knots in the list of the claim, with any positive gaps; any interval of the domain;
+:given: several segments, with any positive gaps of the knots; any interval $[x_m,x_{m+1}]$ of the domain;
   $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$
 :then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
   weight
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
-:over: s: ratio in which t divides its interval
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval; x: first knot
 :control: the first of the points of the interval left out
 :::
 */
 CLAIM(basis_is_a_partition_of_unity)
 {
-    int p = T->degree, place[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS];
-    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
-        const char *pattern = G(kinds)[p][k];
-        G(increasing_knots)(T, (int)strlen(pattern), 4, x);
-        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
-        for (int interval = place[p]; interval < place[n]; interval++) {
-            int mu = G(span_of_interval)(count, place, interval);
-            num t = G(parameter_inside)(T, x, interval), sum = from_int(0);
-            for (int i = 0; i < n; i++) {
-                num N = G(cox_de_boor)(p, u, place, i, interval, t);
+    int p = T->degree;
+    struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
+            int mu = G(span_of_interval)(K.count, K.place, interval);
+            num t = G(parameter_inside)(T, K.u, mu), sum = from_int(0);
+            for (int i = 0; i < K.n; i++) {
+                num N = G(cox_de_boor)(p, K.u, K.place, i, interval, t);
                 about(T, "the sign of N_i");
                 nonnegative(T, N);
                 if (fault(T, 1, i != mu - p))
@@ -147,6 +135,7 @@ there. The matter is not idle: it decides what a program may ask for, and conven
 :method: The recursion by its letter with both knots and with two other variables.  The $N_{i,k}$ with $1\le i\le n$ contain
   $t_1,\dots,t_{n+k}$ only.
 :degrees: 1..6 sampled 6
+:scope: simple knots
 :over: y#: other outer knots
 :control: the second knot replaced as well
 :::
@@ -179,6 +168,7 @@ CLAIM(outer_knots_do_not_count)
 :then: the curve changes with $\lambda$: its value at $\lambda$ minus that at $1$ is a product of
   $(\lambda-1)\,w_1w_2\,(r_2-r_1)$, of $N_{1,2}N_{2,2}$, and of the reciprocals of both denominators
 :method: The curve from the definition on the span, everything a variable.
+:scope: k = 2 on one span
 :control: both points multiplied by $\lambda$
 :::
 */
@@ -339,30 +329,30 @@ The source does not say that every control point counts, and the curve exists wh
 :title: With knots at most k-fold, and the end knots of the domain not repeated inside, every point counts
 :zh: 节点重数不超过阶数时各顶点均起作用
 :types: field rational
-:given: every pattern of the list with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
+:given: several segments with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
   domain
 :then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
 :method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
-:over: s: ratio in which t divides its interval
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval; x: first knot
 :control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
 :::
 */
 CLAIM(every_point_counts)
 {
-    int p = T->degree, place[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS];
-    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
-        const char *pattern = G(kinds)[p][k];
-        G(increasing_knots)(T, (int)strlen(pattern), 4, x);
-        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
-        if (place[p] == place[p + 1] || place[n - 1] == place[n])
+    int p = T->degree;
+    struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
+    const int *place = K.place;
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        if (place[p] == place[p + 1] || place[K.n - 1] == place[K.n])
             continue;
-        for (int i = 0; i < n; i++) {
-            int counts = 0, shift = fault(T, 0, i + 1 < n);
-            for (int interval = place[p]; interval < place[n]; interval++) {
-                num N = G(cox_de_boor)(p, u, place, i, interval, G(parameter_inside)(T, x, interval));
+        for (int i = 0; i < K.n; i++) {
+            int counts = 0, shift = fault(T, 0, i + 1 < K.n);
+            for (int interval = place[p]; interval < place[K.n]; interval += 2) {
+                int mu = G(span_of_interval)(K.count, place, interval);
+                num N = G(cox_de_boor)(p, K.u, place, i, interval, G(parameter_inside)(T, K.u, mu));
 #if FIELD
                 int positive_there = coefficients_sign_f(N) == 1;
 #else
@@ -452,43 +442,42 @@ This is a polynomial spline in four-dimensional space; the rational curve is its
 :printed: r(t)=\left(\frac{X(t)}{w(t)},\frac{Y(t)}{w(t)},\frac{Z(t)}{w(t)}\right)=\sum_{i=1}^nN_{i,k}(t)w_ir_i\Big/
   \sum_{i=1}^nN_{i,k}(t)w_i,\quad r_i=(x_i,y_i,z_i),\quad t_k\le t\le t_{n+1},\ n\ge k
 :holds-by: nurbs_point_is_the_weighted_mean basis_is_a_partition_of_unity
-:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$
-:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
-  $t_{n+1}=\dots=t_{n+k}$: otherwise both quotients are $0/0$ there
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
 :figure: nurbs_definition
 
-The equation of both forms is true wherever $w(t)\ne0$; what has to be added concerns the range of $t$ that is printed with it.
+The equation of both forms is true wherever $w(t)\ne0$.  What the range of $t$ asks for is the matter of
+`def-4.1.1-interval`: an interval that is not empty, and at its end the limit from the left.
 :::
 
 :::{claim} nurbs_point_is_the_weighted_mean
 :title: A point of the curve is the mean of the points with weights N_i w_i
 :zh: 曲线上的点是以 N_i w_i 为权的平均
-:given: every pattern of knots of the list, the values variables; weights and points of space; any interval of the
-  domain, any $t$
+:given: several segments, the distinct knots variables; weights and points; any interval of the domain, any $t$
 :then: the projection of the homogeneous spline, computed on the span by de Boor's algorithm, is
   $\sum_{i=1}^nN_{i,k}(t)w_ir_i/\sum_{i=1}^nN_{i,k}(t)w_i$
 :method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by
   coordinate.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :defines: nurbs_homogenize nurbs_weight nurbs_point
 :control: the last weight of the span increased by 1 for the kernel
 :::
 */
 CLAIM(nurbs_point_is_the_weighted_mean)
 {
-    int p = T->degree, place[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[3 * MOST_KNOTS], w[MOST_KNOTS], P[3], Q[3], t = unknown(T, "t", 0);
-    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
-        const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
-        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1, dim = 1 + k % 3;
-        G(weighted_points)(T, n, dim, R, w);
-        for (int interval = place[p]; interval < place[n]; interval++) {
-            int mu = G(span_of_interval)(count, place, interval);
-            num total = G(nurbs_by_definition)(n, p, dim, u, place, R, w, interval, t, P);
-            w[mu] = fault(T, w[mu], add(w[mu], from_int(1)));
+    int p = T->degree;
+    struct G(knot_vector) K = {0};
+    num R[3 * MOST_KNOTS], w[MOST_KNOTS], P[3], Q[3], t = unknown(T, "t", 0);
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        int dim = 1 + k % 3;
+        const num *u = K.u;
+        G(weighted_points)(T, K.n, dim, R, w);
+        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
+            int mu = G(span_of_interval)(K.count, K.place, interval);
+            num total = G(nurbs_by_definition)(K.n, p, dim, u, K.place, R, w, interval, t, P);
+            num kept = w[mu];
+            w[mu] = fault(T, kept, add(kept, from_int(1)));
             G(nurbs_point)(G(nurbs_on_span)(p, dim, u, mu, R, w), t, Q);
             for (int c = 0; c < dim; c++)
                 same(T, Q[c], P[c]);
@@ -502,6 +491,7 @@ CLAIM(nurbs_point_is_the_weighted_mean)
                 for (int c = 0; c < dim; c++)
                     same(T, H[i * (dim + 1) + c], mul(w[mu - p + i], R[(mu - p + i) * dim + c]));
             }
+            w[mu] = kept;
         }
     }
 }
@@ -518,42 +508,39 @@ hide unequal weights, independent ones cannot.
 :zh: 权相等时退化为 B 样条曲线
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
-:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=\dots=t_{n+k}$: by the
-  letter (4.1.2) is $0/0$ there, and (2.2.1) is $0$
 :reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do
 :figure: nurbs_definition
 
-The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.
+At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.
 :::
 
 :::{claim} equal_weights_give_bspline
 :title: With equal weights the curve is the B-spline curve of its points
 :zh: 权相等时为 B 样条曲线
-:given: every pattern of the list, values variables; one weight $w\ne0$, points; any interval and $t$
+:given: several segments, the distinct knots variables; one weight $w\ne0$, points; any interval and $t$
 :then: $r(t)=\sum_{i=1}^nN_{i,k}(t)r_i$
 :method: The rational curve by the kernel against the sum of all terms by the recursion.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :over: w#: equal weights
 :control: the weight of one point of the span doubled
 :::
 */
 CLAIM(equal_weights_give_bspline)
 {
-    int p = T->degree, place[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0), same_weight;
-    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
-        const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
-        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
-        G(weighted_points)(T, n, 1, R, w);
+    int p = T->degree;
+    struct G(knot_vector) K = {0};
+    num R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0), same_weight;
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(weighted_points)(T, K.n, 1, R, w);
         same_weight = w[0];
-        for (int interval = place[p]; interval < place[n]; interval++) {
-            int mu = G(span_of_interval)(count, place, interval);
-            for (int i = 0; i < n; i++)
+        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
+            int mu = G(span_of_interval)(K.count, K.place, interval);
+            for (int i = 0; i < K.n; i++)
                 w[i] = fault(T, same_weight, i == mu ? add(same_weight, same_weight) : same_weight);
-            G(nurbs_point)(G(nurbs_on_span)(p, 1, u, mu, R, w), t, &P);
-            same(T, P, G(spline_value)(n, p, 1, u, place, R, 0, interval, t));
+            G(nurbs_point)(G(nurbs_on_span)(p, 1, K.u, mu, R, w), t, &P);
+            same(T, P, G(spline_value)(K.n, p, 1, K.u, K.place, R, 0, interval, t));
         }
     }
 }
@@ -562,12 +549,12 @@ CLAIM(equal_weights_give_bspline)
 :::{claim} only_proportional_weights_give_the_bspline
 :title: For independent points the weights have to be equal
 :zh: 顶点处于一般位置时权必须相等
-:given: one span, $k=2,\dots,5$, the points $r_i$ independent variables, any weights
+:given: one span, the points $r_i$ independent variables, any weights
 :then: the numerator of $r(t)-\sum N_{i,k}r_i$ has as coefficient of $r_i$ the number
   $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
 :method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
 :degrees: 1..6 sampled 8
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
 :control: the weight of one point doubled on one side
 :::
 */
@@ -602,10 +589,12 @@ but of other points; the star in the printed formula leaves open which is meant.
   $r(t)=\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*r_i^*\Big/\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*$,
   $t_k\le t\le t_{k+1}$
 :holds-by: bezier_knots_give_rational_bezier
-:hypothesis: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ the limit from the left is meant, when $t_{2k}=t_{k+1}$: by the
-  letter all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
+:meant: the range $t_k\le t\le t_{k+1}$ is printed closed | At $t=t_{k+1}$ the limit from the left, as `def-4.1.1-interval` says
+  once for all curves; and the starred data are the given ones, since the sentence is about a special case of (4.1.2).
 :reading: bezier_knots_give_rational_bezier | the starred data are the given ones, $w_i^*=w_i$ and $r_i^*=r_i$: true, and the star is
   idle
+:reading: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ by the letter of the half-open intervals, when $t_{2k}=t_{k+1}$: false,
+  all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
 :reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots: true as well, but then
   they are not the given ones
 :needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | the
@@ -649,7 +638,7 @@ CLAIM(bezier_knots_give_rational_bezier)
 :then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
 :method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
 :control: the given points in the place of the new ones
 :::
 */

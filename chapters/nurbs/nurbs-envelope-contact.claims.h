@@ -89,7 +89,7 @@ is claimed there does not exist, here as there.
 :method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
   nothing of knots.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: (k-1)-fold ends of the span; the distinct knots variables up to order 5, numbers above
 :control: $1-\lambda$ in the place of $\lambda$
 :::
 */

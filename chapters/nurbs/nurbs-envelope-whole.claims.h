@@ -26,9 +26,9 @@ span; what has to be asked is whether the members exist.
   it may
 :hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with
   $t_i=t_{i+k-r}$, whose $N_{i,k-r}$ is 0, are left out; else (4.1.3) divides by 0
-:hypothesis: whole_member_ends_in_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
-  $t_{n+1}=\dots=t_{n+k-r}$: otherwise (4.3.3) is $0/0$ there
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
+:reading: whole_member_ends_in_no_interval | at $t=t_{n+1}=\dots=t_{n+k-r}$ by the letter of the half-open intervals: (4.3.3) is
+  $0/0$ there; the limit from the left is meant, as `def-4.1.1-interval` says
 :figure: nurbs_envelope_whole
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
@@ -70,7 +70,7 @@ shared by the pieces of the member, and where an index has $t_i=t_{i+k-r}$ no pi
   $i$ with $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor and Cox as it is defined; the right
   side by the kernel.
 :degrees: 2..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: simple knots, or one inner knot double, (k-1)-fold or k-fold; the distinct knots variables up to order 5, numbers above
 :control: the polar form of the first segment for every span
 :::
 */

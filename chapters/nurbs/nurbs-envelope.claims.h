@@ -42,7 +42,8 @@ quotients $0/0$.
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k among simple ones, and clamped ends; the distinct knots variables up to
+  order 5, numbers above
 :control: the first point of the span left out
 :::
 */

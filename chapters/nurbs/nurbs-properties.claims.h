@@ -9,6 +9,7 @@ the curve itself rather than about its homogeneous form has to be carried throug
 
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
+#include "chapters/nurbs/patterns.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -38,37 +39,36 @@ usual properties is decided.  Convexity and the number of intersections follow i
 
 /* For each degree: the patterns of knots that are tried, with multiplicities up to the order. */
 static const char *const G(kinds)[][3] = {
-    {NULL},         {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL},
-    {"5125", NULL}, {"6136", NULL},        {"7147", NULL}};
+    {NULL}, {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL}, {"5125", NULL}, {"6136", NULL}};
 
 /*
 :::{claim} moved_point_changes_its_support
 :title: A moved point and a changed weight act on k intervals of knots only
 :zh: 局部性
-:given: every pattern of the list, values variables; points, weights; $\Delta$, $\delta$; every $i$, interval and $t$
+:given: several segments, the distinct knots variables; points, weights; $\Delta$, $\delta$; every $i$, interval and $t$
 :then: $r_i+\Delta$ in the place of $r_i$ changes $r(t)$ by $N_{i,k}w_i\Delta/w(t)$; $w_i+\delta$ in the place of $w_i$ changes it
   by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
 :method: All terms of the definition, before and after.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 3, numbers above
 :over: d: shift of a point; e: increment of a weight
 :control: $\Delta$ doubled on the right
 :::
 */
 CLAIM(moved_point_changes_its_support)
 {
-    int p = T->degree, place[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
+    int p = T->degree;
+    struct G(knot_vector) K = {.kind = FIELD && p > 2 ? INTEGERS : 0};
+    num R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
     num move = unknown(T, "d", 0), more = positive(T, "e", 0), applied = fault(T, move, add(move, move));
-    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
-        const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
-        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        int n = K.n;
         G(weighted_points)(T, n, 1, R, w);
-        for (int interval = place[p]; interval < place[n]; interval++) {
+        for (int interval = K.place[p]; interval < K.place[n]; interval += 2) {
             num N[MOST_KNOTS];
             for (int i = 0; i < n; i++)
-                N[i] = G(cox_de_boor)(p, u, place, i, interval, t);
+                N[i] = G(cox_de_boor)(p, K.u, K.place, i, interval, t);
             num total = G(nurbs_of_basis)(n, 1, N, R, w, &P);
             for (int i = 0; i < n; i++) {
                 num old = R[i], weight = w[i];
@@ -82,7 +82,7 @@ CLAIM(moved_point_changes_its_support)
                 about(T, "the weight changed"); /* N_i δ (r_i - r(t)) / (w(t) + N_i δ) */
                 same(T, sub(Q, P), div(mul(mul(N[i], more), sub(old, P)), greater));
                 w[i] = weight;
-                if (interval < place[i] || place[i + p + 1] <= interval) {
+                if (interval < K.place[i] || K.place[i + p + 1] <= interval) {
                     about(T, "outside the support");
                     vanishes(T, N[i]);
                 }
@@ -161,7 +161,7 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 :then: the curve of the mapped points with the same weights is the mapped curve
 :method: The definition, everything a variable.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
 :over: m# v#: affine maps
 :control: the last point is not moved
 :::
@@ -195,7 +195,7 @@ CLAIM(nurbs_moves_with_its_points)
 :then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
 :method: The definition, everything a variable.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
 :control: the weights are not reversed
 :::
 */
@@ -228,6 +228,7 @@ CLAIM(reversed_data_reverse_the_nurbs)
   the derivatives of numerator and denominator, and by the rule for quotients those of the NURBS curve
 :method: The derivatives by the kernel on the two spans that meet at the knot; functions that do not count on a span are $0$ there.
 :degrees: 1..6 sampled 8
+:scope: a knot of every multiplicity below k among simple ones
 :control: the order $k-m$ as well
 :::
 */
@@ -384,6 +385,7 @@ CLAIM(k_fold_knot_tears_the_curve)
 :method: Derivatives of the quotient of sums as rational functions of $t$, for any weights; curvature and torsion at $t=\tau$ with the first
   $k$ of the weights $w$ and points of which one coordinate is a variable.
 :degrees: 2..4
+:scope: the given knots
 :defines: nurbs_derivatives nurbs_curvature_squared nurbs_torsion
 :control: the weights 1 for the kernels
 :::
@@ -454,6 +456,7 @@ alone carries the segment: its points are shared with the next ones.
   space $\tau(t_k)=\frac{k-3}{k-1}\frac{\Delta_1}{\Delta_3}\frac{w_1w_4}{w_2w_3}\frac{(a,b,c)}{|a\times b|^2}$
 :method: The kernels at $t=t_k$; for $k=3$ without the torsion.  With equal $\Delta_i$ these are the formulas of rational Bézier curves.
 :degrees: 2..6 sampled 7
+:scope: a start of multiplicity k-1, simple knots behind it
 :over: x: first knot
 :control: $\Delta_1/\Delta_2$ left out
 :::
@@ -511,7 +514,7 @@ CLAIM(clamped_end_is_the_first_point)
 :method: The kernel `bspline_periodic` for the continuation, the derivatives by the kernel on the first and on the last span;
   homogeneous coordinates, one coordinate.
 :degrees: 1..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: periods of k or k+1 simple knots; the distinct knots variables up to order 5, numbers above
 :control: the order $k-1$ as well
 :::
 */

@@ -34,6 +34,7 @@ counted, or, for insertion, if it counts as infinitely many points.
 :checked-by: designed_splines_cross_no_more designed_splines_meet_no_more
 :reading: designed_splines_cross_no_more | crossings: how often the curve changes sides, counted along the curve
 :reading: designed_splines_meet_no_more | common points counted along the curve, a piece on the line counting once
+:reading: touching_point_is_no_crossing | the first two are one: false, a curve may touch the line, in a common point that is no crossing
 :reading: self_crossing_polygon_gains_points_on_a_line | points of the plane, each counted once
 :reading: edge_on_the_line_must_be_counted | points that are not on an edge or piece of curve on the line
 :reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many
@@ -357,6 +358,33 @@ CLAIM(cut_corner_lies_on_the_line)
     refute(T, finite && (infinite || after.common_runs > before.common_runs));
 }
 
+#if RATIONAL
+/*
+:::{claim} touching_point_is_no_crossing
+:title: A parabola that touches the line has a common point with it and does not cross it
+:zh: 切点不是跨越点
+:kind: counterexample
+:given: a parabola as a NURBS curve of order $k$ with the $n$ points $r_i$, weights $w_i$ and knots $t_i$; the line $y=0$
+:data: k = 3; n = 3; t_i = 0 0 0 1 1 1; r_i = (0,1) (1,-1) (2,1); w_i = 1 1 1
+:instead: r_i = (0,1) (1,-1) (2,-1)
+:then: the curve has one point on the line and no crossing; its polygon crosses the line twice
+:result: crossings of the curve = 0; points of the curve on the line = 1; crossings of the polygon = 2
+:method: The curve by its roots and their multiplicities.
+:control: a last point on the other side
+:::
+*/
+CLAIM(touching_point_is_no_crossing)
+{
+    struct graph g = given_graph(T);
+    struct spline_meets_axis curve = curve_of(&g);
+    found_whole(T, "crossings of the curve", curve.crossings);
+    found_whole(T, "points of the curve on the line", curve.common);
+    found_whole(T, "crossings of the polygon", polygon_of_graph(&g).crossings);
+    about(T, "every common point is a crossing");
+    agree(T, curve.common <= curve.crossings);
+}
+#endif
+
 /*
 For the two counts that remain the lemma is a matter of signs.  A new vertex between $a$ and $b$ lies on their edge,
 so it adds nothing; taking the vertex $a$ out replaces its two edges by one, and among the signs of neighbours no
@@ -382,6 +410,8 @@ change can arise.
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the
   knots have to be in the domain
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
+:argued: every order and every number of points and knots | An insertion puts a point on each of some edges and takes the old
+  vertices away; one after the other these are the cases that were decided.
 :figure: line_and_cut_corners
 
 The source gives no proof.  Any multiplicities are allowed.  The argument is about one corner at a time and holds
@@ -401,7 +431,8 @@ for polygons of every length.
 :method: Only signs matter, and only those of neighbours: all cases of $p,a,b,s\in\{-1,0,1\}$, and the given $\lambda$
   give $c$ every sign it can have.  Where $p$ or $s$ is not there, nothing is taken out next to the end, since an
   insertion keeps both ends.
-:scope: polygons of every length, means with every $\lambda$ from 0 to 1
+:scope: every sign of four neighbouring heights and of their mean
+:argued: polygons of every length | Only the signs of neighbours count.
 :control: a $\lambda$ greater than 1
 :::
 */
@@ -482,6 +513,8 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | positive weights
 :reading: designed_splines_cross_no_more | crossings
 :reading: designed_splines_meet_no_more | common points, a piece on the line counting once
+:argued: | Insert parameters where the curve is on alternating sides until these points are vertices: the new polygon changes sides as
+  often as the curve, and the old one no less often.
 :figure: line_and_cut_corners
 
 A proof for every order with the first reading: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$
@@ -504,6 +537,7 @@ heights matter.
 :method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line
   may be taken as the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
 :degrees: k = 1..6 sampled 7
+:scope: clamped ends with one simple knot between
 :over: l#: lines
 :control: the constant $c$ left out at the last vertex
 :::
@@ -584,6 +618,7 @@ point.
 :holds-by: polygon_through_the_crossings_crosses_as_often designed_splines_meet_no_more
 :hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are
   not counted; a jump has no point on the line
+:argued: every curve | What is counted are parameters of the curve, so that so many intersections have so many parameters.
 :figure: points_of_the_line_as_vertices
 
 The theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line one of its
@@ -718,6 +753,7 @@ may be more than $k$; then some vertices are repeated and nothing else happens.
   $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\ge N+1$
 :holds-by: polygon_through_the_crossings_crosses_as_often inserted_parameters_become_vertices
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
+:argued: every curve | The points are common points of the line and of the polygon, being vertices.
 :figure: points_of_the_line_as_vertices
 
 As common points this is obvious, for different points of the plane; two parameters with one point are two vertices
@@ -745,6 +781,8 @@ changes sides where the curve does.
   inserted_parameters_become_vertices
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted in the theorem as
   in the corollary; property 3.2.7 counts crossings, and does not follow from a count of points
+:argued: | They are the theorem for curves that are NURBS curves; that they say nothing else is read from the chapters on Bézier curves
+  and B-splines, of which one is at hand.
 :figure: what_must_be_counted
 
 A rational Bézier curve is the case $n=k$ with two knots of multiplicity $k$; equal weights give B-spline and Bézier

@@ -23,8 +23,32 @@ this can be computed is decided here.
 :printed: The nonuniform B-spline curve, a piecewise polynomial, is generalised to the piecewise rational NURBS curve,
   of which B-spline curves and rational Bézier curves are special cases
 :holds-by: nurbs_point_is_the_weighted_mean equal_weights_give_bspline bezier_knots_give_rational_bezier
-:hypothesis: right_end_belongs_to_no_interval | at a $k$-fold right end $t_{n+1}$ the limit from the left is meant
 :figure: nurbs_circle
+:::
+
+:::{statement} wang-ch4:preface-geometric-definition
+:title: A geometric definition in the place of the recursion
+:zh: 由包络的存在唯一性给出几何定义
+:printed: Usually the recursion of de Boor and Cox defines NURBS curves, which lacks an intuitive geometric meaning; from the existence and uniqueness
+  of envelopes a new, intuitive geometric definition is given, for the first time
+:reading: every_level_divides_its_edges | that the recursion has no geometric meaning: it has one, which the chapter itself states for
+  algorithm 4.1.1, the corners of the polygon are cut
+:reading: convex_quartic_of_span_has_second_envelope | that the envelope is unique: false, see `thm-4.3.3` and `def-4.3.1`
+:reading: as history, that nobody gave such a definition before: no computation decides it.
+:figure: deboor_triangle
+:::
+
+:::{statement} wang-ch4:preface-discrete
+:title: Convexity and variation diminution are seen from the discrete curves
+:zh: 以离散 NURBS 曲线为工具
+:printed: In homogeneous coordinates the geometric properties in space are hard to infer; with the discrete NURBS curve as a tool, that
+  convexity is kept and variation diminished is obvious
+:reading: every_level_divides_its_edges | that the discrete curves cut corners, in the space of the curve: true, and both properties
+  follow, with the hypotheses of `thm-4.2.1` and `thm-4.2.2`
+:reading: polygon_that_turns_back_loses_convexity | that they are obvious, without hypotheses: false
+:reading: insertion_turns_like_its_triangles | that homogeneous coordinates hide them: the shortest proof of the first, by determinants,
+  is one in homogeneous coordinates
+:figure: cutting_corners
 :::
 
 :::{statement} wang-ch4:preface-local-control
@@ -46,6 +70,8 @@ Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
   every such curve has.
 :reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion: true
 :reading: one_order_more_jumps | as the exact order: one order more is not continuous in general
+:argued: the quotient | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
+  power of $w>0$.
 :figure: knot_sides
 
 A knot of multiplicity $m$ costs $m$ of the $k-1$ continuous derivatives; curvature is continuous for $m\le k-3$, torsion for
@@ -259,6 +285,9 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :holds-by: recursion_subtracts_data_only weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | positive weights, and $t$ in the interval: with
   weights of both signs a weight of a level may be a difference, even $0$
+:argued: | That few roundings reach the result, and that no computed number is subtracted, is counted.  That the rounded
+  result is then the exact one for data that were changed relatively by so many factors $1\pm u$, and that this is what stable
+  means, is said in words.
 :figure: deboor_triangle
 
 Stable is read as: the rounded result is the exact one for points and weights that were changed relatively by a few
@@ -302,7 +331,9 @@ CLAIM(recursion_subtracts_data_only)
 :zh: 幂基形式的复杂度为多项式且适于秦九韶-Horner 算法
 :printed: The matrix form in the power basis has polynomial time complexity and is suited to the algorithm of Qin
   Jiushao and Horner
-:holds-by: horner_takes_two_operations_a_degree
+:holds-by: horner_takes_two_operations_a_degree matrices_take_polynomial_time
+:reading: determinant_written_out_is_factorial | the explicit form (4.4.17) with $\det\mathbf G$ written out as a sum over permutations,
+  as it is defined: then there are $k!$ terms, and the time is not polynomial
 :figure: recursion_steps
 :::
 */
@@ -344,11 +375,81 @@ CLAIM(horner_takes_two_operations_a_degree)
 }
 #endif
 
+#if RATIONAL
+/* The terms of a determinant of order n as the sum over permutations, counted one by one: those that take the columns not yet used. */
+static long terms_of_determinant(int n, unsigned used, int row)
+{
+    long terms = row == n;
+    for (int c = 0; c < n; c++)
+        if (!(used >> c & 1))
+            terms += terms_of_determinant(n, used | 1u << c, row + 1);
+    return terms;
+}
+
+/*
+:::{claim} determinant_written_out_is_factorial
+:title: A determinant of order k written out has k! terms
+:zh: 行列式按定义展开有 k! 项
+:kind: decision
+:given: the determinant of order $k$ as the sum over permutations
+:then: from order $k-1$ to order $k$ the number of terms is multiplied by $k$, so that it is $k!$, more than any power of $k$
+:method: The terms are counted one by one, as they are summed.  For every $k$: the first row offers $k$ columns, and each leaves a
+  determinant of order $k-1$.
+:degrees: k = 2..8
+:control: the terms of an expansion that keeps what it has computed, twice as many
+:::
+*/
+CLAIM(determinant_written_out_is_factorial)
+{
+    int k = T->degree;
+    agree(T, terms_of_determinant(k, 0, 0) == fault(T, k, k > 2 ? 2 : 1) * terms_of_determinant(k - 1, 0, 0));
+}
+#endif
+
+#if RATIONAL
+/*
+:::{claim} matrices_take_polynomial_time
+:title: The coefficient matrix takes polynomial time
+:zh: 系数矩阵的运算次数为多项式
+:kind: decision
+:data: m = 4; n = 6
+:given: the kernels `bspline_matrix`, by the recursion, and `bspline_matrix_by_marsden`, by the second explicit form
+:then: the first takes at most $m\,k^3$ operations, the second at most $m\,k^n$
+:method: The kernels on numbers that count.  Both are loops inside loops, as many as the exponent says.
+:degrees: k = 2..17
+:control: the bound $m\,k^2$ for both
+:::
+*/
+CLAIM(matrices_take_polynomial_time)
+{
+    int k = T->degree;
+    long cost[2], most[2] = {given_whole(T, "m") * (long)k * k * fault(T, k, 1), given_whole(T, "m")};
+    for (int e = given_whole(T, "n"); e > fault(T, 0, 4); e--)
+        most[1] *= k;
+    counted_matrices(k - 1, cost);
+    for (int way = 0; way < 2; way++) {
+        show(T, way == 0 ? "by the recursion" : "by Marsden's identity", from_int(cost[way]));
+        agree(T, cost[way] <= most[way]);
+    }
+}
+#endif
+
 /*
 ## Dates and names (引文)
 
 What the preface cites is compared with the list of the literature at the end of the chapter, with the other labels
 and references.
+
+:::{statement} wang-ch4:preface-matrices
+:title: Who gave which matrix
+:zh: 前人的系数矩阵表示
+:printed: De Boor [14] and Schumaker [15] gave numerical algorithms for the matrix, Cohen and Riesenfeld [16] the matrix for uniform knots,
+  Ding and Davies [17] for nonuniform ones in the cubic case, Choi [12] and Grabowski [13] recursive forms for any degree after
+  Boehm and de Boor, none of them explicit; here two explicit forms are given for the most general case
+:reading: both_explicit_matrices_agree | that the two forms of this chapter are explicit and are the matrix, whatever knots coincide: true
+:reading: as history: no computation decides it; the works are cited with these numbers.
+:figure: both_matrices
+:::
 
 :::{statement} wang-ch4:preface-step
 :title: In 1991 the ISO promulgated STEP, with NURBS as its only free-form geometry

@@ -162,6 +162,7 @@ Nothing in the source says what $\alpha_l$ is.
 :then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
 :method: The weights of `divided_weights`, the B-splines by definition.
 :degrees: 0..5 sampled 7
+:scope: simple knots
 :over: t#: knots
 :control: the sum begins at $l=r$
 :::
@@ -248,6 +249,7 @@ formula is proved first; then the printed one is compared with it, and the parit
 :then: the columns of `bspline_matrix_simple` are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
 :degrees: 0..5 sampled 7
+:scope: simple knots
 :over: t#: knots
 :defines: bspline_matrix_simple
 :control: the rows in the opposite order
@@ -275,6 +277,7 @@ CLAIM(simple_matrix_is_the_matrix)
 :then: the printed $a_{ji}$, its exponent read as $k-1-j$, is $(-1)^ka_{ji}$
 :method: The printed formula by its letter against `bspline_matrix`.
 :degrees: 0..4 sampled 7
+:scope: simple knots
 :over: t#: knots
 :control: the factor $(-1)^{k+1}$
 :::
