@@ -187,7 +187,7 @@ What remains are the knots themselves.
   a fraction of polynomials in the lengths with positive coefficients only; at a knot inside the support a value is the
   limit from the right, whose sign the next claim decides.
 :degrees: 0..4 sampled 7
-:over: x: first knot; a b: distance of t from the ends of its interval
+:over: x: -; a b: distance of t from the ends of its interval
 :control: the B-spline before is taken
 :::
 */
@@ -228,7 +228,7 @@ CLAIM(bspline_is_positive_inside_its_support)
   constant coefficient.
 :types: field rational
 :degrees: 0..4 sampled 7
-:over: x: first knot
+:over: x: -
 :control: the next B-spline is taken
 :::
 */
@@ -277,7 +277,7 @@ determinant says it once more.
   $0\le i<n$, belongs to a span of the domain when $u_p<u_{p+1}$ and $u_{n-1}<u_n$.
 :degrees: 0..4 sampled 7
 :types: field rational
-:over: x: first knot
+:over: x: -
 :control: the first B-spline taken twice
 :::
 */

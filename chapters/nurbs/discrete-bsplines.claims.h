@@ -126,7 +126,7 @@ $v_{j+r}-u_i$ may be large and its partner negative. The signs are those of the 
 :method: The values of the kernel are fractions of polynomials with positive coefficients only, or the zero element.
 :types: field rational
 :degrees: 0..5 sampled 8
-:over: x: first knot; a# b#: ratios in which the new knots divide their intervals
+:over: x: -; a# b#: ratios in which the new knots divide their intervals
 :control: the knot $v_j$ in the place of $v_{j+p}$, for $p>0$
 :::
 */
@@ -176,7 +176,7 @@ the field stops at four functions; that no minor is negative is known in general
   A minor of a matrix with two neighbouring nonnegative diagonals is a product of entries or $0$.
 :types: field rational
 :degrees: 1..4 sampled 6
-:over: x: first knot; a# b#: ratios in which the sites divide their intervals
+:over: x: -; a# b#: ratios in which the sites divide their intervals
 :control: the row after
 :::
 */
@@ -289,7 +289,7 @@ theorem says that nothing else can go wrong.
 :degrees: 1..3
 :scope: at most three B-splines of degree 1 or 2, and four of degree 1 to 3 over clamped knots; every pattern of multiplicities and every position
   of the sites
-:over: x: first knot; h#: gaps between neighbours
+:over: x: -; h#: gaps between neighbours
 :control: the first and the second site exchanged
 :::
 */

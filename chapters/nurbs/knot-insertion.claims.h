@@ -186,7 +186,7 @@ weights.
 :types: field rational
 :degrees: 1..6 sampled 8
 :scope: the distinct knots variables up to order 5, numbers above
-:over: x: first knot; a b: distance of the new knot from the ends of its interval
+:over: x: -; a b: distance of the new knot from the ends of its interval
 :control: the coefficient of the point before
 :::
 */

@@ -145,7 +145,7 @@ defect, a combination of points, knows of it.
   jump and defect of that unit point, numbers of the knots, have coefficients of one sign only.
 :types: field rational
 :degrees: 0..4 sampled 8
-:over: x: first knot
+:over: x: -
 :control: the jump of the next order, or for $s=1$ of the order before
 :::
 */

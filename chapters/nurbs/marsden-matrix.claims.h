@@ -374,7 +374,7 @@ CLAIM(marsden_determinant_is_product)
   `marsden_determinant_is_product`, where every factor is positive: $t_a\le t_r<t_{r+1}\le t_b$.
 :types: field
 :degrees: 0..3
-:over: x: first knot
+:over: x: -
 :control: the determinant with its first two columns exchanged
 :::
 */

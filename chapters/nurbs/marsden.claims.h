@@ -169,7 +169,8 @@ neighbouring products have in common.
   derivative by $N_{i,k-1}$.  So $\sum\omega_{i,k}N_{i,k}=(x-t)\sum\omega_{i,k-1}N_{i,k-1}$: on the span the outer functions of the
   sum vanish, and for $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide.  For $k=1$ the identity is $1=1$.
 :degrees: all
-:over: x; q: product; a b: knot; N#: values of functions; W#: coefficients; c: -; d: -
+:scope: every pattern of knots
+:over: x; q a b c d: -; N# W#: -
 :control: the factors $x-a$ and $x-b$ exchanged
 :::
 */

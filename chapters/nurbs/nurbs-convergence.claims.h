@@ -126,7 +126,7 @@ $p$.
   $|x_i-x_j|\le|i-j|\,h$ term by term, $p\le7$: signs are read off coefficients.
 :degrees: all
 :argued: smaller gaps in every degree | $|x_i-x_j|\le|i-j|h$ term by term
-:over: p; h; s#: gaps up to h
+:over: p h: -; s#: gaps within the bound
 :control: $p^2-1$ replaced by $p^2+1$
 :::
 */
@@ -332,7 +332,7 @@ CLAIM(second_differences_are_averaged)
 :then: $f(\xi_j)-d_j=\frac k{24}h^2$, and with the gaps halved a quarter of it: the order of convergence is 2 and not higher
 :method: The polar form by the kernel.
 :degrees: 2..6 sampled 9
-:over: h: gap; x: first knot
+:over: h: gap; x: -
 :control: one half for a quarter
 :::
 */
@@ -368,7 +368,7 @@ numerator and denominator of the polygon both are near those of the curve, and t
   $\frac k{24}h^2\,(M_X+\max|r_i|M_w)/\min w_i$
 :method: An identity of the four variables.  The projection maps the segments of the homogeneous polygon onto those of the polygon, whose
   points are means of its vertices.
-:over: X; w; E; e
+:over: X w E e: -
 :control: $r$ in the place of $\rho$ on the right
 :::
 */

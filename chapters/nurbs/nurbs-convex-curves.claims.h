@@ -25,13 +25,9 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | positive weights
 :argued: | For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, and they turn as
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
-  linearly independent; it goes straight on, and so does the curve.
+  linearly independent; it goes straight on, and so does the curve, since no line across is crossed more often.
 :figure: convex_polygon_convex_spline
 
-For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, so by the
-formula of the section before they turn as the polygon does.  If all turns are $0$ the curve is on a line, and so is the polygon, as the
-B-splines of the domain are linearly independent; it goes straight on, and so does the curve, since no line across is
-crossed more often.
 The converse is false: the curve may be convex alone (`curve_may_be_convex_alone`).  For a periodic curve the closed polygon of one period must be convex; written as
 an ordinary curve it repeats $k-1$ vertices and does not run through once, but its insertions cut the corners of the closed
 polygon (`periodic_curves_of_convex_polygons_are_convex`).
@@ -252,8 +248,7 @@ corollary 4.1.1 is that of the $T'_m$.
   closed and convex.
 :figure: hulls_of_knot_sets
 
-What is decided is that the sets decrease.  The limit of a decreasing sequence of compact sets is their intersection, and
-an intersection of closed convex sets is closed and convex.
+What is decided is that the sets decrease.
 :::
 
 :::{claim} hulls_of_unrelated_knots_are_not_nested
@@ -297,7 +292,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
   together with the segment over which it jumps
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
-:argued: | A limit of points of the boundaries is on the boundary of the limit, since a disc inside $A$ is inside every hull.
+:argued: | A limit of points of the boundaries is on the boundary of the limit, as the remarks say.
 :figure: where_hypotheses_are_needed
 
 The reason is not given.  It is this: let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every

@@ -67,10 +67,7 @@ triples are not enough: a polygon may turn left at every vertex and come round t
 :given: all polygons of $n$ points: of the grid $\{0,1,2\}^2$ for $n=3,4$, of $\{0,1,2\}\times\{0,1\}$ for $n=5$, of $\{0,1\}^2$
   for $n=6$
 :then: the polygon is convex when closed by its chord if and only if all $D_{ijl}$, $i<j<l$, are $\ge0$ or all $\le0$, and not all are $0$
-:method: Convexity by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.  For all polygons: let the $D_{ijl}$ be
-  $\ge0$, one of them positive.  Then no point is on the right of an edge $r_ir_{i+1}$ or of the chord $r_nr_1$, so that
-  all edges are on the boundary of the hull, in its direction; and a polygon that comes round a second time has three points
-  in clockwise order.  Conversely three points in order of the boundary turn left or are on one line.
+:method: Convexity by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.  The converse for all polygons: three points in order of the boundary turn left or are on one line.
 :degrees: points = 3..6
 :scope: the stated polygons
 :argued: every polygon | If the $D_{ijl}$ are $\ge0$ and one is positive, no point is on the right of an edge or of the chord, so that all edges

@@ -158,8 +158,7 @@ the corners are cut.
 :then: the determinants of three new homogeneous points are sums of those of three old ones with the $3\times3$ minors of the matrix of
   the insertion; no minor is negative
 :method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables for $n\le4$; the minors by their coefficients.  Minors are polynomials in the
-  $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits.  Three rows have entries in six columns at most, and which of
-  these coincide is decided by whether neighbouring rows follow one another; with $n\ge5$ all cases occur.
+  $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits. With $n\ge5$ all cases of three rows occur.
 :degrees: points = 3..6
 :argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
   and which of these coincide is decided by whether neighbouring rows follow one another.

@@ -352,7 +352,7 @@ points are the old ones: a ratio is $0$ where $t_i=t_j$.
 :degrees: 1..6 sampled 6
 :scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
   numbers above
-:over: s: ratio in which t divides its interval; x: first knot
+:over: s: ratio in which t divides its interval; x: -
 :control: $\lambda$ and $1-\lambda$ exchanged
 :::
 */
@@ -399,7 +399,7 @@ CLAIM(every_level_divides_its_edges)
 :degrees: 1..6 sampled 6
 :scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
   numbers above
-:over: s: ratio in which t divides its interval; x: first knot
+:over: s: ratio in which t divides its interval; x: -
 :control: all weights negative
 :::
 */

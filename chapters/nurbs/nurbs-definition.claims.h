@@ -58,7 +58,7 @@ mean.
 :degrees: 1..6 sampled 6
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
   the distinct knots variables up to order 5, numbers above
-:over: s: ratio in which t divides its interval; x: first knot
+:over: s: ratio in which t divides its interval; x: -
 :control: the first of the points of the interval left out
 :::
 */
@@ -336,7 +336,7 @@ The source does not say that every control point counts, and the curve exists wh
 :degrees: 1..6 sampled 6
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
   the distinct knots variables up to order 5, numbers above
-:over: s: ratio in which t divides its interval; x: first knot
+:over: s: ratio in which t divides its interval; x: -
 :control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
 :::
 */
