@@ -156,6 +156,20 @@ static void text_and_edges(void **state)
     expect_fault(FAULT_UNDEFINED);
 }
 
+/* A fault stays beside those that were there before. */
+static void faults_add_up(void **state)
+{
+    (void)state;
+    num_q one[] = {from_int_q(1)};
+    poly p = cagd_poly_from_q(1, one), zero = cagd_poly_sub(p, p);
+    region_faults = FAULT_UNABLE;
+    cagd_poly_quotient(p, zero);
+    expect_fault(FAULT_UNABLE | FAULT_UNDEFINED);
+    region_faults = FAULT_UNABLE;
+    div_q(one[0], from_int_q(0));
+    expect_fault(FAULT_UNABLE | FAULT_UNDEFINED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -166,6 +180,7 @@ int main(void)
         unit(squarefree_decomposition_multiplies_back),
         unit(fractions_of_the_field_in_one_variable),
         unit(text_and_edges),
+        unit(faults_add_up),
     };
     return run_unit_tests(tests);
 }

@@ -139,6 +139,11 @@ static void resultant_by_a_variable(void **state)
     num_f expected = sub_f(mul_f(y, y), div_f(square, from_int_f(4)));
     num_f ratio = div_f(cagd_resultant_by_f(p, q, t), expected);
     assert_true(is_constant_f(ratio, NULL) && !cagd_is_zero_f(ratio));
+    /* Of t - x and t - y it has a sign, as of arrays. */
+    num_f a[] = {neg_f(x), one}, b[] = {neg_f(y), one};
+    num_f linear = cagd_resultant_by_f(sub_f(t, x), sub_f(t, y), t);
+    assert_true(cagd_equal_f(linear, sub_f(x, y)));
+    assert_true(cagd_equal_f(linear, cagd_resultant_sylvester_f(1, a, 1, b)));
     num_f f = div_f(add_f(mul_f(p, p), y), x);
     assert_true(cagd_is_zero_f(sub_f(coefficient_f(f, t, 2), neg_f(two))));
     assert_true(cagd_is_zero_f(sub_f(coefficient_f(f, t, 0), add_f(x, div_f(y, x)))));
