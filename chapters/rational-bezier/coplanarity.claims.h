@@ -17,7 +17,7 @@ hypothesis: no weight is $0$.
 :title: The vertices of a plane curve are coplanar
 :zh: 平面曲线的控制顶点共面
 :printed: if a rational Bézier curve is plane, its vertices are coplanar
-:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor weight_can_be_divided_out
 :confirmed-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
 :needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights; it is enough that no weight is $0$
@@ -316,11 +316,29 @@ CLAIM(collocation_determinant_does_not_vanish)
 :title: The weights can be divided out
 :zh: 约去权因子
 :printed: \omega_iz_i=0\ \Rightarrow\ z_i=0,\quad i=0,1,\dots,n
-:holds-by: plane_function_determines_the_vertices
+:holds-by: weight_can_be_divided_out
+:confirmed-by: plane_function_determines_the_vertices
 :needs: weight_zero_hides_the_vertex | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_i\ne0$
 :figure: weight_zero_out_of_plane
 :::
 */
+
+/*
+:::{claim} weight_can_be_divided_out
+:title: A weight that is not 0 can be divided out
+:zh: 非零权可约去
+:given: a weight $\omega\ne0$ and a value $z$ at its vertex
+:then: $\frac{\omega z}\omega=z$, so that $z=0$ when $\omega z=0$; index by index, in every degree
+:method: An identity in $\omega$ and $z$.
+:degrees: all
+:control: $\omega^2$ for $\omega$ below
+:::
+*/
+CLAIM(weight_can_be_divided_out)
+{
+    num w = positive(T, "w", 0), z = unknown(T, "z", 0), product = mul(w, z);
+    same(T, div(product, fault(T, w, mul(w, w))), z);
+}
 
 #if RATIONAL
 /*

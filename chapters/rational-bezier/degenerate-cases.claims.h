@@ -226,7 +226,8 @@ CLAIM(geometric_weights_term_by_term)
     num choose = div(sub(n, i), add(i, one));
     about(T, "the first term, and the quotient of neighbouring terms");
     same(T, mul(D, sub(one, t)), rest);
-    same(T, mul(choose, div(t, sub(one, t))), mul(factor, mul(choose, div(u, rest))));
+    num P = unknown(T, "P", 0); /* the next point */
+    same(T, mul(P, mul(choose, div(t, sub(one, t)))), mul(mul(factor, P), mul(choose, div(u, rest))));
 }
 
 #if FIELD

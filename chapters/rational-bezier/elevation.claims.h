@@ -55,8 +55,8 @@ the products $\omega_iR_i$.
   $C(n+1,i+1)=c\frac{n+1}{i+1}$; with $t^i(1-t)^{n-i}=u$ the two functions on the right are these times $u(1-t)$ and
   $ut$.  The numbers $i$, $k$, $c$, $u$, $t$ are variables, so $n$ is any degree.  Outside the field $i$ and $k$ are
   random integers, and the two binomial coefficients are compared with true ones.
-  Summed with factors $b_i$ the line says $\sum_ib_iB_i^n=\sum_i\hat b_iB_i^{n+1}$ with
-  $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$; with $b_i=\omega_i$ and $b_i=\omega_iR_i$ that is formula (3.2.7).
+  It is multiplied by $\omega_i$ and by $\omega_iR_i$; summed with such factors $b_i$ the line says $\sum_ib_iB_i^n=\sum_i\hat b_iB_i^{n+1}$ with
+  $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$, which is formula (3.2.7).
 :degrees: all
 :over: i k c u: -
 :control: $(i+1)/(n+1)$ taken as $i/(n+1)$
@@ -79,8 +79,12 @@ CLAIM(bernstein_function_in_the_next_degree)
 #endif
     num left_share = div(add(k, one), next), right_share = div(fault(T, add(i, one), i), next);
     num left = mul(mul(left_share, lower), mul(u, sub(one, t))), right = mul(mul(right_share, upper), mul(u, t));
+    num w = positive(T, "w", 0), term = mul(w, unknown(T, "x", 0)); /* ω_i, ω_i R_i */
     /* (n+1-i)/(n+1) B_i^{n+1} + (i+1)/(n+1) B_{i+1}^{n+1} = B_i^n */
-    same(T, add(left, right), mul(c, u));
+    about(T, "the term of the denominator");
+    same(T, mul(w, add(left, right)), mul(w, mul(c, u)));
+    about(T, "the term of the numerator");
+    same(T, mul(term, add(left, right)), mul(term, mul(c, u)));
 }
 
 /*
@@ -476,7 +480,7 @@ them are.
   quotient times $\binom mp$ or $\binom{n+m}i$, by the definition with factorials.  $N=n+m$, $i$, $m$, $p$ are variables.
   The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves.
 :degrees: all
-:over: i; r p q b c: -
+:over: i r p q b c: -
 :control: $\frac i{n+m+1}$ taken as $\frac i{n+m}$
 :::
 */

@@ -92,7 +92,7 @@ CLAIM(expansion_about_the_contact)
 :method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
   plane and in space.  The ratio is less than 1 because $(n-r)(n-1)-n(n-r-1)=r$.
 :degrees: all
-:over: n: -; m: r; p# X# Y#: vectors; mu: -
+:over: n X# Y# mu: -; m: r; p#: points
 :control: the ratio $\frac{n-r-1}{n-1}$
 :::
 */
@@ -141,15 +141,16 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
 :given: $P=\sum\binom nkh^kp_k$ and the member $\sum\binom mkh^kp_k$, $m=n-r$, in the basis $p_0,p_1,e$ where $p_k$
   is the first vector outside the span of $p_0,p_1$: as graphs $y=\frac{\binom nk}{n^k}x^k+\dots$ and
   $y=\frac{\binom mk}{m^k}x^k+\dots$
-:then: $\binom nk/n^k=\frac1{k!}\prod_{j<k}(1-\frac jn)$, $k=2,\dots,6$, and
-  $(1-\frac jn)-(1-\frac jm)=\frac{jr}{mn}\ge0$
-:method: Identities with $n$, $m$ and $j$ variables; $n=m+r$ with $m,r,j>0$ for the sign, strict for $r>0$.  The
-  first factor with $j=1$ is strictly smaller for $m$; the others, for $m\ge k$, are positive and not larger, and
-  for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$ differ and those before agree: order
-  exactly $k-1$.
+:then: $\binom nk/n^k=\frac1{k!}\prod_{j<k}(1-\frac jn)$ for every $k$, and $(1-\frac jn)-(1-\frac
+  jm)=\frac{jr}{mn}\ge0$
+:method: $\binom n{k+1}=\binom nk\frac{n-k}{k+1}$ gives $\binom n{k+1}/n^{k+1}=\frac1{k+1}(1-\frac kn)\binom nk/n^k$,
+  the step of an induction on $k$, with $k$, $n$, $\binom nk$ and $n^k$ variables; it begins with $\binom n0/n^0=1$,
+  and the first orders are written out as well.  In the second identity $m$, $n$ and $j$ are variables; $n=m+r$ with
+  $m,r,j>0$ for the sign, strict for $r>0$.  The first factor with $j=1$ is strictly smaller for $m$; the others, for
+  $m\ge k$, are positive and not larger, and for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$
+  differ and those before agree: order exactly $k-1$.
 :degrees: all
-:scope: orders k = 2 to 6
-:over: m j: -; r
+:over: m j k c N: -; r
 :control: $n-1$ in the place of $n$ in the products
 :::
 */
@@ -167,6 +168,9 @@ CLAIM(member_is_flatter_in_every_order)
         /* C(n,k)/n^k = 1/k! (1 - 1/n) ... (1 - (k-1)/n) */
         same(T, div(choose, power), product);
     }
+    num k = whole(T, "k", 2, 9), c = unknown(T, "c", 0), power = positive(T, "N", 0), next = add(k, one);
+    about(T, "from k to k + 1");
+    same(T, div(div(mul(c, sub(n, k)), next), mul(power, n)), div(mul(sub(one, div(k, n)), div(c, power)), next));
     num j = positive(T, "j", 0), gap = div(mul(j, r), mul(m, n));
     about(T, "one factor of the products");
     /* (1 - j/n) - (1 - j/m) = j r/(m n) */

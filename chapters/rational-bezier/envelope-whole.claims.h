@@ -57,7 +57,7 @@ coefficients comes out as a factor.
   derivatives
 :then: $\det(X_t,X_c)=\det(P,P_t,P_c)/P_3^3$
 :method: The quotient rule gives $X_t$ and $X_c$; nine variables stand for the three vectors.
-:over: Pt# Pc#: derivatives
+:over: Pt# Pc#: -
 :control: the power $P_3^2$
 :::
 */
@@ -140,7 +140,7 @@ CLAIM(polar_derivatives)
 :method: An identity between polynomials in 13 variables, $n$ and $r$ among them.  With the derivatives of the member
   in the place of the three columns it is the factorization of the envelope condition.
 :degrees: all
-:over: n: -; r; c; a# b# d#: vectors
+:over: n a# b# d#: -; r; c; t
 :control: $t+c$ in the place of $t-c$
 :::
 */
@@ -425,7 +425,7 @@ CLAIM(triangle_has_one_envelope)
 :degrees: 2..6 sampled 12
 :argued: every n | With geometric coefficients $P=D(t)^n$, and the equations are those of its derivatives $n\delta
   D^{n-1}$ and $n(n-1)\delta^2D^{n-2}$.
-:over: H#: points; a# b# d#: vectors
+:over: H#: points; a# b# d#: -
 :control: the factor $n^2$ in the place of $n(n-1)$
 :::
 */

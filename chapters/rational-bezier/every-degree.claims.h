@@ -161,7 +161,7 @@ CLAIM(triangle_of_powers_consists_of_powers)
   mn$ of that of the curve; by (3) so is the derivative of the quotient.  By (1) and the binomial theorem the member at $c+h$
   is $\sum_k\binom mkh^k\delta^kD(c)^{n-k}$, with the same $\delta^kD(c)^{n-k}=p(c^{n-k},\delta^k)$ for every $m$.
 :degrees: all
-:over: Z#: points; U#: weights; N# W# m: -; r; c; t; h
+:over: Z#: points; U#: weights; N# W# m t h: -; r; c
 :control: $m$ for $\frac mn$ in (3)
 :::
 */
@@ -203,8 +203,8 @@ number of steps.
 :then: $f(M')=\frac{Wf(M)+cf(R)}{W+c}$; the weights $kW$ and $kc$ give the same $M'$; $\frac W{W+c}+\frac c{W+c}=1$
 :method: Each is the step of an induction on the number of terms, and trivial for one term.  So for every $n$ and all weights with
   $\omega(t)\ne0$, the terms being $B_i^n(t)\omega_i$: an affine map of the points maps the curve, and $\omega(t)f(R(t))=\sum
-  B_i^n(t)\omega_if(R_i)$; a common factor of the weights does not matter; the shares have the sum 1.  The order of the terms does
-  not matter, so that no partial sum need be 0.
+  B_i^n(t)\omega_if(R_i)$; a common factor of the weights does not matter; the shares have the sum 1.  Taken in the order
+  in which those of the sign of $\omega(t)$ come first no partial sum of the weights is 0.
 :degrees: all
 :over: W# c#: weights; M# R#: points; a# d# k: -
 :control: $d$ added without its factor to $cR$

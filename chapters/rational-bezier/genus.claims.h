@@ -679,6 +679,8 @@ CLAIM(printed_degree_spoils_the_genus)
 :definition: yes
 :checked-by: large_point_takes_all_double_points
 :confirmed-by: curves_that_fit_the_theorem
+:cites: [milnor-1968]: the order of the resultant at a point with different tangents is twice its number $\delta$ of
+  double points | This is how many double points a point of multiplicity $n-1$ counts for.
 :figure: genus_zero
 
 $\frac{(n-1)(n-2)}2$ is the number of double points that an irreducible curve of degree $n$ can have; the genus says

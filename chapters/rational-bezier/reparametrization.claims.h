@@ -184,8 +184,11 @@ CLAIM(fractional_change_term_by_term)
 #endif
     about(T, "the first term, and the quotient of neighbouring terms");
     same(T, mul(D, sub(one, t)), rest);
-    num quotient = fault(T, div(a, b), div(b, a));
-    same(T, mul(choose, div(t, sub(one, t))), mul(quotient, mul(choose, div(u, sub(one, u)))));
+    num quotient = fault(T, div(a, b), div(b, a)), w = positive(T, "w", 0), x = unknown(T, "x", 0);
+    num old_ratio = mul(choose, div(t, sub(one, t))), new_ratio = mul(quotient, mul(choose, div(u, sub(one, u))));
+    about(T, "the same times the weight of the next term, and times its point as well");
+    same(T, mul(w, old_ratio), mul(w, new_ratio));
+    same(T, mul(mul(w, x), old_ratio), mul(mul(w, x), new_ratio));
 }
 
 /*
