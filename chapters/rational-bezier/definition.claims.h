@@ -456,7 +456,7 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
 :confirmed-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
 :needs: growing_negative_weight_pushes_away | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
   $\omega_i>0$.
-:meant: the ends of the curve, which property 3.2.4 keeps in the end points | No point of the curve moves away from
+:meant: property 3.2.3, which keeps the ends of the curve in the end points | No point of the curve moves away from
   $R_i$, and those that move come nearer.
 :reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless
   the weight is theirs: nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
@@ -664,7 +664,7 @@ weights together.  Other readings are tried, and they fail already for a segment
 :printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: affine_image_of_the_curve_is_the_curve_of_the_images
-:meant: the properties are those of the curve (3.2.2), whose points are the $R_i$ | The map is applied to the points
+:meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The map is applied to the points
   $R_i$.
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
   of definition 3.2.1, to whose first three coordinates the map is applied.  A linear map still maps the curve; a
@@ -751,7 +751,7 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :printed: The curve is symmetric in the parameters $t$ and $1-t$.
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: reversed_points_and_weights_reverse_the_curve
-:meant: the curve (3.2.2) has its weights with its points | The control points are taken backwards with their weights.
+:meant: (3.2.2), which has a weight with every point | The control points are taken backwards with their weights.
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
 :figure: reversed_polygon
 

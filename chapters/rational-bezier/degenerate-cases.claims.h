@@ -317,7 +317,7 @@ CLAIM(zero_alpha_collapses)
 :printed: Regarded as a degenerate case of (3.2.2), the Bézier curve can also be restored to (3.2.2)
 :holds-by: geometric_weights_term_by_term
 :confirmed-by: geometric_weights_reparametrize_bezier
-:meant: the property displays the curve to which the other one is restored | To a curve of the form (3.2.2).
+:meant: the curve that the property displays | To a curve of the form (3.2.2).
 :reading: geometric_weights_reparametrize_bezier | to a curve of the form (3.2.2), the one displayed: holds
 :reading: unit_invariants_give_polynomial_curve | to which curves (3.2.2) with the same points: exactly to those with
   $I_1=\dots=I_{n-1}=1$

@@ -29,7 +29,8 @@ numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
 :printed: \mathbf R^{[n-r]}(t,c)=\frac{\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)\,\mathbf
   R_{i+r}^r(c)} {\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)},\quad a\le t\le b,\ a\le c\le b
 :definition: yes
-:checked-by: member_is_a_polar_curve
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: member_is_a_polar_curve
 :figure: envelope_families
 
 The indices are in range: level $r$ has the indices $r,\dots,n$.

@@ -11,6 +11,7 @@ $$\sum_{i=0}^nB_i^n(t)Z^i=(1-t+tZ)^n=D(t)^n,\qquad D(t)=1-t+tZ,$$
 so that a formula for every $n$ becomes one for the factor $D$, in which no $n$ is left.
 */
 #include "chapters/judge/elementary.h"
+#include "chapters/rational-bezier/crossings.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -70,11 +71,13 @@ CLAIM(bernstein_sum_of_powers_is_a_power)
 :then: (1) $D(1-t)=Z\,(1-t+\frac tZ)$; (2) $D(t)=(1-t)(1+sZ)$ with $s=\frac t{1-t}$; (3) $D(t)=\frac{u+Z}{u+1}$ with
   $t=\frac1{1+u}$; (4) $D(t)=\frac{b(1-u)+auZ}{b(1-u)+au}$ with $t=\frac{au}{au+b(1-u)}$; (5) $D(t)=1$ for $Z=1$;
   (6) $D(t)=1+t(Z-1)$
-:method: Raised to the power $n$ and read as Bernstein sums of $b_i=Z^i$ these are, for every $n$: (1) reversed coefficients
-  give the sum at $1-t$; (2) $\sum B_i^n(t)b_i=(1-t)^n\sum\binom nis^ib_i$; (3) $(1+u)^n\sum B_i^n(t)b_i=\sum\binom
-  niu^{n-i}b_i$; (4) the sum at $t$ is that of $a^ib^{n-i}b_i$ at $u$, divided by the $n$-th power of the denominator; (5)
-  $\sum B_i^n(t)=1$; (6) $\sum B_i^n(t)b_i=\sum\binom nj\Delta^jb_0\,t^j$.  That a Bernstein sum, or by the same rule of
-  Pascal any sum with binomial coefficients, of the powers of $Z$ is a power, is `bernstein_sum_of_powers_is_a_power`.
+:method: An equation that is linear in the $b_i$ holds for all of them when it holds for $b_i=Z^i$ with a variable
+  $Z$, since the powers of $Z$ are independent.  Raised to the power $n$ and read as Bernstein sums of $b_i=Z^i$ these
+  are, for every $n$: (1) reversed coefficients give the sum at $1-t$; (2) $\sum B_i^n(t)b_i=(1-t)^n\sum\binom
+  nis^ib_i$; (3) $(1+u)^n\sum B_i^n(t)b_i=\sum\binom niu^{n-i}b_i$; (4) the sum at $t$ is that of $a^ib^{n-i}b_i$ at
+  $u$, divided by the $n$-th power of the denominator; (5) $\sum B_i^n(t)=1$; (6) $\sum B_i^n(t)b_i=\sum\binom
+  nj\Delta^jb_0\,t^j$.  That a Bernstein sum, or by the same rule of Pascal any sum with binomial coefficients, of the
+  powers of $Z$ is a power, is `bernstein_sum_of_powers_is_a_power`.
 :degrees: all
 :over: Z#: coefficients; a b u: -; t
 :control: $a$ and $b$ exchanged in the new coefficients of (4)
@@ -108,11 +111,13 @@ CLAIM(change_of_parameter_acts_on_one_factor)
 :then: (1) $(1-\lambda)U+\lambda ZU=D(\lambda)U$, so level $r$ of the triangle is $b_i^r=Z^{i-r}D(\lambda)^r$; (2)
   $1-x+xD(\lambda)=D(\lambda x)$; (3) $(1-x)D(\lambda)+xZ=D(\lambda+x(1-\lambda))$; (4) with $c=a+\lambda h$ these
   arguments of $D$ are $\frac{t-a}h$ for $t=a+x(c-a)$ and for $t=c+x(a+h-c)$
-:method: (1) is the step of an induction on $r$.  To the power $n$ (2) is $\sum B_i^n(x)b_i^i=\sum B_i^n(\lambda x)b_i$, the left
-  part, and (3) is $\sum B_i^n(x)b_n^{n-i}=\sum B_i^n(\lambda+x(1-\lambda))b_i$, the right one, for every $n$, by
-  `bernstein_sum_of_powers_is_a_power`; by the same claim $b_i^r=\sum_kB_k^r(\lambda)b_{i-r+k}$, $b_n^n$ is the point of the
-  parameter $\lambda$, and $\sum_iB_i^{n-r}(t)b_{i+r}^r=D(t)^{n-r}D(\lambda)^r$.  Outside the field the triangle of a random
-  degree is computed by the kernel that cuts.
+:method: An equation that is linear in the $b_i$ holds for all of them when it holds for $b_i=Z^i$ with a variable
+  $Z$, since the powers of $Z$ are independent.  (1) is the step of an induction on $r$.  To the power $n$ (2) is
+  $\sum B_i^n(x)b_i^i=\sum B_i^n(\lambda x)b_i$, the left part, and (3) is $\sum B_i^n(x)b_n^{n-i}=\sum
+  B_i^n(\lambda+x(1-\lambda))b_i$, the right one, for every $n$, by `bernstein_sum_of_powers_is_a_power`; by the same
+  claim $b_i^r=\sum_kB_k^r(\lambda)b_{i-r+k}$, $b_n^n$ is the point of the parameter $\lambda$, and
+  $\sum_iB_i^{n-r}(t)b_{i+r}^r=D(t)^{n-r}D(\lambda)^r$.  Outside the field the triangle of a random degree is computed
+  by the kernel that cuts.
 :degrees: all
 :over: Z#: points; U#: weights; lambda; a h: interval; x: t
 :control: $D(\lambda)$ for $D(\lambda x)$ in (2)
@@ -156,10 +161,12 @@ CLAIM(triangle_of_powers_consists_of_powers)
 :then: (1) $D(c+h)=D(c)+h\delta$; (2) the derivatives of the member by $t$ and by $c$ are $m\delta\,D(c)U$ and
   $r\delta\,D(t)U$; (3) if numerator and denominator of a quotient have $\frac mnN'$ and $\frac mnW'$ for derivatives, the
   quotient has $\frac mn$ times the derivative that belongs to $N'$ and $W'$
-:method: In the field the factors are differentiated formally, with $D(c)^{r-1}D(t)^{m-1}$ a variable and the rule
-  $(D^m)'=mD^{m-1}D'$.  At $t=c$ the member is $D(c)^n$, as the curve is, and its derivative $m\delta D(c)^{n-1}$ is $\frac
-  mn$ of that of the curve; by (3) so is the derivative of the quotient.  By (1) and the binomial theorem the member at $c+h$
-  is $\sum_k\binom mkh^k\delta^kD(c)^{n-k}$, with the same $\delta^kD(c)^{n-k}=p(c^{n-k},\delta^k)$ for every $m$.
+:method: An equation that is linear in the $b_i$ holds for all of them when it holds for $b_i=Z^i$ with a variable
+  $Z$, since the powers of $Z$ are independent.  In the field the factors are differentiated formally, with
+  $D(c)^{r-1}D(t)^{m-1}$ a variable and the rule $(D^m)'=mD^{m-1}D'$.  At $t=c$ the member is $D(c)^n$, as the curve
+  is, and its derivative $m\delta D(c)^{n-1}$ is $\frac mn$ of that of the curve; by (3) so is the derivative of the
+  quotient.  By (1) and the binomial theorem the member at $c+h$ is $\sum_k\binom mkh^k\delta^kD(c)^{n-k}$, with the
+  same $\delta^kD(c)^{n-k}=p(c^{n-k},\delta^k)$ for every $m$.
 :degrees: all
 :over: Z#: points; U#: weights; N# W# m t h: -; r; c
 :control: $m$ for $\frac mn$ in (3)
@@ -449,9 +456,51 @@ CLAIM(determinant_of_three_sums_goes_by_triples)
     same(T, G(det3)(P[0], P[1], P[2]), mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b)));
 }
 
-#if RATIONAL
 /*
 ## Changes of sign, one by one
+
+Descartes' rule comes from multiplying by $s-\rho$, one positive root $\rho$ after the other: each adds a change of sign.
+
+:::{claim} factor_of_a_positive_root_adds_a_sign_change
+:title: Multiplied by s − ρ a polynomial has one change of sign more, at least
+:zh: 乘以正根因子至少增加一次变号
+:given: $q(s)=\sum q_ms^m$, not 0, of any degree, $\rho>0$, $p(s)=(s-\rho)q(s)$, so $p_m=q_{m-1}-\rho q_m$; positive numbers $a$, $b$
+:then: $a+\rho b>0$ and $\rho a>0$; so $V[p]\ge V[q]+1$, and by induction a polynomial has no more positive roots, counted with multiplicity, than
+  changes of sign
+:method: Read from the highest power downwards.  $p$ begins with the first coefficient of $q$.  Where $q$ changes its sign from $\sigma$ to $-\sigma$, let $q_i=-\sigma a$ be the
+  first coefficient of the new sign; $q_{i+1}$ is 0 or $\sigma b$, and $p_{i+1}=q_i-\rho q_{i+1}$ is $-\sigma a$ or $-\sigma(a+\rho b)$, of the sign of $q_i$.  And if $q_i=\sigma a$ is the last
+  coefficient that is not 0, then $p_i=-\rho q_i$ has the other sign.  These coefficients of $p$ have $V[q]+1$ changes of sign, and leaving out numbers does not add
+  any (`averages_between_neighbours_keep_sign_changes`).  Outside the field the changes of sign of random polynomials are counted as well.
+:degrees: all
+:over: a b r: -
+:control: $\rho$ negative, where nothing need be added
+:::
+*/
+CLAIM(factor_of_a_positive_root_adds_a_sign_change)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), r = positive(T, "r", 0), root = fault(T, r, neg(r));
+    about(T, "where the sign changes");
+    G(must_be_positive)(T, add(a, mul(r, b)));
+    about(T, "the last coefficient, turned");
+    G(must_be_positive)(T, mul(root, a));
+#if RATIONAL
+    int n = pick(T, 1, 9);
+    int of_q[11], of_p[11];
+    num q[11], p[11];
+    for (int m = 0; m <= n; m++)
+        q[m] = from_int(m < n ? pick(T, -2, 2) : 1);
+    for (int m = 0; m <= n + 1; m++) {
+        num high = m > 0 ? q[m - 1] : from_int(0), low = m <= n ? mul(root, q[m]) : from_int(0);
+        p[m] = sub(high, low);
+    }
+    signs_of(n + 1, q, of_q);
+    signs_of(n + 2, p, of_p);
+    agree(T, sign_changes(n + 2, of_p) >= sign_changes(n + 1, of_q) + 1);
+#endif
+}
+
+#if RATIONAL
+/*
 
 A change of sign in a sequence is noticed at one number: it is where the number has a sign, and the last sign before is the other one.  So a
 statement on sequences of every length is one about a number and the last sign before.

@@ -87,7 +87,7 @@ the half line and its end: what goes wrong further on goes wrong there.
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse
-:needs: parameter_change_needs_two_ends | (3.4.3) is written for an interval $[a,b]$ | the interval is not a point,
+:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | the interval is not a point,
   $a<b$
 
 $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$.
@@ -552,7 +552,7 @@ determinant is identically 0.
   included); else $F$ is 0 for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights
   are positive; with $\omega_0=0$ the first column vanishes
-:needs: space_curve_and_its_shadow | theorem 3.4.1 is about a curve $F(x,y)=0$ | the curve is plane; for a curve of
+:needs: space_curve_and_its_shadow | theorem 3.4.1, which is about a curve $F(x,y)=0$ | the curve is plane; for a curve of
   space $F=0$ is only the cylinder over its projection
 :reading: equation_vanishes_on_the_curve | every point of the curve satisfies $F=0$: true without any hypothesis
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve: false; there are the

@@ -378,8 +378,7 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
 :printed: $(1-\lambda)l_1l_2+\lambda l_3^2=0$ becomes $S(x,y)=(1-\lambda)xy\pm\lambda(x+y-1)^2=0$ in the affine frame
   $\{R_1;R_1R_0,R_1R_2\}$.
 :holds-by: limings_pencil_in_the_frame every_scaling_takes_the_normal_form
-:meant: the source goes on: a point of the curve determines $\lambda$ of (3.1.4); and it says that (3.1.3) can be
-  brought to this form | $\lambda$ of (3.1.4) is the parameter of the pencil in this form; it need not be the number
+:meant: what follows, by which one point of the curve determines $\lambda$ of (3.1.4) | $\lambda$ of (3.1.4) is the parameter of the pencil in this form; it need not be the number
   of (3.1.3).
 :needs: half_circle_has_no_frame | the line before: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
   With parallel tangents, as of a half circle, (3.1.3) is right and there is no $R_1$.

@@ -14,7 +14,7 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :printed: A Bézier curve cannot represent exactly any conic section but the parabola.
 :holds-by: highest_powers_along_a_conic parabola_arcs_are_quadratic
 :confirmed-by: ellipse_carries_no_polynomial_arc hyperbola_carries_no_polynomial_arc
-:meant: section 3.1 calls a pair of lines a conic that is regarded as degenerate | A conic section is an ellipse, a
+:meant: section 3.1, which calls a pair of lines a degenerate conic | A conic section is an ellipse, a
   parabola or a hyperbola.
 :reading: ellipse_carries_no_polynomial_arc | A conic section is an ellipse, a parabola or a hyperbola: true.
 :reading: line_pair_carries_a_segment | Every equation (3.1.1) is a conic section, as 3.1 has it, two lines among them:

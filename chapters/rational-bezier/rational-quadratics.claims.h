@@ -98,10 +98,10 @@ written as quotients of three weights (权因子), of which only the one ratio $
 :printed: Since $g_1g_2$ is constant, one may put $g_1=\frac{\omega_0(1-t)}{\omega_1t}$,
   $g_2=\frac{\omega_2t}{\omega_1(1-t)}$ with constants $\omega_0,\omega_1,\omega_2$.
 :holds-by: each_pair_of_ratios_has_one_parameter
-:needs: ratios_of_lengths_need_weights_of_one_sign | $g_1$, $g_2$ are introduced as quotients of lengths, and
-  $\omega_0\omega_2/\omega_1^2>0$ is said below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
+:needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as
+  quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
   lengths.
-:needs: ratios_do_not_exist_at_the_ends | the sentence itself: $g_1g_2$ is constant, so both ratios exist | $0<t<1$;
+:needs: ratios_do_not_exist_at_the_ends | the sentence itself, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$;
   the ends $R_0$ and $R_2$ come back in (3.1.5), where $0\le t\le1$.
 :::
 */
@@ -210,8 +210,8 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 :holds-by: rational_quadratic_of_the_arc each_pair_of_ratios_has_one_parameter
 :meant: the second half of the sentence: the representation carries a constant | The three points and the constant
   determine the arc.
-:needs: complementary_arc_leaves_the_triangle | $g_1$, $g_2$ are introduced as quotients of lengths, and
-  $\omega_0\omega_2/\omega_1^2>0$ is said below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
+:needs: complementary_arc_leaves_the_triangle | § 3.1, which introduces $g_1$, $g_2$ as
+  quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
   lengths.
 :reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant: true.
 :reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc: false, every constant has
@@ -345,8 +345,8 @@ CLAIM(points_alone_do_not_determine_the_arc)
 :holds-by: weights_with_one_constant_give_one_curve constant_is_read_off_the_curve
 :needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$
   form a triangle.
-:needs: sign_of_the_middle_weight_changes_the_arc | $g_1$, $g_2$ are introduced as quotients of lengths, which the new
-  weights have to give too | The new weights, too, are of one sign.
+:needs: sign_of_the_middle_weight_changes_the_arc | § 3.1, which introduces
+  $g_1$, $g_2$ as quotients of lengths; the new weights have to give such, too | The new weights, too, are of one sign.
 :figure: middle_weight_sign
 :::
 

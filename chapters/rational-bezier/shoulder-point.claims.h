@@ -218,9 +218,9 @@ vertex.
   $R_0R_2$ in the shoulder point $R_s$.  If $\frac{\|R_sM\|}{\|R_1R_s\|}=\omega$, the curve is an ellipse, a parabola or a
   hyperbola for $\omega<1$, $\omega=1$ or $\omega>1$.
 :holds-by: shoulder_ratio_is_the_root_of_the_invariant sign_of_the_discriminant kind_in_any_coordinates
-:needs: flat_triangle_has_a_shoulder_point | the corollary names the triangle and its median | $R_0R_1R_2$ is a
+:needs: flat_triangle_has_a_shoulder_point | the corollary, which names the triangle and its median | $R_0R_1R_2$ is a
   triangle.
-:needs: weight_zero_has_ratio_zero | the corollary names the triangle and its median | The weights are positive, so
+:needs: weight_zero_has_ratio_zero | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are positive, so
   $\omega_1\ne0$.
 :figure: shoulder_point
 

@@ -20,7 +20,8 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
 :printed: \omega_i^0(c)=\omega_i,\quad\omega_i^r(c)=(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c),\quad
   r=1,\dots,n,\ i=r,\dots,n
 :definition: yes
-:checked-by: triangle_in_closed_form triangle_level_by_level
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: triangle_in_closed_form triangle_level_by_level
 
 In the text at hand the recursion is printed twice, first with its number and then with that of (3.3.1); the recursion
 of the points then has the number (3.3.2), which the next sentences call (3.3.3).
@@ -111,7 +112,8 @@ the points: run first, it tells where the division is not possible.
   R_i^r(c)=\frac{(1-\lambda)\omega_{i-1}^{r-1}(c)}{\omega_i^r(c)}\mathbf
   R_{i-1}^{r-1}(c)+\frac{\lambda\omega_i^{r-1}(c)}{\omega_i^r(c)}\mathbf R_i^{r-1}(c)
 :definition: yes
-:checked-by: triangle_in_closed_form triangle_level_by_level
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: triangle_in_closed_form triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
   weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular curve
 :figure: triangle_point_at_infinity

@@ -366,16 +366,13 @@ CLAIM(roots_must_be_counted_up_to_one)
 :zh: Descartes 符号法则
 :printed: Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]\le
   V\left[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\right]
-:holds-by: sign_changes_are_counted_one_by_one
+:holds-by: factor_of_a_positive_root_adds_a_sign_change averages_between_neighbours_keep_sign_changes
 :confirmed-by: descartes_rule_by_sign_patterns
 :hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$, that is, the curve is not contained in $L$
-:cites: Rolle's theorem, with multiplicities: between two roots of a function its derivative has one | The derivative
-  of $s^{-\alpha}q(s)$ has at least one positive root fewer than $q$ and exactly one change of sign fewer; by
-  induction on the number of changes $q$ has no more positive roots than changes.
 
 The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
-The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by taking
-away one change of sign after the other.
+The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by
+multiplying one factor $s-\rho$ after the other, and a second time, with a theorem of Rolle, by taking away one change of sign after the other.
 :::
 
 Descartes' rule itself is short.  Between two positive roots of a function its derivative has one.  Let $q$ first be

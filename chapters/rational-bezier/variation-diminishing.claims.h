@@ -19,11 +19,11 @@ computed, and a third time from the cutting of corners for every degree.
 :zh: 变差缩减性
 :printed: for a plane rational Bézier curve and every line $L$ of its plane, $I(\mathbf R,L)\le I(\mathbf B,L)$, where the
   number $I$ of intersections is how often $L$ is crossed
-:holds-by: averages_between_neighbours_keep_sign_changes elevation_cuts_corners powers_in_every_degree
-  elevated_polygons_converge
-:confirmed-by: bernstein_collocation_is_totally_positive
-:argued: | The elevated values converge to $y(i/N)$; so if $y(t)$ changes its sign $I$ times, the values of some high
-  degree do so $I$ times at least, and no elevation adds a change of sign.
+:holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term ratio_is_an_increasing_bijection
+  change_of_parameter_acts_on_one_factor factor_of_a_positive_root_adds_a_sign_change
+  averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one
+:confirmed-by: elevation_cuts_corners powers_in_every_degree elevated_polygons_converge
+  bernstein_collocation_is_totally_positive
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon.
@@ -35,7 +35,8 @@ computed, and a third time from the cutting of corners for every degree.
   curve or polygon run through it
 :figure: line_crossings
 
-Two proofs that use no rule of Descartes.  *For every degree.* Every elevation replaces the values
+The chain of the source proves it, for every degree: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
+roots of which are no more than its changes of sign, and these are the crossings of the polygon.  Two proofs that use no rule of Descartes.  *By elevation.* Every elevation replaces the values
 $y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
 them without adding one, and taking numbers away adds none (`averages_between_neighbours_keep_sign_changes`; the polygons of low degree all at once in
 `corner_cutting_adds_no_sign_change`).  The elevated values
