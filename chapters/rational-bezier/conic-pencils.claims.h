@@ -31,7 +31,7 @@ A conic asks for $(A,B,C)\ne(0,0,0)$.  It may be two lines, one line counted twi
 :method: The other side is the formula written out term by term.  For a quadratic polynomial the central difference
   is the derivative, so no derivative is taken.
 :defines: conic_value conic_gradient
-:over: S#: conics; h
+:over: S#: conics; h: -
 :control: the product $xy$ counted once, not twice
 :::
 */

@@ -38,7 +38,8 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :confirmed-by: polar_derivatives
 :figure: envelope_extra
 
-When all points lie on a line the condition holds everywhere and the envelope loses its meaning
+The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
+$\operatorname{env}$ means is not said in this chapter.  When all points lie on a line the condition holds everywhere and the envelope loses its meaning
 (`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent
 at a $\tau$ where $R'\times R''=0$ and $R'\ne0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this
 tangent.  Such a $\tau$ is mostly an inflection; but a curve may be flat there and not change its side

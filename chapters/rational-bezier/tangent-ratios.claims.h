@@ -36,7 +36,7 @@ Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where th
 :then: $S(P+hd)=S(P)+h^2(AS_y^2-2BS_xS_y+CS_x^2)$: there is no term in $h$, so for $S(P)=0$ the line $P+hd$ meets the
   conic twice in $P$; its points $(X,Y)$ satisfy $Y-y=-\frac{S_x}{S_y}(X-x)$
 :method: Identities in the coefficients, $x$, $y$ and $h$.
-:over: S#: conics; h
+:over: S#: conics; h: -
 :control: $d=(S_y,S_x)$
 :::
 */

@@ -245,8 +245,7 @@ no root is lost and none counted twice.
 :then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
 :method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
 :degrees: all
-:scope: 0 < t < t' < 1
-:over: p q: -; s
+:over: p q s: -
 :control: $(1-t)^2$ taken for $(1-t')(1-t)$
 :::
 */
