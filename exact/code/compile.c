@@ -1,0 +1,191 @@
+/* compile.c -- the program cagd-compile-exactly: sources in C, C++ or bitcode become a shared object in which numbers are ours.
+ *
+ *     cagd-compile-exactly -o OUT.so FILE... [-- FLAG...]
+ *
+ * FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.  The flags are clang's, for the sources.
+ * Messages are clang's own, or one line; the exit code is 0, 1 when a source does not compile, 2 for wrong usage. */
+#include "exact/code/rewrite.h"
+
+#include <llvm-c/Analysis.h>
+#include <llvm-c/BitReader.h>
+#include <llvm-c/BitWriter.h>
+#include <llvm-c/Linker.h>
+
+#include <errno.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+enum { MOST_WORDS = 4096 };
+
+static char scratch[] = "/tmp/cagd-code-XXXXXX";
+static LLVMModuleRef everything;
+
+_Noreturn static void give_up(int code, const char *what, const char *about)
+{
+    fprintf(stderr, "cagd-compile-exactly: %s%s%s\n", what, about ? ": " : "", about ? about : "");
+    exit(code);
+}
+
+static void remove_scratch(void)
+{
+    static const char *const names[] = {"source.bc", "all.bc"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        char path[64];
+        snprintf(path, sizeof path, "%s/%s", scratch, names[k]);
+        unlink(path);
+    }
+    rmdir(scratch);
+}
+
+static int ends_in(const char *name, const char *end)
+{
+    size_t n = strlen(name), m = strlen(end);
+    return n > m && strcmp(name + n - m, end) == 0;
+}
+
+static int is_cpp(const char *name)
+{
+    return ends_in(name, ".cc") || ends_in(name, ".cpp") || ends_in(name, ".cxx") || ends_in(name, ".C");
+}
+
+/* Runs a compiler of CAGD_LLVM_BIN; gives up where it does. */
+static void run(char *const word[])
+{
+    pid_t child;
+    int status;
+    if (posix_spawnp(&child, word[0], NULL, NULL, word, environ) != 0)
+        give_up(1, "there is no compiler", word[0]);
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR)
+            give_up(1, "the compiler was lost", word[0]);
+    if (status != 0)
+        exit(1);
+}
+
+/* The module of these bytes, which `name` names, joins the others. */
+static void take(LLVMMemoryBufferRef bytes, const char *name)
+{
+    LLVMModuleRef module;
+    if (LLVMParseBitcode2(bytes, &module))
+        give_up(1, "no bitcode of this version of LLVM or an older one", name);
+    if (everything == NULL)
+        everything = module;
+    else if (LLVMLinkModules2(everything, module))
+        give_up(1, "it cannot be linked with the others", name);
+}
+
+static void take_file(const char *path, const char *name)
+{
+    LLVMMemoryBufferRef bytes;
+    char *message = NULL;
+    if (LLVMCreateMemoryBufferWithContentsOfFile(path, &bytes, &message))
+        give_up(1, message, name);
+    take(bytes, name);
+}
+
+/* An archive: "!<arch>\n", and for each member a head of 60 bytes, its size in the ten from 48 on, and its bytes, made even. */
+static void take_archive(const char *path)
+{
+    LLVMMemoryBufferRef bytes;
+    char *message = NULL;
+    if (LLVMCreateMemoryBufferWithContentsOfFile(path, &bytes, &message))
+        give_up(1, message, path);
+    const char *start = LLVMGetBufferStart(bytes);
+    size_t size = LLVMGetBufferSize(bytes), taken = 0;
+    if (size < 8 || memcmp(start, "!<arch>\n", 8) != 0)
+        give_up(1, "no archive", path);
+    for (size_t at = 8; at + 60 <= size;) {
+        char digits[11] = {0};
+        memcpy(digits, start + at + 48, 10);
+        size_t length = strtoul(digits, NULL, 10);
+        const char *member = start + at + 60;
+        if (length > size - at - 60)
+            give_up(1, "an archive that ends too early", path);
+        if (length > 4 && memcmp(member, "BC\xC0\xDE", 4) == 0) {
+            take(LLVMCreateMemoryBufferWithMemoryRangeCopy(member, length, path), path);
+            taken++;
+        } else if (start[at] != '/') {
+            give_up(1, "a member of the archive is no bitcode; compile it with -emit-llvm", path);
+        }
+        at += 60 + length + length % 2;
+    }
+    if (taken == 0)
+        give_up(1, "an empty archive", path);
+}
+
+int main(int argc, char **argv)
+{
+    const char *out = NULL;
+    char bitcode[64], all[64];
+    int files = 0, cpp = 0, flags = argc;
+    for (int k = 1; k < argc; k++) {
+        if (strcmp(argv[k], "--") == 0) {
+            flags = k + 1;
+            break;
+        }
+        if (strcmp(argv[k], "-o") == 0 && k + 1 < argc)
+            out = argv[++k];
+        else
+            argv[++files] = argv[k];
+    }
+    if (out == NULL || files == 0 || argc > MOST_WORDS)
+        give_up(2, "usage: cagd-compile-exactly -o OUT.so FILE... [-- FLAG...]", NULL);
+    if (mkdtemp(scratch) == NULL)
+        give_up(1, "no temporary folder", strerror(errno));
+    atexit(remove_scratch);
+    snprintf(bitcode, sizeof bitcode, "%s/source.bc", scratch);
+    snprintf(all, sizeof all, "%s/all.bc", scratch);
+
+    for (int k = 1; k <= files; k++) {
+        char *name = argv[k];
+        cpp = cpp || is_cpp(name);
+        if (ends_in(name, ".a")) {
+            take_archive(name);
+        } else if (ends_in(name, ".bc")) {
+            take_file(name, name);
+        } else if (ends_in(name, ".c") || is_cpp(name)) {
+            char *word[MOST_WORDS + 20] = {is_cpp(name) ? CAGD_LLVM_BIN "/clang++" : CAGD_LLVM_BIN "/clang",
+                                           "-O0",
+                                           "-ffp-model=strict",
+                                           "-ftrivial-auto-var-init=pattern",
+                                           "-fno-builtin",
+                                           "-g",
+                                           "-fPIC",
+                                           "-c",
+                                           "-emit-llvm",
+                                           "-o",
+                                           bitcode,
+                                           name};
+            int words = 12;
+            for (int f = flags; f < argc; f++)
+                word[words++] = argv[f];
+            run(word);
+            take_file(bitcode, name);
+        } else {
+            give_up(2, "a source in C or C++, bitcode or an archive of it was expected", name);
+        }
+    }
+    cagd_code_rewrite(everything);
+    char *message = NULL;
+    if (LLVMVerifyModule(everything, LLVMReturnStatusAction, &message))
+        give_up(1, "the rewritten module is not well-formed", message);
+    if (LLVMWriteBitcodeToFile(everything, all) != 0)
+        give_up(1, "cannot write", all);
+    char *link[] = {cpp ? CAGD_LLVM_BIN "/clang++" : CAGD_LLVM_BIN "/clang",
+                    "-O0",
+                    "-shared",
+                    "-fPIC",
+                    "-Wno-override-module",
+                    "-o",
+                    (char *)out,
+                    all,
+                    NULL};
+    run(link);
+    return 0;
+}

@@ -1,0 +1,429 @@
+/* functions.c -- the mathematical functions of the C library: exact where they are, else enclosed or refused. */
+#include "exact/code/names.h"
+#include "exact/code/value.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct complex_pair {
+    double re, im;
+};
+
+/* The prototypes of what the rewritten code calls by these names. */
+#define ONE(name)                                                                                                      \
+    double cagd_code_lib_##name(double x);                                                                             \
+    float cagd_code_lib_##name##f(float x);                                                                            \
+    double cagd_code_lib_##name##l(double x);
+#define TWO(name)                                                                                                      \
+    double cagd_code_lib_##name(double x, double y);                                                                   \
+    float cagd_code_lib_##name##f(float x, float y);                                                                   \
+    double cagd_code_lib_##name##l(double x, double y);
+CAGD_CODE_ONE(ONE)
+CAGD_CODE_TWO(TWO)
+#undef ONE
+#undef TWO
+double cagd_code_lib_fma(double x, double y, double z);
+float cagd_code_lib_fmaf(float x, float y, float z);
+double cagd_code_lib_ldexp(double x, int n);
+float cagd_code_lib_ldexpf(float x, int n);
+double cagd_code_lib_scalbn(double x, int n);
+double cagd_code_lib_scalbln(double x, long n);
+double cagd_code_lib_frexp(double x, int *n);
+double cagd_code_lib_modf(double x, double *whole);
+void cagd_code_lib_sincos(double x, double *s, double *c);
+long cagd_code_lib_lround(double x);
+long long cagd_code_lib_llround(double x);
+long cagd_code_lib_lrint(double x);
+long long cagd_code_lib_llrint(double x);
+int cagd_code_lib_isnan(double x);
+int cagd_code_lib___isnan(double x);
+int cagd_code_lib_isinf(double x);
+int cagd_code_lib___isinf(double x);
+int cagd_code_lib_finite(double x);
+int cagd_code_lib___finite(double x);
+int cagd_code_lib___signbit(double x);
+double cagd_code_lib_cabs(struct complex_pair z);
+struct complex_pair cagd_code_lib___muldc3(double a, double b, double c, double d);
+struct complex_pair cagd_code_lib___divdc3(double a, double b, double c, double d);
+
+typedef cagd_code_value value;
+static value of(double x) { return cagd_code_value_of(x); }
+static double number(value v) { return cagd_code_number(v); }
+static value zero(void) { return cagd_code_integer(0); }
+static int rounding(void) { return cagd_code_machine.job->numbers == CAGD_CODE_ROUNDING; }
+
+/* Whether v is that integer, whatever the variables are. */
+static int is_just(value v, long n)
+{
+    return !v.special && v.f.at == NULL && v.q.at != NULL && cagd_equal_q(v.q, cagd_from_int_q(n));
+}
+
+/* ---- enclosures ---------------------------------------------------------------------------------------- */
+
+enum { BITS = 320 };
+
+/* f(q), with an error below 2^-60 of it: x is q within 2^-320 of itself, |x| < 2^64, and what f makes of that is below 2^-190
+ * of a result that is neither below 2^-100 nor above 2^100. */
+static value enclosed(value a, int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), double (*plain)(double), const char *name)
+{
+    const struct cagd_code_job *job = cagd_code_machine.job;
+    if (a.special)
+        return cagd_code_special(plain(a.d));
+    if (job->numbers == CAGD_CODE_FIELD || (job->numbers == CAGD_CODE_RATIONAL && !job->enclose))
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number for which it is not rational", name);
+    if (a.q.at == NULL || fabs(cagd_code_real(a)) >= 0x1p64)
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s of an interval", name);
+    mpfr_t x, y, error;
+    mpq_t end;
+    mpq_init(end);
+    mpfr_inits2(BITS, x, y, error, (mpfr_ptr)0);
+    mpfr_set_q(x, a.q.at, MPFR_RNDN);
+    f(y, x, MPFR_RNDN);
+    if (!mpfr_number_p(y) || mpfr_zero_p(y) || mpfr_get_exp(y) < -100 || mpfr_get_exp(y) > 100)
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s where its value is too large, too small or not there", name);
+    mpfr_mul_2si(error, y, -180, MPFR_RNDA);
+    mpfr_abs(error, error, MPFR_RNDN);
+    mpfr_sub(x, y, error, MPFR_RNDD);
+    mpfr_add(y, y, error, MPFR_RNDU);
+    mpfr_get_q(end, x);
+    cagd_num_i low = cagd_from_rational_i(cagd_from_mpq_q(end));
+    mpfr_get_q(end, y);
+    value v = cagd_code_enclosed(cagd_hull_i(low, cagd_from_rational_i(cagd_from_mpq_q(end))));
+    mpfr_clears(x, y, error, (mpfr_ptr)0);
+    mpq_clear(end);
+    if (rounding()) {
+        v.d = plain(a.d);
+        double h = a.d != 0 ? fabs(a.d) * 0x1p-26 : 0x1p-26, slope = (plain(a.d + h) - plain(a.d - h)) / (2 * h);
+        cagd_code_shared(&v, a, slope, (value){.d = 0}, 0, 0);
+    }
+    return v;
+}
+
+#define ENCLOSED(name, exact_at, exactly)                                                                              \
+    double cagd_code_lib_##name(double x)                                                                              \
+    {                                                                                                                  \
+        value a = of(x);                                                                                               \
+        return number(is_just(a, exact_at) ? cagd_code_integer(exactly) : enclosed(a, mpfr_##name, name, #name));      \
+    }
+ENCLOSED(exp, 0, 1)
+ENCLOSED(expm1, 0, 0)
+ENCLOSED(log, 1, 0)
+ENCLOSED(log1p, 0, 0)
+ENCLOSED(tan, 0, 0)
+ENCLOSED(asin, 0, 0)
+ENCLOSED(acos, 1, 0)
+ENCLOSED(atan, 0, 0)
+ENCLOSED(sinh, 0, 0)
+ENCLOSED(cosh, 0, 1)
+ENCLOSED(tanh, 0, 0)
+
+/* 2^n for whole n; of others an enclosure. */
+double cagd_code_lib_exp2(double x)
+{
+    value a = of(x);
+    if (!a.special && a.f.at == NULL && a.q.at != NULL && cagd_is_whole_q(a.q) && fabs(cagd_to_double_q(a.q)) < 1e6)
+        return cagd_code_power(2, (int32_t)cagd_to_double_q(a.q));
+    return number(enclosed(a, mpfr_exp2, exp2, "exp2"));
+}
+
+/* n where a = base^n. */
+static double whole_logarithm(double x, long base, int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), double (*plain)(double),
+                              const char *name)
+{
+    value a = of(x);
+    if (!a.special && a.f.at == NULL && a.q.at != NULL && cagd_sign_q(a.q) > 0) {
+        long n = lround(plain(cagd_to_double_q(a.q)));
+        if (labs(n) < 100000) {
+            value power = of(cagd_code_power((double)base, (int32_t)n));
+            if (power.q.at != NULL && cagd_equal_q(power.q, a.q))
+                return (double)n;
+        }
+    }
+    return number(enclosed(a, f, plain, name));
+}
+double cagd_code_lib_log2(double x) { return whole_logarithm(x, 2, mpfr_log2, log2, "log2"); }
+double cagd_code_lib_log10(double x) { return whole_logarithm(x, 10, mpfr_log10, log10, "log10"); }
+
+/* ---- sine and cosine --------------------------------------------------------------------------------------- */
+
+/* In the field: two variables, the square of the first being 1 less that of the second, for every angle but 0. */
+enum { MOST_ANGLES = 16 };
+static struct {
+    cagd_num_f angle;
+    value sine, cosine;
+} angles[MOST_ANGLES];
+static int angle_count;
+
+static value enclosed_at_point(cagd_num_q q, int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), double (*plain)(double),
+                               const char *name)
+{
+    struct cagd_code_job here = *cagd_code_machine.job;
+    const struct cagd_code_job *job = cagd_code_machine.job;
+    here.numbers = CAGD_CODE_INTERVAL;
+    cagd_code_machine.job = &here;
+    value v = enclosed(cagd_code_constant(q), f, plain, name);
+    cagd_code_machine.job = job;
+    return v;
+}
+
+static int known_angle(value a)
+{
+    if (a.q.at == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "an angle that is not rational");
+    for (int k = 0; k < angle_count; k++)
+        if (cagd_equal_f(angles[k].angle, a.f))
+            return k;
+    if (angle_count == MOST_ANGLES)
+        cagd_code_stop(CAGD_CODE_BOUND, "more than %d angles", MOST_ANGLES);
+    char name[CAGD_FIELD_MAX_NAME + 1];
+    name[0] = 'c', name[1] = 'o', name[2] = 's', name[3] = (char)('a' + angle_count), name[4] = 0;
+    value cosine = enclosed_at_point(a.q, mpfr_cos, cos, "cos"), sine = enclosed_at_point(a.q, mpfr_sin, sin, "sin");
+    cosine.f = cagd_variable_f(name);
+    cagd_code_check_faults();
+    angles[angle_count].angle = a.f;
+    angles[angle_count].cosine = cosine;
+    angles[angle_count].sine = cagd_code_new_root(cagd_sub_f(cagd_from_int_f(1), cagd_mul_f(cosine.f, cosine.f)), sine);
+    return angle_count++;
+}
+
+double cagd_code_lib_sin(double x)
+{
+    value a = of(x);
+    if (is_just(a, 0))
+        return 0;
+    return number(a.f.at != NULL ? angles[known_angle(a)].sine : enclosed(a, mpfr_sin, sin, "sin"));
+}
+
+double cagd_code_lib_cos(double x)
+{
+    value a = of(x);
+    if (is_just(a, 0))
+        return 1;
+    return number(a.f.at != NULL ? angles[known_angle(a)].cosine : enclosed(a, mpfr_cos, cos, "cos"));
+}
+
+void cagd_code_lib_sincos(double x, double *s, double *c)
+{
+    *s = cagd_code_lib_sin(x);
+    *c = cagd_code_lib_cos(x);
+}
+
+/* ---- roots and powers --------------------------------------------------------------------------------------- */
+
+double cagd_code_lib_sqrt(double x) { return number(cagd_code_square_root(of(x))); }
+
+double cagd_code_lib_cbrt(double x)
+{
+    value a = of(x);
+    if (a.special || a.q.at == NULL || a.f.at != NULL)
+        return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt"));
+    int negative = cagd_sign_q(a.q) < 0;
+    cagd_num_q root = cagd_root_q(3, negative ? cagd_neg_q(a.q) : a.q);
+    if (cagd_region_faults & CAGD_FAULT_UNABLE) {
+        cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
+        return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt"));
+    }
+    value v = cagd_code_constant(negative ? cagd_neg_q(root) : root);
+    return number(v);
+}
+
+double cagd_code_lib_pow(double x, double y)
+{
+    value a = of(x), n = of(y);
+    if (is_just(n, 0) || is_just(a, 1))
+        return 1;
+    if (a.special || n.special)
+        return pow(a.special ? a.d : cagd_code_real(a), n.special ? n.d : cagd_code_real(n));
+    if (n.f.at != NULL || n.q.at == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "pow with an exponent that varies");
+    if (cagd_is_whole_q(n.q) && fabs(cagd_to_double_q(n.q)) < 0x1p30)
+        return cagd_code_power(x, (int32_t)cagd_to_double_q(n.q));
+    if (cagd_equal_q(n.q, cagd_from_ratio_q(1, 2)))
+        return cagd_code_lib_sqrt(x);
+    cagd_code_stop(CAGD_CODE_REFUSED, "pow with an exponent that is neither whole nor 1/2");
+}
+
+double cagd_code_lib_hypot(double x, double y)
+{
+    value a = of(x), b = of(y);
+    if (a.special || b.special)
+        return hypot(a.special ? a.d : 0, b.special ? b.d : 0);
+    return number(cagd_code_square_root(cagd_code_sum(cagd_code_product(a, a), cagd_code_product(b, b))));
+}
+
+double cagd_code_lib_cabs(struct complex_pair z) { return cagd_code_lib_hypot(z.re, z.im); }
+
+/* 0 on the positive axis; elsewhere not rational. */
+double cagd_code_lib_atan2(double y, double x)
+{
+    value a = of(y), b = of(x);
+    if (is_just(a, 0) && cagd_code_sign(b) >= 0)
+        return 0;
+    if (a.special || b.special || cagd_code_sign(b) <= 0)
+        cagd_code_stop(CAGD_CODE_REFUSED, "atan2 outside the right half-plane");
+    return number(enclosed(cagd_code_quotient(a, b), mpfr_atan, atan, "atan2"));
+}
+
+/* ---- parts of a number -------------------------------------------------------------------------------------- */
+
+double cagd_code_lib_fabs(double x)
+{
+    value a = of(x);
+    if (a.special)
+        return fabs(a.d);
+    return cagd_code_relation(a, zero(), 4) == 4 ? number(cagd_code_negative(a)) : x;
+}
+
+#define ROUNDED(name, how)                                                                                             \
+    double cagd_code_lib_##name(double x) { return number(cagd_code_whole(of(x), how)); }
+ROUNDED(floor, CAGD_CODE_FLOOR)
+ROUNDED(ceil, CAGD_CODE_CEIL)
+ROUNDED(trunc, CAGD_CODE_TRUNC)
+ROUNDED(round, CAGD_CODE_ROUND)
+ROUNDED(rint, CAGD_CODE_EVEN)
+ROUNDED(nearbyint, CAGD_CODE_EVEN)
+ROUNDED(roundeven, CAGD_CODE_EVEN)
+
+long cagd_code_lib_lround(double x) { return cagd_code_to_integer(cagd_code_lib_round(x), 64, 1); }
+long long cagd_code_lib_llround(double x) { return cagd_code_lib_lround(x); }
+long cagd_code_lib_lrint(double x) { return cagd_code_to_integer(cagd_code_lib_rint(x), 64, 1); }
+long long cagd_code_lib_llrint(double x) { return cagd_code_lib_lrint(x); }
+
+static int is_nan(double x)
+{
+    value a = of(x);
+    return a.special && isnan(a.d);
+}
+
+double cagd_code_lib_fmin(double x, double y)
+{
+    if (is_nan(x) || is_nan(y))
+        return is_nan(x) ? y : x;
+    return cagd_code_compare(x, y, 4) ? x : y;
+}
+
+double cagd_code_lib_fmax(double x, double y)
+{
+    if (is_nan(x) || is_nan(y))
+        return is_nan(x) ? y : x;
+    return cagd_code_compare(x, y, 2) ? x : y;
+}
+
+double cagd_code_lib_fdim(double x, double y) { return cagd_code_compare(x, y, 2) ? cagd_code_sub(x, y) : 0; }
+
+double cagd_code_lib_copysign(double x, double y)
+{
+    double size = cagd_code_lib_fabs(x);
+    return cagd_code_sign_bits(y) != 0 ? cagd_code_neg(size) : size;
+}
+
+/* x - y trunc(x/y), and with the nearest integer for trunc. */
+static double rest(double x, double y, enum cagd_code_rounding how)
+{
+    value a = of(x), b = of(y);
+    if (a.special || b.special)
+        return fmod(a.special ? a.d : cagd_code_real(a), b.special ? b.d : cagd_code_real(b));
+    value n = cagd_code_whole(cagd_code_quotient(a, b), how);
+    value v = cagd_code_difference(a, cagd_code_product(n, b));
+    if (rounding())
+        v.d = how == CAGD_CODE_TRUNC ? fmod(a.d, b.d) : remainder(a.d, b.d);
+    return number(v);
+}
+double cagd_code_lib_fmod(double x, double y) { return rest(x, y, CAGD_CODE_TRUNC); }
+double cagd_code_lib_remainder(double x, double y) { return rest(x, y, CAGD_CODE_EVEN); }
+
+double cagd_code_lib_fma(double x, double y, double z)
+{
+    value a = of(x), b = of(y), c = of(z);
+    value p = cagd_code_product(a, b), v = cagd_code_sum(p, c);
+    if (rounding() && !v.special) {
+        v.d = fma(a.d, b.d, c.d);
+        cagd_num_q sum =
+            cagd_add_q(cagd_mul_q(cagd_from_double_q(a.d), cagd_from_double_q(b.d)), cagd_from_double_q(c.d));
+        value alone = {.d = 0};
+        cagd_code_shared(&alone, a, cagd_code_real(b), b, a.d, 0);
+        v.shares = 0;
+        cagd_code_shared(&v, alone, 1, c, 1, cagd_to_double_q(cagd_sub_q(cagd_from_double_q(v.d), sum)));
+    }
+    return number(v);
+}
+float cagd_code_lib_fmaf(float x, float y, float z)
+{
+    return cagd_code_narrow(cagd_code_lib_fma(cagd_code_widen(x), cagd_code_widen(y), cagd_code_widen(z)));
+}
+
+double cagd_code_lib_scalbln(double x, long n)
+{
+    if (labs(n) > 100000)
+        cagd_code_stop(CAGD_CODE_BOUND, "a power of two beyond 2^100000");
+    return cagd_code_mul(x, cagd_code_power(2, (int32_t)n));
+}
+double cagd_code_lib_ldexp(double x, int n) { return cagd_code_lib_scalbln(x, n); }
+double cagd_code_lib_scalbn(double x, int n) { return cagd_code_lib_scalbln(x, n); }
+float cagd_code_lib_ldexpf(float x, int n) { return cagd_code_narrow(cagd_code_lib_scalbln(cagd_code_widen(x), n)); }
+
+/* x = m 2^n with 1/2 <= |m| < 1. */
+double cagd_code_lib_frexp(double x, int *n)
+{
+    value a = of(x);
+    *n = 0;
+    if (a.special || is_just(a, 0))
+        return x;
+    if (a.q.at == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "frexp of an interval");
+    double size = cagd_code_lib_fabs(x);
+    long guess = (long)mpz_sizeinbase(mpq_numref(a.q.at), 2) - (long)mpz_sizeinbase(mpq_denref(a.q.at), 2);
+    if (cagd_code_compare(size, cagd_code_power(2, (int32_t)guess), 3))
+        guess++;
+    cagd_code_compare(size, cagd_code_power(2, (int32_t)guess - 1), 3);
+    *n = (int)guess;
+    return cagd_code_lib_scalbln(x, -guess);
+}
+
+double cagd_code_lib_modf(double x, double *whole)
+{
+    *whole = cagd_code_lib_trunc(x);
+    return cagd_code_sub(x, *whole);
+}
+
+int cagd_code_lib_isnan(double x) { return is_nan(x); }
+int cagd_code_lib___isnan(double x) { return is_nan(x); }
+int cagd_code_lib_isinf(double x)
+{
+    value a = of(x);
+    return a.special && isinf(a.d) ? (a.d > 0 ? 1 : -1) : 0;
+}
+int cagd_code_lib___isinf(double x) { return cagd_code_lib_isinf(x); }
+int cagd_code_lib_finite(double x) { return !of(x).special; }
+int cagd_code_lib___finite(double x) { return !of(x).special; }
+int cagd_code_lib___signbit(double x) { return cagd_code_sign_bits(x) != 0; }
+
+/* ---- complex numbers -------------------------------------------------------------------------------------- */
+
+struct complex_pair cagd_code_lib___muldc3(double a, double b, double c, double d)
+{
+    return (struct complex_pair){cagd_code_sub(cagd_code_mul(a, c), cagd_code_mul(b, d)),
+                                 cagd_code_add(cagd_code_mul(a, d), cagd_code_mul(b, c))};
+}
+
+struct complex_pair cagd_code_lib___divdc3(double a, double b, double c, double d)
+{
+    double size = cagd_code_add(cagd_code_mul(c, c), cagd_code_mul(d, d));
+    struct complex_pair p = cagd_code_lib___muldc3(a, b, c, cagd_code_neg(d));
+    return (struct complex_pair){cagd_code_div(p.re, size), cagd_code_div(p.im, size)};
+}
+
+/* ---- the same for float and long double ------------------------------------------------------------------------ */
+
+#define ONE(name)                                                                                                      \
+    float cagd_code_lib_##name##f(float x) { return cagd_code_narrow(cagd_code_lib_##name(cagd_code_widen(x))); }      \
+    double cagd_code_lib_##name##l(double x) { return cagd_code_lib_##name(x); }
+#define TWO(name)                                                                                                      \
+    float cagd_code_lib_##name##f(float x, float y)                                                                    \
+    {                                                                                                                  \
+        return cagd_code_narrow(cagd_code_lib_##name(cagd_code_widen(x), cagd_code_widen(y)));                         \
+    }                                                                                                                  \
+    double cagd_code_lib_##name##l(double x, double y) { return cagd_code_lib_##name(x, y); }
+CAGD_CODE_ONE(ONE)
+CAGD_CODE_TWO(TWO)

@@ -1,0 +1,51 @@
+/* machine.h -- what rewritten code calls: exact numbers behind the 64 bits of a double.
+ *
+ * A plain binary64 is the rational that it denotes; a quiet NaN with our tag names a value in a table.  What a value is depends on
+ * the run (run.h): a rational, an element of the field with its value at a point, an interval, or a binary64 with the exact number.
+ * cagd_code_at is set before each call.  Whatever has no answer ends the run, with a message and that place. */
+#ifndef CAGD_CODE_MACHINE_H
+#define CAGD_CODE_MACHINE_H
+
+#include <stdint.h>
+
+/* A place in the source; line 0: unknown. */
+struct cagd_code_place {
+    const char *file, *function;
+    int32_t line;
+};
+extern const struct cagd_code_place *cagd_code_at;
+
+double cagd_code_add(double a, double b);
+double cagd_code_sub(double a, double b);
+double cagd_code_mul(double a, double b);
+double cagd_code_div(double a, double b);
+double cagd_code_neg(double a);
+double cagd_code_power(double a, int32_t n);
+
+/* Whether one of the relations holds that the predicate is the sum of: 1 equal, 2 greater, 4 less, 8 unordered. */
+int32_t cagd_code_compare(double a, double b, int32_t predicate);
+int32_t cagd_code_class(double a, int32_t classes); /* LLVM's classes of llvm.is.fpclass       */
+int64_t cagd_code_sign_bits(double a);              /* -1 if a < 0, else 0                      */
+
+double cagd_code_from_signed(int64_t n);
+double cagd_code_from_unsigned(uint64_t n);
+int64_t cagd_code_to_integer(double a, int32_t bits, int32_t is_signed); /* towards 0; refused outside the range */
+double cagd_code_widen(float a);
+float cagd_code_narrow(double a);
+
+void cagd_code_refuse(const char *what); /* does not return; no attribute, as the rewritten code does not know it */
+
+/* `size` bytes at p are about to be taken for an integer: refused when they are part of a number.  object: they are a variable. */
+void cagd_code_look(const char *p, int32_t size, int32_t object);
+
+/* ---- what the driver of a harness calls ---------------------------------------------------------------- */
+
+/* The inputs of that name, x[0..count), as the run has them; elsewhere a run is refused. */
+void cagd_code_input(const char *name, long count, double *x);
+/* Comparisons from here on are those of preconditions (1), or of the code (0). */
+void cagd_code_given(int on);
+/* The run ends here unless the precondition is true. */
+void cagd_code_where(int truth);
+void cagd_code_output(const char *name, long count, const double *x);
+void cagd_code_expect(const char *name, long count, const double *got, const double *wanted);
+#endif

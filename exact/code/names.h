@@ -1,0 +1,95 @@
+/* names.h -- the functions of the C library that exact numbers go through: rewrite.c turns a call of NAME into one of
+ * cagd_code_lib_NAME, which functions.c, memory.c and print.c define.
+ *
+ * ONE(name): double name(double), with its forms for float and long double; TWO(name): double name(double, double); OTHER(name): a
+ * function of another signature, by its full name. */
+#ifndef CAGD_CODE_NAMES_H
+#define CAGD_CODE_NAMES_H
+
+#define CAGD_CODE_ONE(ONE)                                                                                             \
+    ONE(fabs)                                                                                                          \
+    ONE(floor)                                                                                                         \
+    ONE(ceil)                                                                                                          \
+    ONE(trunc)                                                                                                         \
+    ONE(round)                                                                                                         \
+    ONE(rint)                                                                                                          \
+    ONE(nearbyint)                                                                                                     \
+    ONE(roundeven)                                                                                                     \
+    ONE(sqrt)                                                                                                          \
+    ONE(cbrt)                                                                                                          \
+    ONE(exp)                                                                                                           \
+    ONE(exp2)                                                                                                          \
+    ONE(expm1)                                                                                                         \
+    ONE(log)                                                                                                           \
+    ONE(log2)                                                                                                          \
+    ONE(log10)                                                                                                         \
+    ONE(log1p)                                                                                                         \
+    ONE(sin)                                                                                                           \
+    ONE(cos)                                                                                                           \
+    ONE(tan)                                                                                                           \
+    ONE(asin)                                                                                                          \
+    ONE(acos)                                                                                                          \
+    ONE(atan)                                                                                                          \
+    ONE(sinh)                                                                                                          \
+    ONE(cosh)                                                                                                          \
+    ONE(tanh)
+
+#define CAGD_CODE_TWO(TWO)                                                                                             \
+    TWO(fmin)                                                                                                          \
+    TWO(fmax)                                                                                                          \
+    TWO(fdim)                                                                                                          \
+    TWO(copysign)                                                                                                      \
+    TWO(fmod)                                                                                                          \
+    TWO(remainder)                                                                                                     \
+    TWO(pow)                                                                                                           \
+    TWO(hypot)                                                                                                         \
+    TWO(atan2)
+
+#define CAGD_CODE_OTHER(OTHER)                                                                                         \
+    OTHER(fma)                                                                                                         \
+    OTHER(fmaf)                                                                                                        \
+    OTHER(ldexp)                                                                                                       \
+    OTHER(ldexpf)                                                                                                      \
+    OTHER(scalbn)                                                                                                      \
+    OTHER(scalbln)                                                                                                     \
+    OTHER(frexp)                                                                                                       \
+    OTHER(modf)                                                                                                        \
+    OTHER(sincos)                                                                                                      \
+    OTHER(lround)                                                                                                      \
+    OTHER(llround)                                                                                                     \
+    OTHER(lrint)                                                                                                       \
+    OTHER(llrint)                                                                                                      \
+    OTHER(isnan)                                                                                                       \
+    OTHER(__isnan)                                                                                                     \
+    OTHER(isinf)                                                                                                       \
+    OTHER(__isinf)                                                                                                     \
+    OTHER(finite)                                                                                                      \
+    OTHER(__finite)                                                                                                    \
+    OTHER(__signbit)                                                                                                   \
+    OTHER(__muldc3)                                                                                                    \
+    OTHER(__divdc3)                                                                                                    \
+    OTHER(cabs)                                                                                                        \
+    OTHER(memcmp)                                                                                                      \
+    OTHER(malloc)                                                                                                      \
+    OTHER(realloc)                                                                                                     \
+    OTHER(aligned_alloc)                                                                                               \
+    OTHER(_Znwm)                                                                                                       \
+    OTHER(_Znam)                                                                                                       \
+    OTHER(printf)                                                                                                      \
+    OTHER(fprintf)                                                                                                     \
+    OTHER(sprintf)                                                                                                     \
+    OTHER(snprintf)                                                                                                    \
+    OTHER(vprintf)                                                                                                     \
+    OTHER(vfprintf)                                                                                                    \
+    OTHER(vsprintf)                                                                                                    \
+    OTHER(vsnprintf)                                                                                                   \
+    OTHER(_ZNSolsEd)                                                                                                   \
+    OTHER(_ZNSo9_M_insertIdEERSoT_)
+
+/* Functions that only make numbers out of texts or times, and never see one of ours: called as they are. */
+#define CAGD_CODE_NATIVE(NATIVE)                                                                                       \
+    NATIVE(strtod)                                                                                                     \
+    NATIVE(strtof)                                                                                                     \
+    NATIVE(atof)                                                                                                       \
+    NATIVE(difftime)
+#endif

@@ -1,0 +1,684 @@
+/* rewrite.c -- see rewrite.h. */
+#include "exact/code/rewrite.h"
+
+#include "exact/code/names.h"
+
+#include <llvm-c/DebugInfo.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MARGIN = 32, MARGIN_BYTE = 0xFE, MOST_OPERANDS = 8 };
+
+/* What is at hand while a module is rewritten.  `last` is the place that was made last: neighbours often share it. */
+struct rewriting {
+    LLVMModuleRef module;
+    LLVMContextRef context;
+    LLVMBuilderRef build;
+    LLVMTypeRef i1, i8, i32, i64, real, single, nothing, text, place;
+    LLVMValueRef at, last;
+    const char *last_file, *last_function;
+    unsigned last_line;
+};
+
+/* ---- types -------------------------------------------------------------------------------------------- */
+
+static int is_floating(LLVMTypeRef t)
+{
+    switch (LLVMGetTypeKind(t)) {
+    case LLVMHalfTypeKind:
+    case LLVMBFloatTypeKind:
+    case LLVMFloatTypeKind:
+    case LLVMDoubleTypeKind:
+    case LLVMX86_FP80TypeKind:
+    case LLVMFP128TypeKind:
+    case LLVMPPC_FP128TypeKind:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+static int is_vector(LLVMTypeRef t) { return LLVMGetTypeKind(t) == LLVMVectorTypeKind; }
+static LLVMTypeRef lane(LLVMTypeRef t) { return is_vector(t) ? LLVMGetElementType(t) : t; }
+
+/* double and float; everything else that floats is refused. */
+static int is_carried(LLVMTypeRef t)
+{
+    LLVMTypeKind kind = LLVMGetTypeKind(lane(t));
+    return kind == LLVMDoubleTypeKind || kind == LLVMFloatTypeKind;
+}
+
+static const char *name_of_type(LLVMTypeRef t)
+{
+    switch (LLVMGetTypeKind(lane(t))) {
+    case LLVMX86_FP80TypeKind:
+        return "long double";
+    case LLVMFP128TypeKind:
+        return "a floating-point number of 128 bits";
+    default:
+        return "a floating-point number of 16 bits";
+    }
+}
+
+/* Whether numbers are among what an object of this type holds, not counting what it points to. */
+static int holds_numbers(LLVMTypeRef t)
+{
+    switch (LLVMGetTypeKind(t)) {
+    case LLVMArrayTypeKind:
+    case LLVMVectorTypeKind:
+        return holds_numbers(LLVMGetElementType(t));
+    case LLVMStructTypeKind:
+        for (unsigned k = 0; k < LLVMCountStructElementTypes(t); k++)
+            if (holds_numbers(LLVMStructGetTypeAtIndex(t, k)))
+                return 1;
+        return 0;
+    default:
+        return is_floating(t);
+    }
+}
+
+/* ---- calls -------------------------------------------------------------------------------------------- */
+
+static LLVMValueRef called(struct rewriting *r, const char *name, LLVMTypeRef result, unsigned count,
+                           LLVMValueRef argument[])
+{
+    LLVMTypeRef types[MOST_OPERANDS];
+    for (unsigned k = 0; k < count; k++)
+        types[k] = LLVMTypeOf(argument[k]);
+    LLVMTypeRef type = LLVMFunctionType(result, types, count, 0);
+    LLVMValueRef function = LLVMGetNamedFunction(r->module, name);
+    if (function == NULL)
+        function = LLVMAddFunction(r->module, name, type);
+    return LLVMBuildCall2(r->build, type, function, argument, count, "");
+}
+
+static LLVMValueRef whole(LLVMTypeRef type, unsigned long long value) { return LLVMConstInt(type, value, 0); }
+
+static LLVMValueRef string(struct rewriting *r, const char *bytes)
+{
+    return LLVMBuildGlobalStringPtr(r->build, bytes, "");
+}
+
+/* Points the builder before the instruction, and cagd_code_at to its place in the source. */
+static void stand_before(struct rewriting *r, LLVMValueRef instruction)
+{
+    LLVMPositionBuilderBefore(r->build, instruction);
+    unsigned length = 0, line = LLVMGetDebugLocLine(instruction);
+    const char *file = line ? LLVMGetDebugLocFilename(instruction, &length) : NULL;
+    LLVMValueRef inside = LLVMGetBasicBlockParent(LLVMGetInstructionParent(instruction));
+    size_t size;
+    const char *function = LLVMGetValueName2(inside, &size);
+    if (r->last == NULL || r->last_line != line || r->last_file != file || r->last_function != function) {
+        char path[512];
+        snprintf(path, sizeof path, "%.*s", (int)length, file ? file : "");
+        LLVMValueRef member[3] = {string(r, path), string(r, function), whole(r->i32, line)};
+        r->last = LLVMAddGlobal(r->module, r->place, "");
+        LLVMSetInitializer(r->last, LLVMConstNamedStruct(r->place, member, 3));
+        LLVMSetLinkage(r->last, LLVMPrivateLinkage);
+        LLVMSetGlobalConstant(r->last, 1);
+        r->last_line = line, r->last_file = file, r->last_function = function;
+    }
+    LLVMBuildStore(r->build, r->last, r->at);
+}
+
+static void refuse(struct rewriting *r, const char *what)
+{
+    called(r, "cagd_code_refuse", r->nothing, 1, (LLVMValueRef[]){string(r, what)});
+}
+
+/* ---- operations on one number ---------------------------------------------------------------------------- */
+
+static LLVMValueRef widened(struct rewriting *r, LLVMValueRef x)
+{
+    return LLVMGetTypeKind(LLVMTypeOf(x)) == LLVMFloatTypeKind ? called(r, "cagd_code_widen", r->real, 1, &x) : x;
+}
+
+static LLVMValueRef narrowed(struct rewriting *r, LLVMValueRef x, LLVMTypeRef type)
+{
+    return LLVMGetTypeKind(type) == LLVMFloatTypeKind ? called(r, "cagd_code_narrow", r->single, 1, &x) : x;
+}
+
+/* What is done with the lanes of the operands: a function of ours of so many numbers, or one of the words below, with `detail`. */
+struct operation {
+    const char *name;
+    unsigned count;
+    int detail;
+};
+static const char COMPARE[] = "compare";
+static const char TO_SIGNED[] = "to signed";
+static const char TO_UNSIGNED[] = "to unsigned";
+static const char FROM_SIGNED[] = "from signed";
+static const char FROM_UNSIGNED[] = "from unsigned";
+static const char RESIZE[] = "resize";
+static const char CLASS[] = "class";
+static const char WHOLE_POWER[] = "whole power";
+
+static LLVMValueRef operate(struct rewriting *r, const struct operation *o, LLVMTypeRef type, LLVMValueRef x[])
+{
+    if (o->name == COMPARE) {
+        LLVMValueRef argument[3] = {widened(r, x[0]), widened(r, x[1]), whole(r->i32, (unsigned)o->detail)};
+        LLVMValueRef answer = called(r, "cagd_code_compare", r->i32, 3, argument);
+        return LLVMBuildICmp(r->build, LLVMIntNE, answer, whole(r->i32, 0), "");
+    }
+    if (o->name == CLASS) {
+        LLVMValueRef argument[2] = {widened(r, x[0]), x[1]};
+        LLVMValueRef answer = called(r, "cagd_code_class", r->i32, 2, argument);
+        return LLVMBuildICmp(r->build, LLVMIntNE, answer, whole(r->i32, 0), "");
+    }
+    if (o->name == TO_SIGNED || o->name == TO_UNSIGNED) {
+        unsigned bits = LLVMGetIntTypeWidth(type);
+        LLVMValueRef argument[3] = {widened(r, x[0]), whole(r->i32, bits), whole(r->i32, o->name == TO_SIGNED)};
+        LLVMValueRef answer = called(r, "cagd_code_to_integer", r->i64, 3, argument);
+        return bits < 64 ? LLVMBuildTrunc(r->build, answer, type, "") : answer;
+    }
+    if (o->name == FROM_SIGNED || o->name == FROM_UNSIGNED) {
+        LLVMValueRef argument = LLVMBuildIntCast2(r->build, x[0], r->i64, o->name == FROM_SIGNED, "");
+        const char *name = o->name == FROM_SIGNED ? "cagd_code_from_signed" : "cagd_code_from_unsigned";
+        return narrowed(r, called(r, name, r->real, 1, &argument), type);
+    }
+    if (o->name == RESIZE)
+        return narrowed(r, widened(r, x[0]), type);
+    if (o->name == WHOLE_POWER) {
+        LLVMValueRef argument[2] = {widened(r, x[0]), x[1]};
+        return narrowed(r, called(r, "cagd_code_power", r->real, 2, argument), type);
+    }
+    LLVMValueRef argument[MOST_OPERANDS];
+    for (unsigned k = 0; k < o->count; k++)
+        argument[k] = widened(r, x[k]);
+    if (LLVMGetTypeKind(type) == LLVMIntegerTypeKind) { /* lround and its like */
+        LLVMValueRef answer = called(r, o->name, r->i64, o->count, argument);
+        return LLVMGetIntTypeWidth(type) < 64 ? LLVMBuildTrunc(r->build, answer, type, "") : answer;
+    }
+    return narrowed(r, called(r, o->name, r->real, o->count, argument), type);
+}
+
+/* The instruction gives way to the operation, lane by lane where it is one on vectors. */
+static void replace(struct rewriting *r, LLVMValueRef instruction, const struct operation *o, LLVMValueRef x[])
+{
+    LLVMTypeRef type = LLVMTypeOf(instruction);
+    LLVMValueRef result;
+    if (!is_vector(type)) {
+        result = operate(r, o, type, x);
+    } else {
+        result = LLVMGetUndef(type);
+        for (unsigned k = 0; k < LLVMGetVectorSize(type); k++) {
+            LLVMValueRef part[MOST_OPERANDS], index = whole(r->i32, k);
+            for (unsigned j = 0; j < o->count; j++)
+                part[j] = is_vector(LLVMTypeOf(x[j])) ? LLVMBuildExtractElement(r->build, x[j], index, "") : x[j];
+            result = LLVMBuildInsertElement(r->build, result, operate(r, o, LLVMGetElementType(type), part), index, "");
+        }
+    }
+    LLVMReplaceAllUsesWith(instruction, result);
+    LLVMInstructionEraseFromParent(instruction);
+}
+
+/* Refused where one of the types that take part is not carried; the instruction stays, and is not reached. */
+static int refused_by_type(struct rewriting *r, LLVMTypeRef type)
+{
+    LLVMTypeRef t = lane(type);
+    if (is_floating(t) && !is_carried(t))
+        refuse(r, name_of_type(t));
+    else if (LLVMGetTypeKind(t) == LLVMIntegerTypeKind && LLVMGetIntTypeWidth(t) > 64)
+        refuse(r, "an integer of more than 64 bits as a number");
+    else
+        return 0;
+    return 1;
+}
+
+static void rewrite_operation(struct rewriting *r, LLVMValueRef instruction, const char *name, unsigned count,
+                              int detail)
+{
+    struct operation o = {name, count, detail};
+    LLVMValueRef x[MOST_OPERANDS];
+    stand_before(r, instruction);
+    int refused = refused_by_type(r, LLVMTypeOf(instruction));
+    for (unsigned k = 0; k < count; k++) {
+        x[k] = LLVMGetOperand(instruction, k);
+        refused = refused || refused_by_type(r, LLVMTypeOf(x[k]));
+    }
+    if (!refused)
+        replace(r, instruction, &o, x);
+}
+
+/* ---- calls of the source -------------------------------------------------------------------------------- */
+
+static const struct {
+    const char *name, *function;
+    unsigned count;
+} intrinsics[] = {{"fadd", "cagd_code_add", 2},
+                  {"fsub", "cagd_code_sub", 2},
+                  {"fmul", "cagd_code_mul", 2},
+                  {"fdiv", "cagd_code_div", 2},
+                  {"frem", "cagd_code_lib_fmod", 2},
+                  {"fma", "cagd_code_lib_fma", 3},
+                  {"fmuladd", "cagd_code_lib_fma", 3},
+                  {"minnum", "cagd_code_lib_fmin", 2},
+                  {"maxnum", "cagd_code_lib_fmax", 2},
+                  {"minimum", "cagd_code_lib_fmin", 2},
+                  {"maximum", "cagd_code_lib_fmax", 2},
+                  {"fptosi", TO_SIGNED, 1},
+                  {"fptoui", TO_UNSIGNED, 1},
+                  {"sitofp", FROM_SIGNED, 1},
+                  {"uitofp", FROM_UNSIGNED, 1},
+                  {"fptrunc", RESIZE, 1},
+                  {"fpext", RESIZE, 1},
+                  {"canonicalize", RESIZE, 1},
+                  {"powi", WHOLE_POWER, 2},
+                  {"is.fpclass", CLASS, 2},
+                  {"lround", "cagd_code_lib_lround", 1},
+                  {"llround", "cagd_code_lib_llround", 1},
+                  {"lrint", "cagd_code_lib_lrint", 1},
+                  {"llrint", "cagd_code_lib_llrint", 1},
+#define ONE(name) {#name, "cagd_code_lib_" #name, 1},
+#define TWO(name) {#name, "cagd_code_lib_" #name, 2},
+                  CAGD_CODE_ONE(ONE) CAGD_CODE_TWO(TWO)
+#undef ONE
+#undef TWO
+};
+
+/* LLVM's predicates are sums: 1 equal, 2 greater, 4 less, 8 unordered. */
+static int predicate_of(const char *word, unsigned length)
+{
+    static const char *const names[] = {"false", "oeq", "ogt", "oge", "olt", "ole", "one", "ord",
+                                        "uno",   "ueq", "ugt", "uge", "ult", "ule", "une", "true"};
+    for (int k = 0; k < 16; k++)
+        if (strlen(names[k]) == length && strncmp(names[k], word, length) == 0)
+            return k;
+    return 0;
+}
+
+/* "llvm.experimental.constrained.fadd.f64" is "fadd".  Whether the name is that of an intrinsic on numbers. */
+static int rewrite_intrinsic(struct rewriting *r, LLVMValueRef call, const char *name)
+{
+    const char *word = name + strlen("llvm.");
+    if (strncmp(word, "experimental.constrained.", strlen("experimental.constrained.")) == 0)
+        word += strlen("experimental.constrained.");
+    if (strncmp(word, "fcmp", 4) == 0) {
+        unsigned length = 0;
+        const char *predicate = LLVMGetMDString(LLVMGetOperand(call, 2), &length);
+        rewrite_operation(r, call, COMPARE, 2, predicate_of(predicate, length));
+        return 1;
+    }
+    for (size_t k = 0; k < sizeof intrinsics / sizeof *intrinsics; k++) {
+        size_t length = strlen(intrinsics[k].name);
+        if (strncmp(word, intrinsics[k].name, length) == 0 && (word[length] == '.' || word[length] == 0)) {
+            rewrite_operation(r, call, intrinsics[k].function, intrinsics[k].count, 0);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The sums and products of all lanes, from another module than ours: taken apart. */
+static int rewrite_reduction(struct rewriting *r, LLVMValueRef call, const char *name)
+{
+    int sum = strncmp(name, "llvm.vector.reduce.fadd.", 24) == 0;
+    if (!sum && strncmp(name, "llvm.vector.reduce.fmul.", 24) != 0)
+        return 0;
+    stand_before(r, call);
+    LLVMValueRef total = LLVMGetOperand(call, 0), vector = LLVMGetOperand(call, 1);
+    struct operation o = {sum ? "cagd_code_add" : "cagd_code_mul", 2, 0};
+    for (unsigned k = 0; k < LLVMGetVectorSize(LLVMTypeOf(vector)); k++) {
+        LLVMValueRef x[2] = {total, LLVMBuildExtractElement(r->build, vector, whole(r->i32, k), "")};
+        total = operate(r, &o, LLVMTypeOf(call), x);
+    }
+    LLVMReplaceAllUsesWith(call, total);
+    LLVMInstructionEraseFromParent(call);
+    return 1;
+}
+
+static int takes_numbers(LLVMTypeRef function)
+{
+    LLVMTypeRef types[256];
+    unsigned count = LLVMCountParamTypes(function);
+    if (holds_numbers(LLVMGetReturnType(function)) || count > 256)
+        return 1;
+    LLVMGetParamTypes(function, types);
+    for (unsigned k = 0; k < count; k++)
+        if (holds_numbers(types[k]))
+            return 1;
+    return 0;
+}
+
+/* Assembly without a word, a barrier for the compiler, does nothing; LLVM's C interface does not read it, but prints it. */
+static int is_empty_assembly(LLVMValueRef assembly)
+{
+    char *printed = LLVMPrintValueToString(assembly);
+    const char *quote = strchr(printed, '"');
+    int empty = quote != NULL && quote[1] == '"';
+    LLVMDisposeMessage(printed);
+    return empty;
+}
+
+static void rewrite_call(struct rewriting *r, LLVMValueRef call)
+{
+    LLVMValueRef function = LLVMGetCalledValue(call);
+    if (LLVMIsAInlineAsm(function)) {
+        stand_before(r, call);
+        if (!is_empty_assembly(function))
+            refuse(r, "inline assembly");
+        return;
+    }
+    if (!LLVMIsAFunction(function)) {
+        stand_before(r, call);
+        return;
+    }
+    size_t length;
+    const char *name = LLVMGetValueName2(function, &length);
+    if (!LLVMIsDeclaration(function))
+        return;
+    if (strncmp(name, "llvm.", 5) == 0) {
+        if (strncmp(name, "llvm.dbg.", 9) == 0 || rewrite_intrinsic(r, call, name) || rewrite_reduction(r, call, name))
+            return;
+        if (takes_numbers(LLVMGlobalGetValueType(function))) {
+            stand_before(r, call);
+            refuse(r, name);
+        }
+        return;
+    }
+    if (strncmp(name, "cagd_code_", 10) == 0 && strncmp(name, "cagd_code_lib_", 14) != 0)
+        return;
+    stand_before(r, call);
+    /* A function of variable arguments that nobody here knows gets numbers that it would not understand. */
+    if (strncmp(name, "cagd_code_", 10) != 0 && LLVMIsFunctionVarArg(LLVMGlobalGetValueType(function)))
+        for (unsigned k = 0; k < LLVMGetNumArgOperands(call); k++)
+            if (holds_numbers(LLVMTypeOf(LLVMGetOperand(call, k)))) {
+                refuse(r, name);
+                return;
+            }
+}
+
+/* ---- bits of numbers ----------------------------------------------------------------------------------- */
+
+/* Whether bits are only carried elsewhere: stored, returned, handed over, made a number again. */
+static int only_carries(LLVMValueRef user, LLVMValueRef bits)
+{
+    if (LLVMIsAStoreInst(user))
+        return LLVMGetOperand(user, 0) == bits;
+    if (LLVMIsABitCastInst(user))
+        return is_floating(lane(LLVMTypeOf(user)));
+    return LLVMIsACallInst(user) || LLVMIsAInvokeInst(user) || LLVMIsAReturnInst(user) || LLVMIsAPHINode(user) ||
+           LLVMIsAInsertValueInst(user) || LLVMIsAAtomicCmpXchgInst(user) || LLVMIsAExtractValueInst(user);
+}
+
+static int are_only_carried(LLVMValueRef bits)
+{
+    for (LLVMUseRef use = LLVMGetFirstUse(bits); use != NULL; use = LLVMGetNextUse(use))
+        if (!only_carries(LLVMGetUser(use), bits))
+            return 0;
+    return 1;
+}
+
+/* The bits of a number as an integer: its sign alone may be asked. */
+static void rewrite_bits(struct rewriting *r, LLVMValueRef cast)
+{
+    LLVMValueRef x = LLVMGetOperand(cast, 0);
+    LLVMTypeRef from = LLVMTypeOf(x), to = LLVMTypeOf(cast);
+    if (!is_floating(lane(from)) || is_floating(lane(to)) || are_only_carried(cast))
+        return;
+    stand_before(r, cast);
+    int sign = !is_vector(from) && is_carried(from) && !is_vector(to);
+    for (LLVMUseRef use = LLVMGetFirstUse(cast); use != NULL; use = LLVMGetNextUse(use)) {
+        LLVMValueRef user = LLVMGetUser(use);
+        sign = sign && LLVMIsAICmpInst(user) && LLVMGetICmpPredicate(user) == LLVMIntSLT &&
+               LLVMIsAConstantInt(LLVMGetOperand(user, 1)) && LLVMIsNull(LLVMGetOperand(user, 1));
+    }
+    if (!sign) {
+        refuse(r, "the bits of a number");
+        return;
+    }
+    LLVMValueRef wide = widened(r, x);
+    LLVMValueRef answer = called(r, "cagd_code_sign_bits", r->i64, 1, &wide);
+    LLVMReplaceAllUsesWith(cast, LLVMBuildIntCast2(r->build, answer, to, 1, ""));
+    LLVMInstructionEraseFromParent(cast);
+}
+
+static void rewrite_load(struct rewriting *r, LLVMValueRef load)
+{
+    LLVMTypeRef type = LLVMTypeOf(load);
+    if (LLVMGetTypeKind(type) != LLVMIntegerTypeKind || LLVMGetIntTypeWidth(type) % 8 != 0 ||
+        LLVMGetIntTypeWidth(type) > 64 || are_only_carried(load))
+        return;
+    stand_before(r, load);
+    LLVMValueRef at = LLVMGetOperand(load, 0);
+    LLVMValueRef argument[3] = {LLVMBuildPointerCast(r->build, at, r->text, ""),
+                                whole(r->i32, LLVMGetIntTypeWidth(type) / 8),
+                                whole(r->i32, LLVMIsAAllocaInst(at) != NULL)};
+    called(r, "cagd_code_look", r->nothing, 3, argument);
+}
+
+/* ---- margins of arrays ---------------------------------------------------------------------------------- */
+
+static LLVMTypeRef margined(struct rewriting *r, LLVMTypeRef type)
+{
+    LLVMTypeRef margin = LLVMArrayType(r->i8, MARGIN), member[3] = {margin, type, margin};
+    return LLVMStructTypeInContext(r->context, member, 3, 0);
+}
+
+static void fill(struct rewriting *r, LLVMValueRef at, LLVMValueRef bytes)
+{
+    LLVMBuildMemSet(r->build, LLVMBuildPointerCast(r->build, at, r->text, ""), whole(r->i8, MARGIN_BYTE), bytes, 1);
+}
+
+static void widen_local(struct rewriting *r, LLVMValueRef local)
+{
+    LLVMTypeRef type = LLVMGetAllocatedType(local);
+    LLVMValueRef count = LLVMGetOperand(local, 0);
+    unsigned alignment = LLVMGetAlignment(local);
+    if (!holds_numbers(type) || alignment > MARGIN)
+        return;
+    LLVMPositionBuilderBefore(r->build, local);
+    LLVMValueRef inside;
+    if (LLVMIsAConstantInt(count) && LLVMConstIntGetZExtValue(count) == 1) {
+        if (LLVMGetTypeKind(type) != LLVMArrayTypeKind)
+            return;
+        LLVMTypeRef wide = margined(r, type);
+        LLVMValueRef all = LLVMBuildAlloca(r->build, wide, "");
+        LLVMSetAlignment(all, MARGIN);
+        fill(r, LLVMBuildStructGEP2(r->build, wide, all, 0, ""), whole(r->i64, MARGIN));
+        fill(r, LLVMBuildStructGEP2(r->build, wide, all, 2, ""), whole(r->i64, MARGIN));
+        inside = LLVMBuildStructGEP2(r->build, wide, all, 1, "");
+    } else { /* an array of variable length: two elements at least on either side */
+        LLVMTypeRef counted = LLVMTypeOf(count);
+        LLVMValueRef size = LLVMBuildIntCast2(r->build, LLVMSizeOf(type), counted, 0, "");
+        LLVMValueRef extra = LLVMBuildUDiv(r->build, whole(counted, MARGIN), size, "");
+        extra = LLVMBuildAdd(r->build, extra, whole(counted, 4), "");
+        LLVMValueRef wide = LLVMBuildAdd(r->build, count, LLVMBuildAdd(r->build, extra, extra, ""), "");
+        LLVMValueRef all = LLVMBuildArrayAlloca(r->build, type, wide, "");
+        LLVMSetAlignment(all, MARGIN);
+        LLVMValueRef bytes = LLVMBuildMul(r->build, extra, size, "");
+        inside = LLVMBuildGEP2(r->build, type, all, &extra, 1, "");
+        fill(r, all, bytes);
+        fill(r, LLVMBuildGEP2(r->build, type, inside, &count, 1, ""), bytes);
+    }
+    LLVMReplaceAllUsesWith(local, inside);
+    LLVMInstructionEraseFromParent(local);
+}
+
+static void widen_global(struct rewriting *r, LLVMValueRef global)
+{
+    LLVMTypeRef type = LLVMGlobalGetValueType(global);
+    if (LLVMIsDeclaration(global) || LLVMGetTypeKind(type) != LLVMArrayTypeKind || !holds_numbers(type) ||
+        LLVMGetAlignment(global) > MARGIN || LLVMIsThreadLocal(global))
+        return;
+    char bytes[MARGIN];
+    memset(bytes, MARGIN_BYTE, sizeof bytes);
+    LLVMValueRef margin = LLVMConstStringInContext(r->context, bytes, MARGIN, 1);
+    LLVMValueRef member[3] = {margin, LLVMGetInitializer(global), margin};
+    LLVMValueRef wide = LLVMAddGlobal(r->module, margined(r, type), "");
+    LLVMSetInitializer(wide, LLVMConstStructInContext(r->context, member, 3, 0));
+    LLVMSetLinkage(wide, LLVMInternalLinkage);
+    LLVMSetAlignment(wide, MARGIN);
+    LLVMSetGlobalConstant(wide, LLVMIsGlobalConstant(global));
+    LLVMValueRef index[2] = {whole(r->i32, 0), whole(r->i32, 1)};
+    LLVMReplaceAllUsesWith(global, LLVMConstGEP2(margined(r, type), wide, index, 2));
+}
+
+/* ---- the module --------------------------------------------------------------------------------------- */
+
+static void rewrite_instruction(struct rewriting *r, LLVMValueRef instruction)
+{
+    switch (LLVMGetInstructionOpcode(instruction)) {
+    case LLVMFAdd:
+        rewrite_operation(r, instruction, "cagd_code_add", 2, 0);
+        break;
+    case LLVMFSub:
+        rewrite_operation(r, instruction, "cagd_code_sub", 2, 0);
+        break;
+    case LLVMFMul:
+        rewrite_operation(r, instruction, "cagd_code_mul", 2, 0);
+        break;
+    case LLVMFDiv:
+        rewrite_operation(r, instruction, "cagd_code_div", 2, 0);
+        break;
+    case LLVMFRem:
+        rewrite_operation(r, instruction, "cagd_code_lib_fmod", 2, 0);
+        break;
+    case LLVMFNeg:
+        rewrite_operation(r, instruction, "cagd_code_neg", 1, 0);
+        break;
+    case LLVMFCmp:
+        rewrite_operation(r, instruction, COMPARE, 2, (int)LLVMGetFCmpPredicate(instruction));
+        break;
+    case LLVMFPToSI:
+        rewrite_operation(r, instruction, TO_SIGNED, 1, 0);
+        break;
+    case LLVMFPToUI:
+        rewrite_operation(r, instruction, TO_UNSIGNED, 1, 0);
+        break;
+    case LLVMSIToFP:
+        rewrite_operation(r, instruction, FROM_SIGNED, 1, 0);
+        break;
+    case LLVMUIToFP:
+        rewrite_operation(r, instruction, FROM_UNSIGNED, 1, 0);
+        break;
+    case LLVMFPTrunc:
+    case LLVMFPExt:
+        rewrite_operation(r, instruction, RESIZE, 1, 0);
+        break;
+    case LLVMBitCast:
+        rewrite_bits(r, instruction);
+        break;
+    case LLVMLoad:
+        rewrite_load(r, instruction);
+        break;
+    case LLVMAtomicRMW:
+        if (is_floating(LLVMTypeOf(instruction))) {
+            stand_before(r, instruction);
+            refuse(r, "an atomic operation on a number");
+        }
+        break;
+    case LLVMAlloca:
+        widen_local(r, instruction);
+        break;
+    case LLVMCall:
+    case LLVMInvoke:
+        rewrite_call(r, instruction);
+        break;
+    default:
+        break;
+    }
+}
+
+/* Functions that are declared alone: ours by another name, known to be harmless, or refused once they are called. */
+static void settle_declaration(struct rewriting *r, LLVMValueRef function)
+{
+    static const char *const ours[] = {
+#define ONE(name)   #name, #name "f", #name "l",
+#define OTHER(name) #name,
+        CAGD_CODE_ONE(ONE) CAGD_CODE_TWO(ONE) CAGD_CODE_OTHER(OTHER)};
+    static const char *const native[] = {CAGD_CODE_NATIVE(OTHER)};
+#undef ONE
+#undef OTHER
+    char name[256], renamed[300];
+    size_t length;
+    snprintf(name, sizeof name, "%s", LLVMGetValueName2(function, &length));
+    if (strncmp(name, "llvm.", 5) == 0 || strncmp(name, "cagd_code_", 10) == 0)
+        return;
+    LLVMTypeRef type = LLVMGlobalGetValueType(function);
+    int carried = 1; /* no long double of 80 bits among the arguments */
+    LLVMTypeRef types[256];
+    if (LLVMCountParamTypes(type) <= 256) {
+        LLVMGetParamTypes(type, types);
+        for (unsigned k = 0; k < LLVMCountParamTypes(type); k++)
+            carried = carried && (!is_floating(types[k]) || is_carried(types[k]));
+    }
+    for (size_t k = 0; carried && k < sizeof ours / sizeof *ours; k++)
+        if (strcmp(name, ours[k]) == 0) {
+            snprintf(renamed, sizeof renamed, "cagd_code_lib_%s", name);
+            LLVMValueRef known = LLVMGetNamedFunction(r->module, renamed);
+            if (known == NULL)
+                LLVMSetValueName2(function, renamed, strlen(renamed));
+            else
+                LLVMReplaceAllUsesWith(function, LLVMConstBitCast(known, LLVMTypeOf(function)));
+            return;
+        }
+    for (size_t k = 0; k < sizeof native / sizeof *native; k++)
+        if (strcmp(name, native[k]) == 0)
+            return;
+    if (!takes_numbers(type))
+        return;
+    snprintf(renamed, sizeof renamed, "the function %s", name);
+    LLVMSetLinkage(function, LLVMInternalLinkage);
+    LLVMPositionBuilderAtEnd(r->build, LLVMAppendBasicBlockInContext(r->context, function, ""));
+    refuse(r, renamed);
+    LLVMBuildUnreachable(r->build);
+}
+
+/* Each value of the list, taken before anything is added to it; NULL at the end.  The caller frees it. */
+static LLVMValueRef *listed(LLVMValueRef first, LLVMValueRef (*next)(LLVMValueRef))
+{
+    size_t count = 0;
+    for (LLVMValueRef v = first; v != NULL; v = next(v))
+        count++;
+    LLVMValueRef *list = calloc(count + 1, sizeof(LLVMValueRef));
+    if (list == NULL)
+        exit(3);
+    count = 0;
+    for (LLVMValueRef v = first; v != NULL; v = next(v))
+        list[count++] = v;
+    return list;
+}
+
+static void rewrite_function(struct rewriting *r, LLVMValueRef function)
+{
+    for (LLVMBasicBlockRef block = LLVMGetFirstBasicBlock(function); block != NULL;
+         block = LLVMGetNextBasicBlock(block)) {
+        LLVMValueRef *list = listed(LLVMGetFirstInstruction(block), LLVMGetNextInstruction);
+        for (size_t k = 0; list[k] != NULL; k++)
+            rewrite_instruction(r, list[k]);
+        free(list);
+    }
+}
+
+void cagd_code_rewrite(LLVMModuleRef module)
+{
+    struct rewriting r = {.module = module, .context = LLVMGetModuleContext(module)};
+    r.build = LLVMCreateBuilderInContext(r.context);
+    r.i1 = LLVMInt1TypeInContext(r.context);
+    r.i8 = LLVMInt8TypeInContext(r.context);
+    r.i32 = LLVMInt32TypeInContext(r.context);
+    r.i64 = LLVMInt64TypeInContext(r.context);
+    r.real = LLVMDoubleTypeInContext(r.context);
+    r.single = LLVMFloatTypeInContext(r.context);
+    r.nothing = LLVMVoidTypeInContext(r.context);
+    r.text = LLVMPointerType(r.i8, 0);
+    LLVMTypeRef member[3] = {r.text, r.text, r.i32};
+    r.place = LLVMStructTypeInContext(r.context, member, 3, 0);
+    r.at = LLVMAddGlobal(module, LLVMPointerType(r.place, 0), "cagd_code_at");
+
+    LLVMValueRef *globals = listed(LLVMGetFirstGlobal(module), LLVMGetNextGlobal);
+    LLVMValueRef *functions = listed(LLVMGetFirstFunction(module), LLVMGetNextFunction);
+    for (size_t k = 0; globals[k] != NULL; k++)
+        widen_global(&r, globals[k]);
+    for (size_t k = 0; functions[k] != NULL; k++)
+        if (LLVMIsDeclaration(functions[k]))
+            settle_declaration(&r, functions[k]);
+    for (size_t k = 0; functions[k] != NULL; k++)
+        rewrite_function(&r, functions[k]);
+    free(globals);
+    free(functions);
+    LLVMStripModuleDebugInfo(module);
+    LLVMDisposeBuilder(r.build);
+}

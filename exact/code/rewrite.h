@@ -1,0 +1,12 @@
+/* rewrite.h -- a module of LLVM in which every operation on floating-point numbers is a call of ours. */
+#ifndef CAGD_CODE_REWRITE_H
+#define CAGD_CODE_REWRITE_H
+
+#include <llvm-c/Core.h>
+
+/* Storage, copying, control and calls stay as they are: a double is still 64 bits.  Each operation, comparison, conversion and
+ * function of the C library becomes a call of cagd_code_... (machine.h), before which the global cagd_code_at is set to the place in
+ * the source.  What cannot be carried becomes a call of cagd_code_refuse with its name, which is made only if it is reached.
+ * Arrays with floating-point numbers get margins whose contents are recognised when they are read. */
+void cagd_code_rewrite(LLVMModuleRef module);
+#endif

@@ -1,0 +1,273 @@
+/* run.c -- see run.h.  The child shares the outcome with its parent, and nothing else. */
+#include "exact/code/value.h"
+
+#include <dlfcn.h>
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { ROOM = 1 << 26, USUAL_VALUES = 1 << 23, USUAL_BITS = 1 << 20, USUAL_SECONDS = 60, USUAL_MEGABYTES = 4096 };
+enum { SIGNAL_STACK = 1 << 16, FIELD_BITS = 192 };
+
+struct cagd_code_program {
+    void *object;
+};
+
+struct cagd_code_program *cagd_code_load(const char *path, size_t room, char message[])
+{
+    struct cagd_code_program *p = malloc(sizeof *p);
+    void *object = p != NULL ? dlopen(path, RTLD_NOW | RTLD_LOCAL) : NULL;
+    if (object == NULL) {
+        snprintf(message, room, "%s", p != NULL ? dlerror() : "no memory");
+        free(p);
+        return NULL;
+    }
+    p->object = object;
+    return p;
+}
+
+void cagd_code_unload(struct cagd_code_program *p)
+{
+    if (p != NULL)
+        dlclose(p->object);
+    free(p);
+}
+
+/* ---- the driver's side -------------------------------------------------------------------------------- */
+
+void cagd_code_input(const char *name, long count, double *x)
+{
+    const struct cagd_code_job *job = cagd_code_machine.job;
+    for (int k = 0; k < job->inputs; k++) {
+        const struct cagd_code_input *in = &job->input[k];
+        if (strcmp(in->name, name) != 0 || (in->count > 0 ? in->count : 1) != count)
+            continue;
+        for (int j = 0; j < count; j++) {
+            cagd_num_q value = cagd_from_string_q(in->value[j]);
+            if (cagd_region_faults != 0)
+                cagd_code_stop(CAGD_CODE_REFUSED, "\"%s\" is no number", in->value[j]);
+            cagd_code_value v = cagd_code_constant(value);
+            if (job->numbers == CAGD_CODE_FIELD && in->variable) {
+                char full[64];
+                if (in->count > 0)
+                    snprintf(full, sizeof full, "%s[%d]", name, j);
+                else
+                    snprintf(full, sizeof full, "%s", name);
+                v = cagd_code_variable(full, value);
+            } else if (job->numbers == CAGD_CODE_ROUNDING) {
+                v = cagd_code_constant(cagd_from_double_q(v.d)); /* what the code is given is a binary64 */
+            }
+            x[j] = cagd_code_number(v);
+        }
+        return;
+    }
+    cagd_code_stop(CAGD_CODE_REFUSED, "the harness has no input %s of %ld", name, count);
+}
+
+void cagd_code_given(int on) { cagd_code_machine.given = on; }
+
+void cagd_code_where(int truth)
+{
+    if (!truth)
+        cagd_code_stop(CAGD_CODE_OUTSIDE, "a precondition is not true");
+}
+
+/* ulps of the exact value, and the line with the largest share of the error. */
+static void tell_rounding(struct cagd_code_result *r, cagd_code_value v)
+{
+    double exact = cagd_code_real(v), error;
+    int exponent;
+    if (v.q.at != NULL && isfinite(v.d))
+        error = cagd_to_double_q(cagd_sub_q(cagd_from_double_q(v.d), v.q));
+    else if (isfinite(v.d)) /* the middle of an interval of at least 128 bits */
+        error = cagd_code_real(cagd_code_enclosed(cagd_sub_i(cagd_from_double_i(v.d), v.i)));
+    else
+        error = v.d;
+    frexp(exact, &exponent);
+    r->computed = v.d;
+    r->ulps = exact == 0 ? (error == 0 ? 0 : HUGE_VAL) : fabs(error) / ldexp(1, exponent - 53);
+    double sum = 0, most = 0;
+    const struct cagd_code_place *worst = NULL;
+    for (int k = 0; k < v.shares; k++) {
+        sum += fabs(v.share[k].amount);
+        if (fabs(v.share[k].amount) > most)
+            most = fabs(v.share[k].amount), worst = v.share[k].place;
+    }
+    if (worst != NULL && isfinite(sum)) {
+        char line[400];
+        snprintf(line, sizeof line, "%s:%d", worst->file, (int)worst->line);
+        r->worst_line = cagd_code_keep(line);
+        r->worst_part = most / sum;
+    }
+}
+
+static struct cagd_code_result *tell(const char *name, long count, long index, cagd_code_value got)
+{
+    struct cagd_code_result **last = &cagd_code_machine.outcome->results;
+    char full[200];
+    while (*last != NULL)
+        last = &(*last)->next;
+    if (count > 1)
+        snprintf(full, sizeof full, "%s[%ld]", name, index);
+    else
+        snprintf(full, sizeof full, "%s", name);
+    struct cagd_code_result *r = cagd_code_room(sizeof *r);
+    *r = (struct cagd_code_result){.name = cagd_code_keep(full), .got = cagd_code_keep(cagd_code_text(got))};
+    if (cagd_code_machine.job->numbers == CAGD_CODE_FIELD)
+        r->got_field = cagd_code_keep(cagd_code_field_text(got));
+    if (cagd_code_machine.job->numbers == CAGD_CODE_ROUNDING && !got.special)
+        tell_rounding(r, got);
+    *last = r;
+    return r;
+}
+
+void cagd_code_output(const char *name, long count, const double *x)
+{
+    for (long k = 0; k < count; k++)
+        tell(name, count, k, cagd_code_value_of(x[k]));
+}
+
+static enum cagd_code_answer same(cagd_code_value a, cagd_code_value b)
+{
+    if (a.special || b.special)
+        return a.special && b.special && (a.d == b.d || (isnan(a.d) && isnan(b.d))) ? CAGD_CODE_EQUAL
+                                                                                    : CAGD_CODE_DIFFERENT;
+    if (cagd_code_machine.job->numbers == CAGD_CODE_FIELD) {
+        cagd_num_f difference = cagd_sub_f(cagd_code_function(a), cagd_code_function(b));
+        cagd_code_check_faults();
+        if (cagd_code_vanishes(difference))
+            return CAGD_CODE_EQUAL;
+    }
+    if (a.q.at != NULL && b.q.at != NULL && cagd_code_machine.job->numbers != CAGD_CODE_INTERVAL) {
+        if (!cagd_equal_q(a.q, b.q))
+            return CAGD_CODE_DIFFERENT;
+        return a.f.at != NULL || b.f.at != NULL ? CAGD_CODE_UNKNOWN : CAGD_CODE_EQUAL;
+    }
+    int sign = cagd_sign_i(cagd_sub_i(cagd_code_interval(a), cagd_code_interval(b)));
+    return sign != 0 ? CAGD_CODE_DIFFERENT : CAGD_CODE_UNKNOWN;
+}
+
+void cagd_code_expect(const char *name, long count, const double *got, const double *wanted)
+{
+    for (long k = 0; k < count; k++) {
+        cagd_code_value a = cagd_code_value_of(got[k]), b = cagd_code_value_of(wanted[k]);
+        struct cagd_code_result *r = tell(name, count, k, a);
+        r->wanted = cagd_code_keep(cagd_code_text(b));
+        if (r->got_field != NULL)
+            r->wanted_field = cagd_code_keep(cagd_code_field_text(b));
+        r->same = same(a, b);
+    }
+}
+
+/* ---- the process ------------------------------------------------------------------------------------- */
+
+/* What can be done in a handler: the message and the place, copied. */
+static void on_signal(int number)
+{
+    struct cagd_code_outcome *o = cagd_code_machine.outcome;
+    const char *what = number == SIGXCPU || number == SIGALRM ? "more time than is allowed"
+                       : number == SIGABRT                    ? "the program was aborted; no memory, or abort()"
+                       : number == SIGFPE                     ? "an integer was divided by zero"
+                                          : "memory was used that is not there, or not the program's";
+    o->end = number == SIGXCPU || number == SIGALRM ? CAGD_CODE_BOUND : CAGD_CODE_CRASHED;
+    strncpy(o->message, what, sizeof o->message - 1);
+    if (cagd_code_at != NULL) {
+        strncpy(o->file, cagd_code_at->file, sizeof o->file - 1);
+        strncpy(o->function, cagd_code_at->function, sizeof o->function - 1);
+        o->line = cagd_code_at->line;
+    }
+    _exit(0);
+}
+
+static void bound_process(const struct cagd_code_job *job)
+{
+    static char stack[SIGNAL_STACK];
+    static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGILL, SIGXCPU, SIGALRM};
+    stack_t alternate = {.ss_sp = stack, .ss_size = sizeof stack};
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_ONSTACK};
+    struct rlimit limit = {(rlim_t)job->most_seconds, (rlim_t)job->most_seconds + 5};
+    sigaltstack(&alternate, NULL);
+    for (size_t k = 0; k < sizeof signals / sizeof *signals; k++)
+        sigaction(signals[k], &action, NULL);
+    setrlimit(RLIMIT_CPU, &limit);
+    alarm((unsigned)job->most_seconds * 4); /* who waits uses no processor */
+    limit.rlim_cur = limit.rlim_max = 0;
+    setrlimit(RLIMIT_CORE, &limit);
+    limit.rlim_cur = limit.rlim_max = (rlim_t)job->most_megabytes << 20;
+    setrlimit(RLIMIT_DATA, &limit);
+}
+
+_Noreturn static void run_here(const struct cagd_code_program *p, const struct cagd_code_job *job)
+{
+    void (*entry)(void);
+    void *symbol = dlsym(p->object, job->entry);
+    if (symbol == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "there is no function %s", job->entry);
+    memcpy(&entry, &symbol, sizeof entry);
+    if (!job->print)
+        dup2(STDERR_FILENO, STDOUT_FILENO);
+    bound_process(job);
+    cagd_region_set_precision(FIELD_BITS);
+    if (job->numbers == CAGD_CODE_FIELD) {
+        int variables = 0;
+        for (int k = 0; k < job->inputs; k++)
+            if (job->input[k].variable)
+                variables += job->input[k].count > 0 ? job->input[k].count : 1;
+        enum { FOR_ROOTS = 8 };
+        variables += FOR_ROOTS;
+        cagd_field_open(variables < CAGD_FIELD_MAX_VARIABLES ? variables : CAGD_FIELD_MAX_VARIABLES);
+    }
+    cagd_code_values_open();
+    entry();
+    fflush(NULL);
+    cagd_code_machine.outcome->end = CAGD_CODE_FINISHED;
+    _exit(0);
+}
+
+struct cagd_code_outcome *cagd_code_run(const struct cagd_code_program *p, const struct cagd_code_job *job)
+{
+    struct cagd_code_job bounded = *job;
+    bounded.most_values = job->most_values > 0 ? job->most_values : USUAL_VALUES;
+    bounded.most_bits = job->most_bits > 0 ? job->most_bits : USUAL_BITS;
+    bounded.most_seconds = job->most_seconds > 0 ? job->most_seconds : USUAL_SECONDS;
+    bounded.most_megabytes = job->most_megabytes > 0 ? job->most_megabytes : USUAL_MEGABYTES;
+    struct cagd_code_outcome *o =
+        mmap(NULL, ROOM, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (o == MAP_FAILED)
+        return NULL;
+    o->end = CAGD_CODE_CRASHED;
+    strcpy(o->message, "the program ended its process");
+    fflush(NULL);
+    pid_t child = fork();
+    if (child == 0) {
+        cagd_code_machine = (struct cagd_code_machine){.job = &bounded,
+                                                       .outcome = o,
+                                                       .free_room = (char *)(o + 1),
+                                                       .end_of_room = (char *)o + ROOM,
+                                                       .object = p->object};
+        cagd_code_machine.free_room += 16 - (uintptr_t)cagd_code_machine.free_room % 16;
+        run_here(p, &bounded);
+    }
+    int status;
+    if (child < 0) {
+        strcpy(o->message, "no process for it");
+        return o;
+    }
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR)
+            break;
+    return o;
+}
+
+void cagd_code_outcome_free(struct cagd_code_outcome *o)
+{
+    if (o != NULL)
+        munmap(o, ROOM);
+}

@@ -1,0 +1,80 @@
+/* run.h -- rewritten code is run: in a process of its own, with bounds, and what it did is told. */
+#ifndef CAGD_CODE_RUN_H
+#define CAGD_CODE_RUN_H
+
+#include "exact/code/machine.h"
+
+#include <stddef.h>
+
+enum cagd_code_numbers { CAGD_CODE_RATIONAL, CAGD_CODE_FIELD, CAGD_CODE_INTERVAL, CAGD_CODE_ROUNDING };
+
+/* Inputs of one name; values are texts of rationals.  In the field those that are `variable` are variables, named "p[2]", or "t"
+ * where count is 0, which stands for a single number; the value is the point's. */
+struct cagd_code_input {
+    const char *name;
+    int count;
+    const char *const *value;
+    int variable;
+};
+
+struct cagd_code_job {
+    const char *entry; /* the function void entry(void) that is run            */
+    enum cagd_code_numbers numbers;
+    int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
+    int inputs;
+    const struct cagd_code_input *input;
+    long most_values, most_bits, most_seconds, most_megabytes; /* 0: as usual                      */
+    int print;                                                 /* its standard output is ours, else standard error */
+};
+
+enum cagd_code_end {
+    CAGD_CODE_FINISHED,
+    CAGD_CODE_OUTSIDE, /* a precondition is not true of these inputs                       */
+    CAGD_CODE_REFUSED, /* something cannot be carried, or has no value                      */
+    CAGD_CODE_BOUND,   /* memory, time or the size of a number                              */
+    CAGD_CODE_CRASHED  /* a signal                                                          */
+};
+
+/* A comparison that depends on the variables: the code ran under "left relation right". */
+struct cagd_code_condition {
+    struct cagd_code_condition *next;
+    const char *left, *relation, *right, *difference; /* difference: left - right, as a text                       */
+    int given;                                        /* of a precondition                                         */
+    struct cagd_code_place place;
+};
+
+/* One number that was put out, or compared with one that was wanted. */
+enum cagd_code_answer { CAGD_CODE_EQUAL, CAGD_CODE_DIFFERENT, CAGD_CODE_UNKNOWN };
+struct cagd_code_result {
+    struct cagd_code_result *next;
+    const char *name;                     /* "R[2]"                                                             */
+    const char *got, *wanted;             /* at the point; wanted: NULL for an output                          */
+    const char *got_field, *wanted_field; /* in the field, else NULL                                           */
+    enum cagd_code_answer same;           /* in the field: as functions                                        */
+    double computed, ulps;                /* with rounding: the binary64, and its error in ulps of the exact value */
+    const char *worst_line;               /* "file:line" where most of the error arises, or NULL               */
+    double worst_part;                    /* that line's part of the sum of the amounts, 0 to 1                */
+};
+
+struct cagd_code_outcome {
+    enum cagd_code_end end;
+    char message[400];
+    char file[300], function[200];
+    int line; /* 0: unknown                                                                           */
+    struct cagd_code_result *results;
+    struct cagd_code_condition *conditions; /* each once                                             */
+    const char *denominators;               /* what is divided by, and must not be 0; NULL: nothing that varies */
+    unsigned long long path;                /* two runs that decided alike have the same              */
+    long operations, decided_otherwise;     /* the latter: comparisons that rounding turned           */
+    struct cagd_code_place turned;          /* the first of them                                      */
+};
+
+struct cagd_code_program;
+/* NULL, and a message of at most `room` bytes, when it cannot be loaded. */
+struct cagd_code_program *cagd_code_load(const char *path, size_t room, char message[]);
+void cagd_code_unload(struct cagd_code_program *p);
+
+/* Runs it.  The outcome is the caller's, to be given back; NULL without memory. */
+struct cagd_code_outcome *cagd_code_run(const struct cagd_code_program *p, const struct cagd_code_job *job);
+void cagd_code_outcome_free(struct cagd_code_outcome *o);
+#endif

@@ -1,0 +1,369 @@
+/* value.c -- the table of values, and what they are made of; see value.h. */
+#include "exact/code/value.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+struct cagd_code_machine cagd_code_machine;
+const struct cagd_code_place *cagd_code_at;
+
+/* ---- the end of a run, and what the parent reads ---------------------------------------------------------- */
+
+void *cagd_code_room(size_t bytes)
+{
+    struct cagd_code_machine *m = &cagd_code_machine;
+    bytes = (bytes + 15) & ~(size_t)15;
+    if (bytes > (size_t)(m->end_of_room - m->free_room))
+        cagd_code_stop(CAGD_CODE_BOUND, "more is told than there is room for");
+    void *room = m->free_room;
+    m->free_room += bytes;
+    return room;
+}
+
+const char *cagd_code_keep(const char *text)
+{
+    size_t size = strlen(text) + 1;
+    return memcpy(cagd_code_room(size), text, size);
+}
+
+_Noreturn void cagd_code_stop(enum cagd_code_end end, const char *format, ...)
+{
+    struct cagd_code_outcome *o = cagd_code_machine.outcome;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(o->message, sizeof o->message, format, list);
+    va_end(list);
+    if (cagd_code_at != NULL) {
+        snprintf(o->file, sizeof o->file, "%s", cagd_code_at->file);
+        snprintf(o->function, sizeof o->function, "%s", cagd_code_at->function);
+        o->line = cagd_code_at->line;
+    }
+    o->end = end;
+    fflush(NULL);
+    _exit(0);
+}
+
+void cagd_code_check_faults(void)
+{
+    unsigned faults = cagd_region_faults;
+    if (faults == 0)
+        return;
+    if (faults & CAGD_FAULT_MEMORY)
+        cagd_code_stop(CAGD_CODE_BOUND, "no memory for a number");
+    if (faults & CAGD_FAULT_CROWDED)
+        cagd_code_stop(CAGD_CODE_BOUND, "more than %d variables and roots", CAGD_FIELD_MAX_VARIABLES);
+    if (faults & CAGD_FAULT_UNABLE)
+        cagd_code_stop(CAGD_CODE_REFUSED, "an enclosure contains a point where the operation is not defined");
+    cagd_code_stop(CAGD_CODE_REFUSED, "a division by zero");
+}
+
+/* ---- a double and its value -------------------------------------------------------------------------- */
+
+/* The high word of a double in the table; a float is one of its own, with an index of 21 bits. */
+static const uint32_t TAG = 0x7FFCA5C9, SINGLE_TAG = 0x7FE00000, MOST_SINGLES = 0x200000;
+static const uint64_t NEVER_MADE = 0xFFFFFFFFFFFFFFFF, NEVER_FILLED = 0xAAAAAAAAAAAAAAAA, MARGIN = 0xFEFEFEFEFEFEFEFE;
+static cagd_code_value *table;
+static double *singles;
+static uint32_t used, used_singles, most;
+
+static void *lazily(size_t bytes)
+{
+    void *at = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (at == MAP_FAILED)
+        cagd_code_stop(CAGD_CODE_BOUND, "no memory for the table of numbers");
+    return at;
+}
+
+void cagd_code_values_open(void)
+{
+    most = (uint32_t)cagd_code_machine.job->most_values;
+    table = lazily(most * sizeof *table);
+    singles = lazily(MOST_SINGLES * sizeof *singles);
+    used = used_singles = 0;
+}
+
+int cagd_code_is_one(uint64_t bits) { return bits >> 32 == TAG && (uint32_t)bits < used; }
+int cagd_code_is_single(uint32_t bits) { return bits >= SINGLE_TAG && bits - SINGLE_TAG < used_singles; }
+
+static void refuse_never_computed(uint64_t bits)
+{
+    if (bits == NEVER_MADE || bits == NEVER_FILLED)
+        cagd_code_stop(CAGD_CODE_REFUSED, "a value that was never computed");
+    if (bits == MARGIN)
+        cagd_code_stop(CAGD_CODE_REFUSED, "a value from outside an array");
+}
+
+cagd_code_value cagd_code_constant(cagd_num_q q)
+{
+    cagd_code_value v = {.q = q};
+    switch (cagd_code_machine.job->numbers) {
+    case CAGD_CODE_ROUNDING:
+        v.d = cagd_to_double_q(q);
+        break;
+    case CAGD_CODE_INTERVAL:
+        v.i = cagd_from_rational_i(q);
+        break;
+    default:
+        break;
+    }
+    return v;
+}
+
+cagd_code_value cagd_code_integer(long n) { return cagd_code_constant(cagd_from_int_q(n)); }
+cagd_code_value cagd_code_special(double d) { return (cagd_code_value){.d = d, .special = 1}; }
+cagd_code_value cagd_code_enclosed(cagd_num_i i) { return (cagd_code_value){.i = i}; }
+
+cagd_code_value cagd_code_value_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if (cagd_code_is_one(bits))
+        return table[(uint32_t)bits];
+    refuse_never_computed(bits);
+    if (!isfinite(x))
+        return cagd_code_special(x);
+    if (x != 0 && bits << 1 >> 1 < (uint64_t)1 << 32)
+        cagd_code_stop(CAGD_CODE_REFUSED, "the bits of an integer as a number");
+    return cagd_code_constant(cagd_from_double_q(x));
+}
+
+/* Whether q is a binary64, not far from 1. */
+static int is_binary64(cagd_num_q q)
+{
+    mpz_srcptr numerator = mpq_numref(q.at), denominator = mpq_denref(q.at);
+    size_t bits = mpz_sizeinbase(denominator, 2);
+    return mpz_sizeinbase(numerator, 2) <= 53 && bits <= 900 && mpz_scan1(denominator, 0) == bits - 1;
+}
+
+double cagd_code_number(cagd_code_value v)
+{
+    if (v.special)
+        return v.d;
+    cagd_code_check_faults();
+    if (v.q.at != NULL) {
+        if ((long)(mpz_sizeinbase(mpq_numref(v.q.at), 2) + mpz_sizeinbase(mpq_denref(v.q.at), 2)) >
+            cagd_code_machine.job->most_bits)
+            cagd_code_stop(CAGD_CODE_BOUND, "a number of more than %ld bits", cagd_code_machine.job->most_bits);
+        /* in a run with rounding the binary64 has to be the number, whatever happened before */
+        if (v.f.at == NULL && is_binary64(v.q) && v.shares == 0) {
+            double d = cagd_to_double_q(v.q);
+            if (cagd_code_machine.job->numbers != CAGD_CODE_ROUNDING || d == v.d)
+                return d;
+        }
+    }
+    if (used == most)
+        cagd_code_stop(CAGD_CODE_BOUND, "more than %ld numbers", cagd_code_machine.job->most_values);
+    uint64_t bits = (uint64_t)TAG << 32 | used;
+    double d;
+    table[used++] = v;
+    memcpy(&d, &bits, sizeof d);
+    return d;
+}
+
+double cagd_code_widen(float a)
+{
+    uint32_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    if (cagd_code_is_single(bits))
+        return singles[bits - SINGLE_TAG];
+    refuse_never_computed((uint64_t)bits << 32 | bits);
+    return (double)a;
+}
+
+/* A run with rounding rounds; elsewhere a float is whatever the number is. */
+float cagd_code_narrow(double a)
+{
+    uint64_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    if (!cagd_code_is_one(bits) && (!isfinite(a) || (double)(float)a == a))
+        return (float)a;
+    if (cagd_code_machine.job->numbers == CAGD_CODE_ROUNDING) {
+        cagd_code_value v = cagd_code_value_of(a);
+        double rounded = (double)(float)v.d, amount = rounded - v.d;
+        struct cagd_code_share *share = cagd_region_array(v.shares + 1, 1, sizeof *share);
+        cagd_code_check_faults();
+        if (v.shares > 0)
+            memcpy(share, v.share, (size_t)v.shares * sizeof *share);
+        share[v.shares] = (struct cagd_code_share){cagd_code_at, amount};
+        v.shares += amount != 0, v.share = share, v.d = rounded;
+        a = cagd_code_number(v);
+    }
+    if (used_singles == MOST_SINGLES)
+        cagd_code_stop(CAGD_CODE_BOUND, "more than %u numbers of type float", MOST_SINGLES);
+    uint32_t tagged = SINGLE_TAG + used_singles;
+    float f;
+    singles[used_singles++] = a;
+    memcpy(&f, &tagged, sizeof f);
+    return f;
+}
+
+/* ---- views of a value --------------------------------------------------------------------------------- */
+
+cagd_num_f cagd_code_function(cagd_code_value v) { return v.f.at != NULL ? v.f : cagd_from_rational_f(v.q); }
+
+cagd_num_i cagd_code_interval(cagd_code_value v)
+{
+    if (v.i.at != NULL)
+        return v.i;
+    return cagd_from_rational_i(v.q);
+}
+
+const char *cagd_code_text(cagd_code_value v)
+{
+    char *text = cagd_region_bytes(80);
+    if (text == NULL)
+        cagd_code_check_faults();
+    if (v.special)
+        snprintf(text, 80, "%g", v.d);
+    else if (v.q.at != NULL && cagd_code_machine.job->numbers != CAGD_CODE_INTERVAL)
+        return cagd_to_string_q(v.q);
+    else
+        snprintf(text, 80, "in [%.17g, %.17g]", cagd_lower_i(v.i), cagd_upper_i(v.i));
+    return text;
+}
+
+const char *cagd_code_field_text(cagd_code_value v)
+{
+    return v.special || v.f.at == NULL ? cagd_code_text(v) : cagd_to_string_f(v.f);
+}
+
+/* ---- roots as variables -------------------------------------------------------------------------------- */
+
+enum { MOST_ROOTS = 32 };
+static struct {
+    cagd_num_f variable, square;
+    cagd_code_value at_point;
+} roots[MOST_ROOTS];
+static int root_count;
+
+cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point)
+{
+    char name[CAGD_FIELD_MAX_NAME + 1];
+    for (int k = 0; k < root_count; k++)
+        if (cagd_equal_f(roots[k].square, square)) {
+            cagd_code_value v = at_point;
+            v.f = roots[k].variable;
+            return v;
+        }
+    if (root_count == MOST_ROOTS)
+        cagd_code_stop(CAGD_CODE_BOUND, "more than %d roots", MOST_ROOTS);
+    snprintf(name, sizeof name, "root%d", root_count + 1);
+    roots[root_count].variable = cagd_variable_f(name);
+    roots[root_count].square = square;
+    at_point.f = roots[root_count].variable;
+    roots[root_count++].at_point = at_point;
+    cagd_code_check_faults();
+    return at_point;
+}
+
+/* f = E + O r with r^2 known: 0 if E = O = 0, which do not contain r.  Sufficient; and r may be no root of the field. */
+static int vanishes_from(int last, cagd_num_f f)
+{
+    while (last >= 0 && !cagd_is_zero_f(f) && cagd_degree_f(f, roots[last].variable) < 1)
+        last--;
+    if (last < 0 || cagd_is_zero_f(f))
+        return cagd_is_zero_f(f);
+    cagd_num_f r = roots[last].variable, square = roots[last].square,
+               part[2] = {cagd_from_int_f(0), cagd_from_int_f(0)};
+    cagd_num_f power = cagd_from_int_f(1);
+    int degree = cagd_degree_f(f, r);
+    for (int k = 0; k <= degree; k++) {
+        part[k % 2] = cagd_add_f(part[k % 2], cagd_mul_f(cagd_coefficient_f(f, r, k), power));
+        if (k % 2 == 1)
+            power = cagd_mul_f(power, square);
+    }
+    for (int k = 0; k < 2; k++)
+        if (!vanishes_from(last - 1, cagd_numerator_f(part[k])))
+            return 0;
+    return 1;
+}
+
+int cagd_code_vanishes(cagd_num_f f)
+{
+    int answer = cagd_is_zero_f(f) || (root_count > 0 && vanishes_from(root_count - 1, cagd_numerator_f(f)));
+    cagd_code_check_faults();
+    return answer;
+}
+
+/* ---- variables, and a function at the point -------------------------------------------------------------- */
+
+static struct {
+    cagd_num_f variable;
+    cagd_num_q value;
+} variables[CAGD_FIELD_MAX_VARIABLES];
+static int variable_count;
+
+cagd_code_value cagd_code_variable(const char *name, cagd_num_q value)
+{
+    cagd_code_value v = {.q = value, .f = cagd_variable_f(name)};
+    cagd_code_check_faults();
+    variables[variable_count].variable = v.f;
+    variables[variable_count++].value = value;
+    return v;
+}
+
+/* f at the point, or q.at = NULL where roots are in it. */
+static cagd_num_q at_point(cagd_num_f f)
+{
+    cagd_num_q value = {NULL};
+    for (int k = 0; k < variable_count; k++)
+        f = cagd_substitute_f(f, variables[k].variable, cagd_from_rational_f(variables[k].value));
+    cagd_code_check_faults();
+    cagd_is_constant_f(f, &value);
+    return value;
+}
+
+/* The root of a that is a function, positive at the point; or a variable of its own. */
+static cagd_code_value field_root(cagd_code_value a, cagd_code_value root)
+{
+    if (a.f.at == NULL && root.q.at != NULL)
+        return root;
+    cagd_num_f f = cagd_root_f(2, cagd_code_function(a));
+    cagd_num_q value = {NULL};
+    if (cagd_region_faults & CAGD_FAULT_UNABLE)
+        cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
+    else
+        value = at_point(f);
+    if (value.at == NULL)
+        return cagd_code_new_root(cagd_code_function(a), root);
+    root.f = f;
+    root.q = value;
+    if (cagd_sign_q(value) < 0)
+        root = cagd_code_negative(root);
+    cagd_code_relation(root, cagd_code_integer(0), 3);
+    return root;
+}
+
+cagd_code_value cagd_code_square_root(cagd_code_value a)
+{
+    const struct cagd_code_job *job = cagd_code_machine.job;
+    if (a.special)
+        return cagd_code_special(sqrt(a.d));
+    if (a.q.at != NULL ? cagd_sign_q(a.q) < 0 : cagd_sign_i(a.i) < 0)
+        cagd_code_stop(CAGD_CODE_REFUSED, "the square root of a negative number");
+    cagd_code_value v = {.d = sqrt(a.d)};
+    if (a.q.at != NULL && job->numbers != CAGD_CODE_INTERVAL) {
+        v.q = cagd_root_q(2, a.q);
+        if (cagd_region_faults & CAGD_FAULT_UNABLE) {
+            cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
+            v.q.at = NULL;
+        }
+    }
+    if (v.q.at == NULL)
+        v.i = cagd_root_i(2, cagd_code_interval(a));
+    if (job->numbers == CAGD_CODE_FIELD)
+        return field_root(a, v);
+    if (v.q.at == NULL && job->numbers == CAGD_CODE_RATIONAL && !job->enclose)
+        cagd_code_stop(CAGD_CODE_REFUSED, "a square root that is not rational");
+    if (job->numbers == CAGD_CODE_ROUNDING) {
+        double twice = v.d + cagd_code_real(v);
+        cagd_code_shared(&v, a, twice != 0 ? 1 / twice : 0, (cagd_code_value){0}, 0,
+                         v.d != 0 ? -fma(v.d, v.d, -a.d) / (2 * v.d) : 0);
+    }
+    return v;
+}

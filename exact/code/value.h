@@ -1,0 +1,86 @@
+/* value.h -- the values behind the numbers of a run; only for exact/code. */
+#ifndef CAGD_CODE_VALUE_H
+#define CAGD_CODE_VALUE_H
+
+#include "exact/code/run.h"
+#include "exact/number/field.h"
+#include "exact/number/interval.h"
+
+/* How much of the error of a number arose at a line. */
+struct cagd_code_share {
+    const struct cagd_code_place *place;
+    double amount;
+};
+
+/* What a number is.  q: its value, at the point where there are variables; q.at = NULL: it is known by the interval i only.
+ * f: the rational function; f.at = NULL: a constant, or a run without variables.  d: the binary64 of a run with rounding, and
+ * d - q the sum of the shares.  special: an infinity or a NaN, d. */
+typedef struct cagd_code_value {
+    cagd_num_q q;
+    cagd_num_i i;
+    cagd_num_f f;
+    double d;
+    const struct cagd_code_share *share;
+    int shares, special;
+} cagd_code_value;
+
+/* The run of this process. */
+struct cagd_code_machine {
+    const struct cagd_code_job *job;
+    struct cagd_code_outcome *outcome;
+    char *free_room, *end_of_room; /* of the memory that the outcome shares with the parent */
+    int given;
+    void *object; /* of dlopen */
+};
+extern struct cagd_code_machine cagd_code_machine;
+
+void cagd_code_values_open(void);
+cagd_code_value cagd_code_value_of(double x); /* ends the run for a number that was never computed           */
+double cagd_code_number(cagd_code_value v);   /* the double that carries it                                   */
+int cagd_code_is_one(uint64_t bits);          /* whether the bits are those of a number in the table          */
+int cagd_code_is_single(uint32_t bits);
+
+cagd_code_value cagd_code_constant(cagd_num_q q);
+cagd_code_value cagd_code_integer(long n);
+cagd_code_value cagd_code_special(double d);
+cagd_code_value cagd_code_enclosed(cagd_num_i i);
+
+/* A root: a variable of its own in the field, with its square; where it has none elsewhere, an interval or a refusal. */
+cagd_code_value cagd_code_square_root(cagd_code_value a);
+/* A variable of the field whose square is `square`, with that value at the point. */
+cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point);
+/* Whether f is 0 for all values of the variables, given what the squares of roots are. */
+int cagd_code_vanishes(cagd_num_f f);
+cagd_num_f cagd_code_function(cagd_code_value v); /* v as an element of the field */
+cagd_num_i cagd_code_interval(cagd_code_value v);
+
+/* A variable of the field, with its value at the point. */
+cagd_code_value cagd_code_variable(const char *name, cagd_num_q value);
+double cagd_code_real(cagd_code_value v); /* near the exact value                            */
+/* In a run with rounding: the error of v is that of a times c, that of b times e, and what was rounded here. */
+void cagd_code_shared(cagd_code_value *v, cagd_code_value a, double c, cagd_code_value b, double e, double rounded);
+
+cagd_code_value cagd_code_sum(cagd_code_value a, cagd_code_value b);
+cagd_code_value cagd_code_difference(cagd_code_value a, cagd_code_value b);
+cagd_code_value cagd_code_product(cagd_code_value a, cagd_code_value b);
+cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b);
+cagd_code_value cagd_code_negative(cagd_code_value a);
+
+/* The relation between a and b, one of 1, 2, 4, 8; noted as the condition "the predicate is true (or false)". */
+int cagd_code_relation(cagd_code_value a, cagd_code_value b, int predicate);
+/* -1, 0, 1, and the condition that says so. */
+int cagd_code_sign(cagd_code_value a);
+
+enum cagd_code_rounding { CAGD_CODE_TRUNC, CAGD_CODE_FLOOR, CAGD_CODE_CEIL, CAGD_CODE_ROUND, CAGD_CODE_EVEN };
+cagd_code_value cagd_code_whole(cagd_code_value a, enum cagd_code_rounding how);
+
+const char *cagd_code_text(cagd_code_value v);       /* at the point: "-3/7", "in [1.4, 1.5]", "inf"; in the region  */
+const char *cagd_code_field_text(cagd_code_value v); /* in the field                                               */
+
+/* Ends the run. */
+_Noreturn void cagd_code_stop(enum cagd_code_end end, const char *format, ...);
+/* Room in the memory shared with the parent; a text in it. */
+void *cagd_code_room(size_t bytes);
+const char *cagd_code_keep(const char *text);
+void cagd_code_check_faults(void); /* ends the run where the arithmetic reports a fault */
+#endif
