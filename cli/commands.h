@@ -14,7 +14,8 @@
     ROW(figures)                                                                                                       \
     ROW(check)                                                                                                         \
     ROW(curve)                                                                                                         \
-    ROW(fit)
+    ROW(fit)                                                                                                           \
+    ROW(exactly)
 
 #define DECLARE_COMMAND(name) extern const struct command command_##name;
 COMMANDS(DECLARE_COMMAND)

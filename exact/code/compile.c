@@ -1,6 +1,7 @@
 /* compile.c -- the program cagd-compile-exactly: sources in C, C++ or bitcode become a shared object in which numbers are ours.
  *
  *     cagd-compile-exactly -o OUT.so FILE... [-- FLAG...]
+ *     cagd-compile-exactly --tools                           the folder of the clang that it uses
  *
  * FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.  The flags are clang's, for the sources.
  * Messages are clang's own, or one line; the exit code is 0, 1 when a source does not compile, 2 for wrong usage. */
@@ -11,6 +12,7 @@
 #include <llvm-c/BitWriter.h>
 #include <llvm-c/Linker.h>
 
+#include <dlfcn.h>
 #include <errno.h>
 #include <spawn.h>
 #include <stdio.h>
@@ -119,11 +121,27 @@ static void take_archive(const char *path)
         give_up(1, "an empty archive", path);
 }
 
+/* Whether the libraries of C and C++ have it: other names of the process that runs the object are not meant. */
+static int is_in_a_library(const char *name)
+{
+    static const char *const names[] = {"libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1"};
+    static void *library[sizeof names / sizeof *names];
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        if (library[k] == NULL)
+            library[k] = dlopen(names[k], RTLD_LAZY | RTLD_LOCAL);
+        if (library[k] != NULL && dlsym(library[k], name) != NULL)
+            return 1;
+    }
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     const char *out = NULL;
     char bitcode[64], all[64];
     int files = 0, cpp = 0, flags = argc;
+    if (argc == 2 && strcmp(argv[1], "--tools") == 0)
+        return puts(CAGD_LLVM_BIN) == EOF;
     for (int k = 1; k < argc; k++) {
         if (strcmp(argv[k], "--") == 0) {
             flags = k + 1;
@@ -171,7 +189,7 @@ int main(int argc, char **argv)
             give_up(2, "a source in C or C++, bitcode or an archive of it was expected", name);
         }
     }
-    cagd_code_rewrite(everything);
+    cagd_code_rewrite(everything, is_in_a_library);
     char *message = NULL;
     if (LLVMVerifyModule(everything, LLVMReturnStatusAction, &message))
         give_up(1, "the rewritten module is not well-formed", message);
@@ -180,6 +198,7 @@ int main(int argc, char **argv)
     char *link[] = {cpp ? CAGD_LLVM_BIN "/clang++" : CAGD_LLVM_BIN "/clang",
                     "-O0",
                     "-shared",
+                    "-Wl,-Bsymbolic", /* what the sources define is meant, whoever else has that name */
                     "-fPIC",
                     "-Wno-override-module",
                     "-o",

@@ -43,6 +43,9 @@ int cagd_code_lib___isinf(double x);
 int cagd_code_lib_finite(double x);
 int cagd_code_lib___finite(double x);
 int cagd_code_lib___signbit(double x);
+double cagd_code_lib_creal(struct complex_pair z);
+double cagd_code_lib_cimag(struct complex_pair z);
+struct complex_pair cagd_code_lib_conj(struct complex_pair z);
 double cagd_code_lib_cabs(struct complex_pair z);
 struct complex_pair cagd_code_lib___muldc3(double a, double b, double c, double d);
 struct complex_pair cagd_code_lib___divdc3(double a, double b, double c, double d);
@@ -63,23 +66,20 @@ static int is_just(value v, long n)
 
 enum { BITS = 320 };
 
-/* f(q), with an error below 2^-60 of it: x is q within 2^-320 of itself, |x| < 2^64, and what f makes of that is below 2^-190
- * of a result that is neither below 2^-100 nor above 2^100. */
-static value enclosed(value a, int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), double (*plain)(double), const char *name)
+typedef int function(mpfr_t, const mpfr_t, mpfr_rnd_t);
+
+/* f(x) with an error below 2^-180 of it: x is rounded to 320 bits, |x| < 2^64, and what f makes of that is below 2^-190 of a
+ * result that is neither below 2^-100 nor above 2^100. */
+static cagd_num_i enclosed_at(cagd_num_q q, function *f, const char *name)
 {
-    const struct cagd_code_job *job = cagd_code_machine.job;
-    if (a.special)
-        return cagd_code_special(plain(a.d));
-    if (job->numbers == CAGD_CODE_FIELD || (job->numbers == CAGD_CODE_RATIONAL && !job->enclose))
-        cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number for which it is not rational", name);
-    if (a.q.at == NULL || fabs(cagd_code_real(a)) >= 0x1p64)
-        cagd_code_stop(CAGD_CODE_REFUSED, "%s of an interval", name);
     mpfr_t x, y, error;
     mpq_t end;
     mpq_init(end);
     mpfr_inits2(BITS, x, y, error, (mpfr_ptr)0);
-    mpfr_set_q(x, a.q.at, MPFR_RNDN);
+    mpfr_set_q(x, q.at, MPFR_RNDN);
     f(y, x, MPFR_RNDN);
+    if (mpfr_cmpabs_ui(x, 1) > 0 && mpfr_get_exp(x) > 64)
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number beyond 2^64", name);
     if (!mpfr_number_p(y) || mpfr_zero_p(y) || mpfr_get_exp(y) < -100 || mpfr_get_exp(y) > 100)
         cagd_code_stop(CAGD_CODE_REFUSED, "%s where its value is too large, too small or not there", name);
     mpfr_mul_2si(error, y, -180, MPFR_RNDA);
@@ -89,34 +89,70 @@ static value enclosed(value a, int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), doubl
     mpfr_get_q(end, x);
     cagd_num_i low = cagd_from_rational_i(cagd_from_mpq_q(end));
     mpfr_get_q(end, y);
-    value v = cagd_code_enclosed(cagd_hull_i(low, cagd_from_rational_i(cagd_from_mpq_q(end))));
+    cagd_num_i both = cagd_hull_i(low, cagd_from_rational_i(cagd_from_mpq_q(end)));
     mpfr_clears(x, y, error, (mpfr_ptr)0);
     mpq_clear(end);
+    return both;
+}
+
+static cagd_num_q end_of(mpfr_srcptr x)
+{
+    mpq_t q;
+    mpq_init(q);
+    mpfr_get_q(q, x);
+    cagd_num_q end = cagd_from_mpq_q(q);
+    mpq_clear(q);
+    return end;
+}
+
+enum shape { MONOTONE, STEEP, SLOW }; /* between the values at the ends; neither; |f'| <= 1 */
+
+static value enclosed(value a, function *f, double (*plain)(double), const char *name, enum shape shape)
+{
+    const struct cagd_code_job *job = cagd_code_machine.job;
+    if (a.special)
+        return cagd_code_special(plain(a.d));
+    if (job->numbers == CAGD_CODE_FIELD || (job->numbers == CAGD_CODE_RATIONAL && !job->enclose))
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number for which it is not rational", name);
+    value v = {.d = plain(a.d)};
+    if (a.q.at != NULL) {
+        v.i = enclosed_at(a.q, f, name);
+    } else {
+        cagd_num_q low = end_of(a.i.at->lo), high = end_of(a.i.at->hi), width = cagd_sub_q(high, low);
+        if (shape == STEEP)
+            cagd_code_stop(CAGD_CODE_REFUSED, "%s of an interval", name);
+        v.i = enclosed_at(low, f, name);
+        if (shape == MONOTONE)
+            v.i = cagd_hull_i(v.i, enclosed_at(high, f, name));
+        else
+            v.i =
+                cagd_hull_i(cagd_sub_i(v.i, cagd_from_rational_i(width)), cagd_add_i(v.i, cagd_from_rational_i(width)));
+    }
     if (rounding()) {
-        v.d = plain(a.d);
         double h = a.d != 0 ? fabs(a.d) * 0x1p-26 : 0x1p-26, slope = (plain(a.d + h) - plain(a.d - h)) / (2 * h);
         cagd_code_shared(&v, a, slope, (value){.d = 0}, 0, 0);
     }
     return v;
 }
 
-#define ENCLOSED(name, exact_at, exactly)                                                                              \
+#define ENCLOSED(name, exact_at, exactly, shape)                                                                       \
     double cagd_code_lib_##name(double x)                                                                              \
     {                                                                                                                  \
         value a = of(x);                                                                                               \
-        return number(is_just(a, exact_at) ? cagd_code_integer(exactly) : enclosed(a, mpfr_##name, name, #name));      \
+        return number(is_just(a, exact_at) ? cagd_code_integer(exactly)                                                \
+                                           : enclosed(a, mpfr_##name, name, #name, shape));                            \
     }
-ENCLOSED(exp, 0, 1)
-ENCLOSED(expm1, 0, 0)
-ENCLOSED(log, 1, 0)
-ENCLOSED(log1p, 0, 0)
-ENCLOSED(tan, 0, 0)
-ENCLOSED(asin, 0, 0)
-ENCLOSED(acos, 1, 0)
-ENCLOSED(atan, 0, 0)
-ENCLOSED(sinh, 0, 0)
-ENCLOSED(cosh, 0, 1)
-ENCLOSED(tanh, 0, 0)
+ENCLOSED(exp, 0, 1, MONOTONE)
+ENCLOSED(expm1, 0, 0, MONOTONE)
+ENCLOSED(log, 1, 0, MONOTONE)
+ENCLOSED(log1p, 0, 0, MONOTONE)
+ENCLOSED(tan, 0, 0, STEEP)
+ENCLOSED(asin, 0, 0, MONOTONE)
+ENCLOSED(acos, 1, 0, MONOTONE)
+ENCLOSED(atan, 0, 0, MONOTONE)
+ENCLOSED(sinh, 0, 0, MONOTONE)
+ENCLOSED(cosh, 0, 1, STEEP)
+ENCLOSED(tanh, 0, 0, MONOTONE)
 
 /* 2^n for whole n; of others an enclosure. */
 double cagd_code_lib_exp2(double x)
@@ -124,12 +160,11 @@ double cagd_code_lib_exp2(double x)
     value a = of(x);
     if (!a.special && a.f.at == NULL && a.q.at != NULL && cagd_is_whole_q(a.q) && fabs(cagd_to_double_q(a.q)) < 1e6)
         return cagd_code_power(2, (int32_t)cagd_to_double_q(a.q));
-    return number(enclosed(a, mpfr_exp2, exp2, "exp2"));
+    return number(enclosed(a, mpfr_exp2, exp2, "exp2", MONOTONE));
 }
 
 /* n where a = base^n. */
-static double whole_logarithm(double x, long base, int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), double (*plain)(double),
-                              const char *name)
+static double whole_logarithm(double x, long base, function *f, double (*plain)(double), const char *name)
 {
     value a = of(x);
     if (!a.special && a.f.at == NULL && a.q.at != NULL && cagd_sign_q(a.q) > 0) {
@@ -140,7 +175,7 @@ static double whole_logarithm(double x, long base, int (*f)(mpfr_t, const mpfr_t
                 return (double)n;
         }
     }
-    return number(enclosed(a, f, plain, name));
+    return number(enclosed(a, f, plain, name, MONOTONE));
 }
 double cagd_code_lib_log2(double x) { return whole_logarithm(x, 2, mpfr_log2, log2, "log2"); }
 double cagd_code_lib_log10(double x) { return whole_logarithm(x, 10, mpfr_log10, log10, "log10"); }
@@ -155,14 +190,13 @@ static struct {
 } angles[MOST_ANGLES];
 static int angle_count;
 
-static value enclosed_at_point(cagd_num_q q, int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), double (*plain)(double),
-                               const char *name)
+static value enclosed_at_point(cagd_num_q q, function *f, double (*plain)(double), const char *name)
 {
     struct cagd_code_job here = *cagd_code_machine.job;
     const struct cagd_code_job *job = cagd_code_machine.job;
     here.numbers = CAGD_CODE_INTERVAL;
     cagd_code_machine.job = &here;
-    value v = enclosed(cagd_code_constant(q), f, plain, name);
+    value v = enclosed(cagd_code_constant(q), f, plain, name, SLOW);
     cagd_code_machine.job = job;
     return v;
 }
@@ -192,7 +226,7 @@ double cagd_code_lib_sin(double x)
     value a = of(x);
     if (is_just(a, 0))
         return 0;
-    return number(a.f.at != NULL ? angles[known_angle(a)].sine : enclosed(a, mpfr_sin, sin, "sin"));
+    return number(a.f.at != NULL ? angles[known_angle(a)].sine : enclosed(a, mpfr_sin, sin, "sin", SLOW));
 }
 
 double cagd_code_lib_cos(double x)
@@ -200,7 +234,7 @@ double cagd_code_lib_cos(double x)
     value a = of(x);
     if (is_just(a, 0))
         return 1;
-    return number(a.f.at != NULL ? angles[known_angle(a)].cosine : enclosed(a, mpfr_cos, cos, "cos"));
+    return number(a.f.at != NULL ? angles[known_angle(a)].cosine : enclosed(a, mpfr_cos, cos, "cos", SLOW));
 }
 
 void cagd_code_lib_sincos(double x, double *s, double *c)
@@ -217,12 +251,12 @@ double cagd_code_lib_cbrt(double x)
 {
     value a = of(x);
     if (a.special || a.q.at == NULL || a.f.at != NULL)
-        return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt"));
+        return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt", MONOTONE));
     int negative = cagd_sign_q(a.q) < 0;
     cagd_num_q root = cagd_root_q(3, negative ? cagd_neg_q(a.q) : a.q);
     if (cagd_region_faults & CAGD_FAULT_UNABLE) {
         cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
-        return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt"));
+        return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt", MONOTONE));
     }
     value v = cagd_code_constant(negative ? cagd_neg_q(root) : root);
     return number(v);
@@ -262,7 +296,7 @@ double cagd_code_lib_atan2(double y, double x)
         return 0;
     if (a.special || b.special || cagd_code_sign(b) <= 0)
         cagd_code_stop(CAGD_CODE_REFUSED, "atan2 outside the right half-plane");
-    return number(enclosed(cagd_code_quotient(a, b), mpfr_atan, atan, "atan2"));
+    return number(enclosed(cagd_code_quotient(a, b), mpfr_atan, atan, "atan2", MONOTONE));
 }
 
 /* ---- parts of a number -------------------------------------------------------------------------------------- */
@@ -400,6 +434,13 @@ int cagd_code_lib___finite(double x) { return !of(x).special; }
 int cagd_code_lib___signbit(double x) { return cagd_code_sign_bits(x) != 0; }
 
 /* ---- complex numbers -------------------------------------------------------------------------------------- */
+
+double cagd_code_lib_creal(struct complex_pair z) { return z.re; }
+double cagd_code_lib_cimag(struct complex_pair z) { return z.im; }
+struct complex_pair cagd_code_lib_conj(struct complex_pair z)
+{
+    return (struct complex_pair){z.re, cagd_code_neg(z.im)};
+}
 
 struct complex_pair cagd_code_lib___muldc3(double a, double b, double c, double d)
 {

@@ -24,8 +24,9 @@ double cagd_code_power(double a, int32_t n);
 
 /* Whether one of the relations holds that the predicate is the sum of: 1 equal, 2 greater, 4 less, 8 unordered. */
 int32_t cagd_code_compare(double a, double b, int32_t predicate);
-int32_t cagd_code_class(double a, int32_t classes); /* LLVM's classes of llvm.is.fpclass       */
-int64_t cagd_code_sign_bits(double a);              /* -1 if a < 0, else 0                      */
+int32_t cagd_code_class(double a, int32_t classes);  /* LLVM's classes of llvm.is.fpclass       */
+int64_t cagd_code_size_bits(double a, int32_t bits); /* those of a number, infinity or NaN, as a is one */
+int64_t cagd_code_sign_bits(double a);               /* -1 if a < 0, else 0                      */
 
 double cagd_code_from_signed(int64_t n);
 double cagd_code_from_unsigned(uint64_t n);

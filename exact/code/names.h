@@ -68,6 +68,9 @@
     OTHER(__signbit)                                                                                                   \
     OTHER(__muldc3)                                                                                                    \
     OTHER(__divdc3)                                                                                                    \
+    OTHER(creal)                                                                                                       \
+    OTHER(cimag)                                                                                                       \
+    OTHER(conj)                                                                                                        \
     OTHER(cabs)                                                                                                        \
     OTHER(memcmp)                                                                                                      \
     OTHER(malloc)                                                                                                      \

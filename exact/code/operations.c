@@ -341,6 +341,18 @@ int64_t cagd_code_sign_bits(double a)
     return cagd_code_relation(v, cagd_code_integer(0), LESS) == LESS ? -1 : 0;
 }
 
+int64_t cagd_code_size_bits(double a, int32_t bits)
+{
+    cagd_code_value v = cagd_code_value_of(a);
+    double size = v.special ? fabs(v.d) : 1;
+    float single = (float)size;
+    int64_t wide;
+    int32_t narrow;
+    memcpy(&wide, &size, sizeof wide);
+    memcpy(&narrow, &single, sizeof narrow);
+    return bits == 32 ? narrow : wide;
+}
+
 int32_t cagd_code_class(double a, int32_t classes)
 {
     /* signaling NaN, quiet NaN, -inf, -normal, -subnormal, -0, 0, subnormal, normal, inf: 1, 2, 4, ..., 512 */

@@ -37,7 +37,7 @@ static void put(struct text *t, const char *bytes, size_t count)
     t->bytes[t->size] = 0;
 }
 
-/* What snprintf makes of one conversion and its argument. */
+/* What snprintf makes of one conversion and its argument, which is evaluated twice. */
 #define PUT(format, argument)                                                                                          \
     do {                                                                                                               \
         int count_ = snprintf(NULL, 0, format, argument);                                                              \
@@ -95,9 +95,8 @@ static void make(struct text *t, const char *format, va_list list)
             }
         }
         char length = 0;
-        int two = 0;
+        size_t before = n;
         for (; *format != 0 && strchr("hlLqjzt", *format) && n < 60; format++) {
-            two = length == *format;
             length = *format;
             c[n++] = *format;
         }
@@ -106,23 +105,26 @@ static void make(struct text *t, const char *format, va_list list)
             cagd_code_stop(CAGD_CODE_REFUSED, "printf with a conversion that is not carried");
         format++;
         if (strchr("aAeEfFgG", kind) != NULL) { /* of a long double too: here it is a double */
-            c[n - (length != 0) - (size_t)two] = kind;
-            c[n - (length != 0) - (size_t)two + 1] = 0;
+            c[before] = kind;
+            c[before + 1] = 0;
             put_number(t, c, va_arg(list, double));
             continue;
         }
         c[n] = kind;
         c[n + 1] = 0;
-        if (kind == 's')
-            PUT(c, va_arg(list, const char *));
-        else if (kind == 'p')
-            PUT(c, va_arg(list, void *));
-        else if (kind == 'c' || length == 0 || length == 'h')
-            PUT(c, va_arg(list, int));
-        else if (two)
-            PUT(c, va_arg(list, long long));
-        else /* l, q, j, z, t: all of 64 bits */
-            PUT(c, va_arg(list, long));
+        if (kind == 's') {
+            const char *string = va_arg(list, const char *);
+            PUT(c, string);
+        } else if (kind == 'p') {
+            void *pointer = va_arg(list, void *);
+            PUT(c, pointer);
+        } else if (kind == 'c' || length == 0 || length == 'h') {
+            int small = va_arg(list, int);
+            PUT(c, small);
+        } else { /* l, ll, q, j, z, t: all of 64 bits */
+            long large = va_arg(list, long);
+            PUT(c, large);
+        }
     }
 }
 #pragma GCC diagnostic pop

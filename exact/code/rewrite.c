@@ -12,6 +12,7 @@ enum { MARGIN = 32, MARGIN_BYTE = 0xFE, MOST_OPERANDS = 8 };
 
 /* What is at hand while a module is rewritten.  `last` is the place that was made last: neighbours often share it. */
 struct rewriting {
+    int (*is_in_a_library)(const char *name);
     LLVMModuleRef module;
     LLVMContextRef context;
     LLVMBuilderRef build;
@@ -366,8 +367,11 @@ static void rewrite_call(struct rewriting *r, LLVMValueRef call)
     }
     size_t length;
     const char *name = LLVMGetValueName2(function, &length);
-    if (!LLVMIsDeclaration(function))
+    if (!LLVMIsDeclaration(function)) { /* without a line of its own: it may be one that is refused */
+        if (LLVMGetSubprogram(function) == NULL)
+            stand_before(r, call);
         return;
+    }
     if (strncmp(name, "llvm.", 5) == 0) {
         if (strncmp(name, "llvm.dbg.", 9) == 0 || rewrite_intrinsic(r, call, name) || rewrite_reduction(r, call, name))
             return;
@@ -410,7 +414,25 @@ static int are_only_carried(LLVMValueRef bits)
     return 1;
 }
 
-/* The bits of a number as an integer: its sign alone may be asked. */
+/* Of the bits that are used here: the sign alone ("less than 0"), or all but the sign ("and 0x7FF...", "shl 1"), by which isnan and
+ * isfinite are asked. */
+enum { THE_SIGN = 1, ALL_BUT_THE_SIGN = 2 };
+
+static int part_used(LLVMValueRef user, LLVMTypeRef type)
+{
+    LLVMValueRef other = LLVMGetNumOperands(user) == 2 ? LLVMGetOperand(user, 1) : NULL;
+    if (other == NULL || !LLVMIsAConstantInt(other))
+        return 0;
+    unsigned long long constant = LLVMConstIntGetZExtValue(other), sign = 1ull << (LLVMGetIntTypeWidth(type) - 1);
+    if (LLVMIsAICmpInst(user))
+        return LLVMGetICmpPredicate(user) == LLVMIntSLT && constant == 0 ? THE_SIGN : 0;
+    if (!LLVMIsABinaryOperator(user))
+        return 0;
+    LLVMOpcode code = LLVMGetInstructionOpcode(user);
+    return (code == LLVMAnd && constant == sign - 1) || (code == LLVMShl && constant == 1) ? ALL_BUT_THE_SIGN : 0;
+}
+
+/* The bits of a number as an integer. */
 static void rewrite_bits(struct rewriting *r, LLVMValueRef cast)
 {
     LLVMValueRef x = LLVMGetOperand(cast, 0);
@@ -418,18 +440,16 @@ static void rewrite_bits(struct rewriting *r, LLVMValueRef cast)
     if (!is_floating(lane(from)) || is_floating(lane(to)) || are_only_carried(cast))
         return;
     stand_before(r, cast);
-    int sign = !is_vector(from) && is_carried(from) && !is_vector(to);
-    for (LLVMUseRef use = LLVMGetFirstUse(cast); use != NULL; use = LLVMGetNextUse(use)) {
-        LLVMValueRef user = LLVMGetUser(use);
-        sign = sign && LLVMIsAICmpInst(user) && LLVMGetICmpPredicate(user) == LLVMIntSLT &&
-               LLVMIsAConstantInt(LLVMGetOperand(user, 1)) && LLVMIsNull(LLVMGetOperand(user, 1));
-    }
-    if (!sign) {
+    int parts = is_carried(from) && !is_vector(from) && LLVMGetTypeKind(to) == LLVMIntegerTypeKind ? 3 : 0;
+    for (LLVMUseRef use = LLVMGetFirstUse(cast); parts != 0 && use != NULL; use = LLVMGetNextUse(use))
+        parts &= part_used(LLVMGetUser(use), to);
+    if (parts == 0) {
         refuse(r, "the bits of a number");
         return;
     }
-    LLVMValueRef wide = widened(r, x);
-    LLVMValueRef answer = called(r, "cagd_code_sign_bits", r->i64, 1, &wide);
+    LLVMValueRef argument[2] = {widened(r, x), whole(r->i32, LLVMGetIntTypeWidth(to))};
+    LLVMValueRef answer = parts == THE_SIGN ? called(r, "cagd_code_sign_bits", r->i64, 1, argument)
+                                            : called(r, "cagd_code_size_bits", r->i64, 2, argument);
     LLVMReplaceAllUsesWith(cast, LLVMBuildIntCast2(r->build, answer, to, 1, ""));
     LLVMInstructionEraseFromParent(cast);
 }
@@ -607,19 +627,20 @@ static void settle_declaration(struct rewriting *r, LLVMValueRef function)
     for (size_t k = 0; carried && k < sizeof ours / sizeof *ours; k++)
         if (strcmp(name, ours[k]) == 0) {
             snprintf(renamed, sizeof renamed, "cagd_code_lib_%s", name);
-            LLVMValueRef known = LLVMGetNamedFunction(r->module, renamed);
-            if (known == NULL)
+            LLVMValueRef ready = LLVMGetNamedFunction(r->module, renamed);
+            if (ready == NULL)
                 LLVMSetValueName2(function, renamed, strlen(renamed));
             else
-                LLVMReplaceAllUsesWith(function, LLVMConstBitCast(known, LLVMTypeOf(function)));
+                LLVMReplaceAllUsesWith(function, LLVMConstBitCast(ready, LLVMTypeOf(function)));
             return;
         }
     for (size_t k = 0; k < sizeof native / sizeof *native; k++)
         if (strcmp(name, native[k]) == 0)
             return;
-    if (!takes_numbers(type))
+    int known = r->is_in_a_library(name);
+    if (known && !takes_numbers(type))
         return;
-    snprintf(renamed, sizeof renamed, "the function %s", name);
+    snprintf(renamed, sizeof renamed, "the function %s%s", name, known ? "" : ", which is not in the sources");
     LLVMSetLinkage(function, LLVMInternalLinkage);
     LLVMPositionBuilderAtEnd(r->build, LLVMAppendBasicBlockInContext(r->context, function, ""));
     refuse(r, renamed);
@@ -652,9 +673,10 @@ static void rewrite_function(struct rewriting *r, LLVMValueRef function)
     }
 }
 
-void cagd_code_rewrite(LLVMModuleRef module)
+void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *name))
 {
-    struct rewriting r = {.module = module, .context = LLVMGetModuleContext(module)};
+    struct rewriting r = {
+        .module = module, .context = LLVMGetModuleContext(module), .is_in_a_library = is_in_a_library};
     r.build = LLVMCreateBuilderInContext(r.context);
     r.i1 = LLVMInt1TypeInContext(r.context);
     r.i8 = LLVMInt8TypeInContext(r.context);

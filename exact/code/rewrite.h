@@ -6,7 +6,8 @@
 
 /* Storage, copying, control and calls stay as they are: a double is still 64 bits.  Each operation, comparison, conversion and
  * function of the C library becomes a call of cagd_code_... (machine.h), before which the global cagd_code_at is set to the place in
- * the source.  What cannot be carried becomes a call of cagd_code_refuse with its name, which is made only if it is reached.
+ * the source.  What cannot be carried becomes a call of cagd_code_refuse with its name, which is made only if it is reached;
+ * so does a function that is neither defined nor in a library of the language.
  * Arrays with floating-point numbers get margins whose contents are recognised when they are read. */
-void cagd_code_rewrite(LLVMModuleRef module);
+void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *name));
 #endif

@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -16,27 +17,28 @@
 enum { ROOM = 1 << 26, USUAL_VALUES = 1 << 23, USUAL_BITS = 1 << 20, USUAL_SECONDS = 60, USUAL_MEGABYTES = 4096 };
 enum { SIGNAL_STACK = 1 << 16, FIELD_BITS = 192 };
 
+/* The object, open: it is loaded in the child, where what its constructors compute is ours already. */
 struct cagd_code_program {
-    void *object;
+    int file;
 };
 
 struct cagd_code_program *cagd_code_load(const char *path, size_t room, char message[])
 {
     struct cagd_code_program *p = malloc(sizeof *p);
-    void *object = p != NULL ? dlopen(path, RTLD_NOW | RTLD_LOCAL) : NULL;
-    if (object == NULL) {
-        snprintf(message, room, "%s", p != NULL ? dlerror() : "no memory");
+    int file = p != NULL ? open(path, O_RDONLY | O_CLOEXEC) : -1;
+    if (file < 0) {
+        snprintf(message, room, "%s: %s", path, p != NULL ? strerror(errno) : "no memory");
         free(p);
         return NULL;
     }
-    p->object = object;
+    p->file = file;
     return p;
 }
 
 void cagd_code_unload(struct cagd_code_program *p)
 {
     if (p != NULL)
-        dlclose(p->object);
+        close(p->file);
     free(p);
 }
 
@@ -57,7 +59,7 @@ void cagd_code_input(const char *name, long count, double *x)
             if (job->numbers == CAGD_CODE_FIELD && in->variable) {
                 char full[64];
                 if (in->count > 0)
-                    snprintf(full, sizeof full, "%s[%d]", name, j);
+                    snprintf(full, sizeof full, "%s[%d]", name, in->like != NULL ? in->like[j] : j);
                 else
                     snprintf(full, sizeof full, "%s", name);
                 v = cagd_code_variable(full, value);
@@ -207,10 +209,7 @@ static void bound_process(const struct cagd_code_job *job)
 _Noreturn static void run_here(const struct cagd_code_program *p, const struct cagd_code_job *job)
 {
     void (*entry)(void);
-    void *symbol = dlsym(p->object, job->entry);
-    if (symbol == NULL)
-        cagd_code_stop(CAGD_CODE_REFUSED, "there is no function %s", job->entry);
-    memcpy(&entry, &symbol, sizeof entry);
+    char path[40];
     if (!job->print)
         dup2(STDERR_FILENO, STDOUT_FILENO);
     bound_process(job);
@@ -225,6 +224,14 @@ _Noreturn static void run_here(const struct cagd_code_program *p, const struct c
         cagd_field_open(variables < CAGD_FIELD_MAX_VARIABLES ? variables : CAGD_FIELD_MAX_VARIABLES);
     }
     cagd_code_values_open();
+    snprintf(path, sizeof path, "/proc/self/fd/%d", p->file);
+    cagd_code_machine.object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (cagd_code_machine.object == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s", dlerror());
+    void *symbol = dlsym(cagd_code_machine.object, job->entry);
+    if (symbol == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "there is no function %s", job->entry);
+    memcpy(&entry, &symbol, sizeof entry);
     entry();
     fflush(NULL);
     cagd_code_machine.outcome->end = CAGD_CODE_FINISHED;
@@ -247,11 +254,8 @@ struct cagd_code_outcome *cagd_code_run(const struct cagd_code_program *p, const
     fflush(NULL);
     pid_t child = fork();
     if (child == 0) {
-        cagd_code_machine = (struct cagd_code_machine){.job = &bounded,
-                                                       .outcome = o,
-                                                       .free_room = (char *)(o + 1),
-                                                       .end_of_room = (char *)o + ROOM,
-                                                       .object = p->object};
+        cagd_code_machine = (struct cagd_code_machine){
+            .job = &bounded, .outcome = o, .free_room = (char *)(o + 1), .end_of_room = (char *)o + ROOM};
         cagd_code_machine.free_room += 16 - (uintptr_t)cagd_code_machine.free_room % 16;
         run_here(p, &bounded);
     }

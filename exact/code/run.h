@@ -14,6 +14,7 @@ struct cagd_code_input {
     const char *name;
     int count;
     const char *const *value;
+    const int *like; /* element k is the variable of element like[k] <= k; NULL: each its own */
     int variable;
 };
 
@@ -40,6 +41,7 @@ struct cagd_code_condition {
     struct cagd_code_condition *next;
     const char *left, *relation, *right, *difference; /* difference: left - right, as a text                       */
     int given;                                        /* of a precondition                                         */
+    int implied;                                      /* by the preconditions: nothing that need be said           */
     struct cagd_code_place place;
 };
 

@@ -302,6 +302,9 @@ cagd_code_value cagd_code_variable(const char *name, cagd_num_q value)
 {
     cagd_code_value v = {.q = value, .f = cagd_variable_f(name)};
     cagd_code_check_faults();
+    for (int k = 0; k < variable_count; k++)
+        if (cagd_equal_f(variables[k].variable, v.f))
+            return v;
     variables[variable_count].variable = v.f;
     variables[variable_count++].value = value;
     return v;

@@ -13,7 +13,7 @@ int main(int argc, char **argv)
 {
     static const char *const words[] = {"rational", "field", "interval", "rounding"};
     static const char *const x[] = {"2/3"}, *const y[] = {"-5/7"};
-    static const struct cagd_code_input inputs[] = {{"x", 0, x, 1}, {"y", 0, y, 1}};
+    static const struct cagd_code_input inputs[] = {{"x", 0, x, NULL, 1}, {"y", 0, y, NULL, 1}};
     char message[400];
     if (argc < 3)
         return 2;
@@ -42,6 +42,8 @@ int main(int argc, char **argv)
         else
             for (struct cagd_code_result *r = o->results; r != NULL; r = r->next)
                 printf("%s%s", r == o->results ? ": " : "; ", r->got_field != NULL ? r->got_field : r->got);
+        if (o->end == CAGD_CODE_FINISHED && job.numbers == CAGD_CODE_ROUNDING && o->results != NULL)
+            printf(" computed %.17g ulps %.6g", o->results->computed, o->results->ulps);
         if (o->end == CAGD_CODE_FINISHED)
             for (struct cagd_code_condition *c = o->conditions; c != NULL; c = c->next)
                 printf(" | %s %s %s", c->left, c->relation, c->right);

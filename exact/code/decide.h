@@ -1,0 +1,55 @@
+/* decide.h -- what a harness asks is answered: at points, in the field, and what rounding costs. */
+#ifndef CAGD_CODE_DECIDE_H
+#define CAGD_CODE_DECIDE_H
+
+#include "exact/code/points.h"
+
+enum cagd_code_word {
+    CAGD_CODE_PROVED,    /* equal in the field, under each of the lists of conditions                        */
+    CAGD_CODE_SAMPLED,   /* equal at all points that were tried                                              */
+    CAGD_CODE_ENCLOSED,  /* never different; some results are known as intervals only                        */
+    CAGD_CODE_DIFFERS,   /* a point where a result is another                                                */
+    CAGD_CODE_UNDECIDED, /* something could not be carried, or a bound was met                               */
+    CAGD_CODE_COMPUTED   /* nothing was expected                                                             */
+};
+
+/* One way through the code: a point that goes it, and what the field says there; field: NULL when it was not asked. */
+struct cagd_code_path {
+    unsigned long long hash;
+    struct cagd_code_point *point;
+    struct cagd_code_outcome *field;
+    int proved;
+};
+
+/* The worst of one result in binary64. */
+struct cagd_code_worst {
+    char name[64], line[300];
+    double ulps, part; /* of the error that arises at the line, from 0 to 1 */
+    struct cagd_code_point *point;
+    double computed;
+    char exact[64];
+};
+
+enum { CAGD_CODE_MOST_PATHS = 256, CAGD_CODE_MOST_WORST = 64 };
+
+struct cagd_code_verdict {
+    enum cagd_code_word word;
+    long points, outside; /* tried with result; where a precondition is not true or 0 was divided by */
+    long patterns, seen;  /* of equal neighbours, and with how many of them a point was found        */
+    int paths, proved;    /* ways through the code that were met; in the field                       */
+    int untold;           /* ways beyond those in the list                                           */
+    struct cagd_code_path path[CAGD_CODE_MOST_PATHS];
+    struct cagd_code_point *point;     /* that differs, or that could not be done, or was computed            */
+    struct cagd_code_outcome *outcome; /* of that point                                                  */
+    char message[1000];                /* why it is not proved, or not decided; else empty               */
+    int worsts;
+    long rounded, turned; /* points in binary64; comparisons there that rounding turned                 */
+    char turned_at[300];
+    struct cagd_code_worst worst[CAGD_CODE_MOST_WORST];
+};
+
+/* points, at least 1; rounding: how many points in binary64, 0 for none. */
+struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                                           long points, long rounding);
+void cagd_code_verdict_free(struct cagd_code_verdict *v);
+#endif

@@ -1,0 +1,511 @@
+/* harness.c -- reads the blocks and writes their drivers; see harness.h. */
+#include "exact/code/harness.h"
+
+#include "exact/number/field.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_COUNT = 1000 };
+
+static int wrong(struct cagd_code_harness_error *error, int line, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vsnprintf(error->cause, sizeof error->cause, format, list);
+    va_end(list);
+    error->line = line;
+    return -1;
+}
+
+/* ---- texts --------------------------------------------------------------------------------------------- */
+
+static char *copied(const char *start, size_t length)
+{
+    char *text = malloc(length + 1);
+    if (text == NULL)
+        abort();
+    memcpy(text, start, length);
+    text[length] = 0;
+    return text;
+}
+
+/* Without blanks at the ends. */
+static char *trimmed(const char *start, size_t length)
+{
+    while (length > 0 && isspace((unsigned char)*start))
+        start++, length--;
+    while (length > 0 && isspace((unsigned char)start[length - 1]))
+        length--;
+    return copied(start, length);
+}
+
+static int read_name(const char **at, char name[CAGD_CODE_MOST_NAME + 1])
+{
+    int n = 0;
+    while (isspace((unsigned char)**at))
+        ++*at;
+    if (!isalpha((unsigned char)**at) && **at != '_')
+        return -1;
+    while (isalnum((unsigned char)**at) || **at == '_') {
+        if (n == CAGD_CODE_MOST_NAME)
+            return -1;
+        name[n++] = *(*at)++;
+    }
+    name[n] = 0;
+    return 0;
+}
+
+/* "[12]", or nothing, which is 0. */
+static int read_count(const char **at, int *count)
+{
+    *count = 0;
+    if (**at != '[')
+        return 0;
+    char *end;
+    long n = strtol(*at + 1, &end, 10);
+    if (*end != ']' || n < 1 || n > MOST_COUNT)
+        return -1;
+    *at = end + 1;
+    *count = (int)n;
+    return 0;
+}
+
+/* ---- inputs -------------------------------------------------------------------------------------------- */
+
+static int is_number(const char *text)
+{
+    cagd_region_mark mark = cagd_region_open();
+    unsigned faults = cagd_region_faults;
+    cagd_region_faults = 0;
+    cagd_from_string_q(text);
+    int good = cagd_region_faults == 0;
+    cagd_region_faults = faults;
+    cagd_region_drop(mark);
+    return good;
+}
+
+static int read_values(struct cagd_code_asked_input *in, const char *at, int line,
+                       struct cagd_code_harness_error *error)
+{
+    int wanted = in->count > 0 ? in->count : 1;
+    in->shape = CAGD_CODE_FIXED;
+    in->value = calloc((size_t)wanted, sizeof *in->value);
+    if (in->value == NULL)
+        abort();
+    for (int k = 0;; k++) {
+        at += strspn(at, " \t,");
+        size_t length = strcspn(at, " \t,");
+        if (length == 0)
+            return k == wanted ? 0 : wrong(error, line, "%s has %d values; %d were expected", in->name, k, wanted);
+        if (k == wanted)
+            return wrong(error, line, "%s has more values than the %d expected", in->name, wanted);
+        in->value[k] = copied(at, length);
+        if (!is_number(in->value[k]))
+            return wrong(error, line, "\"%s\" is no number; one like 3, -3/7 or 0.35 was expected", in->value[k]);
+        at += length;
+    }
+}
+
+/* A number, or an earlier input. */
+static int is_end(const struct cagd_code_harness *h, const char *text)
+{
+    char name[CAGD_CODE_MOST_NAME + 1];
+    const char *at = text;
+    if (is_number(text))
+        return 1;
+    if (read_name(&at, name) != 0)
+        return 0;
+    for (int k = 0; k < h->inputs; k++)
+        if (strcmp(h->input[k].name, name) == 0) {
+            if (h->input[k].count == 0)
+                return *at == 0;
+            char *end;
+            long index = *at == '[' ? strtol(at + 1, &end, 10) : -1;
+            return index >= 0 && index < h->input[k].count && strcmp(end, "]") == 0;
+        }
+    return 0;
+}
+
+static int read_range(const struct cagd_code_harness *h, struct cagd_code_asked_input *in, const char *at, int line,
+                      struct cagd_code_harness_error *error)
+{
+    const char *comma = strchr(at, ','), *end = at + strlen(at) - 1;
+    in->shape = CAGD_CODE_BETWEEN;
+    if ((*at != '[' && *at != '(') || comma == NULL || (*end != ']' && *end != ')'))
+        return wrong(error, line, "a range like [0, 1] or (a, b) was expected after \"in\"");
+    in->open_low = *at == '(';
+    in->open_high = *end == ')';
+    in->low = trimmed(at + 1, (size_t)(comma - at - 1));
+    in->high = trimmed(comma + 1, (size_t)(end - comma - 1));
+    const char *const side[2] = {in->low, in->high};
+    for (int k = 0; k < 2; k++)
+        if (!is_end(h, side[k]))
+            return wrong(error, line, "\"%s\" is no end of a range: a number or an earlier input was expected",
+                         side[k]);
+    return 0;
+}
+
+static int read_input(struct cagd_code_harness *h, const char *item, int line, struct cagd_code_harness_error *error)
+{
+    if (h->inputs == CAGD_CODE_MOST_IN_HARNESS)
+        return wrong(error, line, "more than %d inputs", CAGD_CODE_MOST_IN_HARNESS);
+    struct cagd_code_asked_input *in = &h->input[h->inputs];
+    *in = (struct cagd_code_asked_input){.count = 0};
+    const char *at = item;
+    if (read_name(&at, in->name) != 0)
+        return wrong(error, line, "\"%s\": a name of at most %d letters was expected", item, CAGD_CODE_MOST_NAME);
+    if (read_count(&at, &in->count) != 0)
+        return wrong(error, line, "%s: a number of elements from 1 to %d was expected", in->name, MOST_COUNT);
+    for (int k = 0; k < h->inputs; k++)
+        if (strcmp(h->input[k].name, in->name) == 0)
+            return wrong(error, line, "%s is an input already", in->name);
+    h->inputs++; /* from here on freed with the rest */
+    at += strspn(at, " \t");
+    int status = 0;
+    if (*at == 0)
+        in->shape = CAGD_CODE_ANY;
+    else if (*at == '=')
+        status = read_values(in, at + 1, line, error);
+    else if (strcmp(at, "increasing") == 0 && in->count > 0)
+        in->shape = CAGD_CODE_INCREASING;
+    else if (strcmp(at, "nondecreasing") == 0 && in->count > 0)
+        in->shape = CAGD_CODE_NONDECREASING;
+    else if (strncmp(at, "in ", 3) == 0)
+        status = read_range(h, in, at + 3 + strspn(at + 3, " \t"), line, error);
+    else if (*at == '>' && strcmp(at + 1 + strspn(at + 1, " \t"), "0") == 0)
+        in->shape = CAGD_CODE_POSITIVE;
+    else
+        status = wrong(error, line,
+                       "%s: \"%s\" is not known; nothing, \"= values\", \"> 0\", \"in [a, b]\", or for an array "
+                       "\"increasing\" or \"nondecreasing\" was expected",
+                       in->name, at);
+    return status;
+}
+
+/* ---- blocks ----------------------------------------------------------------------------------------------- */
+
+static int add_line(struct cagd_code_lines *l, char *text, int number, struct cagd_code_harness_error *error)
+{
+    if (l->count == CAGD_CODE_MOST_IN_HARNESS) {
+        free(text);
+        return wrong(error, number, "more than %d lines of one key", CAGD_CODE_MOST_IN_HARNESS);
+    }
+    l->number[l->count] = number;
+    l->text[l->count++] = text;
+    return 0;
+}
+
+static int take_entry(struct cagd_code_harness *h, const char *key, const char *text, int line,
+                      struct cagd_code_harness_error *error)
+{
+    const struct {
+        const char *key;
+        struct cagd_code_lines *lines;
+    } lists[] = {{"source", &h->source}, {"include", &h->include}, {"declare", &h->declare}, {"where", &h->where},
+                 {"call", &h->call},     {"output", &h->output},   {"expect", &h->expect}};
+    for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
+        if (strcmp(key, lists[k].key) == 0) {
+            if (lists[k].lines == &h->expect && strchr(text, '=') == NULL)
+                return wrong(error, line, "\"NAME = what it should be\" was expected");
+            return add_line(lists[k].lines, copied(text, strlen(text)), line, error);
+        }
+    if (strcmp(key, "flag") == 0) {
+        for (size_t length; text += strspn(text, " \t"), (length = strcspn(text, " \t")) > 0; text += length)
+            if (add_line(&h->flag, copied(text, length), line, error) != 0)
+                return -1;
+        return 0;
+    }
+    if (strcmp(key, "input") == 0) {
+        for (;;) {
+            size_t length = strcspn(text, ";");
+            char *item = trimmed(text, length);
+            int status = *item == 0 ? 0 : read_input(h, item, line, error);
+            free(item);
+            if (status != 0 || text[length] == 0)
+                return status;
+            text += length + 1;
+        }
+    }
+    if (strcmp(key, "title") == 0) {
+        free(h->title);
+        h->title = copied(text, strlen(text));
+        return 0;
+    }
+    if (strcmp(key, "points") == 0) {
+        char *end;
+        long n = strtol(text, &end, 10);
+        if (*end != 0 || n < 1 || n > 100000)
+            return wrong(error, line, "a number of points from 1 to 100000 was expected");
+        h->points = (int)n;
+        return 0;
+    }
+    if (strcmp(key, "roots") == 0) {
+        h->refuse_roots = strcmp(text, "refuse") == 0;
+        return h->refuse_roots || strcmp(text, "enclose") == 0
+                   ? 0
+                   : wrong(error, line, "\"refuse\" or \"enclose\" was expected");
+    }
+    return wrong(error, line,
+                 "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, points, "
+                 "roots and title are known",
+                 key);
+}
+
+static int finish(const struct cagd_code_harness *h, struct cagd_code_harness_error *error)
+{
+    if (h->call.count == 0)
+        return wrong(error, h->line, "%s: there is no :call:", h->name);
+    if (h->expect.count + h->output.count == 0)
+        return wrong(error, h->line, "%s: there is neither :expect: nor :output:", h->name);
+    if (cagd_code_variables(h) > CAGD_FIELD_MAX_VARIABLES - 8)
+        return wrong(error, h->line, "%s: more than %d variables", h->name, CAGD_FIELD_MAX_VARIABLES - 8);
+    return 0;
+}
+
+/* The entry that has been gathered so far, if any, is taken; `entry` is ":key: text". */
+static int flush_entry(struct cagd_code_harness *h, char **entry, int line, struct cagd_code_harness_error *error)
+{
+    if (*entry == NULL)
+        return 0;
+    char *end = strchr(*entry + 1, ':');
+    int status = -1;
+    if (end == NULL) {
+        wrong(error, line, "\":key: text\" was expected");
+    } else {
+        char *key = copied(*entry + 1, (size_t)(end - *entry - 1)), *text = trimmed(end + 1, strlen(end + 1));
+        status = take_entry(h, key, text, line, error);
+        free(key);
+        free(text);
+    }
+    free(*entry);
+    *entry = NULL;
+    return status;
+}
+
+struct cagd_code_harness *cagd_code_read_harness(const char *text, struct cagd_code_harness_error *error)
+{
+    static const char opening[] = ":::{exactly}";
+    struct cagd_code_harness *first = NULL, **last = &first, *h = NULL;
+    char *entry = NULL;
+    int number = 0, begun = 0;
+    while (*text != 0) {
+        size_t length = strcspn(text, "\n");
+        char *line = copied(text, length);
+        number++;
+        text += length + (text[length] == '\n');
+        if (h == NULL && strncmp(line, opening, sizeof opening - 1) == 0) {
+            h = *last = calloc(1, sizeof *h);
+            if (h == NULL)
+                abort();
+            last = &h->next;
+            h->line = number;
+            h->points = 20;
+            h->name = trimmed(line + sizeof opening - 1, strlen(line) - (sizeof opening - 1));
+            if (*h->name == 0 && wrong(error, number, "the block has no name") != 0)
+                goto failed;
+        } else if (h != NULL && strncmp(line, ":::", 3) == 0) {
+            if (flush_entry(h, &entry, begun, error) != 0 || finish(h, error) != 0)
+                goto failed;
+            h = NULL;
+        } else if (h != NULL && *line == ':') {
+            if (flush_entry(h, &entry, begun, error) != 0)
+                goto failed;
+            entry = copied(line, strlen(line));
+            begun = number;
+        } else if (h != NULL && entry != NULL && (*line == ' ' || *line == '\t')) {
+            size_t had = strlen(entry);
+            entry = realloc(entry, had + strlen(line) + 2);
+            if (entry == NULL)
+                abort();
+            entry[had] = '\n';
+            strcpy(entry + had + 1, line);
+        } else if (h != NULL && *line != 0) {
+            wrong(error, number, "\":key: text\" or the end of the block, \":::\", was expected");
+            goto failed;
+        }
+        free(line);
+        continue;
+    failed:
+        free(line);
+        free(entry);
+        cagd_code_harness_free(first);
+        return NULL;
+    }
+    if (h != NULL)
+        wrong(error, h->line, "%s: the block does not end", h->name);
+    else if (first == NULL)
+        wrong(error, number, "no block :::{exactly} NAME is in it");
+    if (h != NULL) {
+        free(entry);
+        cagd_code_harness_free(first);
+        return NULL;
+    }
+    return first;
+}
+
+static void free_lines(struct cagd_code_lines *l)
+{
+    for (int k = 0; k < l->count; k++)
+        free(l->text[k]);
+}
+
+void cagd_code_harness_free(struct cagd_code_harness *h)
+{
+    while (h != NULL) {
+        struct cagd_code_harness *next = h->next;
+        struct cagd_code_lines *lists[] = {&h->source, &h->flag, &h->include, &h->declare,
+                                           &h->where,  &h->call, &h->output,  &h->expect};
+        for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
+            free_lines(lists[k]);
+        for (int k = 0; k < h->inputs; k++) {
+            struct cagd_code_asked_input *in = &h->input[k];
+            for (int j = 0; in->value != NULL && j < (in->count > 0 ? in->count : 1); j++)
+                free(in->value[j]);
+            free(in->value);
+            free(in->low);
+            free(in->high);
+        }
+        free(h->name);
+        free(h->title);
+        free(h);
+        h = next;
+    }
+}
+
+int cagd_code_variables(const struct cagd_code_harness *h)
+{
+    int variables = 0;
+    for (int k = 0; k < h->inputs; k++)
+        if (h->input[k].shape != CAGD_CODE_FIXED)
+            variables += h->input[k].count > 0 ? h->input[k].count : 1;
+    return variables;
+}
+
+/* ---- the driver --------------------------------------------------------------------------------------- */
+
+int cagd_code_is_cpp(const struct cagd_code_harness *h)
+{
+    static const char *const ends[] = {".cc", ".cpp", ".cxx", ".C"};
+    for (int k = 0; k < h->source.count; k++)
+        for (size_t e = 0; e < sizeof ends / sizeof *ends; e++) {
+            size_t n = strlen(h->source.text[k]), m = strlen(ends[e]);
+            if (n > m && strcmp(h->source.text[k] + n - m, ends[e]) == 0)
+                return 1;
+        }
+    return 0;
+}
+
+/* In C: an input, or a number as a quotient of integers. */
+static void write_end(const char *text, FILE *out)
+{
+    cagd_region_mark mark = cagd_region_open();
+    if (is_number(text)) {
+        cagd_num_q q = cagd_from_string_q(text);
+        char *numerator = mpz_get_str(NULL, 10, mpq_numref(q.at)),
+             *denominator = mpz_get_str(NULL, 10, mpq_denref(q.at));
+        fprintf(out, "((double)%s / (double)%s)", numerator, denominator);
+        void (*release)(void *, size_t);
+        mp_get_memory_functions(NULL, NULL, &release);
+        release(numerator, strlen(numerator) + 1);
+        release(denominator, strlen(denominator) + 1);
+    } else {
+        fputs(text, out);
+    }
+    cagd_region_drop(mark);
+}
+
+static void write_precondition(const struct cagd_code_asked_input *in, FILE *out)
+{
+    const char *element = in->count > 0 ? "[cagd_k]" : "";
+    if (in->shape == CAGD_CODE_ANY || in->shape == CAGD_CODE_FIXED)
+        return;
+    int ordered = in->shape == CAGD_CODE_INCREASING || in->shape == CAGD_CODE_NONDECREASING;
+    fprintf(out, "    for (int cagd_k = %d; cagd_k < %d; cagd_k++)\n        cagd_code_where(", ordered,
+            in->count > 0 ? in->count : 1);
+    if (ordered)
+        fprintf(out, "%s[cagd_k - 1] %s %s[cagd_k]", in->name,
+                in->shape == CAGD_CODE_INCREASING ? "<" : "<=", in->name);
+    else if (in->shape == CAGD_CODE_POSITIVE)
+        fprintf(out, "%s%s > 0", in->name, element);
+    else {
+        write_end(in->low, out);
+        fprintf(out, " %s %s%s && %s%s %s ", in->open_low ? "<" : "<=", in->name, element, in->name, element,
+                in->open_high ? "<" : "<=");
+        write_end(in->high, out);
+    }
+    fputs(");\n", out);
+}
+
+/* "R = f(x)" or "R[3] = W": what was got, its elements, and what was wanted. */
+static void write_expectation(const char *text, int line, const char *path, FILE *out)
+{
+    const char *equal = strchr(text, '=');
+    char *left = trimmed(text, (size_t)(equal - text)), *right = trimmed(equal + 1, strlen(equal + 1));
+    char *bracket = strrchr(left, '[');
+    char *end;
+    long count = bracket != NULL ? strtol(bracket + 1, &end, 10) : 0;
+    fprintf(out, "#line %d \"%s\"\n", line, path);
+    /* R[3] with a name alone to its left is an array, compared element by element */
+    if (bracket != NULL && strcmp(end, "]") == 0 && strcspn(left, "[.->(") == (size_t)(bracket - left))
+        fprintf(out, "    cagd_code_expect(\"%.*s\", %ld, %.*s, %s);\n", (int)(bracket - left), left, count,
+                (int)(bracket - left), left, right);
+    else
+        fprintf(out,
+                "    { const double cagd_got = %s, cagd_wanted = %s;\n      cagd_code_expect(\"%s\", 1, &cagd_got, "
+                "&cagd_wanted); }\n",
+                left, right, left);
+    free(left);
+    free(right);
+}
+
+static void write_output(const char *text, int line, const char *path, FILE *out)
+{
+    const char *bracket = strchr(text, '[');
+    fprintf(out, "#line %d \"%s\"\n", line, path);
+    if (bracket != NULL)
+        fprintf(out, "    cagd_code_output(\"%.*s\", %ld, %.*s);\n", (int)(bracket - text), text,
+                strtol(bracket + 1, NULL, 10), (int)(bracket - text), text);
+    else
+        fprintf(out, "    { const double cagd_out = %s; cagd_code_output(\"%s\", 1, &cagd_out); }\n", text, text);
+}
+
+void cagd_code_write_driver(const struct cagd_code_harness *h, const char *path, FILE *out)
+{
+    fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n"
+          "void cagd_code_input(const char *, long, double *);\n"
+          "void cagd_code_given(int);\nvoid cagd_code_where(int);\n"
+          "void cagd_code_output(const char *, long, const double *);\n"
+          "void cagd_code_expect(const char *, long, const double *, const double *);\n"
+          "void cagd_code_entry(void);\n"
+          "#ifdef __cplusplus\n}\n#endif\n",
+          out);
+    for (int k = 0; k < h->include.count; k++)
+        fprintf(out, "#line %d \"%s\"\n#include %s\n", h->include.number[k], path, h->include.text[k]);
+    for (int k = 0; k < h->declare.count; k++)
+        fprintf(out, "#line %d \"%s\"\n%s\n", h->declare.number[k], path, h->declare.text[k]);
+    fputs("void cagd_code_entry(void)\n{\n", out);
+    for (int k = 0; k < h->inputs; k++) {
+        const struct cagd_code_asked_input *in = &h->input[k];
+        if (in->count > 0)
+            fprintf(out, "    double %s[%d];\n    cagd_code_input(\"%s\", %d, %s);\n", in->name, in->count, in->name,
+                    in->count, in->name);
+        else
+            fprintf(out, "    double %s;\n    cagd_code_input(\"%s\", 1, &%s);\n", in->name, in->name, in->name);
+    }
+    fputs("    cagd_code_given(1);\n", out);
+    for (int k = 0; k < h->inputs; k++)
+        write_precondition(&h->input[k], out);
+    for (int k = 0; k < h->where.count; k++)
+        fprintf(out, "#line %d \"%s\"\n    cagd_code_where(%s);\n", h->where.number[k], path, h->where.text[k]);
+    fputs("    cagd_code_given(0);\n", out);
+    for (int k = 0; k < h->call.count; k++)
+        fprintf(out, "#line %d \"%s\"\n    %s\n", h->call.number[k], path, h->call.text[k]);
+    for (int k = 0; k < h->output.count; k++)
+        write_output(h->output.text[k], h->output.number[k], path, out);
+    for (int k = 0; k < h->expect.count; k++)
+        write_expectation(h->expect.text[k], h->expect.number[k], path, out);
+    fputs("}\n", out);
+}

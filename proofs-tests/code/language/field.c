@@ -1,0 +1,64 @@
+/* Functions of the variables x and y, at x = 2/3, y = -5/7.  "~ EXPRESSION": in Python, of x and y; "| CONDITION": one of those told. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+double input_x(void);
+double input_y(void);
+
+/* ~ (x + y) ** 3 */
+double f_power(void) { double s = input_x() + input_y(); return s * s * s; }
+/* ~ (x - y) / (x + y) */
+double f_quotient(void) { double x = input_x(), y = input_y(); return (x - y) / (x + y); }
+/* ~ x + y */
+double f_cancelled(void) { double x = input_x(), y = input_y(); return (x * x - y * y) / (x - y); }
+/* ~ -y | y < 0 */
+double f_fabs(void) { return fabs(input_y()); }
+/* ~ x | x > 0 */
+double f_branch(void) { double x = input_x(); if (x > 0) return x; return -x; }
+/* ~ x | x > y */
+double f_fmax(void) { return fmax(input_x(), input_y()); }
+/* ~ x - y | y < x */
+double f_swap(void) { double a = input_x(), b = input_y(); if (b < a) { double t = a; a = b; b = t; } return b - a; }
+/* ~ y | x-y >= 1/1000000000 */
+double f_tolerance(void) { double x = input_x(), y = input_y(); return fabs(x - y) < 1.0 / 1000000000 ? x : y; }
+/* ~ 0 | x < 1 */
+double f_floor(void) { return floor(input_x()); }
+/* ~ -1 * x | y < -1/2 */
+double f_round(void) { return round(input_y()) * input_x(); }
+/* ~ 0 * x | y > -1 */
+double f_int(void) { return (int)input_y() * input_x(); }
+/* ~ x * x */
+double f_equal_needs_no_condition(void) { double x = input_x(); return x * x == pow(x, 2) ? pow(x, 2) : 0; }
+/* ~ x ** 5 / y ** 3 */
+double f_pow(void) { return pow(input_x(), 5) * pow(input_y(), -3); }
+/* ~ x + 1 | x+1 >= 0 */
+double f_root_of_a_square(void) { double x = input_x(); return sqrt(x * x + 2 * x + 1); }
+/* ~ x * x + 1 */
+double f_root_squared(void) { double r = sqrt(input_x() * input_x() + 1), z = r * r; return z == input_x() * input_x() + 1 ? input_x() * input_x() + 1 : 0; }
+/* ~ 1 */
+double f_circle(void) { double s = sin(input_x()), c = cos(input_x()), z = s * s + c * c; return z == 1 ? 1 : 0; }
+/* ~ x - y */
+double f_float(void) { float a = input_x(), b = input_y(); return a - b; }
+/* ~ x * y */
+double f_array(void) { double a[2] = {input_x(), input_y()}, b[2]; memcpy(b, a, sizeof a); return b[0] * b[1]; }
+/* ~ (1 - x) ** 2 * y + 2 * x * (1 - x) + x ** 2 / 3 */
+double f_casteljau(void) { double t = input_x(), p[3] = {input_y(), 1, 1.0 / 3}; for (int r = 1; r < 3; r++) for (int i = 0; i + r < 3; i++) p[i] = (1 - t) * p[i] + t * p[i + 1]; return p[0]; }
+/* ~ x */
+double f_printed(void) { char b[40]; snprintf(b, sizeof b, "%g", input_x() - input_y()); return strcmp(b, "x-y") == 0 ? input_x() : 0; }
+/* ~ x / 2 */
+double f_ldexp(void) { return ldexp(input_x(), -1); }
+/* ~ x + 1 | x >= 1/2 */
+double f_frexp(void) { int e; double m = frexp(input_x(), &e); return m + 1 - e; }
+/* ~ x | x != 0 */
+double f_truth(void) { return input_x() ? input_x() : 1; }
+/* ~ -x */
+double f_signbit(void) { return signbit(input_y()) ? -input_x() : input_x(); }
+/* ~ x */
+double f_isnan(void) { return isnan(input_x()) || !isfinite(input_y()) ? 0 : input_x(); }
+/* ! division by zero */
+double f_zero_function(void) { double x = input_x(); return 1 / (x * x - x * x); }
+/* ! exponent that varies */
+double f_exponent(void) { return pow(2, input_x()); }
+/* ! exp of a number */
+double f_exp(void) { return exp(input_x()); }

@@ -1,0 +1,110 @@
+/* The C library by name. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* = F(1, 3) */
+double l_fabs(void) { return fabs(-1.0 / 3); }
+/* = -7 */
+double l_floor(void) { return floor(-20.0 / 3); }
+/* = -6 */
+double l_ceil(void) { return ceil(-20.0 / 3); }
+/* = -6 */
+double l_trunc(void) { return trunc(-20.0 / 3); }
+/* = -4 */
+double l_round(void) { return round(-7.0 / 2); }
+/* = 2 */
+double l_rint_to_even(void) { return rint(5.0 / 2); }
+/* = 4 */
+double l_nearbyint(void) { return nearbyint(7.0 / 2); }
+/* = 3 */
+double l_lround(void) { return lround(5.0 / 2); }
+/* = 2 */
+double l_lrint(void) { return lrint(5.0 / 2); }
+/* = F(1, 3) */
+double l_fmin(void) { return fmin(1.0 / 3, 1.0 / 2); }
+/* = F(1, 2) */
+double l_fmax(void) { return fmax(fmax(1.0 / 3, NAN), 1.0 / 2); }
+/* = F(1, 6) */
+double l_fdim(void) { return fdim(1.0 / 2, 1.0 / 3) + fdim(0, 1); }
+/* = -F(1, 3) */
+double l_copysign(void) { return copysign(1.0 / 3, -2); }
+/* = F(1, 3) * F(1, 5) + F(1, 7) */
+double l_fma(void) { return fma(1.0 / 3, 1.0 / 5, 1.0 / 7); }
+/* = F(1, 3) * 2 ** 70 */
+double l_ldexp(void) { return ldexp(1.0 / 3, 70); }
+/* = F(1, 3) / 8 */
+double l_scalbn(void) { return scalbn(1.0 / 3, -3); }
+/* = F(2, 3) + 100 * -1 */
+double l_frexp(void) { int e; double m = frexp(1.0 / 3, &e); return m + 100 * e; }
+/* = F(1, 2) + 100 * 4 */
+double l_frexp_of_a_power(void) { int e; double m = frexp(8, &e); return m + 100 * e; }
+/* = -F(2, 3) + 100 * -6 */
+double l_modf(void) { double w, f = modf(-20.0 / 3, &w); return f + 100 * w; }
+/* = F(2, 3) */
+double l_fmod(void) { return fmod(20.0 / 3, 2); }
+/* = -F(1, 3) */
+double l_remainder(void) { return remainder(17.0 / 3, 2); }
+/* = F(2, 3) ** 7 */
+double l_pow(void) { return pow(2.0 / 3, 7); }
+/* = F(3, 2) ** 3 */
+double l_pow_negative(void) { return pow(2.0 / 3, -3); }
+/* = 1 */
+double l_pow_zero(void) { return pow(2.0 / 3, 0); }
+/* = F(2, 3) */
+double l_pow_half(void) { return pow(4.0 / 9, 0.5); }
+/* = F(3, 7) */
+double l_sqrt(void) { return sqrt(9.0 / 49); }
+/* = F(3, 7) */
+double l_sqrtf(void) { return sqrtf(9.0f / 49); }
+/* = -F(3, 7) */
+double l_cbrt(void) { return cbrt(-27.0 / 343); }
+/* = F(5, 12) */
+double l_hypot(void) { return hypot(1.0 / 4, 1.0 / 3); }
+/* = 1 */
+double l_exp_of_zero(void) { return exp(1.0 / 3 - 2.0 / 6); }
+/* = 0 */
+double l_log_of_one(void) { return log(3 * (1.0 / 3)); }
+/* = F(1, 1024) */
+double l_exp2(void) { return exp2(-10); }
+/* = -10 */
+double l_log2(void) { return log2(1.0 / 1024); }
+/* = 3 */
+double l_log10(void) { return log10(1000); }
+/* = 1 */
+double l_sin_and_cos_of_zero(void) { return sin(0) + cos(0); }
+/* = 0 */
+double l_atan2_of_zero(void) { return atan2(0, 1.0 / 3); }
+/* = F(1, 3) ** 2 */
+double l_pointer_to_a_library_function(void) { double (*f)(double) = fabs; double x = f(-1.0 / 3); return x * x; }
+/* = F(1, 3) */
+double l_fabsf(void) { return fabsf(-1.0f / 3); }
+/* = 6 */
+double l_floorf(void) { return floorf(20.0f / 3); }
+/* = F(1, 5) */
+double l_fminf(void) { return fminf(1.0f / 5, 1.0f / 3); }
+/* = 1 */
+double l_snprintf(void) { char b[40]; snprintf(b, sizeof b, "%g %5d|%-6s|%c", 1.0 / 3, 42, "ab", 'x'); return strcmp(b, "1/3    42|ab    |x") == 0; }
+/* = 1 */
+double l_sprintf_width(void) { char b[40]; sprintf(b, "[%8.3f][%-6g]", 1.0 / 7, 2.0 / 3); return strcmp(b, "[     1/7][2/3   ]") == 0; }
+/* = 1 */
+double l_printf_of_integers(void) { char b[60]; snprintf(b, sizeof b, "%ld %llu %zu %x %%", -5l, 7ull, (size_t)9, 255u); return strcmp(b, "-5 7 9 ff %") == 0; }
+/* = 1 */
+double l_printf_star(void) { char b[40]; snprintf(b, sizeof b, "%*d %s", 5, 3, "y"); return strcmp(b, "    3 y") == 0; }
+/* = 1 */
+double l_printf_infinity(void) { char b[40]; snprintf(b, sizeof b, "%g", -INFINITY); return strcmp(b, "-inf") == 0; }
+/* = F(0.1) */
+double l_strtod(void) { return strtod("0.1", NULL); }
+/* = F(5, 2) */
+double l_atof(void) { return atof("2.5"); }
+/* = F(7, 4) */
+double l_sscanf(void) { double x; return sscanf("1.75", "%lf", &x) == 1 ? x : 0; }
+/* = 3 */
+double l_abs(void) { return abs(-3); }
+/* = 1 */
+double l_memcmp_of_texts(void) { return memcmp("abcdefgh", "abcdefgh", 8) == 0; }
+/* = F(2, 3) */
+double l_builtin(void) { return __builtin_fabs(-2.0 / 3); }
+/* = 2 */
+double l_strings(void) { char b[20]; strcpy(b, "a"); strcat(b, "b"); return strlen(b); }

@@ -1,0 +1,168 @@
+"""The language: small programs of every feature, run exactly and compared with what Python computes apart.
+
+    python3 test_language.py CAGD-COMPILE-EXACTLY RUN_PROGRAMS
+
+Above each program of language/ stands what it should give (see the first lines of the files)."""
+import math
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction as F
+
+COMPILER, RUNNER = sys.argv[1:3]
+del sys.argv[1:3]
+FOLDER = pathlib.Path(__file__).resolve().parent / "language"
+PROGRAM = re.compile(r"^/\* ([=!~#]) (.*?) \*/\n(?:double|static double) (\w+)\(void\)", re.M)
+FUNCTIONS = """
+#ifdef __cplusplus
+extern "C" {
+#endif
+void cagd_code_input(const char *, long, double *);
+void cagd_code_output(const char *, long, const double *);
+double input_x(void) { double x; cagd_code_input("x", 1, &x); return x; }
+double input_y(void) { double y; cagd_code_input("y", 1, &y); return y; }
+"""
+NAMES = {"F": F, "sum": sum, "range": range, "math": math, "struct": struct, "float": float, "int": int}
+
+
+def programs(name):
+    """Of each: its sign, what is said, its name, and the line marked "// here" or None."""
+    text = (FOLDER / name).read_text()
+    found = list(PROGRAM.finditer(text))
+    for k, m in enumerate(found):
+        end = found[k + 1].start() if k + 1 < len(found) else len(text)
+        here = text.find("// here", m.start(), end)
+        yield m[1], m[2], m[3], text.count("\n", 0, here) + 1 if here >= 0 else None
+
+
+class Language(unittest.TestCase):
+    count = 0
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def compiled(self, name, *others, flags=()):
+        path = pathlib.Path(self.folder.name)
+        names = [p[2] for p in programs(name)]
+        driver = FUNCTIONS + "".join(
+            f'double {n}(void);\nvoid run_{n}(void) {{ double r = {n}(); cagd_code_output("r", 1, &r); }}\n' for n in names)
+        driver += "#ifdef __cplusplus\n}\n#endif\n"
+        source = path / ("driver" + pathlib.Path(name).suffix)
+        source.write_text(driver)
+        made = subprocess.run([COMPILER, "-o", path / "object.so", source, FOLDER / name, *others, "--", "-w", *flags],
+                              capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        return path / "object.so"
+
+    def lines(self, numbers, name, *others, flags=()):
+        """What the runner says of each program: its result, or its message and place."""
+        made = self.compiled(name, *others, flags=flags)
+        ran = subprocess.run([RUNNER, numbers, made] + ["run_" + p[2] for p in programs(name)], capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        answers = [line for line in ran.stdout.splitlines() if line.startswith("run_")]
+        listed = list(programs(name))
+        self.assertEqual(len(answers), len(listed), ran.stdout)
+        Language.count += len(listed)
+        return zip(listed, answers)
+
+    def refused(self, program, answer):
+        sign, said, name, here = program
+        message, line = re.fullmatch(r"run_%s! (.*) \(.*:(\d+)\)" % name, answer, re.S).groups()
+        self.assertIn(said, message)
+        if here is not None:
+            self.assertEqual(int(line), here, answer)
+
+    def exact(self, name, *others, flags=()):
+        for program, answer in self.lines("rational", name, *others, flags=flags):
+            with self.subTest(program[2]):
+                if program[0] == "!":
+                    self.refused(program, answer)
+                else:
+                    self.assertEqual(answer, f"run_{program[2]}: {F(eval(program[1], dict(NAMES)))}")
+
+    def test_arithmetic(self):
+        self.exact("arithmetic.c")
+
+    def test_storage(self):
+        self.exact("storage.c")
+
+    def test_library(self):
+        self.exact("library.c")
+
+    def test_refused(self):
+        self.exact("refused.c")
+
+    def test_cpp(self):
+        self.exact("cpp.cc", flags=["-std=c++17"])
+
+    def test_several_files_and_an_archive(self):
+        folder = pathlib.Path(self.folder.name)
+        tools = subprocess.run([COMPILER, "--tools"], capture_output=True, text=True, check=True).stdout.strip()
+        subprocess.run([tools + "/clang", "-O0", "-ffp-model=strict", "-g", "-fPIC", "-c", "-emit-llvm", FOLDER / "archived.c",
+                        "-o", folder / "archived.o"], check=True)
+        subprocess.run(["ar", "rc", folder / "archive.a", folder / "archived.o"], check=True)
+        self.exact("several.c", FOLDER / "other.c", folder / "archive.a")
+
+    def test_long_double_as_double(self):
+        for program, answer in self.lines("rational", "refused.c", flags=["-mlong-double-64"]):
+            if program[2] == "r_long_double":
+                self.assertEqual(answer, "run_r_long_double: 1/3")
+
+    def test_optimised_code_has_plain_operations(self):
+        folder = pathlib.Path(self.folder.name)
+        tools = subprocess.run([COMPILER, "--tools"], capture_output=True, text=True, check=True).stdout.strip()
+        for level in ["-O1", "-O2", "-O3"]:
+            subprocess.run([tools + "/clang", level, "-march=x86-64-v3", "-g", "-fPIC", "-c", "-emit-llvm",
+                            FOLDER / "optimised.c", "-o", folder / "optimised.bc"], check=True)
+            self.assertEqual([answer for _, answer in self.lines("rational", "optimised_calls.c", folder / "optimised.bc")],
+                             ["run_o_dot: 1/3", "run_o_horner: 271/81", "run_o_largest: 5/7"], level)
+
+    def test_field(self):
+        places = [(F(2, 3), F(-5, 7)), (F(7, 11), F(-13, 17)), (F(19, 23), F(-29, 31))]
+        for program, answer in self.lines("field", "field.c"):
+            with self.subTest(program[2]):
+                if program[0] == "!":
+                    self.refused(program, answer)
+                    continue
+                said, _, condition = program[1].partition(" | ")
+                value, *conditions = answer.partition(": ")[2].split(" | ")
+                for x, y in places:
+                    names = dict(NAMES, x=x, y=y)
+                    formula = re.sub(r"\b(\d+)\b", r"F(\1)", value.replace("^", "**"))
+                    formula = re.sub(r"\*\*F\((\d+)\)", r"**\1", formula)
+                    self.assertEqual(eval(formula, dict(names)), eval(said, dict(names)), answer)
+                if condition:
+                    self.assertIn(condition, conditions)
+                else:
+                    self.assertNotIn("needs_no_condition", "" if not conditions else program[2])
+
+    def test_rounding(self):
+        """The computed value is the binary64 that Python computes by the same operations."""
+        for program, answer in self.lines("rounding", "rounding.c"):
+            with self.subTest(program[2]):
+                computed = re.search(r" computed (\S+)", answer)[1]
+                self.assertEqual(float(computed), float(eval(program[1], dict(NAMES))), answer)
+
+    def test_enclosures(self):
+        """In intervals, and in rationals where roots are enclosed: around what Python has to 15 digits."""
+        for numbers in ["enclose", "interval"]:
+            for program, answer in self.lines(numbers, "enclosed.c"):
+                with self.subTest(program[2]):
+                    low, high = map(float, re.search(r"in \[(.*), (.*)\]", answer).groups())
+                    value = eval(program[1], dict(NAMES))
+                    self.assertLessEqual(abs(low - value), 1e-14 * abs(value), answer)
+                    self.assertLessEqual(low, high)
+                    self.assertLessEqual(high - low, 1e-15 * abs(value))
+
+    @classmethod
+    def tearDownClass(cls):
+        print(f"{Language.count} programs")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
