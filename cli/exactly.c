@@ -13,7 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_BYTES = 1 << 22, MOST_SHOWN_PATHS = 6, MOST_SHOWN = 12, MOST_TEXT = 200, WIDTH = 100 };
+enum { MOST_BYTES = 1 << 22, MOST_SHOWN_PATHS = 4, MOST_SHOWN = 12, MOST_TEXT = 200, WIDTH = 100 };
 
 struct arguments {
     struct asked asked;
@@ -138,12 +138,14 @@ static void print_conditions(const struct cagd_code_outcome *o)
                                    c->relation, clipped(c->right));
         }
     print_row("where", at > 0 ? line : "(always)");
-    for (const char *d = o->denominators; d != NULL && *d != 0;) {
-        const char *end = strchr(d, '\n');
-        snprintf(line, sizeof line, "%.*s != 0", (int)(end - d), d);
-        print_row("defined where", line);
-        d = end + 1;
+    at = 0;
+    for (const char *d = o->denominators; d != NULL && *d != 0 && at < sizeof line;) {
+        size_t length = strcspn(d, "\n");
+        at += (size_t)snprintf(line + at, sizeof line - at, "%s%.*s != 0", at > 0 ? ", " : "", (int)length, d);
+        d += length + 1;
     }
+    if (at > 0)
+        print_row("and", line);
 }
 
 static void print_rounding(const struct cagd_code_verdict *v)
@@ -170,9 +172,11 @@ static void print_verdict(const struct cagd_code_harness *h, const struct cagd_c
     printf("%s%s%s", style(stdout, colour), words[v->word], style(stdout, PLAIN));
     switch (v->word) {
     case CAGD_CODE_PROVED:
-        printf(
-            ": equal for all values of the variables, on each of the %d ways through the code that %ld points took\n",
-            v->paths, v->points);
+        printf(": equal for all values of the variables, ");
+        if (v->paths == 1)
+            printf("on the one way through the code that all %ld points took\n", v->points);
+        else
+            printf("on each of the %d ways through the code that %ld points took\n", v->paths, v->points);
         break;
     case CAGD_CODE_SAMPLED:
         printf(": equal at all %ld points tried", v->points);
@@ -201,6 +205,10 @@ static void print_verdict(const struct cagd_code_harness *h, const struct cagd_c
             print_point(v->point);
             print_results(v->outcome);
         }
+    }
+    if (v->hole != NULL && v->word != CAGD_CODE_UNDECIDED) {
+        print_row("no value", v->hole_message);
+        print_point(v->hole);
     }
     int shown = 0;
     for (int k = 0; k < v->paths && v->word != CAGD_CODE_DIFFERS; k++) {
@@ -285,6 +293,10 @@ static json_t *verdict_json(const struct cagd_code_harness *h, const struct cagd
     if (v->patterns > 1)
         json_object_set_new(row, "patterns",
                             json_pack("{s:I, s:I}", "all", (json_int_t)v->patterns, "met", (json_int_t)v->seen));
+    if (v->hole != NULL)
+        json_object_set_new(row, "no_value",
+                            json_pack("{s:I, s:s, s:o}", "points", (json_int_t)v->undefined, "because", v->hole_message,
+                                      "point", point_json(v->hole)));
     if (v->point != NULL) {
         json_object_set_new(row, "point", point_json(v->point));
         json_object_set_new(row, "results", results_json(v->outcome));

@@ -141,6 +141,52 @@ static void add_to_order(struct order *o, const struct cagd_code_condition *c)
         *edge = strength;
 }
 
+/* Whether a condition says that the difference of this text is not 0. */
+static int is_said(const struct cagd_code_outcome *o, const char *text, size_t length)
+{
+    for (const struct cagd_code_condition *c = o->conditions; c != NULL; c = c->next)
+        if ((strlen(c->difference) == length && strncmp(c->difference, text, length) == 0) ||
+            (strlen(c->opposite) == length && strncmp(c->opposite, text, length) == 0))
+            if (strcmp(c->relation, "<") == 0 || strcmp(c->relation, ">") == 0 || strcmp(c->relation, "!=") == 0)
+                return 1;
+    return 0;
+}
+
+/* Denominators that cannot be 0 by what the conditions say are dropped. */
+static void drop_denominators(struct cagd_code_outcome *o)
+{
+    if (o->denominators == NULL)
+        return;
+    char *to = (char *)(uintptr_t)o->denominators;
+    for (const char *from = o->denominators; *from != 0;) {
+        size_t length = strcspn(from, "\n");
+        if (!is_said(o, from, length)) {
+            memmove(to, from, length + 1);
+            to += length + 1;
+        }
+        from += length + 1;
+    }
+    *to = 0;
+}
+
+/* x != y where x <= y is known is x < y. */
+static void sharpen(struct cagd_code_outcome *outcome, struct order *o)
+{
+    for (struct cagd_code_condition *c = outcome->conditions; c != NULL; c = c->next) {
+        int a = node_of(o, c->left), b = node_of(o, c->right);
+        if (c->given || strcmp(c->relation, "!=") != 0 || a < 0 || b < 0)
+            continue;
+        if (o->below[a][b] != 0 && o->below[b][a] == 0) {
+            c->relation = "<";
+        } else if (o->below[b][a] != 0 && o->below[a][b] == 0) { /* the smaller one to the left */
+            const char *left = c->left, *difference = c->difference;
+            c->left = c->right, c->right = left;
+            c->difference = c->opposite, c->opposite = difference;
+            c->relation = "<";
+        }
+    }
+}
+
 /* Each condition of the code is dropped that follows, by chains of inequalities, from the preconditions and from those of the
  * code that are kept. */
 static void simplify(struct cagd_code_outcome *outcome)
@@ -159,6 +205,8 @@ static void simplify(struct cagd_code_outcome *outcome)
         int a = node_of(o, c->left), b = node_of(o, c->right);
         c->implied = !c->given && a >= 0 && b >= 0 && follows(o, a, b, c->relation);
     }
+    sharpen(outcome, o);
+    drop_denominators(outcome);
     /* of those that stay, one that follows from the others */
     for (struct cagd_code_condition *c = outcome->conditions; c != NULL; c = c->next) {
         if (c->given || c->implied)
@@ -187,14 +235,15 @@ static void keep(struct cagd_code_verdict *v, struct cagd_code_point *point, str
     v->outcome = o;
 }
 
-static void say(struct cagd_code_verdict *v, const struct cagd_code_outcome *o)
+/* Why and where the run ended, unless something is said already. */
+static void say(size_t room, char message[], const struct cagd_code_outcome *o)
 {
-    if (v->message[0] != 0)
+    if (message[0] != 0)
         return;
     if (o->line > 0)
-        snprintf(v->message, sizeof v->message, "%s, at %s:%d in %s", o->message, o->file, o->line, o->function);
+        snprintf(message, room, "%s, at %s:%d in %s", o->message, o->file, o->line, o->function);
     else
-        snprintf(v->message, sizeof v->message, "%s", o->message);
+        snprintf(message, room, "%s", o->message);
 }
 
 /* The path of the point becomes known; whether it was new.  Which variables are one belongs to it. */
@@ -225,6 +274,12 @@ static int try_point(const struct cagd_code_program *p, const struct cagd_code_h
     case CAGD_CODE_OUTSIDE:
         v->outside++;
         break;
+    case CAGD_CODE_UNDEFINED:
+        v->undefined++;
+        say(sizeof v->hole_message, v->hole_message, o);
+        if (v->hole == NULL)
+            v->hole = cagd_code_point_copy(point);
+        break;
     case CAGD_CODE_FINISHED:
         v->points++;
         if (!seen[k % v->patterns])
@@ -245,7 +300,7 @@ static int try_point(const struct cagd_code_program *p, const struct cagd_code_h
         }
         break;
     default:
-        say(v, o);
+        say(sizeof v->message, v->message, o);
         v->word = CAGD_CODE_UNDECIDED;
         if (v->point != NULL) {
             cagd_code_point_free(v->point);
@@ -268,7 +323,7 @@ static void prove(const struct cagd_code_program *p, const struct cagd_code_harn
         struct cagd_code_path *path = &v->path[k];
         path->field = run_at(p, h, path->point, CAGD_CODE_FIELD);
         if (path->field->end != CAGD_CODE_FINISHED) {
-            say(v, path->field);
+            say(sizeof v->message, v->message, path->field);
             continue;
         }
         simplify(path->field);
@@ -374,7 +429,10 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
     if (v->word != CAGD_CODE_DIFFERS && v->word != CAGD_CODE_UNDECIDED) {
         if (v->points == 0) {
             v->word = CAGD_CODE_UNDECIDED;
-            snprintf(v->message, sizeof v->message, "no point was found where the preconditions are true");
+            if (v->hole != NULL)
+                snprintf(v->message, sizeof v->message, "%s", v->hole_message);
+            else
+                snprintf(v->message, sizeof v->message, "no point was found where the preconditions are true");
         } else if (variables > 0 || v->word == CAGD_CODE_ENCLOSED) {
             enum cagd_code_word before = v->word;
             prove(p, h, v);
@@ -398,6 +456,7 @@ void cagd_code_verdict_free(struct cagd_code_verdict *v)
     for (int k = 0; k < v->worsts; k++)
         cagd_code_point_free(v->worst[k].point);
     cagd_code_point_free(v->point);
+    cagd_code_point_free(v->hole);
     cagd_code_outcome_free(v->outcome);
     free(v);
 }

@@ -34,10 +34,13 @@ enum { CAGD_CODE_MOST_PATHS = 256, CAGD_CODE_MOST_WORST = 64 };
 
 struct cagd_code_verdict {
     enum cagd_code_word word;
-    long points, outside; /* tried with result; where a precondition is not true or 0 was divided by */
-    long patterns, seen;  /* of equal neighbours, and with how many of them a point was found        */
-    int paths, proved;    /* ways through the code that were met; in the field                       */
-    int untold;           /* ways beyond those in the list                                           */
+    long points, outside;         /* tried with result; where a precondition is not true */
+    long undefined;               /* points where the code divides by zero, or the like               */
+    struct cagd_code_point *hole; /* the first of them; NULL: none                                      */
+    char hole_message[1000];
+    long patterns, seen; /* of equal neighbours, and with how many of them a point was found        */
+    int paths, proved;   /* ways through the code that were met; in the field                       */
+    int untold;          /* ways beyond those in the list                                           */
     struct cagd_code_path path[CAGD_CODE_MOST_PATHS];
     struct cagd_code_point *point;     /* that differs, or that could not be done, or was computed            */
     struct cagd_code_outcome *outcome; /* of that point                                                  */

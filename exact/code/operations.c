@@ -1,6 +1,7 @@
 /* operations.c -- arithmetic, order and conversions of values; see value.h and machine.h. */
 #include "exact/code/value.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -149,14 +150,11 @@ cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
     static const struct arithmetic o = {cagd_div_q, cagd_div_i, cagd_div_f};
     if (a.special || b.special) {
         if (!b.special && stand_in(b) == 0)
-            cagd_code_stop(CAGD_CODE_REFUSED, "a division by zero");
+            cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
         return cagd_code_special(stand_in(a) / stand_in(b));
     }
-    if (b.q.at != NULL && cagd_is_zero_q(b.q)) {
-        if (b.f.at != NULL && !cagd_code_vanishes(b.f))
-            cagd_code_stop(CAGD_CODE_OUTSIDE, "a division by zero at this point");
-        cagd_code_stop(CAGD_CODE_REFUSED, "a division by zero");
-    }
+    if (b.q.at != NULL && cagd_is_zero_q(b.q))
+        cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
     if (b.f.at != NULL)
         note_denominator(b.f);
     cagd_code_value v = combine(&o, a, b);
@@ -245,6 +243,78 @@ static void follow(int outcome)
     *path = (*path ^ (unsigned long long)(cagd_code_at ? cagd_code_at->line : 0)) * 0x100000001B3u;
 }
 
+/* The functions that conditions compare with 0, and what is known of their signs: those that are 0 hold for the whole path. */
+enum { MOST_SIGNS = 4096 };
+static struct {
+    cagd_num_f function;
+    int sign;
+} signs_known[MOST_SIGNS];
+static int sign_count;
+
+static void know_sign(cagd_num_f f, int holding)
+{
+    int opposite = (holding & SAME) | (holding & LESS ? GREATER : 0) | (holding & GREATER ? LESS : 0);
+    cagd_num_f minus = cagd_neg_f(f);
+    for (int k = 0; k < sign_count; k++)
+        if (cagd_equal_f(signs_known[k].function, f) || cagd_equal_f(signs_known[k].function, minus)) {
+            signs_known[k].sign &= cagd_equal_f(signs_known[k].function, f) ? holding : opposite;
+            return;
+        }
+    if (sign_count < MOST_SIGNS) {
+        signs_known[sign_count].function = f;
+        signs_known[sign_count++].sign = holding;
+    }
+}
+
+/* Whether f is 0 wherever the conditions hold: those that say that a function is 0, linear in a variable, are solved for it. */
+int cagd_code_vanishes_here(cagd_num_f f)
+{
+    if (cagd_code_vanishes(f))
+        return 1;
+    for (int k = 0; k < sign_count; k++) {
+        cagd_num_f zero = cagd_numerator_f(signs_known[k].function), variable, value;
+        if (signs_known[k].sign == SAME && cagd_code_solve(zero, &variable, &value)) {
+            f = cagd_substitute_f(f, variable, value);
+            if (cagd_region_faults & CAGD_FAULT_UNDEFINED) { /* a pole: nothing is known there */
+                cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
+                return 0;
+            }
+            for (int j = k + 1; j < sign_count; j++) {
+                cagd_num_f g = cagd_substitute_f(signs_known[j].function, variable, value);
+                if ((cagd_region_faults & CAGD_FAULT_UNDEFINED) == 0)
+                    signs_known[j].function = g;
+                cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
+            }
+        }
+    }
+    return cagd_code_vanishes(f);
+}
+
+static int is_name(const char *text, size_t length)
+{
+    for (size_t k = 0; k < length; k++)
+        if (!isalnum((unsigned char)text[k]) && strchr("_[]", text[k]) == NULL)
+            return 0;
+    return length > 0 && isalpha((unsigned char)*text);
+}
+
+/* "a-b" and "-b+a", where a and b are names: written into the two sides; whether it is so. */
+static int is_difference_of_names(const char *text, const char **left, const char **right)
+{
+    size_t minus = *text == '-', first = strcspn(text + minus, "+-*/^()"), second = strlen(text + minus + first);
+    char sign = text[minus + first];
+    if (second < 2 || sign != (minus ? '+' : '-') || !is_name(text + minus, first) ||
+        !is_name(text + minus + first + 1, second - 1))
+        return 0;
+    char *a = cagd_region_bytes(first + 1);
+    cagd_code_check_faults();
+    memcpy(a, text + minus, first);
+    a[first] = 0;
+    *left = minus ? text + minus + first + 1 : a;
+    *right = minus ? a : text + minus + first + 1;
+    return 1;
+}
+
 /* The condition that the relation is one of `holding`, each condition once. */
 static void note_condition(cagd_code_value a, cagd_code_value b, cagd_num_f difference, int holding)
 {
@@ -254,8 +324,11 @@ static void note_condition(cagd_code_value a, cagd_code_value b, cagd_num_f diff
     struct cagd_code_condition **last = &o->conditions;
     if (strlen(left) + strlen(right) > MOST_IN_CONDITION)
         left = "(a long expression)", right = "(another)";
+    is_difference_of_names(text, &left, &right);
+    know_sign(difference, holding);
+    const char *opposite = cagd_to_string_f(cagd_neg_f(difference));
     if (strlen(text) > MOST_IN_CONDITION)
-        text = "";
+        text = opposite = "";
     for (; *last != NULL; last = &(*last)->next)
         if (strcmp((*last)->relation, signs[holding]) == 0 && strcmp((*last)->left, left) == 0 &&
             strcmp((*last)->right, right) == 0)
@@ -265,6 +338,7 @@ static void note_condition(cagd_code_value a, cagd_code_value b, cagd_num_f diff
                                       .relation = signs[holding],
                                       .right = cagd_code_keep(right),
                                       .difference = cagd_code_keep(text),
+                                      .opposite = cagd_code_keep(opposite),
                                       .given = cagd_code_machine.given};
     if (cagd_code_at != NULL)
         c->place = (struct cagd_code_place){cagd_code_keep(cagd_code_at->file), cagd_code_keep(cagd_code_at->function),

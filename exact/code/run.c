@@ -144,7 +144,7 @@ static enum cagd_code_answer same(cagd_code_value a, cagd_code_value b)
     if (cagd_code_machine.job->numbers == CAGD_CODE_FIELD) {
         cagd_num_f difference = cagd_sub_f(cagd_code_function(a), cagd_code_function(b));
         cagd_code_check_faults();
-        if (cagd_code_vanishes(difference))
+        if (cagd_code_vanishes_here(difference))
             return CAGD_CODE_EQUAL;
     }
     if (a.q.at != NULL && b.q.at != NULL && cagd_code_machine.job->numbers != CAGD_CODE_INTERVAL) {

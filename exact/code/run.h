@@ -30,18 +30,19 @@ struct cagd_code_job {
 
 enum cagd_code_end {
     CAGD_CODE_FINISHED,
-    CAGD_CODE_OUTSIDE, /* a precondition is not true of these inputs                       */
-    CAGD_CODE_REFUSED, /* something cannot be carried, or has no value                      */
-    CAGD_CODE_BOUND,   /* memory, time or the size of a number                              */
-    CAGD_CODE_CRASHED  /* a signal                                                          */
+    CAGD_CODE_OUTSIDE,   /* a precondition is not true of these inputs                       */
+    CAGD_CODE_UNDEFINED, /* there is no value: a division by zero, the root of a negative number */
+    CAGD_CODE_REFUSED,   /* something cannot be carried                                      */
+    CAGD_CODE_BOUND,     /* memory, time or the size of a number                              */
+    CAGD_CODE_CRASHED    /* a signal                                                          */
 };
 
 /* A comparison that depends on the variables: the code ran under "left relation right". */
 struct cagd_code_condition {
     struct cagd_code_condition *next;
-    const char *left, *relation, *right, *difference; /* difference: left - right, as a text                       */
-    int given;                                        /* of a precondition                                         */
-    int implied;                                      /* by the preconditions: nothing that need be said           */
+    const char *left, *relation, *right, *difference, *opposite; /* left - right, right - left as texts, or ""    */
+    int given;   /* of a precondition                                         */
+    int implied; /* by the preconditions: nothing that need be said           */
     struct cagd_code_place place;
 };
 
@@ -65,7 +66,7 @@ struct cagd_code_outcome {
     int line; /* 0: unknown                                                                           */
     struct cagd_code_result *results;
     struct cagd_code_condition *conditions; /* each once                                             */
-    const char *denominators;               /* what is divided by, and must not be 0; NULL: nothing that varies */
+    const char *denominators;               /* what is divided by, a line each; NULL: nothing that varies */
     unsigned long long path;                /* two runs that decided alike have the same              */
     long operations, decided_otherwise;     /* the latter: comparisons that rounding turned           */
     struct cagd_code_place turned;          /* the first of them                                      */

@@ -59,7 +59,7 @@ void cagd_code_check_faults(void)
         cagd_code_stop(CAGD_CODE_BOUND, "more than %d variables and roots", CAGD_FIELD_MAX_VARIABLES);
     if (faults & CAGD_FAULT_UNABLE)
         cagd_code_stop(CAGD_CODE_REFUSED, "an enclosure contains a point where the operation is not defined");
-    cagd_code_stop(CAGD_CODE_REFUSED, "a division by zero");
+    cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
 }
 
 /* ---- a double and its value -------------------------------------------------------------------------- */
@@ -310,6 +310,20 @@ cagd_code_value cagd_code_variable(const char *name, cagd_num_q value)
     return v;
 }
 
+int cagd_code_solve(cagd_num_f f, cagd_num_f *variable, cagd_num_f *value)
+{
+    for (int k = variable_count - 1; k >= 0; k--)
+        if (cagd_has_degrees_f(f, variables[k].variable, 1, 0)) {
+            cagd_num_f slope = cagd_coefficient_f(f, variables[k].variable, 1);
+            if (!cagd_is_constant_f(slope, NULL))
+                continue;
+            *variable = variables[k].variable;
+            *value = cagd_neg_f(cagd_div_f(cagd_coefficient_f(f, *variable, 0), slope));
+            return 1;
+        }
+    return 0;
+}
+
 /* f at the point, or q.at = NULL where roots are in it. */
 static cagd_num_q at_point(cagd_num_f f)
 {
@@ -348,7 +362,7 @@ cagd_code_value cagd_code_square_root(cagd_code_value a)
     if (a.special)
         return cagd_code_special(sqrt(a.d));
     if (a.q.at != NULL ? cagd_sign_q(a.q) < 0 : cagd_sign_i(a.i) < 0)
-        cagd_code_stop(CAGD_CODE_REFUSED, "the square root of a negative number");
+        cagd_code_stop(CAGD_CODE_UNDEFINED, "the square root of a negative number");
     cagd_code_value v = {.d = sqrt(a.d)};
     if (a.q.at != NULL && job->numbers != CAGD_CODE_INTERVAL) {
         v.q = cagd_root_q(2, a.q);

@@ -51,6 +51,9 @@ cagd_code_value cagd_code_square_root(cagd_code_value a);
 cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point);
 /* Whether f is 0 for all values of the variables, given what the squares of roots are. */
 int cagd_code_vanishes(cagd_num_f f);
+int cagd_code_vanishes_here(cagd_num_f f); /* wherever the conditions of the path hold */
+/* A variable that f has linearly, times a constant, and what it is where f = 0; 0 when there is none. */
+int cagd_code_solve(cagd_num_f f, cagd_num_f *variable, cagd_num_f *value);
 cagd_num_f cagd_code_function(cagd_code_value v); /* v as an element of the field */
 cagd_num_i cagd_code_interval(cagd_code_value v);
 

@@ -1,0 +1,221 @@
+"""cagd exactly as its users meet it: the page that explains it, every verdict, every mistake.
+
+    python3 test_exactly.py CAGD ROOT
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.dom.minidom
+
+ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+PAGE = ROOT / "exact/code/example/README.md"
+
+
+def run(*args, **options):
+    return subprocess.run([CAGD, "exactly", *map(str, args)], capture_output=True, text=True, timeout=300, **options)
+
+
+class Exactly(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def harness(self, block, code="", name="code.c"):
+        """A page with that block beside that code; run as JSON: the one verdict, and the exit code."""
+        (self.folder / name).write_text(code)
+        (self.folder / "page.md").write_text("# Text\n\n" + block)
+        return self.folder / "page.md"
+
+    def verdict(self, block, code="", name="code.c", *options):
+        ran = run(self.harness(block, code, name), "--json", *options)
+        self.assertIn(ran.returncode, (0, 1), ran.stderr)
+        document = json.loads(ran.stdout)
+        self.assertEqual(document["schema"], "cagd-exactly-1")
+        (one,) = document["blocks"]
+        self.assertEqual(ran.returncode, int(one["verdict"] in ("differs", "undecided")))
+        return one
+
+    def refused(self, block, words, code=""):
+        ran = run(self.harness(block, code))
+        self.assertEqual(ran.returncode, 2, ran.stdout)
+        self.assertEqual(ran.stdout, "")
+        self.assertIn(words, ran.stderr)
+        self.assertEqual(len(ran.stderr.splitlines()), 1, ran.stderr)
+
+
+class Page(Exactly):
+    """What the page shows is what the program prints."""
+
+    def test_transcripts(self):
+        text = PAGE.read_text()
+        shown = re.findall(r"^```\n(.*?)^```$", text, re.M | re.S)
+        printed = run(PAGE)
+        self.assertEqual(printed.returncode, 1, printed.stderr)
+        self.assertGreaterEqual(len(shown), 3)
+        for one in shown:
+            self.assertIn(one, printed.stdout)
+
+    def test_rounding_names_a_line(self):
+        ran = run(PAGE, "--only", "casteljau_is_bernstein", "--rounding=60")
+        self.assertRegex(ran.stdout, r"R +[0-9.e+]+ ulps of the exact value at worst; \d+ % .* arises at \S*curves\.c:13\n")
+
+    def test_junit(self):
+        path = self.folder / "cases.xml"
+        run(PAGE, "--junit", path)
+        suite = xml.dom.minidom.parse(str(path)).documentElement
+        self.assertEqual((suite.getAttribute("tests"), suite.getAttribute("failures")), ("4", "1"))
+
+
+class Verdicts(Exactly):
+    BLOCK = ":::{exactly} it\n:source: code.c\n:declare: double f(double, double);\n:input: x; y\n:call: double r = f(x, y);\n:expect: r = %s\n:::\n"
+
+    def test_proved(self):
+        v = self.verdict(self.BLOCK % "x*x + 2*x*y + y*y", "double f(double x, double y) { return (x + y) * (x + y); }")
+        self.assertEqual((v["verdict"], v["paths"], v["paths_proved"]), ("proved", 1, 1))
+        self.assertEqual(v["ways"][0]["conditions"], [])
+
+    def test_another_function_is_not_proved(self):
+        v = self.verdict(self.BLOCK % "x*x + 2*x*y - y*y", "double f(double x, double y) { return (x + y) * (x + y); }")
+        self.assertEqual(v["verdict"], "differs")
+        self.assertEqual(v["point"], {"x": ["0"], "y": ["1"]})
+        self.assertEqual((v["results"][0]["value"], v["results"][0]["expected"]), ("1", "-1"))
+
+    def test_conditions_are_told(self):
+        v = self.verdict(self.BLOCK % "x > y ? x - y : y - x", "#include <math.h>\ndouble f(double x, double y) { return fabs(x - y); }")
+        self.assertEqual(v["verdict"], "proved")
+        told = {tuple(f"{c['left']} {c['relation']} {c['right']}" for c in w["conditions"] if not c["implied"]) for w in v["ways"]}
+        self.assertGreaterEqual(len(told), 2)
+        self.assertTrue(all(c["line"] > 0 for w in v["ways"] for c in w["conditions"]))
+
+    def test_a_tolerance_is_a_condition(self):
+        v = self.verdict(self.BLOCK % "x - y < 1e-9 ? 0 : x", "double f(double x, double y) { return x - y < 1e-9 ? 0 : x; }")
+        self.assertEqual(v["verdict"], "proved")
+        self.assertTrue(any("/" in c["right"] for w in v["ways"] for c in w["conditions"]))
+
+    def test_an_error_on_a_rare_way_is_found_once_it_is_taken(self):
+        code = "double f(double x, double y) { return x == 0 ? 1 : x * y; }"
+        v = self.verdict(self.BLOCK % "x * y", code, "code.c", "--points", "200")
+        self.assertEqual(v["verdict"], "differs")
+        self.assertEqual(v["point"]["x"], ["0"])
+
+    def test_preconditions_keep_points_out(self):
+        block = self.BLOCK.replace(":call:", ":where: x != 0\n:call:") % "x * y"
+        v = self.verdict(block, "double f(double x, double y) { return x == 0 ? 1 : x * y; }", "code.c", "--points", "100")
+        self.assertEqual(v["verdict"], "proved")
+        self.assertGreater(v["outside"], 0)
+        self.assertTrue(all(c["precondition"] or c["implied"] for w in v["ways"] for c in w["conditions"]))
+
+    def test_what_is_divided_by_is_told(self):
+        v = self.verdict(self.BLOCK % "x + y", "double f(double x, double y) { return (x * x - y * y) / (x - y); }")
+        self.assertEqual((v["verdict"], v["ways"][0]["not_zero"]), ("proved", ["x-y"]))
+        self.assertIn("a division by zero, at", v["no_value"]["because"])
+        self.assertEqual(v["no_value"]["point"]["x"], v["no_value"]["point"]["y"])
+
+    def test_a_condition_that_is_an_equality_is_used(self):
+        v = self.verdict(self.BLOCK % "x", "double f(double x, double y) { return x == y ? y : x; }", "code.c", "--points", "100")
+        self.assertEqual((v["verdict"], v["paths"]), ("proved", 2))
+
+    def test_refusals_name_the_line(self):
+        v = self.verdict(self.BLOCK % "x", "#include <math.h>\ndouble f(double x, double y)\n{\n    return tgamma(x);\n}\n")
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertRegex(v["because"], r"the function tgamma, at \S*code\.c:4 in f")
+
+    def test_roots(self):
+        code = "#include <math.h>\ndouble f(double x, double y) { double r = sqrt(x * x + y * y + 1); return r * r; }"
+        self.assertEqual(self.verdict(self.BLOCK % "x*x + y*y + 1", code)["verdict"], "proved")
+        self.assertEqual(self.verdict(self.BLOCK % "x*x + y*y + 2", code)["verdict"], "differs")
+        v = self.verdict(self.BLOCK.replace(":call:", ":roots: refuse\n:call:") % "x*x + y*y + 1", code)
+        self.assertIn("not rational", v["because"])
+
+    def test_no_end_of_time(self):
+        v = self.verdict(self.BLOCK % "x", "double f(double x, double y)\n{\n    for (;;)\n        y = y * y + 1;\n    return x;\n}\n")
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertRegex(v["because"], r"a number of more than \d+ bits, at \S*code\.c:4")
+
+    def test_an_output(self):
+        block = ":::{exactly} it\n:source: code.c\n:declare: void g(double, double *);\n:input: x\n:call: double r[2]; g(x, r);\n:output: r[2]\n:::\n"
+        v = self.verdict(block, "void g(double x, double *r) { r[0] = x / 3; r[1] = 1 - x; }")
+        self.assertEqual(v["verdict"], "computed")
+        self.assertEqual([r["name"] for r in v["results"]], ["r[0]", "r[1]"])
+
+    def test_arrays_are_compared_element_by_element(self):
+        block = (":::{exactly} it\n:source: code.c\n:declare: void g(double, double *);\n:input: x\n"
+                 ":call: double r[2], w[2] = {x / 3, x}; g(x, r);\n:expect: r[2] = w\n:::\n")
+        v = self.verdict(block, "void g(double x, double *r) { r[0] = x / 3; r[1] = 1 - x; }")
+        self.assertEqual(v["verdict"], "differs")
+        self.assertEqual([r["answer"] for r in v["results"]], ["equal", "different"])
+
+    def test_cpp(self):
+        block = self.BLOCK.replace("code.c", "code.cc") % "x * y"
+        code = "#include <vector>\ndouble f(double x, double y) { std::vector<double> v{x, y}; double p = 1; for (double a : v) p *= a; return p; }"
+        self.assertEqual(self.verdict(block, code, "code.cc")["verdict"], "proved")
+
+    def test_patterns_of_knots(self):
+        block = (":::{exactly} it\n:source: code.c\n:declare: double h(const double *);\n:input: k[4] nondecreasing\n:call: double r = h(k);\n"
+                 ":expect: r = k[3] - k[0]\n:::\n")
+        v = self.verdict(block, "double h(const double *k) { double s = 0; for (int i = 0; i < 3; i++) if (k[i] != k[i + 1]) s += k[i + 1] - k[i]; return s; }")
+        self.assertEqual((v["verdict"], v["patterns"]), ("proved", {"all": 8, "met": 8}))
+
+    def test_a_turned_comparison_is_told(self):
+        v = self.verdict(self.BLOCK % "1", "double f(double x, double y) { double a = x / 3 + y / 7; return (a - y / 7) * 3 == x; }", "code.c",
+                         "--rounding=50")
+        self.assertEqual(v["verdict"], "proved")
+        self.assertGreater(v["rounding"]["turned"], 0)
+
+
+class Mistakes(Exactly):
+    GOOD = ":::{exactly} it\n:input: x\n:call: double r = x;\n:expect: r = x\n:::\n"
+
+    def test_the_good_one(self):
+        self.assertEqual(self.verdict(self.GOOD)["verdict"], "proved")
+
+    def test_lines(self):
+        for words, wrong in [
+            ("no block :::{exactly} NAME is in it", "text\n"),
+            ("line 3: the block has no name", ":::{exactly}\n:::\n"),
+            ("the block does not end", self.GOOD.replace(":::\n", "")),
+            ("line 4: \"2x\": a name", self.GOOD.replace("input: x", "input: 2x")),
+            ("a number of elements from 1 to 1000", self.GOOD.replace("input: x", "input: x[0]")),
+            ("x is an input already", self.GOOD.replace("input: x", "input: x; x")),
+            ("\"big\" is not known", self.GOOD.replace("input: x", "input: x big")),
+            ("is no number", self.GOOD.replace("input: x", "input: x = 1/0")),
+            ("x has 1 values; 2 were expected", self.GOOD.replace("input: x", "input: x[2] = 1")),
+            ("more values than the 1 expected", self.GOOD.replace("input: x", "input: x = 1 2")),
+            ("a range like [0, 1]", self.GOOD.replace("input: x", "input: x in 3")),
+            ("\"z\" is no end of a range", self.GOOD.replace("input: x", "input: x in [0, z]")),
+            ("there is no key \"inputs\"", self.GOOD.replace("input", "inputs")),
+            ("there is no :call:", self.GOOD.replace(":call: double r = x;\n", "")),
+            ("neither :expect: nor :output:", self.GOOD.replace(":expect: r = x\n", "")),
+            ("what it should be", self.GOOD.replace("r = x\n", "r\n")),
+            ("a number of points", self.GOOD.replace(":call", ":points: many\n:call")),
+            ("\"refuse\" or \"enclose\"", self.GOOD.replace(":call", ":roots: no\n:call")),
+            ("more than 88 variables", self.GOOD.replace("input: x", "input: x; y[88]")),
+            ("the end of the block", self.GOOD.replace(":call", "call")),
+        ]:
+            with self.subTest(words):
+                self.refused(wrong, words)
+
+    def test_a_file_that_is_not_there(self):
+        ran = run(self.folder / "none.md")
+        self.assertEqual(ran.returncode, 2)
+        self.assertIn("cannot be read", ran.stderr)
+
+    def test_a_block_that_is_not_there(self):
+        ran = run(self.harness(self.GOOD), "--only", "other")
+        self.assertEqual(ran.returncode, 2)
+        self.assertIn("no block is named 'other'", ran.stderr)
+
+    def test_what_clang_says_names_the_page_and_its_line(self):
+        ran = run(self.harness(self.GOOD.replace("double r = x;", "double r = z;")))
+        self.assertEqual(ran.returncode, 2)
+        self.assertRegex(ran.stderr, r"page\.md:5:\d+: error: use of undeclared identifier 'z'")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
