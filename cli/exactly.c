@@ -1,6 +1,7 @@
 /* exactly.c -- cagd exactly: other people's code, executed in exact arithmetic. */
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/layout.h"
 #include "cli/output.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
