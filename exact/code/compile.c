@@ -23,7 +23,7 @@
 
 extern char **environ;
 
-enum { MOST_WORDS = 4096 };
+enum { MOST_WORDS = 4096, MOST_MEMBERS = 4096 };
 
 static char scratch[] = "/tmp/cagd-code-XXXXXX";
 static LLVMModuleRef everything;
@@ -70,55 +70,89 @@ static void run(char *const word[])
         exit(1);
 }
 
-/* The module of these bytes, which `name` names, joins the others. */
-static void take(LLVMMemoryBufferRef bytes, const char *name)
+static LLVMModuleRef read_module(LLVMMemoryBufferRef bytes, const char *name)
 {
     LLVMModuleRef module;
     if (LLVMParseBitcode2(bytes, &module))
         give_up(1, "no bitcode of this version of LLVM or an older one", name);
+    return module;
+}
+
+/* The module, which `name` names, joins the others. */
+static void take(LLVMModuleRef module, const char *name)
+{
     if (everything == NULL)
         everything = module;
     else if (LLVMLinkModules2(everything, module))
         give_up(1, "it cannot be linked with the others", name);
 }
 
-static void take_file(const char *path, const char *name)
+static LLVMMemoryBufferRef contents(const char *path, const char *name)
 {
     LLVMMemoryBufferRef bytes;
     char *message = NULL;
     if (LLVMCreateMemoryBufferWithContentsOfFile(path, &bytes, &message))
         give_up(1, message, name);
-    take(bytes, name);
+    return bytes;
 }
 
-/* An archive: "!<arch>\n", and for each member a head of 60 bytes, its size in the ten from 48 on, and its bytes, made even. */
+/* Whether the others miss something that the module defines. */
+static int is_missed(LLVMModuleRef module)
+{
+    size_t length;
+    for (LLVMValueRef v = LLVMGetFirstFunction(module); v != NULL; v = LLVMGetNextFunction(v)) {
+        LLVMValueRef known =
+            LLVMIsDeclaration(v) ? NULL : LLVMGetNamedFunction(everything, LLVMGetValueName2(v, &length));
+        if (known != NULL && LLVMIsDeclaration(known) && LLVMGetLinkage(v) == LLVMExternalLinkage)
+            return 1;
+    }
+    for (LLVMValueRef v = LLVMGetFirstGlobal(module); v != NULL; v = LLVMGetNextGlobal(v)) {
+        LLVMValueRef known =
+            LLVMIsDeclaration(v) ? NULL : LLVMGetNamedGlobal(everything, LLVMGetValueName2(v, &length));
+        if (known != NULL && LLVMIsDeclaration(known) && LLVMGetLinkage(v) == LLVMExternalLinkage)
+            return 1;
+    }
+    return 0;
+}
+
+/* An archive: "!<arch>\n", and for each member a head of 60 bytes, its size in the ten from 48 on, and its bytes, made even.
+ * Its members join where they are missed. */
 static void take_archive(const char *path)
 {
-    LLVMMemoryBufferRef bytes;
-    char *message = NULL;
-    if (LLVMCreateMemoryBufferWithContentsOfFile(path, &bytes, &message))
-        give_up(1, message, path);
+    static LLVMModuleRef member[MOST_MEMBERS];
+    LLVMMemoryBufferRef bytes = contents(path, path);
     const char *start = LLVMGetBufferStart(bytes);
-    size_t size = LLVMGetBufferSize(bytes), taken = 0;
+    size_t size = LLVMGetBufferSize(bytes), count = 0;
     if (size < 8 || memcmp(start, "!<arch>\n", 8) != 0)
         give_up(1, "no archive", path);
     for (size_t at = 8; at + 60 <= size;) {
         char digits[11] = {0};
         memcpy(digits, start + at + 48, 10);
         size_t length = strtoul(digits, NULL, 10);
-        const char *member = start + at + 60;
+        const char *inside = start + at + 60;
         if (length > size - at - 60)
             give_up(1, "an archive that ends too early", path);
-        if (length > 4 && memcmp(member, "BC\xC0\xDE", 4) == 0) {
-            take(LLVMCreateMemoryBufferWithMemoryRangeCopy(member, length, path), path);
-            taken++;
-        } else if (start[at] != '/') {
+        if (count == MOST_MEMBERS)
+            give_up(1, "an archive of too many members", path);
+        if (length > 4 && memcmp(inside, "BC\xC0\xDE", 4) == 0)
+            member[count++] = read_module(LLVMCreateMemoryBufferWithMemoryRangeCopy(inside, length, path), path);
+        else if (start[at] != '/')
             give_up(1, "a member of the archive is no bitcode; compile it with -emit-llvm", path);
-        }
         at += 60 + length + length % 2;
     }
-    if (taken == 0)
-        give_up(1, "an empty archive", path);
+    LLVMDisposeMemoryBuffer(bytes);
+    for (int again = 1; again;) {
+        again = 0;
+        for (size_t k = 0; k < count; k++)
+            if (member[k] != NULL && is_missed(member[k])) {
+                take(member[k], path);
+                member[k] = NULL;
+                again = 1;
+            }
+    }
+    for (size_t k = 0; k < count; k++)
+        if (member[k] != NULL)
+            LLVMDisposeModule(member[k]);
 }
 
 /* Whether the libraries of C and C++ have it: other names of the process that runs the object are not meant. */
@@ -139,7 +173,7 @@ int main(int argc, char **argv)
 {
     const char *out = NULL;
     char bitcode[64], all[64];
-    int files = 0, cpp = 0, flags = argc;
+    int files = 0, cpp = 0, archives = 0, flags = argc;
     if (argc == 2 && strcmp(argv[1], "--tools") == 0)
         return puts(CAGD_LLVM_BIN) == EOF;
     for (int k = 1; k < argc; k++) {
@@ -164,9 +198,9 @@ int main(int argc, char **argv)
         char *name = argv[k];
         cpp = cpp || is_cpp(name);
         if (ends_in(name, ".a")) {
-            take_archive(name);
+            archives++;
         } else if (ends_in(name, ".bc")) {
-            take_file(name, name);
+            take(read_module(contents(name, name), name), name);
         } else if (ends_in(name, ".c") || is_cpp(name)) {
             char *word[MOST_WORDS + 20] = {is_cpp(name) ? CAGD_LLVM_BIN "/clang++" : CAGD_LLVM_BIN "/clang",
                                            "-O0",
@@ -184,11 +218,16 @@ int main(int argc, char **argv)
             for (int f = flags; f < argc; f++)
                 word[words++] = argv[f];
             run(word);
-            take_file(bitcode, name);
+            take(read_module(contents(bitcode, name), name), name);
         } else {
             give_up(2, "a source in C or C++, bitcode or an archive of it was expected", name);
         }
     }
+    if (archives == files)
+        give_up(2, "nothing but archives, of which nothing is missed", NULL);
+    for (int k = 1; k <= files; k++)
+        if (ends_in(argv[k], ".a"))
+            take_archive(argv[k]);
     cagd_code_rewrite(everything, is_in_a_library);
     char *message = NULL;
     if (LLVMVerifyModule(everything, LLVMReturnStatusAction, &message))

@@ -103,9 +103,11 @@ class Language(unittest.TestCase):
     def test_several_files_and_an_archive(self):
         folder = pathlib.Path(self.folder.name)
         tools = subprocess.run([COMPILER, "--tools"], capture_output=True, text=True, check=True).stdout.strip()
-        subprocess.run([tools + "/clang", "-O0", "-ffp-model=strict", "-g", "-fPIC", "-c", "-emit-llvm", FOLDER / "archived.c",
-                        "-o", folder / "archived.o"], check=True)
-        subprocess.run(["ar", "rc", folder / "archive.a", folder / "archived.o"], check=True)
+        members = ["archived", "archived_too", "archived_twice"]
+        for member in members:
+            subprocess.run([tools + "/clang", "-O0", "-ffp-model=strict", "-g", "-fPIC", "-c", "-emit-llvm",
+                            FOLDER / f"{member}.c", "-o", folder / f"{member}.o"], check=True)
+        subprocess.run(["ar", "rc", folder / "archive.a", *[folder / f"{member}.o" for member in members]], check=True)
         self.exact("several.c", FOLDER / "other.c", folder / "archive.a")
 
     def test_long_double_as_double(self):

@@ -1,4 +1,4 @@
-/* Several files, and an archive of bitcode (test_language.py makes it of archived.c). */
+/* Several files, and an archive of bitcode, of which what is missed is taken (test_language.py makes it of archived.c). */
 double from_another_file(double x);
 double from_an_archive(double x);
 static double hidden = 0.5;
