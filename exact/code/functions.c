@@ -217,7 +217,8 @@ static int known_angle(value a)
     cagd_code_check_faults();
     angles[angle_count].angle = a.f;
     angles[angle_count].cosine = cosine;
-    angles[angle_count].sine = cagd_code_new_root(cagd_sub_f(cagd_from_int_f(1), cagd_mul_f(cosine.f, cosine.f)), sine);
+    angles[angle_count].sine =
+        cagd_code_new_root(cagd_sub_f(cagd_from_int_f(1), cagd_mul_f(cosine.f, cosine.f)), sine, 0);
     return angle_count++;
 }
 

@@ -237,15 +237,15 @@ const char *cagd_code_field_text(cagd_code_value v)
 enum { MOST_ROOTS = 32 };
 static struct {
     cagd_num_f variable, square;
-    cagd_code_value at_point;
+    int is_positive;
 } roots[MOST_ROOTS];
 static int root_count;
 
-cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point)
+cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point, int is_positive)
 {
     char name[CAGD_FIELD_MAX_NAME + 1];
     for (int k = 0; k < root_count; k++)
-        if (cagd_equal_f(roots[k].square, square)) {
+        if (is_positive && roots[k].is_positive && cagd_equal_f(roots[k].square, square)) {
             cagd_code_value v = at_point;
             v.f = roots[k].variable;
             return v;
@@ -256,7 +256,7 @@ cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point)
     roots[root_count].variable = cagd_variable_f(name);
     roots[root_count].square = square;
     at_point.f = roots[root_count].variable;
-    roots[root_count++].at_point = at_point;
+    roots[root_count++].is_positive = is_positive;
     cagd_code_check_faults();
     return at_point;
 }
@@ -347,7 +347,7 @@ static cagd_code_value field_root(cagd_code_value a, cagd_code_value root)
     else
         value = at_point(f);
     if (value.at == NULL)
-        return cagd_code_new_root(cagd_code_function(a), root);
+        return cagd_code_new_root(cagd_code_function(a), root, 1);
     root.f = f;
     root.q = value;
     if (cagd_sign_q(value) < 0)

@@ -47,8 +47,9 @@ cagd_code_value cagd_code_enclosed(cagd_num_i i);
 
 /* A root: a variable of its own in the field, with its square; where it has none elsewhere, an interval or a refusal. */
 cagd_code_value cagd_code_square_root(cagd_code_value a);
-/* A variable of the field whose square is `square`, with that value at the point. */
-cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point);
+/* A variable of the field whose square is `square`, with that value at the point; is_positive: its positive root, the same
+ * variable for the same square. */
+cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point, int is_positive);
 /* Whether f is 0 for all values of the variables, given what the squares of roots are. */
 int cagd_code_vanishes(cagd_num_f f);
 int cagd_code_vanishes_here(cagd_num_f f); /* wherever the conditions of the path hold */

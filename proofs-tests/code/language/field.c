@@ -38,6 +38,10 @@ double f_root_of_a_square(void) { double x = input_x(); return sqrt(x * x + 2 * 
 double f_root_squared(void) { double r = sqrt(input_x() * input_x() + 1), z = r * r; return z == input_x() * input_x() + 1 ? input_x() * input_x() + 1 : 0; }
 /* ~ 1 */
 double f_circle(void) { double s = sin(input_x()), c = cos(input_x()), z = s * s + c * c; return z == 1 ? 1 : 0; }
+/* ~ 0 */
+double f_a_root_is_not_the_sine(void) { double s = sin(input_y()), c = cos(input_y()); return sqrt(1 - c * c) == s; }
+/* ~ 1 */
+double f_a_root_is_itself(void) { double a = sqrt(input_x() + 3), b = sqrt(3 + input_x()); return a == b; }
 /* ~ x - y */
 double f_float(void) { float a = input_x(), b = input_y(); return a - b; }
 /* ~ x * y */
