@@ -1,0 +1,106 @@
+"""Which statements and branches of exact, the judge and core the unit tests reach, by gcov.
+
+    coverage.py [--jobs N] [--lines] [--keep]
+
+Builds the unit tests in build/coverage at -O0 with --coverage, runs them, and prints for every file the statements and branches that
+were reached, and how many there are; a line of a template or a header counts once, reached in whatever number type.  Then the lines
+that nothing reached: with --lines all of them, otherwise those for which unreached.txt has no reason.  --keep reads what the last
+run left.  Not a test; about four minutes of processor time.
+"""
+import argparse
+import collections
+import json
+import pathlib
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build/coverage"
+ROOMS = ("exact/", "chapters/judge/", "core/")
+# What takes minutes at -O0.  Of core/fit, so, only what needs no whole fit is measured.
+LEFT_OUT = {"test_fit", "test_svg"}
+
+
+def must(*command):
+    r = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if r.returncode != 0:
+        sys.exit(r.stdout[-4000:])
+
+
+def reasons():
+    """[(file or *, the line or a part of it, the reason)]"""
+    text = pathlib.Path(__file__).with_name("unreached.txt").read_text()
+    return [tuple(part.strip() for part in line.split(" | ", 2)) for line in text.splitlines() if line.strip() and not line.startswith("#")]
+
+
+def run_tests(jobs):
+    tests = sorted({p.stem for p in (ROOT / "proofs-tests/unit").glob("test_*.c")} - LEFT_OUT)
+    must("cmake", "-G", "Ninja", "-S", ".", "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_C_FLAGS_DEBUG=-O0 -w --coverage",
+         "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -w --coverage", "-DCAGD_TYPES=RATIONAL")
+    must("cmake", "--build", str(BUILD), "-j", str(jobs), "--target", *tests)
+    for old in BUILD.rglob("*.gcda"):
+        old.unlink()
+    for test in tests:
+        r = subprocess.run([BUILD / "proofs-tests/unit" / test], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        if r.returncode != 0:
+            sys.exit(f"{test} fails")
+    return len(tests)
+
+
+def counts():
+    """{file: {line: [how often, [how often each branch]]}}, added up over all units."""
+    found = collections.defaultdict(dict)
+    for data in BUILD.rglob("*.gcda"):
+        r = subprocess.run(["gcov", "--json-format", "--stdout", "--branch-probabilities", str(data)], cwd=BUILD, check=True,
+                           capture_output=True, text=True)
+        for unit in map(json.loads, r.stdout.splitlines()):
+            for file in unit["files"]:
+                path = (pathlib.Path(unit["current_working_directory"]) / file["file"]).resolve()
+                if not path.is_relative_to(ROOT) or not str(path.relative_to(ROOT)).startswith(ROOMS):
+                    continue
+                lines = found[str(path.relative_to(ROOT))]
+                for line in file["lines"]:
+                    have = lines.setdefault(line["line_number"], [0, []])
+                    have[0] += line["count"]
+                    for k, branch in enumerate(line["branches"]):
+                        have[1] += [0] * (k + 1 - len(have[1]))
+                        have[1][k] += branch["count"]
+    return found
+
+
+def share(reached, all_there_are):
+    return f"{reached:6d} of {all_there_are:6d} {100 * reached / max(all_there_are, 1):6.1f} %"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--lines", action="store_true")
+    parser.add_argument("--keep", action="store_true")
+    a = parser.parse_args()
+    start, known = time.monotonic(), reasons()
+    tests = 0 if a.keep else run_tests(a.jobs)
+    found, total = counts(), collections.defaultdict(lambda: [0, 0, 0, 0])
+    unreached, reasoned = [], 0
+    for file in sorted(found):
+        text, lines = (ROOT / file).read_text().splitlines(), found[file]
+        branches = [b for _, line in lines.values() for b in line]
+        row = [sum(n > 0 for n, _ in lines.values()), len(lines), sum(b > 0 for b in branches), len(branches)]
+        for name in (file, next(room for room in ROOMS if file.startswith(room))):
+            total[name] = [x + y for x, y in zip(total[name], row)]
+        for number in sorted(n for n, (times, _) in lines.items() if times == 0):
+            line = text[number - 1].strip()
+            why = next((reason for path, part, reason in known if path in ("*", file) and part in line), None)
+            reasoned += why is not None
+            if a.lines or why is None:
+                unreached.append(f"{file}:{number}: {line}" + (f"   [{why}]" if why else ""))
+    for name in sorted(total, key=lambda n: (n not in ROOMS, n)):
+        print(f"{name:44s} statements {share(*total[name][:2])}   branches {share(*total[name][2:])}")
+    print(*unreached, sep="\n")
+    print(f"{len(unreached) - (reasoned if a.lines else 0)} lines that nothing reached have no reason, {reasoned} have one; "
+          f"{tests} tests in {time.monotonic() - start:.0f} s")
+
+
+if __name__ == "__main__":
+    main()
