@@ -309,10 +309,15 @@ void put_value(FILE *out, const char *name, const char *value, int indent, int c
         depth += (*c == '(') - (*c == ')');
         *c = (char)(*c == ' ' && depth == 1 ? TIE : *c);
     }
-    fprintf(out, "%*s", indent, "");
-    put_padded(out, name, columns);
-    fputs(" = ", out);
-    put_behind(out, tied, indent + (own > columns ? own : columns) + 3,
-               own > columns ? 2 * indent : indent + columns + 3, width);
+    if (indent + own + 3 > width) { /* a name that is a sentence */
+        put_paragraph(out, name, indent, width);
+        put_paragraph(out, tied, 2 * indent, width);
+    } else {
+        fprintf(out, "%*s", indent, "");
+        put_padded(out, name, columns);
+        fputs(" = ", out);
+        int first = indent + (own > columns ? own : columns) + 3;
+        put_behind(out, tied, first, own > columns ? 2 * indent : first, width);
+    }
     free(tied);
 }

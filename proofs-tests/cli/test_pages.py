@@ -80,9 +80,12 @@ class Words(unittest.TestCase):
             self.assertNotRegex(page, rf"(?m)^    {word} *= ")
 
     def test_steps_are_numbered_and_named(self):
-        page = show("wang-ch3:prop-3.2.8")
-        self.assertEqual(re.findall(r"(?m)^    (\d) identity", page), ["1", "2", "3"])
-        self.assertIn("Three identities decide it together.", page)
+        named = {s["id"]: [w for key, text in s["options"] if key == "holds-by" for w in text.split()] for s in REGISTER["statements"]}
+        several = next(s for s in sorted(named) if len(named[s]) > 2)
+        page = show(several).split("\nWhy\n")[1]
+        numbers = re.findall(r"(?m)^    (\d+) (?:identity|decision|counterexample) ", page)
+        self.assertEqual(numbers, [str(k + 1) for k in range(len(named[several]))])
+        self.assertIn(" decide it together.", page.split("\n\n")[0])
 
 
 class Tables(unittest.TestCase):
