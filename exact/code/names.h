@@ -95,4 +95,9 @@
     NATIVE(strtof)                                                                                                     \
     NATIVE(atof)                                                                                                       \
     NATIVE(difftime)
+
+/* Functions of the libraries that a run must not reach: there is one table of numbers, for one thread. */
+#define CAGD_CODE_REFUSED_NAMES(NAME)                                                                                  \
+    NAME(pthread_create)                                                                                               \
+    NAME(thrd_create)
 #endif

@@ -609,6 +609,7 @@ static void settle_declaration(struct rewriting *r, LLVMValueRef function)
 #define OTHER(name) #name,
         CAGD_CODE_ONE(ONE) CAGD_CODE_TWO(ONE) CAGD_CODE_OTHER(OTHER)};
     static const char *const native[] = {CAGD_CODE_NATIVE(OTHER)};
+    static const char *const never[] = {CAGD_CODE_REFUSED_NAMES(OTHER)};
 #undef ONE
 #undef OTHER
     char name[256], renamed[300];
@@ -637,8 +638,10 @@ static void settle_declaration(struct rewriting *r, LLVMValueRef function)
     for (size_t k = 0; k < sizeof native / sizeof *native; k++)
         if (strcmp(name, native[k]) == 0)
             return;
-    int known = r->is_in_a_library(name);
-    if (known && !takes_numbers(type))
+    int known = r->is_in_a_library(name), refused = takes_numbers(type);
+    for (size_t k = 0; k < sizeof never / sizeof *never; k++)
+        refused = refused || strcmp(name, never[k]) == 0;
+    if (known && !refused)
         return;
     snprintf(renamed, sizeof renamed, "the function %s%s", name, known ? "" : ", which is not in the sources");
     LLVMSetLinkage(function, LLVMInternalLinkage);

@@ -1,5 +1,6 @@
 /* What cannot be carried.  "! TEXT": the message has it, and names the line that ends in "// here". */
 #include <math.h>
+#include <pthread.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -95,6 +96,13 @@ double r_undefined_function_without_numbers(void)
 {
     int x = 1;
     return fmpz_init(&x); // here
+}
+static void *nothing(void *p) { return p; }
+/* ! the function pthread_create */
+double r_thread(void)
+{
+    pthread_t t;
+    return pthread_create(&t, NULL, nothing, NULL); // here
 }
 /* ! division by zero */
 double r_division_by_zero(void)
