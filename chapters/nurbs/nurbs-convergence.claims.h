@@ -368,7 +368,7 @@ numerator and denominator of the polygon both are near those of the curve, and t
   $\frac k{24}h^2\,(M_X+\max|r_i|M_w)/\min w_i$
 :method: An identity of the four variables.  The projection maps the segments of the homogeneous polygon onto those of the polygon, whose
   points are means of its vertices.
-:over: X w E e: -
+:over: X# E#: points; w# e#: weights
 :control: $r$ in the place of $\rho$ on the right
 :::
 */
