@@ -11,10 +11,37 @@ static int is_as_expected(const struct formula *s, const cagd_finding *f)
     return s->expected == EXPECT_NOTHING ? f->answer == CAGD_HOLDS : (int)s->expected == (int)f->answer;
 }
 
+/* One statement: its page or its entry of the list, which may be NULL; whether it is as expected. */
+static int check_one(const struct document *d, const struct formula *s, json_t *list)
+{
+    cagd_finding found;
+    cagd_check(&s->scope, s->tree, s->seconds, &found);
+    if (found.answer == CAGD_HOLDS)
+        cagd_check_changes(&s->scope, s->tree, s->seconds / 10, &found);
+    if (list != NULL)
+        json_array_append_new(list, finding_json(d, s, &found));
+    else
+        print_finding_page(d, s, &found);
+    return is_as_expected(s, &found);
+}
+
+/* One that asks for values: it is as expected when they were found. */
+static int find_one(const struct document *d, const struct formula *s, json_t *list)
+{
+    cagd_found *found = region_bytes(sizeof *found);
+    if (found == NULL)
+        return 0;
+    cagd_find(&s->scope, s->tree, s->find, s->seconds, found);
+    if (list != NULL)
+        json_array_append_new(list, found_json(s, found));
+    else
+        print_found_page(d, s, found);
+    return found->known;
+}
+
 static int check(const struct asked *a)
 {
     struct document d;
-    cagd_finding found;
     int good = 1;
     if (read_document(a->path, &d) != 0)
         return EXIT_USAGE;
@@ -22,16 +49,9 @@ static int check(const struct asked *a)
     for (int k = 0; k < d.count; k++) {
         const struct formula *s = &d.formula[k];
         region_mark mark = region_open();
-        cagd_check(&s->scope, s->tree, s->seconds, &found);
-        if (found.answer == CAGD_HOLDS)
-            cagd_check_changes(&s->scope, s->tree, s->seconds / 10, &found);
-        good &= is_as_expected(s, &found);
-        if (a->json)
-            json_array_append_new(list, finding_json(&d, s, &found));
-        else {
-            printf("%s", k > 0 ? "\n\n" : "");
-            print_finding_page(&d, s, &found);
-        }
+        if (list == NULL && k > 0)
+            puts("\n");
+        good &= (s->find != NULL ? find_one : check_one)(&d, s, list);
         region_drop(mark);
     }
     if (a->json)
@@ -62,7 +82,8 @@ static const struct topic topics[] = {
      "numbers "
      "(n = 1..12), bounds of other names (0 \\le t \\le 1) and conditions (x \\ne y); and, if wanted, :expected: "
      "holds, "
-     "fails or undecided, and :seconds:, of which there are 10 otherwise. A block ends with a line of three colons. "
+     "fails or undecided, :seconds:, of which there are 10 otherwise, and :find: \\lambda, which asks for which values "
+     "of that name the statement holds. A block ends with a line of three colons. "
      "The "
      "file - is standard input."},
     {0}};

@@ -166,10 +166,26 @@ static void read_seconds(struct document *d, struct formula *f, int from, int to
         complain(d, from, to, "expected the seconds that the statement may take, at most 3600");
 }
 
+/* A name without indices that stands for all numbers, or for those within its bounds. */
+static void read_find(struct document *d, struct formula *f, int from, int to)
+{
+    cagd_reading_error error;
+    const cagd_tree *t = cagd_read_value(&f->scope, d->text, from, to, &error);
+    if (t == NULL) {
+        complain_of_reading(d, &error);
+        return;
+    }
+    const cagd_variable *v = t->head != NULL ? cagd_declared(&f->scope, t->head) : NULL;
+    if (t->kind != CAGD_NAME || t->count > 0 || (v != NULL && v->whole) || cagd_defined(&f->scope, t->head) != NULL)
+        complain(d, from, to, "expected the name of a variable, without indices");
+    f->find = t->head;
+}
+
 static void read_statement(struct document *d, int head, int at, int stop)
 {
     struct formula *f = &d->formula[d->count];
     int column, from = 0, to = 0, printed = 0, printed_end = 0, ranges = 0, ranges_end = 0, complaints = d->complaints;
+    int find = 0, find_end = 0;
     int name = head + (int)strlen(":::{statement}"), name_end = end_of_entry(d, head, next_line(d, head));
     *f = (struct formula){.expected = EXPECT_NOTHING, .seconds = usual_seconds};
     if (d->count == MOST_STATEMENTS) {
@@ -186,13 +202,15 @@ static void read_statement(struct document *d, int head, int at, int stop)
             printed = from, printed_end = to;
         else if (field(d, at, end, "for", &from, &to))
             ranges = from, ranges_end = to;
+        else if (field(d, at, end, "find", &from, &to))
+            find = from, find_end = to;
         else if (field(d, at, end, "expected", &from, &to))
             read_expected(d, f, from, to);
         else if (field(d, at, end, "seconds", &from, &to))
             read_seconds(d, f, from, to);
         else if (d->text[at] == ':' && !field(d, at, end, "source", &from, &to) &&
                  !field(d, at, end, "title", &from, &to))
-            complain(d, at, at + 1, "expected :printed:, :for:, :title:, :source:, :expected: or :seconds:");
+            complain(d, at, at + 1, "expected :printed:, :for:, :find:, :title:, :source:, :expected: or :seconds:");
     }
     if (printed_end == printed && d->complaints == complaints)
         complain(d, head, end_of_line(d, head), "a statement without a formula: expected a line :printed: ...");
@@ -200,6 +218,8 @@ static void read_statement(struct document *d, int head, int at, int stop)
     f->scope = d->scope;
     if (ranges_end > ranges && !cagd_read_ranges(&f->scope, d->text, ranges, ranges_end, &error))
         complain_of_reading(d, &error);
+    if (find_end > find)
+        read_find(d, f, find, find_end);
     if (d->complaints > complaints)
         return;
     f->at = printed;

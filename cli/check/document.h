@@ -21,6 +21,7 @@ struct formula {
     const char *name, *printed; /* as it is written, TeX                             */
     int line, at;               /* of the block; the byte where the formula begins   */
     enum expected expected;
+    const char *find; /* the name for whose values the statement is asked, or NULL */
     double seconds;
     cagd_scope scope; /* with what :for: says */
     const cagd_tree *tree;

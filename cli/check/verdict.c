@@ -183,12 +183,17 @@ static void print_every(const cagd_every *e)
         1);
 }
 
-void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
+static void print_head(const struct document *d, const struct formula *s)
 {
     printf("%s%s%s  (%s:%d)\n", style(stdout, BOLD), s->name, style(stdout, PLAIN), name_of_input(d->path), s->line);
     heading("Printed");
     paragraph(s->printed, 0);
     heading("Verdict");
+}
+
+void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    print_head(d, s);
     const char *scope = scope_of_finding(d, s, f), *words = "";
     if (f->answer == CAGD_HOLDS) {
         words = append("", "It holds as printed: %s", evidence_of_finding(f));
@@ -256,5 +261,159 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
     }
     if (s->expected != EXPECT_NOTHING)
         json_object_set_new(j, "expected", json_string(expected_name[s->expected]));
+    return j;
+}
+
+/* ---- for which values it holds ------------------------------------------------------------------------- */
+
+static int is_number(const struct cagd_root *r) { return cagd_equal_q(r->lo, r->hi); }
+
+/* The first digits of a root, none of them rounded. */
+static const char *digits_of(const struct cagd_root *r)
+{
+    char digits[64];
+    struct cagd_root fine = refine_root(*r, from_ratio_q(1, 1000000000));
+    int length = snprintf(digits, sizeof digits, "%.9f", to_double_q(fine.lo));
+    return append("", "%.*s\\dots", length > 3 && length < 60 ? length - 3 : length, digits);
+}
+
+/* A number that is an end: as it is, or the first digits of a root. */
+static const char *end_text(const struct cagd_root *r) { return is_number(r) ? to_string_q(r->lo) : digits_of(r); }
+
+/* The parts in which it holds: between the cuts first and last of the cells; -1 and `count` are the ends of the domain. */
+struct span {
+    int first, last, closed_first, closed_last;
+};
+
+static int spans_of(const cagd_found *f, struct span out[])
+{
+    const cagd_cells *c = &f->cells;
+    int count = 0, inside = 0;
+    struct span now = {0};
+    for (int k = 0; k <= c->count; k++) {
+        int cell = !c->empty[k] && c->cell[k] == CAGD_HOLDS;
+        if (cell && !inside) /* it begins behind the cut k - 1 */
+            now = (struct span){.first = k - 1, .closed_first = k == 0 && !f->domain.low_open}, inside = 1;
+        if (!cell && inside && !c->empty[k]) /* the cut k - 1 belonged to it */
+            now.last = k - 1, now.closed_last = 1, out[count++] = now, inside = 0;
+        if (k == c->count)
+            break;
+        int cut = c->at[k] == CAGD_HOLDS && (!is_number(&c->root[k]) || cagd_is_inside(&f->domain, c->root[k].lo));
+        if (cut && !inside)
+            now = (struct span){.first = k, .closed_first = 1}, inside = 1;
+        if (!cut && inside)
+            now.last = k, now.closed_last = 0, out[count++] = now, inside = 0;
+    }
+    if (inside) {
+        now.last = c->empty[c->count] ? c->count - 1 : c->count;
+        now.closed_last = c->empty[c->count] || !f->domain.high_open;
+        out[count++] = now;
+    }
+    return count;
+}
+
+static const char *span_text(const struct formula *s, const cagd_found *f, const struct span *p)
+{
+    const cagd_cells *c = &f->cells;
+    const char *low = p->first >= 0       ? end_text(&c->root[p->first])
+                      : f->domain.has_low ? to_string_q(f->domain.low)
+                                          : NULL;
+    const char *high = p->last < c->count   ? end_text(&c->root[p->last])
+                       : f->domain.has_high ? to_string_q(f->domain.high)
+                                            : NULL;
+    if (p->first == p->last && p->first >= 0)
+        return append("", "$%s = %s$", s->find, low);
+    if (low == NULL && high == NULL)
+        return append("", "all $%s$", s->find);
+    if (low == NULL)
+        return append("", "$%s %s %s$", s->find, p->closed_last ? "\\le" : "<", high);
+    if (high == NULL)
+        return append("", "$%s %s %s$", s->find, p->closed_first ? "\\ge" : ">", low);
+    return append("", "$%s %s %s %s %s$", low, p->closed_first ? "\\le" : "<", s->find, p->closed_last ? "\\le" : "<",
+                  high);
+}
+
+const char *values_of(const struct formula *s, const cagd_found *f)
+{
+    struct span span[2 * CAGD_MOST_CUTS + 2];
+    int count = f->known ? spans_of(f, span) : 0;
+    const char *text = "";
+    for (int k = 0; k < count; k++)
+        text = append(text, "%s%s", k == 0 ? "" : k + 1 < count ? ", " : " and ", span_text(s, f, &span[k]));
+    return count > 0 ? text : append("", "no $%s$", s->find);
+}
+
+/* Where an end is a root, of what; and what is not decided. */
+static void print_roots(const struct formula *s, const cagd_found *f)
+{
+    const cagd_cells *c = &f->cells;
+    for (int k = 0; k < c->count; k++) {
+        const struct cagd_root *r = &c->root[k];
+        int changes = c->cell[k] != c->cell[k + 1] || c->at[k] != c->cell[k];
+        if (changes && !is_number(r))
+            paragraph(append("", "$%s$ is the root of $%s$ between $%s$ and $%s$.", digits_of(r),
+                             cagd_poly_to_string(r->factor, "x"), to_string_q(r->lo), to_string_q(r->hi)),
+                      1);
+        if (c->at[k] == CAGD_UNDECIDED)
+            paragraph(append("", "For $%s = %s$ itself it is not decided.", s->find, end_text(r)), 1);
+    }
+}
+
+static const char *breaking_text(const struct formula *s, const cagd_found *f, int k)
+{
+    const char *text = append("", "$%s = %s$", s->find, to_string_q(f->cells.sample[k]));
+    for (int m = 0; m < f->wholes; m++)
+        text = append(text, ", $%s = %s$", f->breaking[k][m].name, to_string_q(f->breaking[k][m].value));
+    if (f->cells.has_witness[k] && f->name_of_witness[k] != NULL)
+        text = append(text, ", $%s = %s$", f->name_of_witness[k], to_string_q(f->cells.witness[k]));
+    return text;
+}
+
+void print_found_page(const struct document *d, const struct formula *s, const cagd_found *f)
+{
+    const cagd_cells *c = &f->cells;
+    print_head(d, s);
+    if (!f->known) {
+        paragraph(append("", "It is undecided for which $%s$ it holds: %s.", s->find, f->why), 1);
+        return;
+    }
+    struct span span[2 * CAGD_MOST_CUTS + 2];
+    int whole = spans_of(f, span) == 1 && span[0].first < 0 && span[0].last == c->count;
+    paragraph(append("It holds for ", "%s%s (decided, %ld case%s).", values_of(s, f), whole ? "" : ", and for no other",
+                     f->cases, f->cases == 1 ? "" : "s"),
+              1);
+    print_roots(s, f);
+    int first = 1;
+    for (int k = 0; k <= c->count; k++) {
+        int told = k > 0 && !c->empty[k - 1] && c->cell[k - 1] == CAGD_FAILS && c->at[k - 1] == CAGD_FAILS;
+        if (c->empty[k] || c->cell[k] != CAGD_FAILS || told)
+            continue;
+        if (first)
+            heading("It fails");
+        first = 0;
+        paragraph(append("for ", "%s", breaking_text(s, f, k)), 1);
+    }
+}
+
+json_t *found_json(const struct formula *s, const cagd_found *f)
+{
+    json_t *fails = json_array();
+    for (int k = 0; f->known && k <= f->cells.count; k++) {
+        if (f->cells.empty[k] || f->cells.cell[k] != CAGD_FAILS)
+            continue;
+        json_t *one = json_pack("{s:s}", s->find, to_string_q(f->cells.sample[k]));
+        for (int m = 0; m < f->wholes; m++)
+            json_object_set_new(one, f->breaking[k][m].name, json_string(to_string_q(f->breaking[k][m].value)));
+        if (f->cells.has_witness[k] && f->name_of_witness[k] != NULL)
+            json_object_set_new(one, f->name_of_witness[k], json_string(to_string_q(f->cells.witness[k])));
+        json_array_append_new(fails, one);
+    }
+    char *values = tex_to_text(f->known ? values_of(s, f) : "", 1);
+    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:I, s:o}", "name", s->name, "line", s->line, "printed_tex",
+                          s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find, "values", values,
+                          "cases", (json_int_t)f->cases, "fails_for", fails);
+    free(values);
+    if (!f->known)
+        json_object_set_new(j, "reason", json_string(f->why));
     return j;
 }

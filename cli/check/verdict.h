@@ -15,6 +15,11 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
 /* Why it is not decided, in words; in the region. */
 const char *reason_of(const struct document *d, const cagd_finding *f);
 
+/* For which values of the parameter it holds, in TeX: "$-7 \le \beta \le 1$"; in the region. */
+const char *values_of(const struct formula *s, const cagd_found *f);
+void print_found_page(const struct document *d, const struct formula *s, const cagd_found *f);
+json_t *found_json(const struct formula *s, const cagd_found *f);
+
 void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f);
 json_t *finding_json(const struct document *d, const struct formula *s, const cagd_finding *f);
 #endif

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { MOST_WHOLE = 8, FIRST_CASES = 8, QUICK_CASES = 16, MOST_CHANGES = 60, FIELD_ROOM = 32 };
+enum { MOST_WHOLE = 8, FIRST_CASES = 8, QUICK_CASES = 16, MOST_CHANGES = 60, MOST_CONSTRAINTS = 200, FIELD_ROOM = 32 };
 
 /* One run over a statement. */
 struct run {
@@ -15,10 +15,21 @@ struct run {
     const cagd_tree *statement;
     cagd_finding *out;
     double until;
-    int quick; /* one case that fails is enough, and few cases are */
+    int quick;               /* one case that fails is enough, and few cases are */
+    struct collection *into; /* NULL, or where constraints of a parameter are collected and nothing is decided */
     const cagd_variable *whole[MOST_WHOLE];
     int wholes;
     cagd_given chosen[MOST_WHOLE]; /* values of the whole numbers */
+};
+
+/* What the cases ask of a parameter. */
+struct collection {
+    const char *parameter;
+    cagd_constraint constraint[MOST_CONSTRAINTS];
+    const char *other[MOST_CONSTRAINTS]; /* the name of its other variable */
+    cagd_given chosen[MOST_CONSTRAINTS][MOST_WHOLE];
+    int count;
+    cagd_side_of_box domain;
 };
 
 static double now(void)
@@ -94,6 +105,10 @@ static void begin(const struct run *r, const struct part *p, cagd_context *c)
         cagd_bind(c, p->number[k].name, cagd_value_q(p->number[k].value));
     memcpy(c->piece, p->piece, sizeof p->piece);
     c->pieces = p->pieces;
+    if (r->into != NULL) { /* the parameter is a variable of every case, the same one */
+        cagd_tree name = {.kind = CAGD_NAME, .head = r->into->parameter};
+        cagd_evaluate(c, &name);
+    }
 }
 
 /* The sides of the box of all variables that are known. */
@@ -156,6 +171,45 @@ static cagd_answer refuted(struct run *r, cagd_context *c, const cagd_tree *t, i
     return CAGD_FAILS;
 }
 
+/* The relation a >= b, a > b, or a = b as a constraint of the parameter. */
+static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relation, cagd_value d)
+{
+    struct collection *into = r->into;
+    const cagd_binding *parameter = cagd_binding_of(c, into->parameter);
+    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
+    int of[CAGD_MOST_UNKNOWNS], count = sides(c, side, of);
+    r->out->comparisons++;
+    if (relation == CAGD_NOT_EQUAL)
+        return undecided(r, c, "a relation that is not understood with :find:");
+    if (into->count == MOST_CONSTRAINTS)
+        return undecided(r, c, "too many cases");
+    num_f f = cagd_in_field(d), n = cagd_numerator_f(f),
+          p = relation == CAGD_EQUAL ? n : mul_f(n, cagd_denominator_f(f));
+    cagd_constraint *one = &into->constraint[into->count];
+    *one = (cagd_constraint){.p = p,
+                             .demand = relation == CAGD_EQUAL                              ? CAGD_ZERO
+                                       : relation == CAGD_LESS || relation == CAGD_GREATER ? CAGD_MORE_THAN_ZERO
+                                                                                           : CAGD_AT_LEAST_ZERO};
+    into->other[into->count] = NULL;
+    for (int m = 0; m < count; m++) {
+        const cagd_binding *b = &c->binding[of[m]];
+        if (b == parameter) {
+            into->domain = side[m];
+        } else if (degree_f(p, side[m].variable) > 0 && one->demand != CAGD_ZERO) {
+            if (into->other[into->count] != NULL)
+                return undecided(r, c, "an inequality of more than one name besides the parameter");
+            one->t = side[m];
+            into->other[into->count] = b->key;
+        }
+    }
+    if (into->other[into->count] == NULL)
+        one->t.variable = parameter->value.f;
+    for (int m = 0; m < r->wholes; m++)
+        into->chosen[into->count][m] = r->chosen[m];
+    into->count++;
+    return CAGD_HOLDS;
+}
+
 /* The relation number k of the chain t for two values. */
 static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
 {
@@ -163,6 +217,8 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
     cagd_value d =
         relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL ? cagd_value_sub(b, a) : cagd_value_sub(a, b);
     int names = 0;
+    if (r->into != NULL)
+        return collected(r, c, relation, d);
     for (int m = 0; m < c->count; m++)
         names += c->binding[m].unknown;
     r->out->comparisons++;
@@ -205,6 +261,11 @@ static cagd_answer decide_part(struct run *r, const struct part *p);
 static cagd_answer split(struct run *r, const struct part *p, const char *key, num_q at)
 {
     cagd_answer answer = CAGD_HOLDS;
+    if (r->into != NULL) {
+        if (r->out->why == NULL)
+            r->out->why = "a condition that depends on variables";
+        return CAGD_UNDECIDED;
+    }
     r->out->bounded = 1;
     for (int which = 0; which < 3; which++) {
         struct part q = *p;
@@ -344,7 +405,7 @@ static void decide_cases(struct run *r, int level)
         r->chosen[level] = (cagd_given){v->head, from_int_q(m)};
         decide_cases(r, level + 1);
         /* What was found lives on; a case that found nothing new leaves nothing behind. */
-        if (r->out->has_example == kept && (r->out->why != NULL) == why && r->out->names == names)
+        if (r->into == NULL && r->out->has_example == kept && (r->out->why != NULL) == why && r->out->names == names)
             region_drop(mark);
         if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)) || (r->quick && is_enough(r->out)))
             break;
@@ -429,4 +490,40 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
             break;
     }
     out->says_nothing = same || (out->changes > 0 && out->noticed == 0 && now() < until);
+}
+
+void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
+               cagd_found *out)
+{
+    cagd_finding *f = region_bytes(sizeof *f);
+    struct collection *into = region_bytes(sizeof *into);
+    *out = (cagd_found){.why = "there was no memory for it"};
+    if (f == NULL || into == NULL)
+        return;
+    *f = (cagd_finding){0};
+    *into = (struct collection){.parameter = parameter};
+    struct run r = {.scope = scope, .statement = statement, .out = f, .until = now() + seconds, .into = into};
+    r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
+    field_open(FIELD_ROOM);
+    if (r.wholes >= 0)
+        decide_cases(&r, 0);
+    out->cases = f->cases, out->why = f->why, out->where = f->where, out->wholes = r.wholes;
+    out->domain = into->domain;
+    if (f->out_of_time)
+        out->why = "the time was over";
+    else if (r.wholes < 0 || has_no_end(&r))
+        out->why = "a range without end";
+    else if (into->count == 0 && out->why == NULL)
+        out->why = "the statement does not depend on the parameter, or there is no case";
+    else if (out->why == NULL && region_faults == 0)
+        out->known = cagd_cells_of(into->count, into->constraint, &into->domain, &out->cells);
+    if (!out->known && out->why == NULL)
+        out->why = "too many numbers where it may change, or too many variables";
+    region_faults = 0;
+    for (int k = 0; out->known && k <= out->cells.count; k++) {
+        int broken = out->cells.broken[k];
+        out->name_of_witness[k] = into->other[broken];
+        for (int m = 0; m < r.wholes; m++)
+            out->breaking[k][m] = into->chosen[broken][m];
+    }
 }

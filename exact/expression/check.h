@@ -54,6 +54,23 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
 /* A statement that holds is changed in many ways, for so many seconds; what becomes of it is noted in *out. */
 void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out);
 
+/* For which values of the parameter, a declared name without indices, the statement holds for all other names within their bounds: each case
+ * of the whole numbers gives constraints of one other name at most.  In `cells` the numbers where it begins or ceases to hold are
+ * among others; breaking[k] has the whole numbers of the case that breaks cell k first. */
+typedef struct cagd_found {
+    int known; /* 0: not found, and `why` says what was in the way */
+    const char *why;
+    const cagd_tree *where;
+    long cases;
+    cagd_side_of_box domain;
+    cagd_cells cells;
+    int wholes;
+    const char *name_of_witness[CAGD_MOST_CUTS + 1]; /* of which name cells.witness is a value, or NULL */
+    cagd_given breaking[CAGD_MOST_CUTS + 1][8];
+} cagd_found;
+void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
+               cagd_found *out);
+
 /* The whole numbers that the statement depends on, in the order in which they were declared; their number. */
 int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room);
 #endif

@@ -2,6 +2,7 @@
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* Tries that fail leave no trace. */
@@ -246,7 +247,26 @@ static int dots(cagd_reader *r, const cagd_tree **high)
     return 1;
 }
 
-/* i = 0, \dots, n; or n = 3, which is a definition.  -1: it is no such thing. */
+/* ", 1, 2, 3" behind the number 0: the last of them, each one more than the one before; NULL where there are none. */
+static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
+{
+    const cagd_tree *last = NULL;
+    long before =
+        first->kind == CAGD_NUMBER && cagd_is_whole_q(first->number) ? mpz_get_si(mpq_numref(first->number.at)) : -1;
+    for (; before >= 0 && before < CAGD_MOST_NODES && cagd_next_is(r, ",") && r->token[1].kind == CAGD_TOKEN_NUMBER;
+         before++) {
+        const cagd_token *t = r->token + 1;
+        char next[24];
+        snprintf(next, sizeof next, "%ld", before + 1);
+        if (strcmp(t->word, next) != 0 || (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0))
+            break;
+        r->token += 2;
+        last = cagd_tree_number(before + 1, t->from, t->to);
+    }
+    return last;
+}
+
+/* i = 0, \dots, n; i = 0, 1, 2; or n = 3, which is a definition.  -1: it is no such thing. */
 static int numbers(cagd_reader *r, cagd_scope *scope)
 {
     struct place start = here(r);
@@ -259,7 +279,9 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
     int has_dots = dots(r, &v.high);
     if (has_dots < 0)
         return 0;
-    if (has_dots)
+    if (!has_dots)
+        v.high = listed(r, v.low);
+    if (has_dots || v.high != NULL)
         return declare(r, scope, name, v);
     if (!is_left_side(r, name))
         return 0;

@@ -3,6 +3,9 @@
 #include "exact/decide/resultant.h"
 #include "exact/words.h"
 
+#include <stdio.h>
+#include <string.h>
+
 enum { MOST_FACTORS = 40, MOST_HALVINGS = 9, MOST_SIDES = 12 };
 
 /* ---- numbers between numbers --------------------------------------------------------------------------- */
@@ -136,72 +139,203 @@ static num_f times(num_f product, num_f p, num_f parameter)
     return degree_f(p, parameter) > 0 ? mul_f(product, p) : product;
 }
 
-/* A polynomial of the parameter that vanishes wherever the signs of p on the side of t can change their pattern. */
-static int critical(num_f p, num_f t, const cagd_side_of_box *s, num_f parameter, num_f *out)
+/* product times a polynomial of the parameter that vanishes wherever the signs of p on the side of t can change their pattern. */
+static int critical(num_f p, const cagd_side_of_box *s, num_f parameter, num_f *product)
 {
-    num_f factor[MOST_FACTORS], product = from_int_f(1), content = p;
-    int power[MOST_FACTORS], count = cagd_factors_f(p, t, MOST_FACTORS, factor, power);
+    num_f factor[MOST_FACTORS], content = p, t = s->variable;
+    int power[MOST_FACTORS],
+        count = !equal_f(t, parameter) && degree_f(p, t) > 0 ? cagd_factors_f(p, t, MOST_FACTORS, factor, power) : 0;
     for (int i = 0; i < count; i++) {
         num_f f = factor[i];
         int degree = degree_f(f, t);
         for (int e = 0; e < power[i]; e++)
             content = div_f(content, f);
-        product = times(product, coefficient_f(f, t, degree), parameter);
+        *product = times(*product, coefficient_f(f, t, degree), parameter);
         if (degree > 1)
-            product = times(product, cagd_resultant_by_f(f, derivative_f(f, t), t), parameter);
+            *product = times(*product, cagd_resultant_by_f(f, derivative_f(f, t), t), parameter);
         for (int j = 0; j < i; j++)
-            product = times(product, cagd_resultant_by_f(f, factor[j], t), parameter);
+            *product = times(*product, cagd_resultant_by_f(f, factor[j], t), parameter);
         if (s->has_low)
-            product = times(product, cagd_numerator_f(substitute_f(f, t, from_rational_f(s->low))), parameter);
+            *product = times(*product, cagd_numerator_f(substitute_f(f, t, from_rational_f(s->low))), parameter);
         if (s->has_high)
-            product = times(product, cagd_numerator_f(substitute_f(f, t, from_rational_f(s->high))), parameter);
+            *product = times(*product, cagd_numerator_f(substitute_f(f, t, from_rational_f(s->high))), parameter);
     }
-    *out = times(product, cagd_numerator_f(content), parameter);
+    *product = times(*product, cagd_numerator_f(content), parameter);
     return count >= 0 && region_faults == 0;
 }
 
 static num_f at_number(num_f p, num_f variable, num_q x) { return substitute_f(p, variable, from_rational_f(x)); }
 
-int cagd_positive_cells(num_f p, int strict, const cagd_side_of_box *t, const cagd_side_of_box *parameter,
-                        cagd_cells *out)
+/* A variable of p besides the parameter; 0 where there is none. */
+static int other_variable(num_f p, num_f parameter, num_f *out)
 {
-    num_f lambda = parameter->variable, c;
-    int rational;
-    *out = (cagd_cells){0};
-    if (!critical(p, t->variable, t, lambda, &c))
-        return 0;
-    num_q low = cagd_inside(parameter), high = low;
-    poly cuts = in_one(c, lambda);
-    if (!is_point(parameter)) {
-        if (cagd_poly_degree(cuts) < 1)
-            cuts = cagd_poly_variable();
-        ends_for(cuts, parameter, &low, &high);
-        out->count = degree_f(c, lambda) < 1 ? 0 : cagd_isolate_roots(cuts, low, high, out->root, CAGD_MOST_CUTS);
+    const char *name = field_variables();
+    for (size_t length; *name != '\0'; name += length + (name[length] == ' ')) {
+        char one_name[FIELD_MAX_NAME + 1];
+        length = strcspn(name, " ");
+        snprintf(one_name, sizeof one_name, "%.*s", (int)length, name);
+        *out = variable_f(one_name);
+        if (!equal_f(*out, parameter) && degree_f(p, *out) > 0)
+            return 1;
     }
-    if (region_faults != 0 || out->count > CAGD_MOST_CUTS)
+    return 0;
+}
+
+/* A coefficient of p, a polynomial in the parameter alone that is not 0 unless p is. */
+static num_f some_coefficient(num_f p, num_f parameter)
+{
+    num_f x;
+    while (other_variable(p, parameter, &x))
+        p = coefficient_f(p, x, degree_f(p, x));
+    return p;
+}
+
+/* Whether p, as a function of the other variables, is 0 at the root. */
+static int is_zero_at(num_f p, num_f parameter, const struct cagd_root *r)
+{
+    num_f x;
+    if (other_variable(p, parameter, &x)) {
+        for (int j = degree_f(p, x); j >= 0; j--)
+            if (!is_zero_at(coefficient_f(p, x, j), parameter, r))
+                return 0;
+        return 1;
+    }
+    poly q = in_one(p, parameter);
+    if (cagd_poly_is_zero(q) || is_number(r))
+        return cagd_poly_is_zero(q) || cagd_is_zero_q(cagd_poly_value(q, r->lo));
+    poly common = poly_gcd(q, r->factor);
+    return cagd_poly_degree(common) > 0 && cagd_count_roots(common, r->lo, r->hi, OPEN).distinct > 0;
+}
+
+/* The constraint for a number. */
+static cagd_answer holds_for(const cagd_constraint *c, num_f parameter, num_q x, num_q *witness, int *rational)
+{
+    num_f p = at_number(c->p, parameter, x);
+    *rational = 0;
+    if (c->demand == CAGD_ZERO)
+        return region_faults != 0 ? CAGD_UNDECIDED : cagd_is_zero_f(p) ? CAGD_HOLDS : CAGD_FAILS;
+    return positive_on_line(in_one(p, c->t.variable), c->demand == CAGD_MORE_THAN_ZERO, &c->t, witness, rational);
+}
+
+/* Whether p < 0 at the root for the t with which the constraint fails for the number x beside it: so it is when p has, as a
+ * function of the parameter, no root between them. */
+static int fails_beyond(const cagd_constraint *c, num_f parameter, const struct cagd_root *r, num_q x)
+{
+    num_q t;
+    int rational, below = cagd_compare_q(x, r->lo) < 0;
+    if (holds_for(c, parameter, x, &t, &rational) != CAGD_FAILS || !rational)
+        return 0;
+    poly q = in_one(at_number(c->p, c->t.variable, t), parameter);
+    if (cagd_poly_degree(q) < 0 || cagd_sign_q(cagd_poly_value(q, x)) >= 0)
+        return 0;
+    return cagd_count_roots(q, below ? x : r->lo, below ? r->hi : x, CLOSED).distinct == 0;
+}
+
+/* The constraint for a root that is no rational number, from what holds for the numbers beside it. */
+static cagd_answer holds_between(const cagd_constraint *c, num_f parameter, const struct cagd_root *r, int count,
+                                 const num_q beside[])
+{
+    num_q witness;
+    int rational, some = 0, all = 1, compact = c->t.has_low && c->t.has_high && !c->t.low_open && !c->t.high_open;
+    int zero = c->demand == CAGD_ZERO || equal_f(c->t.variable, parameter) ? is_zero_at(c->p, parameter, r) : 0;
+    if (c->demand == CAGD_ZERO || zero)
+        return zero && c->demand != CAGD_MORE_THAN_ZERO ? CAGD_HOLDS : CAGD_FAILS;
+    for (int k = 0; k < count; k++) {
+        int holds = holds_for(c, parameter, beside[k], &witness, &rational) == CAGD_HOLDS;
+        some |= holds, all &= holds;
+        if (!holds && fails_beyond(c, parameter, r, beside[k]))
+            return CAGD_FAILS;
+    }
+    if (equal_f(c->t.variable, parameter)) /* p is not 0 there, and so its sign is that beside it */
+        return some ? CAGD_HOLDS : CAGD_FAILS;
+    if (c->demand == CAGD_MORE_THAN_ZERO) /* numbers t with p <= 0 have a limit where the side is compact */
+        return !all && compact ? CAGD_FAILS : CAGD_UNDECIDED;
+    return some ? CAGD_HOLDS : CAGD_UNDECIDED; /* p >= 0 on one side, and so in the limit */
+}
+
+/* The roots of p, a polynomial in the parameter, in [low,high], by its irreducible factors: increasing, with room between them.
+ * -1 where there are too many. */
+static int cuts_of(num_f p, num_f parameter, num_q low, num_q high, struct cagd_root out[])
+{
+    num_f factor[MOST_FACTORS];
+    int power[MOST_FACTORS], count = 0, factors = cagd_factors_f(p, parameter, MOST_FACTORS, factor, power);
+    if (factors < 0)
+        return -1;
+    for (int i = 0; i < factors; i++) {
+        poly f = in_one(factor[i], parameter);
+        if (cagd_poly_degree(f) == 1) {
+            num_q x = neg_q(div_q(cagd_poly_coefficient(f, 0), cagd_poly_coefficient(f, 1)));
+            if (cagd_compare_q(x, low) < 0 || cagd_compare_q(x, high) > 0)
+                continue;
+            if (count == CAGD_MOST_CUTS)
+                return -1;
+            out[count++] = (struct cagd_root){x, x, 1, f};
+            continue;
+        }
+        int found = cagd_isolate_roots(f, low, high, out + count, CAGD_MOST_CUTS - count);
+        if (found > CAGD_MOST_CUTS - count)
+            return -1;
+        count += found;
+    }
+    for (int i = 1; i < count; i++) /* different irreducible factors have no root in common */
+        for (int k = i; k > 0; k--) {
+            while (cagd_compare_q(out[k - 1].hi, out[k].lo) >= 0 && cagd_compare_q(out[k].hi, out[k - 1].lo) >= 0) {
+                if (!is_number(&out[k]))
+                    out[k] = finer(out[k]);
+                if (!is_number(&out[k - 1]))
+                    out[k - 1] = finer(out[k - 1]);
+            }
+            if (cagd_compare_q(out[k - 1].hi, out[k].lo) < 0)
+                break;
+            struct cagd_root kept = out[k];
+            out[k] = out[k - 1], out[k - 1] = kept;
+        }
+    return count;
+}
+
+int cagd_cells_of(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
+                  cagd_cells *out)
+{
+    num_f lambda = parameter->variable, c = from_int_f(1);
+    *out = (cagd_cells){0};
+    for (int i = 0; i < constraints; i++) {
+        const cagd_constraint *one_of = &constraint[i];
+        if (one_of->demand == CAGD_ZERO)
+            c = times(c, some_coefficient(one_of->p, lambda), lambda);
+        else if (!critical(one_of->p, &one_of->t, lambda, &c))
+            return 0;
+    }
+    num_q low = cagd_inside(parameter), high = low;
+    if (!is_point(parameter)) {
+        poly cuts = degree_f(c, lambda) < 1 ? cagd_poly_variable() : in_one(c, lambda);
+        ends_for(cuts, parameter, &low, &high);
+        out->count = degree_f(c, lambda) < 1 ? 0 : cuts_of(c, lambda, low, high, out->root);
+    }
+    if (region_faults != 0 || out->count < 0)
         return 0;
     separate(out->count, out->root, low, high);
     for (int k = 0; k <= out->count; k++) {
         out->sample[k] = low;
         out->empty[k] = !gap(out->count, out->root, k, low, high, &out->sample[k]) && !is_point(parameter);
-        if (!out->empty[k])
-            out->cell[k] = positive_on_line(in_one(at_number(p, lambda, out->sample[k]), t->variable), strict, t,
-                                            &out->witness[k], &rational);
+        for (int i = 0; i < constraints && !out->empty[k] && out->cell[k] == CAGD_HOLDS; i++) {
+            out->cell[k] = holds_for(&constraint[i], lambda, out->sample[k], &out->witness[k], &out->has_witness[k]);
+            out->broken[k] = i;
+        }
     }
-    int compact = t->has_low && t->has_high && !t->low_open && !t->high_open;
-    for (int k = 0; k < out->count; k++) {
-        num_q point;
-        int below = !out->empty[k] && out->cell[k] == CAGD_HOLDS,
-            above = !out->empty[k + 1] && out->cell[k + 1] == CAGD_HOLDS;
-        int fails = (!out->empty[k] && !below) || (!out->empty[k + 1] && !above);
-        if (is_number(&out->root[k]))
-            out->at[k] = positive_on_line(in_one(at_number(p, lambda, out->root[k].lo), t->variable), strict, t, &point,
-                                          &rational);
-        else if (strict) /* t with p <= 0 have a limit where the side is compact */
-            out->at[k] = fails && compact ? CAGD_FAILS : CAGD_UNDECIDED;
-        else /* p >= 0 on one side, and so in the limit */
-            out->at[k] = below || above ? CAGD_HOLDS : CAGD_UNDECIDED;
-    }
+    for (int k = 0; k < out->count; k++)
+        for (int i = 0; i < constraints && out->at[k] != CAGD_FAILS; i++) {
+            num_q witness;
+            int rational;
+            const struct cagd_root *r = &out->root[k];
+            num_q beside[2];
+            int near = 0;
+            for (int side = k; side <= k + 1; side++)
+                if (!out->empty[side])
+                    beside[near++] = out->sample[side];
+            cagd_answer answer = is_number(r) ? holds_for(&constraint[i], lambda, r->lo, &witness, &rational)
+                                              : holds_between(&constraint[i], lambda, r, near, beside);
+            out->at[k] = answer == CAGD_HOLDS ? out->at[k] : answer;
+        }
     return region_faults == 0;
 }
 
@@ -209,29 +343,27 @@ static cagd_answer positive_in_rectangle(num_f p, int strict, const cagd_side_of
                                          num_q *at_t, num_q *at_lambda, int *rational)
 {
     cagd_cells *cells = region_bytes(sizeof *cells);
+    cagd_constraint c = {p, strict ? CAGD_MORE_THAN_ZERO : CAGD_AT_LEAST_ZERO, *t};
     cagd_answer answer = CAGD_HOLDS;
-    if (cells == NULL || !cagd_positive_cells(p, strict, t, lambda, cells))
+    if (cells == NULL || !cagd_cells_of(1, &c, lambda, cells))
         return CAGD_UNDECIDED;
     for (int k = 0; k <= cells->count; k++) {
         if (cells->empty[k] || cells->cell[k] == CAGD_HOLDS)
             continue;
-        *at_lambda = cells->sample[k];
-        return positive_on_line(in_one(at_number(p, lambda->variable, *at_lambda), t->variable), strict, t, at_t,
-                                rational);
+        *at_lambda = cells->sample[k], *at_t = cells->witness[k], *rational = cells->has_witness[k];
+        return cells->cell[k];
     }
     for (int k = 0; k < cells->count; k++) {
-        if (is_number(&cells->root[k]) && !cagd_is_inside(lambda, cells->root[k].lo))
+        const struct cagd_root *r = &cells->root[k];
+        if (is_number(r) && !cagd_is_inside(lambda, r->lo))
             continue;
         if (cells->at[k] == CAGD_UNDECIDED)
             answer = CAGD_UNDECIDED;
         if (cells->at[k] != CAGD_FAILS)
             continue;
-        *at_lambda = cells->root[k].lo;
+        *at_lambda = r->lo;
         *rational = 0;
-        if (!is_number(&cells->root[k]))
-            return CAGD_FAILS;
-        return positive_on_line(in_one(at_number(p, lambda->variable, *at_lambda), t->variable), strict, t, at_t,
-                                rational);
+        return is_number(r) ? holds_for(&c, lambda->variable, r->lo, at_t, rational) : CAGD_FAILS;
     }
     return answer;
 }

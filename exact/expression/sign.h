@@ -30,18 +30,29 @@ cagd_num_q cagd_simplest_between(cagd_num_q a, cagd_num_q b);
 cagd_num_q cagd_inside(const cagd_side_of_box *s);
 int cagd_is_inside(const cagd_side_of_box *s, cagd_num_q x);
 
-/* For which values of a parameter p >= 0 (p > 0) for all t of the other side: the parameter's side is cut by `count` numbers
- * root[k]; cell[k] is the answer below root[k], cell[count] above the last; at[k] the answer for root[k] itself.  In increasing
- * order.  0 where there are too many or p has other variables. */
+/* What is asked of a parameter: that p >= 0, or p > 0, for all t of a side, or that p is the function 0; p is a polynomial in the
+ * parameter and t, for 0 in any variables. */
+typedef enum cagd_demand { CAGD_AT_LEAST_ZERO, CAGD_MORE_THAN_ZERO, CAGD_ZERO } cagd_demand;
+typedef struct cagd_constraint {
+    cagd_num_f p;
+    cagd_demand demand;
+    cagd_side_of_box t; /* where p is free of other variables, that of the parameter */
+} cagd_constraint;
+
+/* For which values of the parameter all constraints hold: its side is cut by `count` numbers root[k]; cell[k] is the answer below
+ * root[k], cell[count] the one above the last; at[k] the answer for root[k] itself, all in increasing order.  0 where there are too
+ * many cuts. */
 enum { CAGD_MOST_CUTS = 60 };
 typedef struct cagd_cells {
     int count;
     struct cagd_root root[CAGD_MOST_CUTS];
     cagd_answer cell[CAGD_MOST_CUTS + 1], at[CAGD_MOST_CUTS];
-    int empty[CAGD_MOST_CUTS + 1];          /* the first and the last cell may be */
-    cagd_num_q sample[CAGD_MOST_CUTS + 1];  /* a number of each cell */
-    cagd_num_q witness[CAGD_MOST_CUTS + 1]; /* where the cell fails: a t with p < 0 for that number */
+    int empty[CAGD_MOST_CUTS + 1];          /* the first and the last cell may be                                  */
+    cagd_num_q sample[CAGD_MOST_CUTS + 1];  /* a number of each cell                                               */
+    int broken[CAGD_MOST_CUTS + 1];         /* the first constraint that does not hold in the cell                 */
+    cagd_num_q witness[CAGD_MOST_CUTS + 1]; /* a t for which it does not, if has_witness                           */
+    int has_witness[CAGD_MOST_CUTS + 1];
 } cagd_cells;
-int cagd_positive_cells(cagd_num_f p, int strict, const cagd_side_of_box *t, const cagd_side_of_box *parameter,
-                        cagd_cells *out);
+int cagd_cells_of(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
+                  cagd_cells *out);
 #endif

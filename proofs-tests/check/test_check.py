@@ -48,6 +48,45 @@ class Literature(unittest.TestCase):
         self.assertEqual(r.returncode, 0)
 
 
+class Ranges(unittest.TestCase):
+    """For which values of a parameter: exactly those."""
+
+    def found(self, printed, parameter, ranges="n = 1", let=""):
+        text = document(printed, ranges, let).replace(":for:", f":find: {parameter}\n:for:")
+        return json.loads(check(text, "--json").stdout)["statements"][0]
+
+    def test_values(self):
+        unit = "0 \\le t \\le 1, "
+        for printed, values in (("x^2 - 2 \\ge 0", "x ≤ −1.414213… and x ≥ 1.414213…"), ("x^2 - 2 > 0", "x < −1.414213… and x > 1.414213…"),
+                                ("x^2 t = 2 t", "x = −1.414213… and x = 1.414213…"), ("-(x-1)^2 (x+3) \\ge 0", "x ≤ −3 and x = 1"),
+                                ("x t (1-t) \\ge 0", "x ≥ 0"), ("x t = t x", "all x"), ("x t = t + 1 + x t", "no x"),
+                                ("(x-1)(x^2-2) + t \\ge 0", "− 1.414213… ≤ x ≤ 1 and x ≥ 1.414213…"),
+                                ("(x - t)^2 \\ge 0", "all x"), ("(x - t)^2 > 0", "x < 0 and x > 1"), ("t \\le x \\le t + 1", "x = 1"), ("t \\le x < t + 1", "no x")):
+            s = self.found(printed, "x", unit + "n = 1")
+            self.assertEqual(s["values"].replace("− 1.", "−1."), values.replace("− 1.", "−1."), printed)
+        s = self.found("(x-2)^2 > 0", "x", "-1 \\le x \\le 2")
+        self.assertEqual(s["values"].replace("− ", "−"), "−1 ≤ x < 2")
+
+    def test_what_breaks_it_does(self):
+        s = self.found("(1 - x t)(1-t) \\ge 0", "x", "0 \\le t \\le 1")
+        self.assertEqual(s["values"], "x ≤ 1")
+        f = {k: fractions.Fraction(v) for k, v in s["fails_for"][0].items()}
+        self.assertLess((1 - f["x"] * f["t"]) * (1 - f["t"]), 0)
+
+    def test_the_published_basis_is_what_the_ledger_says(self):
+        r = subprocess.run([CAGD, "check", "--json", HERE / "deng-zhang-2022.md"], capture_output=True, text=True, timeout=100)
+        s = {s["name"]: s for s in json.loads(r.stdout)["statements"]}
+        self.assertEqual(r.returncode, 0)
+        self.assertEqual(s["property-2.1-range"]["values"].replace("− ", "−"), "−21/4 ≤ β ≤ 1")
+
+    def test_what_is_not_found_is_told(self):
+        self.assertIn("more than one name", self.found("x + t + y \\ge 0", "x", "0 \\le t \\le 1")["reason"])
+        for parameter, words in (("z", "not defined"), ("x_1", "variable"), ("2", "variable"), ("n", "variable")):
+            r = check(document("x = x").replace(":for:", f":find: {parameter}\n:for:"))
+            self.assertEqual(r.returncode, 2)
+            self.assertIn(words, r.stderr)
+
+
 class Mistakes(unittest.TestCase):
     """One line, the line of the file, and a caret; nothing is decided."""
 
