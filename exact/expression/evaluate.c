@@ -476,6 +476,7 @@ static cagd_value binomial(cagd_context *c, const cagd_tree *t, const frame *f)
     return r;
 }
 
+/* The root that is not negative, if n is even: of a square of a function it is the function or its negative, by its sign. */
 static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     long n;
@@ -485,7 +486,14 @@ static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
     if (!cagd_value_is_whole(index, &n) || n < 1 || n > MOST_POWER)
         return fail(c, t, FAULT_UNABLE, "a root is the n-th for a whole number n");
     cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
-    return region_faults != 0 ? fail(c, t, FAULT_UNABLE, "a root that is no rational number or function") : r;
+    if (region_faults != 0) {
+        region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+        return fail(c, t, FAULT_UNABLE, "a root that is no rational number or function");
+    }
+    int sign = a.rational || n % 2 == 1 ? 1 : sign_of(c, r);
+    if (sign == -2)
+        return fail(c, t, FAULT_UNABLE, "a root whose sign depends on variables");
+    return sign < 0 ? cagd_value_sub(cagd_value_int(0), r) : r;
 }
 
 /* Of the list the greatest or the least; of a number its amount, for the list a, -a. */

@@ -215,6 +215,16 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict("\\int_0^1 G(t) dt = \\frac{y}{3}", let=let)["verdict"], "holds")
         self.assertEqual(verdict("G''(x) = 2 y, \\quad G^{(n)}(x) = 0", "n = 3..5", let=let)["verdict"], "holds")
 
+    def test_an_even_root_is_not_negative(self):
+        self.assertEqual(verdict("\\sqrt{t^2} = t")["verdict"], "fails")
+        self.assertEqual(verdict("\\sqrt{t^2} = t", "t \\ge 0")["verdict"], "holds")
+        self.assertEqual(verdict("\\sqrt{t^2} = -t", "t \\le 0")["verdict"], "holds")
+        self.assertEqual(verdict("\\sqrt{t^2} = |t|")["verdict"], "holds")
+        self.assertEqual(verdict("\\sqrt{(1-t)^2} = 1 - t", "0 \\le t \\le 1")["verdict"], "holds")
+        self.assertEqual(verdict("\\sqrt{(1-t)^2} = t - 1", "0 \\le t \\le 1")["verdict"], "fails")
+        self.assertEqual(verdict("\\sqrt[3]{t^3} = t")["verdict"], "holds")
+        self.assertEqual(verdict("\\sqrt{x^2 y^2} = x y")["verdict"], "undecided")
+
     def test_what_is_not_defined_is_no_example(self):
         self.assertEqual(verdict("\\frac{x}{x} = 1")["verdict"], "holds")
         s = verdict("\\frac{x^2}{x} = 1")
