@@ -94,6 +94,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         if (!declared)
             text = append(text, "%sall $%s$", comma, f->name[k]), comma = ", ";
     }
+    for (int k = 0; k < s->scope.condition_count; k++, comma = ", ")
+        text = append(text, "%s$%s$", comma, source(d, s->scope.conditions[k]));
     return text;
 }
 

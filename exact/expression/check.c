@@ -342,6 +342,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
             return is_empty(c) ? CAGD_HOLDS : undecided(r, c, "a value that is not computed");
         }
     }
+    r->out->bounded |= c->used_bounds;
     for (int k = 0; k < c->count; k++) {
         cagd_finding *f = r->out;
         int known = !c->binding[k].unknown || c->binding[k].key[0] == '\0' || f->names == CAGD_MOST_UNKNOWNS;

@@ -381,10 +381,10 @@ static int sign_of(cagd_context *c, cagd_value d)
     int sign = cagd_sign_q(p);
     int above = only->has_low ? cagd_compare_q(only->low, r) : -1,
         below = only->has_high ? cagd_compare_q(only->high, r) : 1;
-    if (above > 0 || (above == 0 && only->low_open))
-        return sign;
-    if (below < 0 || (below == 0 && only->high_open))
-        return -sign;
+    int is_above = above > 0 || (above == 0 && only->low_open), is_below = below < 0 || (below == 0 && only->high_open);
+    c->used_bounds |= is_above || is_below;
+    if (is_above || is_below)
+        return is_above ? sign : -sign;
     if (c->split == NULL && only->key[0] != '\0')
         c->split = only->key, c->split_at = r;
     return -2;

@@ -35,8 +35,9 @@ typedef struct cagd_context {
     int count;
     cagd_piece piece[CAGD_MOST_PIECES];
     int pieces;
-    int in_field; /* names without a value become variables of the field; otherwise they are UNABLE           */
-    long steps;   /* what may still be done; UNABLE when it is used up                                        */
+    int used_bounds; /* whether what was found depends on the bounds of a variable */
+    int in_field;    /* names without a value become variables of the field; otherwise they are UNABLE           */
+    long steps;      /* what may still be done; UNABLE when it is used up                                        */
     int depth, fresh;
     const char *trouble;    /* why there is no value, in words; NULL while nothing went wrong                 */
     const cagd_tree *where; /* and at which part of the formula                                              */

@@ -225,6 +225,15 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict("\\sqrt[3]{t^3} = t")["verdict"], "holds")
         self.assertEqual(verdict("\\sqrt{x^2 y^2} = x y")["verdict"], "undecided")
 
+    def test_a_scope_has_the_bounds_that_were_used(self):
+        self.assertEqual(verdict("|t| = t", "0 < t \\le 1")["scope"], "0 < t ≤ 1")
+        self.assertEqual(verdict("\\sqrt{t^2} = t", "0 \\le t \\le 1")["scope"], "0 ≤ t ≤ 1")
+        self.assertEqual(verdict("t + x = x + t", "0 < t \\le 1")["scope"], "all x, all t")
+        self.assertEqual(verdict("\\frac{|x|^2}{x} = x", "x \\ne 0")["scope"], "all x, x ≠ 0")
+        let = "H(t) = 2, \\quad t > 3\nH(t) = 1"
+        self.assertEqual(verdict("H(t) = 1", "0 < t \\le 1", let)["scope"], "0 < t ≤ 1")
+        self.assertEqual(verdict("H(t) = 1", "x = 1", let)["verdict"], "fails")
+
     def test_what_is_not_defined_is_no_example(self):
         self.assertEqual(verdict("\\frac{x}{x} = 1")["verdict"], "holds")
         s = verdict("\\frac{x^2}{x} = 1")
