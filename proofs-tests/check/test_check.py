@@ -228,7 +228,7 @@ class Verdicts(unittest.TestCase):
     def test_a_scope_has_the_bounds_that_were_used(self):
         self.assertEqual(verdict("|t| = t", "0 < t \\le 1")["scope"], "0 < t ≤ 1")
         self.assertEqual(verdict("\\sqrt{t^2} = t", "0 \\le t \\le 1")["scope"], "0 ≤ t ≤ 1")
-        self.assertEqual(verdict("t + x = x + t", "0 < t \\le 1")["scope"], "all x, all t")
+        self.assertEqual(verdict("t + x = x + t", "0 < t \\le 1")["scope"], "all t, all x")
         self.assertEqual(verdict("\\frac{|x|^2}{x} = x", "x \\ne 0")["scope"], "all x, x ≠ 0")
         let = "H(t) = 2, \\quad t > 3\nH(t) = 1"
         self.assertEqual(verdict("H(t) = 1", "0 < t \\le 1", let)["scope"], "0 < t ≤ 1")
