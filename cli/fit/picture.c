@@ -218,7 +218,7 @@ static void label_control_point(svg *s, const struct view *v, int j)
     FILE *out = open_memstream(&text, &size);
     fprintf(out, "P_{%d}", j);
     if (dim == 2 && r->curve.count <= MOST_WEIGHTS && j > 0 && j < r->curve.count - 1 && r->curve.weights[j] != 1) {
-        cagd_fit_estimate e = {r->curve.weights[j], NAN, NAN, NAN, 0};
+        cagd_fit_estimate e = {r->curve.weights[j], NAN, NAN, NAN, 0, CAGD_FIT_INTERVAL_NONE};
         for (int k = 0; k < r->unknowns; k++)
             if (r->unknown[k].is_weight && r->unknown[k].index == j)
                 e = cagd_fit_unknown_estimate(v->f->result, k);

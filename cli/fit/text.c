@@ -285,12 +285,14 @@ static void print_estimates(const struct fit *f)
             puts("");
         } else if (!r->determined[k]) {
             puts("  not determined");
+        } else if (e.by == CAGD_FIT_INTERVAL_NONE) {
+            puts("  hardly determined");
         } else if (!isfinite(e.error)) {
             puts("  no standard error");
         } else {
             put_column(0, e.error, e.error, 18);
             put_interval(e);
-            puts("");
+            puts(e.by == CAGD_FIT_INTERVAL_PROFILE ? " *" : "");
         }
     }
     for (int j = 0; j < r->invariants && r->unknowns > 0; j++) {
@@ -302,7 +304,10 @@ static void print_estimates(const struct fit *f)
         if (isfinite(e.error) && e.error > 0) {
             put_column(0, e.error, e.error, 18);
             put_interval(e);
-        } else if (!is_held(e.value))
+            fputs(e.by == CAGD_FIT_INTERVAL_PROFILE ? " *" : "", stdout);
+        } else if (e.by == CAGD_FIT_INTERVAL_NONE && minimum)
+            fputs("  hardly determined", stdout);
+        else if (!is_held(e.value))
             fputs("  beyond the range of numbers", stdout);
         else if (minimum && !(e.error == 0))
             fputs("  not determined", stdout);
@@ -440,6 +445,17 @@ static void print_spacing(const struct fit *f)
         widest, cagd_fit_unknown_estimate(f->result, finest).error, name);
 }
 
+static const char *hardly_because(const struct fit *f)
+{
+    return f->options.weight_low > 0 || isfinite(f->options.weight_high)
+               ? "the cost is far from quadratic over the interval that the standard error says, and weights are "
+                 "bounded"
+               : "the cost is far from quadratic over the interval that the standard error says, and its profile does "
+                 "not "
+                 "come to an end, or there are too many unknowns to follow it; more points, or fewer unknowns (--free "
+                 "inner,ends), determine more";
+}
+
 /* What is true of a minimum only. */
 static void print_statistics(const struct fit *f)
 {
@@ -477,6 +493,15 @@ static void print_statistics(const struct fit *f)
             sqrt(r->scale_squared), r->quantile);
     else
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
+    int by[CAGD_FIT_INTERVAL_NONE + 1] = {0};
+    for (int q = 0; q < r->unknowns + r->invariants; q++)
+        by[r->interval_by[q]]++;
+    if (by[CAGD_FIT_INTERVAL_PROFILE] > 0)
+        say("Intervals *",
+            "by the profile of the cost, which is far from quadratic so far from its minimum: the standard error alone "
+            "would not cover 95 %%");
+    if (by[CAGD_FIT_INTERVAL_NONE] > 0)
+        say("No intervals", "of what is hardly determined: %s", hardly_because(f));
     if (!known && f->result->points_on_curve && r->scale_squared > 0)
         say("Rounding",
             "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "

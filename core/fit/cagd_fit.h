@@ -111,6 +111,14 @@ typedef struct cagd_fit_step {
     double cost, gradient_norm, step_norm, trust_radius;
 } cagd_fit_step;
 
+/* How a 95 % interval was found: value +- quantile * error, LINEAR; by the profile of the cost, which is not quadratic
+ * over that interval, PROFILE; or not at all, since the points hardly determine the unknown. */
+typedef enum cagd_fit_interval {
+    CAGD_FIT_INTERVAL_LINEAR,
+    CAGD_FIT_INTERVAL_PROFILE,
+    CAGD_FIT_INTERVAL_NONE
+} cagd_fit_interval;
+
 typedef enum cagd_fit_termination { CAGD_FIT_CONVERGED, CAGD_FIT_NOT_CONVERGED, CAGD_FIT_FAILED } cagd_fit_termination;
 
 typedef struct cagd_fit_result {
@@ -161,6 +169,10 @@ typedef struct cagd_fit_result {
                             /* deviations, else Student's t                                                */
     int invariants;         /* of a curve of one span, p-1: I_j = w_j^2/(w_{j-1} w_{j+1}), with standard errors */
     double *invariant, *invariant_error;
+    cagd_fit_interval *interval_by; /* of the unknowns, and behind them of the invariants                    */
+    double *
+        interval; /* by PROFILE: from interval[2q] to interval[2q+1], logarithms of weights and invariants, coordinates */
+                  /* from `origin`                                                                       */
 } cagd_fit_result;
 
 /* *result: the fit, or NULL unless CAGD_OK, which says that a result was made; whether it converged stands in it.
@@ -191,10 +203,12 @@ CAGD_API void cagd_fit_refute(cagd_fit_result *result);
 /* An estimate with its standard error and 95 % interval.  The error is NaN where there is none: for an unknown on its
  * bound or one that is not determined, and where the curve is no minimum; so is the interval.  Weights and invariants
  * are fitted by their logarithms: their error is that of the logarithm times the value, and their interval that of
- * the logarithm, exponentiated.  Value, low and high of a coordinate are counted from `origin`, which is 0 for the
+ * the logarithm, exponentiated.  The interval by a profile of the cost lies otherwise about the value; where there is none, error,
+ * low and high are NaN.  Value, low and high of a coordinate are counted from `origin`, which is 0 for the
  * others. */
 typedef struct cagd_fit_estimate {
     double value, error, low, high, origin;
+    cagd_fit_interval by;
 } cagd_fit_estimate;
 
 /* Of unknown k = 0, ..., unknowns-1; of invariant[j], j = 0, ..., invariants-1. */
@@ -218,7 +232,7 @@ CAGD_API int cagd_fit_finest_unknown(const cagd_fit_result *result, double *spac
 /* Which conic (圆锥曲线) a fitted curve of degree 2 in one span is, and how sure that is.
  *
  * I_1 = w_1^2/(w_0 w_2) is less than 1 for an ellipse, 1 for a parabola, greater for a hyperbola.  log I_1 is linear
- * in the unknowns; the type is certain when its 95 % interval, log_invariant +- quantile * error, does not contain 0.
+ * in the unknowns; the type is certain when its 95 % interval does not contain 0.
  * It has a meaning only when the three points are not on a line: that the 95 % interval of the distance of the middle
  * one from the line of the others does not contain 0 is asked first.  When the ends slide along the curve, I_1
  * changes but its being less than 1 does not; the error is then that of the generalised inverse. */

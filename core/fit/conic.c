@@ -56,8 +56,19 @@ static int knowledge_of_type(const cagd_fit_result *result)
     return knowledge;
 }
 
+/* Whether the 95 % interval of log I_1 contains 0: where I_1 has one by the profile of the cost, that, and where it has none no
+ * type is certain. */
+static int contains_parabola(const cagd_fit_result *result, const cagd_fit_conic *conic)
+{
+    int by = result->interval_by != NULL && result->invariants > 0 ? (int)result->interval_by[result->unknowns] : 0;
+    const double *interval = result->interval + 2 * (by != 0 ? result->unknowns : 0);
+    if (by == CAGD_FIT_INTERVAL_PROFILE)
+        return interval[0] <= 0 && interval[1] >= 0;
+    return by == CAGD_FIT_INTERVAL_NONE || fabs(conic->log_invariant) <= result->quantile * conic->error;
+}
+
 /* The type of a curve that is a conic, as far as it is known. */
-static void judge(int knowledge, double quantile, cagd_fit_conic *conic)
+static void judge(int knowledge, const cagd_fit_result *result, cagd_fit_conic *conic)
 {
     int ellipse = conic->type == CAGD_ELLIPSE, parabola = conic->type == CAGD_PARABOLA;
     if (knowledge == NOT_DETERMINED) {
@@ -71,7 +82,7 @@ static void judge(int knowledge, double quantile, cagd_fit_conic *conic)
         conic->text = ellipse    ? "an ellipse, by its given weights"
                       : parabola ? "a parabola, by its given weights"
                                  : "a hyperbola, by its given weights";
-    } else if (fabs(conic->log_invariant) > quantile * conic->error) {
+    } else if (!contains_parabola(result, conic)) {
         conic->kind = CAGD_FIT_CONIC_CERTAIN;
         conic->text = ellipse ? "an ellipse at 95 %" : "a hyperbola at 95 %";
     } else {
@@ -102,7 +113,7 @@ cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result)
         conic.kind = CAGD_FIT_STRAIGHT;
         conic.text = "cannot tell a conic from a straight line";
     } else {
-        judge(knowledge_of_type(result), result->quantile, &conic);
+        judge(knowledge_of_type(result), result, &conic);
     }
     return conic;
 }

@@ -14,7 +14,21 @@ static int is_held(double positive) { return positive > 0 && isfinite(positive);
 static cagd_fit_estimate exponential(cagd_fit_estimate x)
 {
     double value = exp(x.value);
-    return (cagd_fit_estimate){value, is_held(value) ? value * x.error : NAN, exp(x.low), exp(x.high), 0};
+    return (cagd_fit_estimate){value, is_held(value) ? value * x.error : NAN, exp(x.low), exp(x.high), 0, x.by};
+}
+
+/* The interval of quantity q, an unknown or, behind these, the logarithm of an invariant, in the place of the linear
+ * one, if it was found otherwise, or not at all. */
+static cagd_fit_estimate by_profile(const cagd_fit_result *r, int q, cagd_fit_estimate e)
+{
+    e.by = r->interval_by != NULL ? r->interval_by[q] : CAGD_FIT_INTERVAL_LINEAR;
+    if (!isfinite(e.error))
+        return e;
+    if (e.by == CAGD_FIT_INTERVAL_PROFILE)
+        e.low = r->interval[2 * q], e.high = r->interval[2 * q + 1];
+    if (e.by == CAGD_FIT_INTERVAL_NONE)
+        e.error = e.low = e.high = NAN;
+    return e;
 }
 
 cagd_fit_estimate cagd_fit_unknown_estimate(const cagd_fit_result *r, int k)
@@ -23,8 +37,9 @@ cagd_fit_estimate cagd_fit_unknown_estimate(const cagd_fit_result *r, int k)
     double value = u->is_weight ? r->value[k] : r->relative[u->index * r->curve.dim + u->coordinate], error = NAN;
     if (!r->at_bound[k] && r->determined[k] && cagd_fit_is_minimum(r))
         error = sqrt(r->covariance[(size_t)k * (size_t)r->unknowns + (size_t)k]);
-    cagd_fit_estimate e = {value, error, value - r->quantile * error, value + r->quantile * error,
-                           r->origin[u->coordinate]};
+    double reach = r->quantile * error;
+    cagd_fit_estimate e = {value, error, value - reach, value + reach, r->origin[u->coordinate], 0};
+    e = by_profile(r, k, e);
     return u->is_weight ? exponential(e) : e;
 }
 
@@ -32,11 +47,13 @@ cagd_fit_estimate cagd_fit_invariant_estimate(const cagd_fit_result *r, int j)
 {
     double value = r->invariant[j], error = r->invariant_error[j];
     if (!is_held(value))
-        return (cagd_fit_estimate){value, NAN, NAN, NAN, 0};
+        return (cagd_fit_estimate){value, NAN, NAN, NAN, 0, 0};
     if (!isfinite(error) || !cagd_fit_is_minimum(r))
         error = NAN;
-    double factor = exp(r->quantile * error / value);
-    return (cagd_fit_estimate){value, error, value / factor, value * factor, 0};
+    double reach = r->quantile * error / value;
+    cagd_fit_estimate e = by_profile(
+        r, r->unknowns + j, (cagd_fit_estimate){log(value), error, log(value) - reach, log(value) + reach, 0, 0});
+    return (cagd_fit_estimate){value, e.error, exp(e.low), exp(e.high), 0, e.by};
 }
 
 double cagd_fit_correlation(const cagd_fit_result *r, int i, int j)

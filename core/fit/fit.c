@@ -4,11 +4,12 @@
  *     reduction      fit_objective     the cost as a function of the curve alone: objective.h, feet.h, reduction.h
  *     minimiser      fit_attempt       from one start to where it ends: starts.h, approach.h, descend.h
  *     verification   fit_minimum       which ends are minima, and the lowest of them: judge.c, minimum.h
- *     statistics     cagd_fit_result   in the coordinates of the data, with errors: result.h, statistics.h */
+ *     statistics     cagd_fit_result   in the coordinates of the data, with errors: result.h, statistics.h, profile.h */
 #include "core/fit/cagd_fit.h"
 
 #include "core/fit/arguments.h"
 #include "core/fit/minimum.h"
+#include "core/fit/profile.h"
 #include "core/fit/result.h"
 #include "core/fit/statistics.h"
 
@@ -37,9 +38,14 @@ static cagd_fit_result *solve(const cagd_fit_data *data, const fit_problem *p)
     cagd_fit_result *result = NULL;
     if (fit_minimum_of(p, &minimum))
         result = fit_result_make(data, p, &minimum);
-    fit_minimum_free(&minimum);
-    if (result != NULL)
+    if (result != NULL) {
         fit_statistics(data, p->options, result);
+        if (!fit_profile(p, &minimum, result)) {
+            cagd_fit_free(result);
+            result = NULL;
+        }
+    }
+    fit_minimum_free(&minimum);
     return result;
 }
 

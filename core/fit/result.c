@@ -22,6 +22,7 @@ void cagd_fit_free(cagd_fit_result *r)
     free(r->unknown), free(r->value), free(r->at_bound);
     free(r->covariance), free(r->free_directions), free(r->determined);
     free(r->invariant), free(r->invariant_error);
+    free(r->interval), free(r->interval_by);
     free(r);
 }
 
@@ -202,13 +203,16 @@ static void fill_minimiser(fit_minimum *m, cagd_fit_result *r)
     memcpy(r->message, outcome->message, sizeof r->message);
 }
 
-/* Room for the invariants, which are statistics. */
+/* Room for the invariants and for intervals, which are statistics. */
 static int make_invariants(const fit_problem *p, cagd_fit_result *r)
 {
     r->invariants = p->count == p->degree + 1 ? p->degree - 1 : 0;
     r->invariant = numbers((size_t)r->invariants);
     r->invariant_error = numbers((size_t)r->invariants);
-    return r->invariant && r->invariant_error;
+    const size_t quantities = (size_t)p->unknowns + (size_t)r->invariants;
+    r->interval = numbers(2 * quantities);
+    r->interval_by = calloc(quantities + 1, sizeof *r->interval_by);
+    return r->invariant && r->invariant_error && r->interval && r->interval_by;
 }
 
 cagd_fit_result *fit_result_make(const cagd_fit_data *data, const fit_problem *p, fit_minimum *m)

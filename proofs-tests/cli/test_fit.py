@@ -845,6 +845,37 @@ class Fits(Case):
         self.assertEqual(r.stderr, b"")
         return " ".join(r.stdout.decode().split())
 
+    def test_intervals_by_the_profile_of_the_cost(self):
+        """Where the cost is not quadratic: at both ends it has grown by the quantile, as a fit with that weight finds."""
+        rows = quadratic(14, 0.75, 0.04)
+        d = self.fit(table(rows))
+        w, = [u for u in d["unknowns"] if u["kind"] == "weight"]
+        self.assertEqual((w["interval_by"], d["invariants"][0]["interval_by"], d["unknowns"][0]["interval_by"]), ("profile", "profile", "standard error"))
+        q, s2 = d["statistics"]["quantile"], d["statistics"]["scale_squared"]
+        for end in "low", "high":
+            curve = d["curve"]
+            held = self.file(json.dumps({**curve, "weights": [1, w[end], 1]}), "held.json")
+            there = self.fit(table(rows), "--initial", held, "--free", "inner,ends", "--no-verify")
+            grown = 2 * (there["minimiser"]["cost"] - d["minimiser"]["cost"]) / s2
+            self.assertAlmostEqual(math.sqrt(grown) / q, 1, delta=0.01)
+            self.assertAlmostEqual(d["invariants"][0][end] / w[end] ** 2, 1, delta=0.02)
+        said = self.text(rows)
+        self.assertRegex(said, r"w1 (\S+ ){5}\* ")
+        self.assertIn("Intervals * by the profile of the cost", said)
+        self.assertNotIn("Intervals *", self.text(quadratic(40, 0.75, 0.002)))
+
+    def test_what_is_hardly_determined_has_no_interval(self):
+        """Where weights have bounds the profile is not followed."""
+        rows = quadratic(14, 0.75, 0.06)
+        d = self.fit(table(rows), "--weights-between", "0.01:100")
+        none = [u for u in d["unknowns"] if u["interval_by"] == "none"]
+        self.assertTrue(none)
+        for u in none:
+            self.assertEqual([u[k] for k in ("standard_error", "low", "high")], [None] * 3)
+        said = self.text(rows, "--weights-between", "0.01:100")
+        self.assertIn("hardly determined", said)
+        self.assertIn("No intervals of what is hardly determined", said)
+
     def test_ends_taken_as_exact_are_said(self):
         said = "the first and the last point are taken as exact"
         rows = quadratic(40, 0.75, 0.01)

@@ -1,6 +1,7 @@
 /* test_coverage.c -- do the 95 % intervals of the fit cover the truth 95 times in a hundred (置信区间的覆盖率)?
  *
- * Ends are given, or measured as the other points are.  For each of the settings below a known curve is measured DRAWS times, each time with other noise, and fitted.  For every
+ * Where the points hardly determine the curve, the intervals are those by the profile of the cost, and where none is printed a draw
+ * does not count.  Ends are given, or measured as the other points are.  For each of the settings below a known curve is measured DRAWS times, each time with other noise, and fitted.  For every
  * unknown and every invariant two things are counted: how often its interval holds the truth, and the mean of z^2,
  * z = (estimate - truth)/standard error.
  *
@@ -24,7 +25,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DRAWS = 4096, MOST_POINTS = 32, MOST_UNKNOWNS = 16, FAILURES = 0 };
+enum { DRAWS = 4096, HARD = 1024, MOST_POINTS = 32, MOST_UNKNOWNS = 16, FAILURES = 0 };
 
 typedef struct setting {
     const char *name;
@@ -32,16 +33,19 @@ typedef struct setting {
     double sigma; /* of the first point; the others' go up to twice that where they are known */
     double points[12], weights[4];
     int measured_ends; /* the points begin and end in the ends of the curve, which are measured as the others are */
+    int draws;         /* HARD: the cost is far from quadratic, and most intervals are by its profile */
 } setting;
 
 static const setting settings[] = {
-    {"plane, known", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 0.7, 1}, 0},
-    {"plane, unknown", 2, 2, 12, 0, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 0},
-    {"space, known", 3, 2, 10, 1, 0.001, {0, 0, 0, 1, 2, 1, 3, 0.5, -1}, {1, 1.3, 1}, 0},
-    {"space, unknown", 3, 3, 12, 0, 0.001, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, 0},
-    {"parabola, ends", 2, 2, 24, 0, 0.0005, {0, 0, 0.5, 0.5, 1, 0}, {1, 1, 1}, 1},
-    {"conic, ends", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 1},
-    {"space, ends", 3, 3, 16, 1, 0.0002, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, 1},
+    {"plane, known", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 0.7, 1}, 0, DRAWS},
+    {"plane, unknown", 2, 2, 12, 0, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 0, DRAWS},
+    {"space, known", 3, 2, 10, 1, 0.001, {0, 0, 0, 1, 2, 1, 3, 0.5, -1}, {1, 1.3, 1}, 0, DRAWS},
+    {"space, unknown", 3, 3, 12, 0, 0.001, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, 0, DRAWS},
+    {"parabola, ends", 2, 2, 24, 0, 0.0005, {0, 0, 0.5, 0.5, 1, 0}, {1, 1, 1}, 1, DRAWS},
+    {"conic, ends", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 1, DRAWS},
+    {"cubic, ends", 2, 3, 20, 0, 0.0002, {0, 0, 1, 2, 2, -1, 3, 1}, {1, 1.5, 0.8, 1}, 1, HARD},
+    {"noisy, ends", 2, 2, 12, 0, 0.03, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 1, HARD},
+    {"space, ends", 3, 3, 16, 1, 0.0002, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, 1, DRAWS},
 };
 
 /* splitmix64, and Box and Muller's normal numbers. */
@@ -56,23 +60,38 @@ static double uniform(void)
 static double normal(void) { return sqrt(-2 * log(uniform())) * cos(6.283185307179586476925 * uniform()); }
 
 typedef struct tally {
-    int draws, covered;
+    int draws, covered, linear; /* linear: intervals that are value +- quantile * error */
     double squares;
 } tally;
+
+/* Intervals as they are printed; where none is, the draw does not count. */
+static void count_interval(tally *t, cagd_fit_estimate e, double truth)
+{
+    if (!isfinite(e.error))
+        return;
+    t->draws++, t->covered += e.low <= truth && truth <= e.high, t->linear += e.by == CAGD_FIT_INTERVAL_LINEAR;
+}
 
 static void count_in(tally *t, double estimate, double truth, double error, double quantile)
 {
     double z = (estimate - truth) / error;
-    t->draws++, t->covered += fabs(z) <= quantile, t->squares += z * z;
+    t->draws++, t->linear++, t->covered += fabs(z) <= quantile, t->squares += z * z;
 }
 
-static int judge(const char *setting_name, const char *what, const tally *t, int freedom)
+static int judge(const char *setting_name, const char *what, const tally *t, int draws, int freedom)
 {
     double share = (double)t->covered / t->draws, mean = t->squares / t->draws, d = freedom;
     double expected = freedom > 0 ? d / (d - 2) : 1;
     double variance = freedom > 0 ? 2 * d * d * (d - 1) / ((d - 2) * (d - 2) * (d - 4)) : 2;
     double off = (mean - expected) / sqrt(variance / t->draws);
-    int good = share >= 0.93 && share <= 0.97 && fabs(off) <= 5;
+    int all_linear = t->linear == t->draws && t->squares > 0;
+    int good = share >= 0.93 && share <= 0.97 && (!all_linear || fabs(off) <= 5) && t->draws > 0;
+    if (!all_linear) {
+        printf("%-15s %-14s %6.2f %% +- %.2f   %5.1f %% by profile, %5.1f %% none  %s\n", setting_name, what,
+               100 * share, 100 * sqrt(0.95 * 0.05 / t->draws), 100.0 * (t->draws - t->linear) / draws,
+               100.0 * (draws - t->draws) / draws, good ? "ok" : "FAILS");
+        return good;
+    }
     printf("%-15s %-14s %6.2f %% +- %.2f   mean of z^2 %6.3f, expected %5.3f: %+5.1f standard deviations  %s\n",
            setting_name, what, 100 * share, 100 * sqrt(0.95 * 0.05 / t->draws), mean, expected, off,
            good ? "ok" : "FAILS");
@@ -102,8 +121,9 @@ static int run(const setting *s, double factor, double quantile)
         cagd_rational_point(s->degree, s->dim, s->points, s->weights, t, exact + i * s->dim);
         sigma[i] = s->sigma * (s->known_sigma ? 1 + (i * 7 % s->count) / (double)s->count : 1);
     }
+    const int printed = s->measured_ends && factor == 1 && quantile == 0;
     state = (uint64_t)s->name[0] * 1000003 + (uint64_t)s->name[strlen(s->name) - 3];
-    for (int draw = 0; draw < DRAWS; draw++) {
+    for (int draw = 0; draw < s->draws; draw++) {
         cagd_fit_result *fit = NULL;
         for (int k = 0; k < s->count * s->dim; k++)
             measured[k] = exact[k] + sigma[k / s->dim] * normal();
@@ -116,8 +136,11 @@ static int run(const setting *s, double factor, double quantile)
         for (int k = 0; k < unknowns; k++) {
             cagd_fit_unknown u = fit->unknown[k];
             double truth = u.is_weight ? log(s->weights[u.index]) : s->points[u.index * s->dim + u.coordinate];
-            count_in(&unknown[k], fit->value[k], truth, factor * sqrt(fit->covariance[k * unknowns + k]),
-                     quantile > 0 ? quantile : fit->quantile);
+            if (printed)
+                count_interval(&unknown[k], cagd_fit_unknown_estimate(fit, k), u.is_weight ? exp(truth) : truth);
+            else
+                count_in(&unknown[k], fit->value[k], truth, factor * sqrt(fit->covariance[k * unknowns + k]),
+                         quantile > 0 ? quantile : fit->quantile);
             if (u.is_weight)
                 snprintf(names[k], sizeof names[k], "log w_%d", u.index);
             else
@@ -125,17 +148,20 @@ static int run(const setting *s, double factor, double quantile)
         }
         for (int j = 0; j < fit->invariants; j++) {
             double truth = s->weights[j + 1] * s->weights[j + 1] / (s->weights[j] * s->weights[j + 2]);
-            count_in(&invariant[j], fit->invariant[j], truth, factor * fit->invariant_error[j],
-                     quantile > 0 ? quantile : fit->quantile);
+            if (printed)
+                count_interval(&invariant[j], cagd_fit_invariant_estimate(fit, j), truth);
+            else
+                count_in(&invariant[j], fit->invariant[j], truth, factor * fit->invariant_error[j],
+                         quantile > 0 ? quantile : fit->quantile);
         }
         cagd_fit_free(fit);
     }
     for (int k = 0; k < unknowns; k++)
-        bad += !judge(s->name, names[k], &unknown[k], freedom);
+        bad += !judge(s->name, names[k], &unknown[k], s->draws, freedom);
     for (int j = 0; j < s->degree - 1; j++)
-        bad += !judge(s->name, j == 0 ? "I_1" : "I_2", &invariant[j], freedom);
+        bad += !judge(s->name, j == 0 ? "I_1" : "I_2", &invariant[j], s->draws, freedom);
     if (failures > FAILURES)
-        printf("%-15s %d of %d fits did not converge\n", s->name, failures, DRAWS);
+        printf("%-15s %d of %d fits did not converge\n", s->name, failures, s->draws);
     return bad + (failures > FAILURES) + (unknowns == 0);
 }
 
@@ -151,8 +177,8 @@ int main(int argc, char **argv)
         return 2;
     }
     int bad = 0;
-    for (size_t k = 0; k < sizeof settings / sizeof *settings; k++)
-        bad += run(&settings[k], factor, quantile);
+    for (size_t k = 0; k < sizeof settings / sizeof *settings; k++) /* a control is of linear intervals */
+        bad += settings[k].draws == HARD && (factor != 1 || quantile > 0) ? 0 : run(&settings[k], factor, quantile);
     printf("%s\n", bad == 0 ? "All intervals cover as they say" : "Some intervals do not cover as they say");
     return bad != 0;
 }

@@ -1,0 +1,29 @@
+/* profile.h -- intervals by the profile of the cost (轮廓似然), where those of the linear model cannot be relied on.
+ *
+ * An interval value +- q error takes the cost for a quadratic function of the unknowns.  For phi = c . theta, an unknown or
+ * the logarithm of an invariant, let F(v) be the smallest cost of the curves with phi = v, a minimum under one condition.
+ * The interval by the profile is
+ *
+ *     { v : 2 (F(v) - F) <= q^2 scale_squared },
+ *
+ * which is value +- q error when the cost is quadratic.
+ *
+ * Which is taken.  At the ends of the linear interval, reached in the direction in which the quadratic function is smallest, the
+ * cost has grown by r times what that function says.  Of a normal number 2.5 % lie beyond q, and beyond q sqrt(r) between 1.5 and
+ * 3.5 % for 0.85 <= r <= 1.23: inside of these bounds, at both ends, the linear interval covers 93 to 97 % as it should.  r is
+ * found with at most PER_UNKNOWN points for each unknown, since it does not depend on their number.  Otherwise the
+ * profile is sought; where it does not come to its level, or the curve has more than MOST_UNKNOWNS unknowns, there is no
+ * interval.
+ *
+ * Nothing is done, and all intervals are linear, for a robust loss, whose covariance is not from the cost; with free
+ * directions or unknowns on bounds; and for points on the curve.
+ * Source: bates-watts-1988, 6. */
+#ifndef CAGD_FIT_PROFILE_H
+#define CAGD_FIT_PROFILE_H
+
+#include "core/fit/minimum.h"
+
+/* Fills interval_by and interval, arrays that are there already, from the statistics, which are there, too.  Returns 0 when there is
+ * no memory. */
+int fit_profile(const fit_problem *problem, const fit_minimum *minimum, cagd_fit_result *result);
+#endif
