@@ -21,11 +21,12 @@ int write_curve(const struct fit *f, const char *path)
 
 /* One row a point: its number, its line in the file, its coordinates, the parameter of the foot and the foot, the
  * residual in every coordinate, the distance, and that over the standard deviation, which is the estimated one where
- * none is given, and nothing where the curve is no minimum. */
+ * none is given, and nothing where the curve is no minimum; of a robust
+ * loss whether it is an outlier. */
 int write_residuals(const struct fit *f, const char *path)
 {
     const cagd_fit_result *r = f->result;
-    int dim = f->data.dim;
+    int dim = f->data.dim, robust = f->options.loss != CAGD_FIT_SQUARES;
     struct output *o = output_open(path);
     if (o == NULL)
         return -1;
@@ -38,7 +39,7 @@ int write_residuals(const struct fit *f, const char *path)
         fprintf(out, ",foot_%c", coordinate[x]);
     for (int x = 0; x < dim; x++)
         fprintf(out, ",residual_%c", coordinate[x]);
-    fputs(",distance,standardised\n", out);
+    fprintf(out, ",distance,standardised%s\n", robust ? ",outlier" : "");
     for (int i = 0; i < r->count; i++) {
         const double *Q = f->data.points + i * dim, *e = r->residuals + i * dim;
         double standardised = cagd_fit_standardised(&f->data, r, i);
@@ -53,7 +54,7 @@ int write_residuals(const struct fit *f, const char *path)
         fprintf(out, ",%.17g,", r->distances[i]);
         if (isfinite(standardised))
             fprintf(out, "%.17g", standardised);
-        fputs("\n", out);
+        fprintf(out, robust ? ",%d\n" : "\n", r->outlier[i]);
     }
     return output_close(o);
 }

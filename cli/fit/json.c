@@ -142,6 +142,25 @@ static json_t *end_points_json(const cagd_fit_result *r)
     return r->end_points[0] < 0 ? json_null() : json_pack("[i, i]", r->end_points[0] + 1, r->end_points[1] + 1);
 }
 
+/* Of a robust loss; otherwise null. */
+static json_t *outliers_json(const struct fit *f)
+{
+    const cagd_fit_result *r = f->result;
+    json_t *points = json_array(), *lines = json_array();
+    for (int i = 0; i < r->count; i++)
+        if (r->outlier[i]) {
+            json_array_append_new(points, json_integer(i + 1));
+            json_array_append_new(lines, json_integer(f->points.line[i]));
+        }
+    json_t *all =
+        json_pack("{s:o, s:o, s:o, s:o, s:o}", "points", points, "lines", lines, "limit", real(r->outlier_limit),
+                  "deviation", real(r->deviation), "rms_of_others", real(r->rms_of_others));
+    if (f->options.loss != CAGD_FIT_SQUARES)
+        return all;
+    json_decref(all);
+    return json_null();
+}
+
 /* The value, which is then owned by the caller alone; null where the curve is no minimum. */
 static json_t *of_minimum(const struct fit *f, json_t *value)
 {
@@ -174,7 +193,7 @@ json_t *fit_json(const struct fit *f)
                                "format", f->points.format, "notes", notes);
     json_t *options =
         json_pack("{s:o, s:s, s:o, s:b, s:o, s:o, s:i, s:I, s:o, s:i}", "free", free, "loss", loss_name[o->loss],
-                  "scale", o->loss == CAGD_FIT_SQUARES ? json_null() : real(o->loss_scale), "unordered", o->unordered,
+                  "scale", o->loss == CAGD_FIT_SQUARES ? json_null() : real(r->loss_scale), "unordered", o->unordered,
                   "weight_low", real(o->weight_low), "weight_high", real(o->weight_high), "starts", o->starts, "seed",
                   (json_int_t)o->seed, "tolerance", real(o->tolerance), "max_iterations", o->max_iterations);
     json_t *minimiser =
@@ -213,6 +232,7 @@ json_t *fit_json(const struct fit *f)
                              f->result->ends_are_exact, "end_points", end_points_json(r), "cusp",
                              has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
     json_object_update(document, of_unknowns);
+    json_object_set_new(rest, "outliers", outliers_json(f));
     json_object_update(document, rest);
     json_decref(of_unknowns);
     json_decref(rest);

@@ -153,12 +153,7 @@ static void finish(struct argp_state *state, struct fit_arguments *a)
         argp_error(state, "without --initial the inner points are free: --free needs inner");
     if (o->loss == CAGD_FIT_SQUARES && o->loss_scale != 0)
         argp_error(state, "--scale belongs to --loss huber or --loss cauchy");
-    if (o->loss != CAGD_FIT_SQUARES && o->loss_scale == 0)
-        argp_error(state,
-                   "--loss %s needs --scale A, the distance (in standard deviations where these are given) from "
-                   "which on points count less",
-                   o->loss == CAGD_FIT_HUBER ? "huber" : "cauchy");
-    if (o->loss_scale == 0)
+    if (o->loss == CAGD_FIT_SQUARES)
         o->loss_scale = 1;
     if (a->sigma != 0 && a->columns.sigma != NULL)
         argp_error(state, "--sigma and --sigma-column exclude one another");
@@ -272,7 +267,9 @@ static const struct argp_option options[] = {
     {"initial", KEY_INITIAL, "CURVE.json", 0, "Where to start; gives degree and knots, and what is not free", 1},
     {"weights-between", KEY_BETWEEN, "LOW:HIGH", 0, "Bounds on the weights", 1},
     {"loss", KEY_LOSS, "NAME", 0, "squares, huber or cauchy (default: squares)", 2},
-    {"scale", KEY_SCALE, "A", 0, "Of the loss, in standard deviations where these are given", 2},
+    {"scale", KEY_SCALE, "A", 0,
+     "Of the loss, in standard deviations where these are given (default: estimated from the median of the distances)",
+     2},
     {"unordered", KEY_UNORDERED, 0, 0, "The points come in no order", 2},
     {"dim", KEY_DIM, "D", 0, "So many coordinates, 2 or 3, where columns have no names", 3},
     {"sigma-column", KEY_SIGMA_COLUMN, "C", 0, "The column, by name or number, of standard deviations", 3},
@@ -339,7 +336,8 @@ static const struct topic topics[] = {
      " by rows in the order of the unknowns, weights in logarithms; \"invariants\" w_j^2/(w_{j-1} w_{j+1}); "
      "\"conic\"; \"statistics\" (chi_squared, reduced_chi_squared, degrees_of_freedom, aic, bic, "
      "scale_squared, scaled_by, level, quantile; of a robust loss chi_squared is the sum of the losses, and "
-     "there is no aic, bic and reduced_chi_squared); \"distances\"; \"points_on_curve\": these are no larger "
+     "there is no aic, bic and reduced_chi_squared); \"distances\"; \"outliers\" of a robust loss (points, lines, "
+     "limit, in deviations, deviation, rms_of_others); \"points_on_curve\": these are no larger "
      "than roundings; \"ends_taken_as_exact\"; \"end_points\", the numbers of the points that are measurements of the "
      "ends; \"cusp\", the parameter of a place where the curve turns on a "
      "radius no larger than the distances; \"verification\" (status: verified, not verified or not asked; "
@@ -360,7 +358,7 @@ const struct command command_fit = {
         "Examples:\n"
         "  cagd fit points.csv\n"
         "  cagd fit points.csv --degree 3 --svg points.svg --residuals residuals.csv\n"
-        "  cagd fit points.csv --control-points 8 --degree 3 --loss huber --scale 2\n"
+        "  cagd fit points.csv --control-points 8 --degree 3 --loss huber\n"
         "  cagd fit points.csv --ends exact\n"
         "  cagd fit points.csv --initial arc.json --free weights --json\n"
         "  cagd fit points.csv --initial arc.json --free none --residuals distances.csv\n"

@@ -287,6 +287,9 @@ static void draw_points(svg *s, const struct view *v)
         P[2 * i + 1] = at.y;
     }
     put_points(s, d->count, P);
+    for (int i = 0; i < d->count; i++)
+        if (v->f->result->outlier[i])
+            svg_mark(s, svg_pair(P + 2 * i), SVG_WRONG, SVG_USUAL);
 }
 
 static void axis_name(char name[64], const char *what, int power)
@@ -425,6 +428,8 @@ static void legend(svg *s, const struct fit *f)
                     : cagd_fit_is_minimum(f->result) ? "fitted curve"
                                                      : "curve, no minimum");
     svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
+    if (f->result->outliers > 0)
+        svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "outliers");
     if (isfinite(cagd_fit_deviation(&f->data, f->result, 0)))
         svg_legend_area(s, SVG_FILL, f->data.dim == 2 ? "$± 2 s$" : "up to $2 s$");
 }

@@ -133,9 +133,10 @@ static void print_heading(const struct fit *f)
         say("Minimised", "half the sum of the squared orthogonal distances%s",
             f->data.sigma != NULL ? " over the squared standard deviations" : "");
     else
-        say("Minimised", "half the sum of the orthogonal distances%s by the loss of %s, scale %g",
+        say("Minimised", "half the sum of the orthogonal distances%s by the loss of %s, scale %.3g%s",
             f->data.sigma != NULL ? " in standard deviations" : "",
-            f->options.loss == CAGD_FIT_HUBER ? "Huber" : "Cauchy", f->options.loss_scale);
+            f->options.loss == CAGD_FIT_HUBER ? "Huber" : "Cauchy", r->loss_scale,
+            f->options.loss_scale == 0 ? ", estimated from the median of the distances" : "");
     out = begin(&l);
     fputs(r->termination == CAGD_FIT_CONVERGED       ? "converged"
           : r->termination == CAGD_FIT_NOT_CONVERGED ? "NOT converged"
@@ -427,6 +428,31 @@ static void print_distances(const struct fit *f)
     end(&l, "Distances");
 }
 
+/* The points that a robust loss has found to be farther from the curve than chance puts them. */
+static void print_outliers(const struct fit *f)
+{
+    enum { MOST = 12 };
+    const cagd_fit_result *r = f->result;
+    struct cagd_line l;
+    if (f->options.loss == CAGD_FIT_SQUARES || !(r->deviation > 0))
+        return;
+    FILE *out = begin(&l);
+    const char *unit = f->data.sigma != NULL ? " of the given ones" : "";
+    if (r->outliers == 0)
+        fprintf(out, "none: no point is farther than %.2g standard deviations of %.2g%s", r->outlier_limit,
+                r->deviation, unit);
+    for (int i = 0, said = 0; i < r->count && r->outliers > 0; i++)
+        if (r->outlier[i] && said++ < MOST)
+            fprintf(out, "%spoint %d (line %d)", said > 1 ? ", " : "", i + 1, f->points.line[i]);
+    if (r->outliers > MOST)
+        fprintf(out, ", and %d more", r->outliers - MOST);
+    if (r->outliers > 0)
+        fprintf(out, "; farther than %.2g standard deviations of %.2g%s; root mean square of the other distances %.4g",
+                r->outlier_limit, r->deviation, unit, r->rms_of_others);
+    fputs("; the standard deviation is estimated from the median of the distances", out);
+    end(&l, "Outliers");
+}
+
 /* Errors that standard errors do not know of: the measured coordinates are no finer than binary64 is so far from 0. */
 static void print_spacing(const struct fit *f)
 {
@@ -550,6 +576,7 @@ void print_fit(const struct fit *f, int verbose)
     print_fixed(f);
     puts("");
     print_distances(f);
+    print_outliers(f);
     if (cagd_fit_is_minimum(f->result))
         print_statistics(f);
     else

@@ -9,7 +9,7 @@ cagd_status fit_check_options(const cagd_fit_options *o)
     REQUIRE((o->free & ~all) == 0, CAGD_BAD_OPTION);
     REQUIRE(o->ends == CAGD_FIT_ENDS_MEASURED || o->ends == CAGD_FIT_ENDS_SLIDE, CAGD_BAD_OPTION);
     REQUIRE(o->loss == CAGD_FIT_SQUARES || o->loss == CAGD_FIT_HUBER || o->loss == CAGD_FIT_CAUCHY, CAGD_BAD_OPTION);
-    REQUIRE(isfinite(o->loss_scale) && o->loss_scale > 0, CAGD_BAD_OPTION);
+    REQUIRE(isfinite(o->loss_scale) && o->loss_scale >= 0, CAGD_BAD_OPTION);
     REQUIRE(o->weight_low >= 0 && o->weight_low < 1 && o->weight_high > 1, CAGD_BAD_OPTION);
     REQUIRE(o->starts >= 1 && o->starts <= CAGD_FIT_MAX_STARTS && o->max_iterations >= 1, CAGD_BAD_OPTION);
     REQUIRE(isfinite(o->tolerance) && o->tolerance > 0, CAGD_BAD_OPTION);

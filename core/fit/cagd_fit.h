@@ -86,7 +86,7 @@ typedef struct cagd_fit_options {
     cagd_fit_ends ends;         /* of free ends                                                          */
     int unordered;              /* 0: the points come in order along the curve; 1: in any order          */
     cagd_fit_loss loss;
-    double loss_scale;              /* a > 0                                                                 */
+    double loss_scale;              /* a > 0; 0: estimated, with the fit, from the median of the distances     */
     double weight_low, weight_high; /* 0 <= weight_low < 1 < weight_high <= infinity: bounds on the weights */
     int starts;         /* 1 ... MAX_STARTS: the first from initial, or the best of many curves found from   */
                         /* the points; the others with other weights; up to 8 more when none of  */
@@ -137,6 +137,12 @@ typedef struct cagd_fit_result {
     double rms, largest; /* of the distances, unscaled                                                  */
     int largest_at;      /* index of the point it belongs to                                            */
     double spacing[3];   /* how far apart the numbers of binary64 are where each measured coordinate is largest */
+    double loss_scale;   /* of a robust loss: as given, or as estimated                                     */
+    double
+        deviation; /* of a robust loss: what the median of the distances says of their standard deviation, in units of given ones */
+    int outliers,
+        *outlier; /* of a robust loss: how many points are farther than outlier_limit deviations, and 1 for these */
+    double outlier_limit, rms_of_others; /* once in twenty times a point is as far by chance; rms without outliers  */
     int points_on_curve; /* 1 where the distances are no larger than the roundings of binary64, so that their scatter says */
                          /* nothing of measurements                                                     */
     /* the minimiser */

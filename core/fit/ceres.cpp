@@ -68,6 +68,17 @@ class Patience : public ceres::IterationCallback
     int invalid = 0;
 };
 
+/* What is told of an end, in words of the fit. */
+const char *const too_short = "The steps became shorter than binary64 tells apart, and the cost was not least there; "
+                              "other starts, or fewer unknowns, may help.";
+
+const char *words_of(ceres::TerminationType type)
+{
+    return type == ceres::CONVERGENCE      ? "The cost falls no further by more than the tolerance."
+           : type == ceres::NO_CONVERGENCE ? "The largest number of iterations was reached."
+                                           : "No step leads to a lower cost.";
+}
+
 void stop(fit_outcome *outcome, cagd_fit_termination termination, const char *message)
 {
     outcome->termination = termination;
@@ -141,12 +152,12 @@ int minimise(const fit_least_squares &p, double tolerance, int max_iterations, d
     Residuals residuals(p);
     const ceres::Solver::Options options = options_of(p, tolerance, max_iterations, *radius, &patience);
     ceres::Solver::Summary summary;
-    if (!options.IsValid(&summary.message)) {
-        stop(outcome, CAGD_FIT_FAILED, summary.message.c_str());
+    if (!options.IsValid(&summary.message)) { /* the trust region has vanished */
+        stop(outcome, CAGD_FIT_FAILED, too_short);
         return copy_history(summary.iterations, outcome);
     }
     if (!can_start(p, x)) {
-        stop(outcome, CAGD_FIT_FAILED, "Residual and Jacobian evaluation failed.");
+        stop(outcome, CAGD_FIT_FAILED, "The distances from the first curve have left the range of numbers.");
         return copy_history(summary.iterations, outcome);
     }
     ceres::Problem::Options ownership;
@@ -163,13 +174,13 @@ int minimise(const fit_least_squares &p, double tolerance, int max_iterations, d
     if (patience.is_lost()) {
         summary.iterations.pop_back();
         stop(outcome, CAGD_FIT_FAILED,
-             "Number of consecutive invalid steps more than Solver::Options::max_num_consecutive_invalid_steps: 5");
+             "Every step leads to curves whose distances leave the range of numbers.");
     } else {
         stop(outcome,
              summary.termination_type == ceres::CONVERGENCE      ? CAGD_FIT_CONVERGED
              : summary.termination_type == ceres::NO_CONVERGENCE ? CAGD_FIT_NOT_CONVERGED
                                                                  : CAGD_FIT_FAILED,
-             summary.message.c_str());
+             words_of(summary.termination_type));
     }
     if (!summary.iterations.empty())
         *radius = summary.iterations.back().trust_region_radius;

@@ -231,7 +231,7 @@ static int take_feet(fit_attempt *a)
 static void note_steps(fit_attempt *a)
 {
     a->outcome.termination = CAGD_FIT_NOT_CONVERGED;
-    snprintf(a->outcome.message, sizeof a->outcome.message, "Maximum number of iterations reached.");
+    snprintf(a->outcome.message, sizeof a->outcome.message, "The largest number of iterations was reached.");
 }
 
 int fit_descend(fit_attempt *a)

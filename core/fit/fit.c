@@ -9,6 +9,7 @@
 
 #include "core/fit/arguments.h"
 #include "core/fit/minimum.h"
+#include "core/fit/outliers.h"
 #include "core/fit/profile.h"
 #include "core/fit/result.h"
 #include "core/fit/statistics.h"
@@ -40,7 +41,8 @@ static cagd_fit_result *solve(const cagd_fit_data *data, const fit_problem *p)
         result = fit_result_make(data, p, &minimum);
     if (result != NULL) {
         fit_statistics(data, p->options, result);
-        if (!fit_profile(p, &minimum, result)) {
+        result->loss_scale = p->options->loss_scale;
+        if (!fit_profile(p, &minimum, result) || !fit_outliers(data, p->options, result)) {
             cagd_fit_free(result);
             result = NULL;
         }
@@ -102,6 +104,41 @@ static cagd_status fit_in_any_order(const cagd_fit_data *data, const cagd_fit_op
     return status;
 }
 
+static cagd_status fit_with_scale(const cagd_fit_data *data, const cagd_fit_options *options,
+                                  const fit_strategy *strategy, cagd_fit_result **result, int *where)
+{
+    const int measured = options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED;
+    return measured && options->unordered && options->free & CAGD_FIT_INNER_POINTS
+               ? fit_in_any_order(data, options, strategy, result, where)
+               : fit_once(data, options, strategy, NULL, result, where);
+}
+
+/* The scale of a robust loss and the curve in turn: the first curve is that of least squares, every other one has the scale that the
+ * median of the distances of the one before says, until that changes by less than a hundredth.  Where the median is 0 the last
+ * scale stays. */
+static cagd_status fit_and_scale(const cagd_fit_data *data, const cagd_fit_options *options,
+                                 const fit_strategy *strategy, cagd_fit_result **result, int *where)
+{
+    enum { ROUNDS = 20 };
+    cagd_fit_options next = *options;
+    next.loss = CAGD_FIT_SQUARES;
+    next.loss_scale = 1;
+    cagd_status status = fit_with_scale(data, &next, strategy, result, where);
+    for (int round = 0; status == CAGD_OK && round < ROUNDS; round++) {
+        double deviation = fit_robust_deviation(data, *result), scale = fit_loss_scale_of(options->loss, deviation);
+        int settled = round > 0 && fabs(scale - next.loss_scale) <= next.loss_scale / 100;
+        REQUIRE(!isnan(deviation), (cagd_fit_free(*result), *result = NULL, CAGD_NO_MEMORY));
+        if (settled || (!(scale > 0) && round > 0))
+            break;
+        next.loss = options->loss;
+        next.loss_scale = scale > 0 ? scale : (*result)->rms > 0 ? (*result)->rms : 1;
+        cagd_fit_free(*result);
+        *result = NULL;
+        status = fit_with_scale(data, &next, strategy, result, where);
+    }
+    return status;
+}
+
 cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options, const fit_strategy *strategy,
                               cagd_fit_result **result, int *where)
 {
@@ -113,10 +150,9 @@ cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options 
     REQUIRE(data != NULL && options != NULL && data->points != NULL, CAGD_NULL);
     cagd_status status = check(data, options, where);
     REQUIRE(status == CAGD_OK, status);
-    const int measured = options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED;
-    return measured && options->unordered && options->free & CAGD_FIT_INNER_POINTS
-               ? fit_in_any_order(data, options, strategy, result, where)
-               : fit_once(data, options, strategy, NULL, result, where);
+    return options->loss != CAGD_FIT_SQUARES && options->loss_scale == 0
+               ? fit_and_scale(data, options, strategy, result, where)
+               : fit_with_scale(data, options, strategy, result, where);
 }
 
 cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result, int *where)

@@ -17,6 +17,7 @@ void cagd_fit_free(cagd_fit_result *r)
     free((void *)r->curve.points);
     free((void *)r->curve.weights);
     free(r->relative);
+    free(r->outlier);
     free(r->feet), free(r->residuals), free(r->distances), free(r->foot_at_end);
     free(r->history);
     free(r->unknown), free(r->value), free(r->at_bound);
@@ -66,7 +67,8 @@ static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_resu
     r->residuals = numbers(count * (size_t)dim);
     r->distances = numbers(count);
     r->foot_at_end = calloc(count, sizeof *r->foot_at_end);
-    if (!r->feet || !r->residuals || !r->distances || !r->foot_at_end)
+    r->outlier = calloc(count, sizeof *r->outlier);
+    if (!r->feet || !r->residuals || !r->distances || !r->foot_at_end || !r->outlier)
         return 0;
     double sum = 0;
     memcpy(r->end_points, p->end_point, sizeof r->end_points);

@@ -396,7 +396,7 @@ cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, con
     }
     cagd_stationary_problem problem = {.data = &near,
                                        .loss = options->loss,
-                                       .loss_scale = options->loss_scale,
+                                       .loss_scale = result->loss_scale,
                                        .curve = &curve,
                                        .feet = result->feet,
                                        .end_points = result->end_points,

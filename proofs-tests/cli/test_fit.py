@@ -431,7 +431,7 @@ class Mistakes(Case):
                 (("--knots", "x"), ["'x'"]), (("--knots", "0.5", "--control-points", "4"), ["--control-points"]),
                 (("--control-points", "2"), ["at least 3"]), (("--free", "all"), ["weights, inner and ends, or none", "'all'"]),
                 (("--free", "weights"), ["--initial", "inner"]), (("--loss", "l1"), ["squares, huber or cauchy"]),
-                (("--loss", "huber"), ["--scale"]), (("--scale", "2"), ["--loss"]), (("--scale", "-1"), ["> 0"]),
+                (("--scale", "2"), ["--loss"]), (("--scale", "-1"), ["> 0"]),
                 (("--weights-between", "2:3"), ["LOW < 1 < HIGH"]), (("--weights-between", "2"), ["LOW:HIGH"]),
                 (("--starts", "0"), ["--starts"]), (("--tolerance", "0"), ["--tolerance"]),
                 (("--max-iterations", "0"), ["--max-iterations"]), (("--dim", "4"), ["from 2 to 3"]),
@@ -967,6 +967,51 @@ class Fits(Case):
             self.assertNotIn("stationary point", said)
         v = self.fit(table(quadratic(40, 0.75, 0.01)), "--weights-between", "1/2:2")["verification"]
         self.assertEqual((v["leaving_bounds"], v["bound"]), (None, None))
+
+    def test_outliers_are_listed_and_marked(self):
+        """The scale comes from the median of the distances; what is farther than chance puts it is named everywhere."""
+        bad = [8, 21, 22, 51]
+        for loss in "huber", "cauchy":
+            rows = quadratic(60, 0.75, 0.01, seed=5)
+            for k in bad:
+                rows[k - 1][1] += 0.6
+            svg, out = self.folder / "p.svg", self.folder / "r.csv"
+            d = self.fit("# a comment\n" + table(rows), "--loss", loss, "--svg", svg, "--residuals", out)
+            o = d["outliers"]
+            self.assertEqual((o["points"], o["lines"]), (bad, [k + 1 for k in bad]))
+            self.assertAlmostEqual(o["deviation"], 0.01, delta=0.005)
+            self.assertAlmostEqual(d["options"]["scale"] / o["deviation"], 1.345 if loss == "huber" else 2.385, delta=0.03)
+            self.assertAlmostEqual(60 * math.erfc(o["limit"] / math.sqrt(2)), 0.05, 9)
+            table_of = list(csv.DictReader(out.read_text().splitlines()))
+            self.assertEqual([k + 1 for k, row in enumerate(table_of) if row["outlier"] == "1"], bad)
+            others = [float(row["distance"]) for row in table_of if row["outlier"] == "0"]
+            self.assertAlmostEqual(o["rms_of_others"], math.sqrt(sum(x * x for x in others) / len(others)), 12)
+            distances = sorted(abs(float(row["distance"])) for row in table_of)
+            median = (distances[29] + distances[30]) / 2
+            self.assertAlmostEqual(o["deviation"], median / 0.6744897501960817 * math.sqrt(62 / (62 - d["rank"])), 9)
+            self.assertIn("outliers", self.writing(svg))
+            said = self.text(rows, "--loss", loss)
+            self.assertIn("Outliers point 8 (line 8), point 21 (line 21), point 22 (line 22), point 51 (line 51); farther than 3.3", said)
+            self.assertIn("estimated from the median of the distances", said)
+            self.assertLess(abs(d["curve"]["weights"][1] - 0.75), 0.1)
+        rows = quadratic(60, 0.75, 0.01, seed=5)
+        self.assertIn("Outliers none: no point is farther", self.text(rows, "--loss", "huber"))
+        self.assertIsNone(self.fit(table(rows))["outliers"])
+        for rows in quadratic(20), helix(40, 0.01)[:]:
+            name = ["x", "y", "z"][:len(rows[0])]
+            d = self.fit(table(rows, names=name), "--loss", "cauchy", "--degree", "3" if len(name) == 3 else "2")
+            self.assertEqual(d["outliers"]["points"], [])
+
+    def test_messages_are_those_of_the_fit(self):
+        """Nothing of the minimiser's own words reaches a user, whatever the end is."""
+        r = random.Random(3)
+        rows = [[x / 40, math.sin(x / 6) + r.gauss(0, 0.02)] for x in range(60)]
+        for options in (["--max-iterations", "1"], ["--control-points", "9", "--degree", "3", "--max-iterations", "30"], ["--tolerance", "1e-300"],
+                        ["--degree", "4"], ["--weights-between", "0.99:1.01"], []):
+            d = json.loads(run("fit", self.file(table(rows)), "--json", "--no-verify", *options).stdout)
+            self.assertRegex(d["minimiser"]["message"], r"^[A-Z].*\.$")
+            for word in "Solver", "Options", "Function tolerance", "Gradient tolerance", "Parameter tolerance", "Maximum number", "|":
+                self.assertNotIn(word, d["minimiser"]["message"])
 
     def test_robust_loss_bounds_outliers(self):
         """An outlier that goes farther away takes the least squares along, and no robust fit."""
