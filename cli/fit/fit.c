@@ -172,7 +172,7 @@ int run_fit(const struct call *call)
 {
     region_mark mark = region_open();
     struct fit_arguments a = read_fit_arguments(call);
-    struct fit f = {.path = a.asked.path, .options = a.options};
+    struct fit f = {.path = a.asked.path, .options = a.options, .weights_left_out = a.weights_left_out};
     int code = EXIT_USAGE;
     struct input_error error;
     if (read_points(a.asked.path, &a.columns, &f.points, &error) == 0) {

@@ -14,7 +14,8 @@
 
 struct fit {
     const char *path;
-    int sigma_given; /* one standard deviation for all points, by an option */
+    int weights_left_out; /* of a curve of several segments, of which nobody has said what is free */
+    int sigma_given;      /* one standard deviation for all points, by an option */
     struct points points;
     cagd_fit_data data;
     cagd_fit_options options;
@@ -30,8 +31,8 @@ struct fit_arguments {
     const char *initial, *residuals, *svg, *curve;
     struct columns columns;
     cagd_fit_options options;
-    const char *ends;  /* as given; NULL: not  */
-    int exact_ends, free_given;
+    const char *ends; /* as given; NULL: not  */
+    int exact_ends, free_given, weights_left_out;
     const char *knots; /* as given; NULL: none */
     double *inner;     /* the inner knots; the caller frees them */
     int inner_knots, degree_given;
@@ -44,6 +45,10 @@ int run_fit(const struct call *c);                             /* fit.c     */
 
 /* Whether only the distances from a given curve were asked for. */
 static inline int nothing_is_free(const struct fit *f) { return f->options.free == 0; }
+
+/* How many times as long as the polygon of its points the curve is, where that says that it has ways which no points show;
+ * otherwise 0 (text.c). */
+double excess_of_length(const struct fit *f);
 
 /* ---- names and numbers as they are written (numbers.c) ------------------------------------------------------- */
 

@@ -233,6 +233,7 @@ json_t *fit_json(const struct fit *f)
                              has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
     json_object_update(document, of_unknowns);
     json_object_set_new(rest, "outliers", outliers_json(f));
+    json_object_set_new(rest, "length_ratio", o->unordered ? json_null() : real(cagd_fit_length_ratio(&f->data, r)));
     json_object_update(document, rest);
     json_decref(of_unknowns);
     json_decref(rest);

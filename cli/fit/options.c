@@ -145,6 +145,10 @@ static void finish(struct argp_state *state, struct fit_arguments *a)
     if (a->ends != NULL && a->free_given && a->exact_ends == (o->free & CAGD_FIT_END_POINTS) / CAGD_FIT_END_POINTS)
         argp_error(state, "--ends %s does not go with --free %s", a->ends,
                    a->exact_ends ? "that has ends" : "without ends, which are then exact or those of --initial");
+    a->weights_left_out =
+        !a->free_given && a->initial == NULL && (a->knots != NULL ? *a->knots != '\0' : o->count > o->degree + 1);
+    if (a->weights_left_out)
+        o->free &= ~CAGD_FIT_WEIGHTS;
     if (a->exact_ends)
         o->free &= ~CAGD_FIT_END_POINTS;
     if (a->initial == NULL && o->free == 0)
@@ -256,7 +260,8 @@ static const struct argp_option options[] = {
     {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
     {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
     {"free", KEY_FREE, "LIST", 0,
-     "What may move, of weights, inner and ends (default: all; without ends these are the first and the last point, or "
+     "What may move, of weights, inner and ends (default: all, but inner,ends of a curve of several segments; without "
+     "ends these are the first and the last point, or "
      "those of --initial); none: only the distances from the curve of --initial",
      1},
     {"ends", KEY_ENDS, "HOW", 0,
@@ -294,7 +299,8 @@ static const struct topic topics[] = {
     {"FITTED CURVES",
      "cagd fit finds the rational Bézier or NURBS curve that comes closest to measured points: the least sum of squared"
      " orthogonal distances, or of a robust loss of them. The foot points are unknowns of their own; of the "
-     "weights, inner points and end points those in --free move (all unless said otherwise), and with none only the "
+     "weights, inner points and end points those in --free move (all unless said otherwise, but for the weights of a "
+     "curve of several segments, which are nearly undetermined), and with none only the "
      "distances from the curve of --initial are told. The first and the last point are measurements of the ends of the "
      "curve, with errors as the others have: their distances count along the curve as well. With --ends exact, or "
      "without ends in --free, the curve begins and ends in these two points as they are, and no interval knows of "
@@ -337,7 +343,8 @@ static const struct topic topics[] = {
      "\"conic\"; \"statistics\" (chi_squared, reduced_chi_squared, degrees_of_freedom, aic, bic, "
      "scale_squared, scaled_by, level, quantile; of a robust loss chi_squared is the sum of the losses, and "
      "there is no aic, bic and reduced_chi_squared); \"distances\"; \"outliers\" of a robust loss (points, lines, "
-     "limit, in deviations, deviation, rms_of_others); \"points_on_curve\": these are no larger "
+     "limit, in deviations, deviation, rms_of_others); \"length_ratio\", the length of the curve over that of the "
+     "polygon of ordered points; \"points_on_curve\": these are no larger "
      "than roundings; \"ends_taken_as_exact\"; \"end_points\", the numbers of the points that are measurements of the "
      "ends; \"cusp\", the parameter of a place where the curve turns on a "
      "radius no larger than the distances; \"verification\" (status: verified, not verified or not asked; "

@@ -124,6 +124,10 @@ static void print_heading(const struct fit *f)
     if (f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS))
         fprintf(out, "; it begins and ends in %s",
                 f->options.unordered ? "two of the points" : "the first and the last point");
+    if (f->weights_left_out)
+        fputs("; its weights are 1, since those of a curve of several segments are nearly undetermined: --free "
+              "weights,inner,ends fits them",
+              out);
     end(&l, "Curve");
     if (nothing_is_free(f)) {
         say("Feet", "the nearest points of the whole curve");
@@ -453,6 +457,25 @@ static void print_outliers(const struct fit *f)
     end(&l, "Outliers");
 }
 
+double excess_of_length(const struct fit *f)
+{
+    const double longest = 1.26; /* of a curve that turns by 130 degrees between two points */
+    double ratio = f->options.unordered || nothing_is_free(f) ? 0 : cagd_fit_length_ratio(&f->data, f->result);
+    return ratio > longest ? ratio : 0;
+}
+
+/* Whether the curve goes where its points do not. */
+static void print_shape(const struct fit *f)
+{
+    double ratio = excess_of_length(f);
+    if (ratio > 0)
+        say("Shape",
+            "the curve is %.3g times as long as the polygon of the points in their order: it has loops or excursions "
+            "that no points show, and is not good whatever the verification says of the minimum; fewer control points, "
+            "weights left out (--free inner,ends), or --unordered where the points are in no order, may cure it",
+            ratio);
+}
+
 /* Errors that standard errors do not know of: the measured coordinates are no finer than binary64 is so far from 0. */
 static void print_spacing(const struct fit *f)
 {
@@ -577,6 +600,7 @@ void print_fit(const struct fit *f, int verbose)
     puts("");
     print_distances(f);
     print_outliers(f);
+    print_shape(f);
     if (cagd_fit_is_minimum(f->result))
         print_statistics(f);
     else

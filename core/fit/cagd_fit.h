@@ -267,6 +267,12 @@ CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
  * mean square of the distances or the roundings of coordinates.  0: there is no such place; *t is as before. */
 CAGD_API int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
 
+/* How long the curve is, for a polygon of points in their order of length 1.  A curve that follows its points is hardly
+ * longer than their polygon, which errors make longer still: where neighbours are farther apart than their errors and the curve turns
+ * between them by at most 130 degrees, an arc, the ratio is at most 1.26.  A larger one says that the curve has loops or
+ * excursions that no points show.  Of points in no order it says nothing.  NaN where the length is not finite. */
+CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_result *result);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1028,11 +1028,45 @@ class Fits(Case):
 
     def test_knots_and_control_points(self):
         rows = table([[x, math.sin(x)] for x in (6 * i / 59 for i in range(60))])
-        a = self.fit(rows, "--degree", "3", "--knots", "1/4,0.5,3/4", "--no-verify")
-        b = self.fit(rows, "--degree", "3", "--control-points", "7", "--no-verify")
+        a = self.fit(rows, "--degree", "3", "--knots", "1/4,0.5,3/4", "--no-verify", "--free", "weights,inner,ends")
+        b = self.fit(rows, "--degree", "3", "--control-points", "7", "--no-verify", "--free", "weights,inner,ends")
         self.assertEqual(a["curve"], b["curve"])
         self.assertEqual(a["curve"]["kind"], "nurbs")
         self.assertEqual(a["curve"]["knots"], [0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1])
+
+    def test_weights_of_several_segments_are_left_out(self):
+        """Unless somebody asks for them; and that is said."""
+        r = random.Random(2)
+        rows = [[x, math.sin(x) + r.gauss(0, 0.01)] for x in (6 * i / 99 for i in range(100))]
+        options = ["--degree", "3", "--control-points", "9"]
+        d = self.fit(table(rows), *options)
+        self.assertEqual((d["options"]["free"], d["curve"]["weights"]), (["inner", "ends"], [1] * 9))
+        self.assertIn("its weights are 1, since those of a curve of several segments are nearly undetermined", self.text(rows, *options))
+        self.assertEqual(self.fit(table(rows), "--degree", "3", "--knots", "0.5")["options"]["free"], ["inner", "ends"])
+        for options in ["--degree", "3"], ["--degree", "3", "--knots", "0.5", "--free", "weights,inner"], ["--initial", self.start(quadratic(9))]:
+            said = run("fit", self.file(table(quadratic(30, 0.75, 0.01))), "--json", "--no-verify", *options).stdout
+            self.assertIn("weights", json.loads(said)["options"]["free"])
+
+    def test_excursions_are_said(self):
+        """A curve much longer than the polygon of its points goes where they do not, though it may be a minimum."""
+        r = random.Random(2)
+        walk, x, y = [], 0, 0
+        for a in (r.uniform(0, 6.28) for _ in range(16)):
+            x, y = x + math.cos(a) + 0.3, y + math.sin(a)
+            walk.append([x, y])
+        smooth = [[x, math.sin(x)] for x in (6 * i / 29 for i in range(30))]
+        for rows, points, wild in (smooth, "7", False), (walk, "9", True):
+            options = ["--degree", "3", "--control-points", points, "--no-verify"]
+            path = self.file(table(rows))
+            ratio = json.loads(run("fit", path, "--json", *options).stdout)["length_ratio"]
+            said = " ".join(run("fit", path, *options).stdout.decode().split())
+            self.assertEqual(ratio > 1.26, wild, ratio)
+            self.assertEqual("Shape the curve is" in said, wild)
+        self.assertIsNone(self.fit(table(quadratic(20, 0.75, 0.01)), "--unordered")["length_ratio"])
+        d = self.fit(table(quadratic(9)))
+        chords = sum(math.dist(a, b) for a, b in zip(quadratic(9), quadratic(9)[1:]))
+        fine = sum(math.dist(a, b) for a, b in zip(quadratic(999), quadratic(999)[1:]))
+        self.assertAlmostEqual(d["length_ratio"], fine / chords, 4)
 
     def test_unordered(self):
         rows = quadratic(40, 0.75, 0.01)
