@@ -965,7 +965,7 @@ static void bad_arguments_are_refused(void **state)
     OPTION(o.degree = CAGD_MAX_DEGREE + 1, CAGD_BAD_OPTION);
     OPTION(o.count = 2, CAGD_BAD_OPTION);
     OPTION(o.loss = (cagd_fit_loss)7, CAGD_BAD_OPTION);
-    OPTION(o.loss_scale = 0, CAGD_BAD_OPTION);
+    OPTION(o.loss_scale = -1, CAGD_BAD_OPTION);
     OPTION(o.loss_scale = NAN, CAGD_BAD_OPTION);
     OPTION(o.weight_low = -1, CAGD_BAD_OPTION);
     OPTION(o.weight_low = 1, CAGD_BAD_OPTION);
