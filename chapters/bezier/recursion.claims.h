@@ -209,20 +209,46 @@ everything else is a shift of an index, which is where the misprint is.
 :::{claim} binomials_add_up
 :title: Pascal's rule
 :zh: Pascal 恒等式
-:given: $n\ge1$ and all $i=0,\dots,n$
-:then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$, where $\binom m{-1}=\binom m{m+1}=0$
-:method: The coefficients from factorials, one case for each $n$.
-:degrees: 1..12 sampled 20
-:control: $\binom{n-1}{i+1}$ in the place of the last
+:given: integers $1\le i\le n$
+:let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$
+:then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$; for $i=0$ it says $1=1+0$
+:method: With $i$, $n-i$ and $c$ variables both sides are one element of the field.
+:degrees: all
+:over: i n_minus_i c: i
+:control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$
 :::
 */
 CLAIM(binomials_add_up)
 {
-    int n = T->degree;
-    for (int i = 0; i <= n; i++) {
-        num other = G(choose)(n - 1, fault(T, i - 1, i + 1));
-        same(T, G(choose)(n, i), add(G(choose)(n - 1, i), other));
-    }
+    num i = whole(T, "i", 1, 20), rest = whole(T, "n_minus_i", 0, 20), c = parameter(T, "c");
+    num stays = mul(c, div(rest, fault(T, i, add(i, from_int(1)))));
+    same(T, mul(c, div(add(i, rest), i)), add(stays, c));
+}
+
+/*
+:::{claim} each_point_has_one_coefficient_in_every_line
+:title: In every line of the proof a point between the first and the last has one coefficient
+:zh: 证明各行中同一控制顶点的系数相同
+:given: integers $1\le i\le n-1$, any $t$
+:let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$; $U=(1-t)^{n-1-i}$, $V=t^{i-1}$
+:then: the coefficient of $P_i$ is $(1-t)\binom{n-1}it^i(1-t)^{n-1-i}+t\binom{n-1}{i-1}t^{i-1}(1-t)^{n-i}$ in the first two lines,
+  $\bigl(\binom{n-1}i+\binom{n-1}{i-1}\bigr)t^i(1-t)^{n-i}$ in the next, $\binom nit^i(1-t)^{n-i}$ in the last, and these are one
+:method: With $i$, $n-i$, $t$, $c$, $U$, $V$ variables.  The first and the last point have the coefficients $(1-t)^n$ and $t^n$ in every line.
+:degrees: all from 2
+:over: i n_minus_i c: i; t U V: t
+:control: $t^i$ in the place of $t^{i-1}$ in the second product
+:::
+*/
+CLAIM(each_point_has_one_coefficient_in_every_line)
+{
+    num i = whole(T, "i", 1, 20), rest = whole(T, "n_minus_i", 1, 20), t = parameter(T, "t"), s = sub(from_int(1), t);
+    num c = parameter(T, "c"), U = parameter(T, "U"), V = parameter(T, "V"), C = mul(c, div(rest, i));
+    num near = mul(s, mul(C, mul(mul(t, V), U))), far = mul(t, mul(c, mul(fault(T, V, mul(t, V)), mul(s, U))));
+    num powers = mul(mul(t, V), mul(s, U)); /* t^i (1-t)^{n-i} */
+    about(T, "the first two lines and the next");
+    same(T, add(near, far), mul(add(C, c), powers));
+    about(T, "the next line and the last");
+    same(T, mul(add(C, c), powers), mul(mul(c, div(add(i, rest), i)), powers));
 }
 
 /*

@@ -201,8 +201,75 @@ static int G(sign_changes)(int count, const num b[])
 }
 
 /*
-Roots may also be counted with their multiplicity; then the difference is even.  This is Descartes' rule of signs for the
-powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of the $b_i$.
+Roots may also be counted with their multiplicity, and for every degree.  This is Descartes' rule of signs for the powers of
+$s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of the $b_i$: a root $r>0$ is a factor $s-r$, and each
+such factor adds at least one change of sign to the coefficients.  Along the coefficients only the signs of the last few
+matter, so that an automaton with a handful of states reads sequences of every length.
+
+:::{claim} linear_factor_adds_a_change_of_sign
+:title: A factor s - r with r > 0 adds at least one change of sign; so roots are at most changes of sign, for every degree
+:zh: 因子 s-r 至少增加一次变号;笛卡尔符号法则(任意次)
+:kind: decision
+:given: a polynomial $q\ne0$ of any degree, $r>0$, and $p=(s-r)\,q$, so that $p_k=q_{k-1}-rq_k$
+:then: $V(p)\ge V(q)+1$; hence a polynomial has at most as many positive roots, each as often as its multiplicity, as its
+  coefficients have changes of sign, and $\sum b_iB_i^n$, not all $b_i=0$, has at most $V(b)$ roots in $(0,1)$ so counted
+:method: The sign of $p_k$ depends on those of $q_{k-1}$ and $q_k$, and where these are equal and not 0 it may be any: the
+  ratios $\frac12,1,2$ of $rq_k$ and $q_{k-1}$ give every sign that can occur.  A state is the sign of $q_{k-1}$, the last signs of
+  $q$ and of $p$ that are not 0, and $V(p)-V(q)$, cut off above; from the first coefficient on all states are visited, and at the end
+  the difference is at least 1.  Then induction over the roots, and $(1+s)^n\sum b_iB_i^n(t)=\sum\binom nib_is^i$ for $t=\frac s{1+s}$.
+:degrees: all
+:scope: all coefficients
+:control: the factor $s+r$
+:::
+*/
+enum { LEAST = -3, MOST = 2, DIFFERENCES = MOST - LEAST + 1 };
+
+/* What is known of q and p up to a coefficient: signs as -1, 0, 1. */
+struct reading {
+    int before, last_of_q, last_of_p, difference; /* difference: V(p) - V(q), at most MOST */
+};
+
+static int index_of(struct reading s)
+{
+    return ((s.before + 1) * 9 + (s.last_of_q + 1) * 3 + s.last_of_p + 1) * DIFFERENCES + s.difference - LEAST;
+}
+
+/* The reading after one more coefficient of q with this sign, when that of p has that sign. */
+static struct reading read_on(struct reading s, int of_q, int of_p)
+{
+    s.difference += (of_p * s.last_of_p < 0) - (of_q * s.last_of_q < 0);
+    s.difference = s.difference > MOST ? MOST : s.difference;
+    s.last_of_q = of_q != 0 ? of_q : s.last_of_q;
+    s.last_of_p = of_p != 0 ? of_p : s.last_of_p;
+    s.before = of_q;
+    return s;
+}
+
+CLAIM(linear_factor_adds_a_change_of_sign)
+{
+    int seen[27 * DIFFERENCES] = {0}, count = 1;
+    struct reading waiting[27 * DIFFERENCES] = {{0, 0, 0, 0}};
+    seen[index_of(waiting[0])] = 1;
+    for (int k = 0; k < count; k++)
+        for (int of_q = -1; of_q <= 1; of_q++)
+            for (int ratio = -1; ratio <= 1; ratio++) {
+                num r = ratio < 0 ? from_ratio(1, 2) : from_int(1 + ratio), moved = mul(r, from_int(of_q));
+                struct reading s = waiting[k];
+                int of_p = sign_q(fault(T, sub(from_int(s.before), moved), add(from_int(s.before), moved)));
+                s = read_on(s, of_q, of_p);
+                if (of_q == 0 && waiting[k].before != 0) /* p_{m+1} = q_m: q may have ended with that coefficient */
+                    agree(T, s.difference >= 1);
+                agree(T, s.difference > LEAST);
+                if (s.difference > LEAST && !seen[index_of(s)]) {
+                    seen[index_of(s)] = 1;
+                    waiting[count++] = s;
+                }
+            }
+}
+
+/*
+The number of roots, counted so, differs from the number of changes by an even number.  For small degrees all patterns of signs
+are tried, with few sizes.
 
 :::{claim} roots_are_at_most_sign_changes
 :title: Roots in (0,1), with multiplicity, against changes of sign

@@ -76,29 +76,27 @@ apart; neither depends on where the point began.
 :::{claim} rotated_points_are_equally_spaced
 :title: All points are on the circle, at equal distances
 :zh: 点列在圆上且间距相等
-:given: any first point, any angle with the tangent $a$ of its half, $n$ steps
-:then: $x_n^2+y_n^2=x_0^2+y_0^2$ and $|P_n-P_{n-1}|^2=2(1-\cos\Delta\theta)\,|P_0|^2$
-:method: The steps one after the other, first point and $a$ variables.  The step is linear, so its $n$-th power is found
-  by doing it.
-:degrees: 1..8 sampled 20
-:over: x y: first point; a: angle but π
+:given: any point $P_n$, any angle with the tangent $a$ of its half
+:then: $x_{n+1}^2+y_{n+1}^2=x_n^2+y_n^2$ and $|P_{n+1}-P_n|^2=2(1-\cos\Delta\theta)\,|P_n|^2$; so all points are on one
+  circle, and all distances are equal
+:method: One step, point and $a$ variables.  By induction every radius is $|P_0|$, and with it every distance is the same.
+:degrees: all
+:over: x y: point; a: angle but π
 :control: $\cos\Delta\theta$ replaced by 1
 :::
 */
 CLAIM(rotated_points_are_equally_spaced)
 {
-    num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, last[2];
+    num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]};
     struct G(turn) angle = G(turn_by)(parameter(T, "a")), used = angle;
     used.cos = fault(T, used.cos, from_int(1));
     G(rotation)(used, M);
-    G(steps)(T->degree - 1, M, Q);
-    last[0] = Q[0], last[1] = Q[1];
     G(steps)(1, M, Q);
     about(T, "the square of the radius");
     same(T, G(norm_squared)(2, Q), G(norm_squared)(2, P));
     about(T, "the square of the distance");
-    num edge[2] = {sub(Q[0], last[0]), sub(Q[1], last[1])}, factor = mul(from_int(2), sub(from_int(1), angle.cos));
-    /* |P_n - P_{n-1}|² = 2 (1 - cos Δθ) |P_0|² */
+    num edge[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, factor = mul(from_int(2), sub(from_int(1), angle.cos));
+    /* |P_{n+1} - P_n|² = 2 (1 - cos Δθ) |P_n|² */
     same(T, G(norm_squared)(2, edge), mul(factor, G(norm_squared)(2, P)));
 }
 
@@ -265,28 +263,25 @@ treated alike in its four quadrants.
 :title: After n exact steps a coordinate has n m binary places
 :zh: 精确计算每步增加 m 位
 :kind: decision
-:given: $P_0$, $\varepsilon=2^{-m}$, $m=1,\dots,M$, $n=1,\dots,N$ steps
-:data: P_0 = (1,0); M = 8; N = 12
-:then: $2^{nm}x_n$ and $2^{nm}y_n$ are integers, and one of them is odd: shifts suffice, and no shorter words do
-:method: Exact rational steps and their denominators.
-:scope: m = 1 to 8, n = 1 to 12 steps from (1, 0)
-:control: one place less
+:given: $P_0$, $\varepsilon=2^{-m}$, $m\ge1$, any number $n$ of steps; $X=2^{nm}x_n$, $Y=2^{nm}y_n$
+:data: P_0 = (1,0)
+:then: $X$ and $Y$ are integers, and one of them is odd: shifts suffice, and no shorter words do
+:method: The next two numbers are $2^mX-Y$ and $X+2^mY$; since $2^m$ is even, they have the remainders of $Y$ and $X$ modulo
+  2.  All remainders of $X$ and $Y$ are tried, then it is induction.
+:scope: every m from 1 on, every number of steps from (1, 0)
+:control: $2^m$ odd
 :::
 */
 CLAIM(exact_steps_need_m_more_bits_each)
 {
-    num M[4], first[2], half = from_ratio(1, 2);
+    num first[2], half = from_ratio(1, 2), power = from_int(fault(T, 2, 1)); /* 2^m, an even number */
     given_points(T, "P_0", 1, 2, first);
-    int largest = given_whole(T, "M"), steps = given_whole(T, "N");
-    for (int m = 1; m <= largest; m++)
-        for (int n = 1; n <= steps; n++) {
-            num P[2] = {first[0], first[1]}, scale = G(power)(from_int(2), fault(T, n * m, n * m - 1));
-            G(small_step)(from_ratio(1, 1L << m), M);
-            G(steps)(n, M, P);
-            num x = mul(scale, P[0]), y = mul(scale, P[1]);
-            agree(T, is_whole_q(x) && is_whole_q(y));
-            agree(T, !is_whole_q(mul(half, x)) || !is_whole_q(mul(half, y)));
-        }
+    agree(T, is_whole_q(first[0]) && is_whole_q(first[1]) && !is_whole_q(mul(half, first[0])));
+    for (int pair = 1; pair <= 3; pair++) { /* the remainders of X and Y, not both even */
+        num X = from_int(pair & 1), Y = from_int(pair >> 1);
+        num x = sub(mul(power, X), Y), y = add(X, mul(power, Y));
+        agree(T, !is_whole_q(mul(half, x)) || !is_whole_q(mul(half, y)));
+    }
 }
 
 /* x / unit, rounded down: the shift that drops bits; unit > 0 */
@@ -377,45 +372,49 @@ of about a hundred steps ends with a radius larger by a fifth.
 :::{claim} small_steps_multiply_the_radius
 :title: Every step multiplies the radius by the same number
 :zh: 半径按等比增长
-:given: any first point, any $\varepsilon$, $n$ steps
-:then: $x_n^2+y_n^2=(1+\varepsilon^2)^n(x_0^2+y_0^2)$
-:method: The steps one after the other, in the field with the point and $\varepsilon$ variables; the factor of one step is the
-  determinant.
-:degrees: 1..8 sampled 24
-:over: x y: first point; e: ε
-:control: $n-1$ steps
+:given: any point $P_n$, any $\varepsilon$
+:then: $x_{n+1}^2+y_{n+1}^2=(1+\varepsilon^2)(x_n^2+y_n^2)$; so $x_n^2+y_n^2=(1+\varepsilon^2)^n(x_0^2+y_0^2)$
+:method: One step, point and $\varepsilon$ variables, then induction; the factor is the determinant.
+:degrees: all
+:over: x y: point; e: ε
+:control: the factor $1+\varepsilon$
 :::
 */
 CLAIM(small_steps_multiply_the_radius)
 {
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
     G(small_step)(epsilon, M);
-    G(steps)(fault(T, T->degree, T->degree - 1), M, Q);
-    num factor = add(from_int(1), mul(epsilon, epsilon));
-    /* |P_n|² = (1 + ε²)^n |P_0|² */
-    same(T, G(norm_squared)(2, Q), mul(G(power)(factor, T->degree), G(norm_squared)(2, P)));
+    G(steps)(1, M, Q);
+    num factor = add(from_int(1), mul(epsilon, fault(T, epsilon, from_int(1))));
+    /* |P_{n+1}|² = (1 + ε²) |P_n|² */
+    same(T, G(norm_squared)(2, Q), mul(factor, G(norm_squared)(2, P)));
 }
 
 /*
 :::{claim} radius_of_small_steps_exceeds_every_bound
 :title: The points never come back, and leave every circle
 :zh: 点列不返回且无界
-:given: $\varepsilon>0$, $n$ steps
-:then: $(1+\varepsilon^2)^n-1-n\varepsilon^2\ge0$, so the radius is larger after every step and exceeds every bound
-:method: The power is formed by multiplication; its difference from $1+n\varepsilon^2$ has no negative coefficient.
-:degrees: 1..8 sampled 24
+:given: $\varepsilon>0$, any $n$, and $E_n=(1+\varepsilon^2)^n-1-n\varepsilon^2$
+:then: $E_{n+1}=(1+\varepsilon^2)E_n+n\varepsilon^4$; so with $E_0=0$ no $E_n$ is negative, the radius is larger after every
+  step and exceeds every bound
+:method: One step, with $E_n$, $n$ and $\varepsilon$ variables; what comes out has no negative coefficient.  The rest is
+  induction.
+:degrees: all
 :scope: ε > 0
-:over: e: -
-:control: $n+1$ in the place of $n$ in the product $n\varepsilon^2$
+:over: e E n: -
+:control: $n+2$ in the place of $n+1$ in the product $(n+1)\varepsilon^2$
 :::
 */
 CLAIM(radius_of_small_steps_exceeds_every_bound)
 {
-    num epsilon = positive(T, "e", 0), square = mul(epsilon, epsilon);
-    num whole_power = G(power)(add(from_int(1), square), T->degree);
-    num least = add(from_int(1), mul(from_int(fault(T, T->degree, T->degree + 1)), square));
-    /* (1 + ε²)^n - 1 - n ε² */
-    nonnegative(T, sub(whole_power, least));
+    num epsilon = positive(T, "e", 0), excess = positive(T, "E", 0), n = positive(T, "n", 0), one = from_int(1);
+    num square = mul(epsilon, epsilon), whole_power = add(excess, add(one, mul(n, square))); /* (1 + ε²)^n */
+    num least = add(one, mul(add(n, from_int(fault(T, 1, 2))), square));
+    num next = sub(mul(whole_power, add(one, square)), least);
+    /* E_{n+1} = (1 + ε²) E_n + n ε⁴ */
+    num as_told = add(mul(add(one, square), excess), mul(n, mul(square, square)));
+    same(T, next, as_told);
+    nonnegative(T, as_told);
 }
 
 #if RATIONAL
@@ -501,30 +500,27 @@ $\sqrt{1+\varepsilon^2}$.  The angle is not $\Delta\theta=\varepsilon$, but a li
 :::{claim} small_steps_are_powers_of_a_complex_number
 :title: The points are the powers of one complex number
 :zh: 点列为复数的幂
-:given: any first point, any $\varepsilon$, $n$ steps
-:then: $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$; so the argument grows by $\arctan\varepsilon$, and the radius by $|1+i\varepsilon|$, in
-  every step
-:method: The steps against the binomial theorem, $\mathrm{Re}(1+i\varepsilon)^n=\sum_k(-1)^k\binom n{2k}\varepsilon^{2k}$ and the same for
-  the imaginary part.
-:degrees: 1..8 sampled 24
-:over: x y: first point; e: ε
-:control: the signs of the binomial theorem left out
+:given: any first point, any $\varepsilon$, any complex number $z=u+iv$; $x_n+iy_n=z\,(x_0+iy_0)$
+:then: $x_{n+1}+iy_{n+1}=(1+i\varepsilon)\,z\,(x_0+iy_0)$; so with $z=(1+i\varepsilon)^n$, from $z=1$ on,
+  $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$, and the argument grows by $\arctan\varepsilon$, the radius by $|1+i\varepsilon|$,
+  in every step
+:method: One step against the product of complex numbers, everything a variable; then induction.
+:degrees: all
+:over: x y: first point; e: ε; u v: -
+:control: the sign of $\varepsilon$ in the product
 :::
 */
 CLAIM(small_steps_are_powers_of_a_complex_number)
 {
-    int n = T->degree;
-    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
-    num z[2] = {from_int(0), from_int(0)};
-    for (int k = 0; k <= n; k++) {
-        num term = mul(from_int(binomial(n, k)), G(power)(epsilon, k));
-        z[k % 2] = fault(T, k % 4 < 2 ? add(z[k % 2], term) : sub(z[k % 2], term), add(z[k % 2], term));
-    }
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, z[2] = {unknown(T, "u", 0), unknown(T, "v", 0)};
+    num epsilon = unknown(T, "e", 0), M[4], turned = fault(T, epsilon, neg(epsilon));
+    num Q[2] = {sub(mul(z[0], P[0]), mul(z[1], P[1])), add(mul(z[0], P[1]), mul(z[1], P[0]))};
+    num next[2] = {sub(z[0], mul(turned, z[1])), add(z[1], mul(turned, z[0]))}; /* (1 + iε) z */
     G(small_step)(epsilon, M);
-    G(steps)(n, M, Q);
-    /* x_n + i y_n = (1 + iε)^n (x_0 + i y_0), real and imaginary part */
-    same(T, Q[0], sub(mul(z[0], P[0]), mul(z[1], P[1])));
-    same(T, Q[1], add(mul(z[0], P[1]), mul(z[1], P[0])));
+    G(steps)(1, M, Q);
+    /* x_{n+1} + i y_{n+1} = (1 + iε) z (x_0 + i y_0), real and imaginary part */
+    same(T, Q[0], sub(mul(next[0], P[0]), mul(next[1], P[1])));
+    same(T, Q[1], add(mul(next[0], P[1]), mul(next[1], P[0])));
 }
 
 #include "chapters/judge/claims_off.h"

@@ -394,36 +394,31 @@ The functions are polynomials in the source; nothing here uses it, so they are v
 :::{claim} matrices_pass_to_the_points
 :title: A matrix applied to the points is applied to the curve
 :zh: 矩阵变换作用于顶点即作用于曲线
-:given: any values of $\phi_0,\dots,\phi_n$, points of space, a $3\times3$ matrix $T$
-:then: $\sum\phi_i\,(Q_iT)=\bigl(\sum\phi_iQ_i\bigr)T$, whether $T$ is a rotation or not
-:method: Both sides with every function, point and entry a variable; $3n+3$ coordinates, 9 entries.
-:degrees: 1..6 sampled 12
-:over: f#: functions; m#: matrices; x# y# z#: points
-:control: the last point is not mapped
+:given: a sum $S=\sum\phi_iQ_i$ of some terms, any point of space, with one more value of $\phi$ and one more point $Q$; a
+  $3\times3$ matrix $T$
+:then: $ST+\phi\,(QT)=(S+\phi Q)\,T$; so, term by term, $\sum\phi_i\,(Q_iT)=\bigl(\sum\phi_iQ_i\bigr)T$, whether $T$ is a
+  rotation or not
+:method: Both sides with the sum, the function, the point and the 9 entries variables; by induction for any number of terms.
+:degrees: all
+:over: s# x y z: points; f: function; m#: matrices
+:control: the new point is not mapped
 :::
 */
 CLAIM(matrices_pass_to_the_points)
 {
     enum { space = 3 };
-    int n = T->degree;
-    num Q[(MAX_DEGREE + 1) * space], M[space * space], phi[MAX_DEGREE + 1];
-    G(free_points)(T, n, space, Q);
+    num S[space], M[space * space], phi = unknown(T, "f", 0);
+    num Q[space] = {unknown(T, "x", 0), unknown(T, "y", 0), unknown(T, "z", 0)};
     for (int m = 0; m < space * space; m++)
         M[m] = unknown(T, "m", m);
-    for (int i = 0; i <= n; i++)
-        phi[i] = unknown(T, "f", i);
+    for (int k = 0; k < space; k++)
+        S[k] = unknown(T, "s", k);
     for (int j = 0; j < space; j++) {
         num of_images = from_int(0), image = from_int(0);
-        for (int i = 0; i <= n; i++)
-            for (int k = 0; k < space; k++) {
-                num entry = fault(T, M[k * space + j], i == n ? from_int(j == k) : M[k * space + j]);
-                of_images = add(of_images, mul(phi[i], mul(Q[i * space + k], entry)));
-            }
         for (int k = 0; k < space; k++) {
-            num coordinate = from_int(0);
-            for (int i = 0; i <= n; i++)
-                coordinate = add(coordinate, mul(phi[i], Q[i * space + k]));
-            image = add(image, mul(coordinate, M[k * space + j]));
+            num entry = M[k * space + j], of_point = fault(T, entry, from_int(j == k));
+            of_images = add(of_images, add(mul(S[k], entry), mul(phi, mul(Q[k], of_point))));
+            image = add(image, mul(add(S[k], mul(phi, Q[k])), entry));
         }
         same(T, of_images, image);
     }
@@ -508,36 +503,24 @@ to itself needs a constant sum, and the print does not say which of the two is m
 :::{claim} translation_adds_the_sum_of_the_functions
 :title: The curve of the translated points, and its distance from the translated curve
 :zh: 平移顶点后曲线的变化
-:given: any values of $\phi_0,\dots,\phi_n$, points of space, a translation $m$
-:then: $P^*=P+(\sum\phi_i)\,m$; so $P^*-(P+m)=(\sum\phi_i-1)\,m$, which vanishes for one $m\ne0$ exactly when the
-  sum is 1, and then for every $m$
-:method: Both sides with every function, point and component of $m$ a variable.
-:degrees: 1..6 sampled 12
-:over: f#: functions; m#: translations; x# y# z#: points
-:control: the last function left out of the sum
+:given: sums $S=\sum\phi_iQ_i$ and $\sigma=\sum\phi_i$ of some terms, any numbers, with one more value of $\phi$ and one
+  more $Q$, a coordinate of a point; a translation $m$
+:then: $(S+\sigma m)+\phi\,(Q+m)=(S+\phi Q)+(\sigma+\phi)\,m$; so, term by term, $P^*=P+(\sum\phi_i)\,m$, and
+  $P^*-(P+m)=(\sum\phi_i-1)\,m$, which vanishes for one $m\ne0$ exactly when the sum is 1, and then for every $m$
+:method: Both sides with everything a variable, coordinate by coordinate; by induction for any number of terms.
+:degrees: all
+:over: s x: points; f r: functions; m: translation
+:control: the new function left out of the sum
 :::
 */
 CLAIM(translation_adds_the_sum_of_the_functions)
 {
-    enum { space = 3 };
-    int n = T->degree;
-    num Q[(MAX_DEGREE + 1) * space], phi[MAX_DEGREE + 1], sum = from_int(0);
-    G(free_points)(T, n, space, Q);
-    for (int i = 0; i <= n; i++) {
-        phi[i] = unknown(T, "f", i);
-        if (fault(T, 1, i < n))
-            sum = add(sum, phi[i]);
-    }
-    for (int j = 0; j < space; j++) {
-        num m = unknown(T, "m", j), before = from_int(0), after = from_int(0);
-        for (int i = 0; i <= n; i++) {
-            before = add(before, mul(phi[i], Q[i * space + j]));
-            after = add(after, mul(phi[i], add(Q[i * space + j], m)));
-        }
-        /* P* = P + (Σφ_i) m,   P* - (P + m) = (Σφ_i - 1) m */
-        same(T, after, add(before, mul(sum, m)));
-        same(T, sub(after, add(before, m)), mul(sub(sum, from_int(1)), m));
-    }
+    num S = unknown(T, "s", 0), sigma = unknown(T, "r", 0), phi = unknown(T, "f", 0), Q = unknown(T, "x", 0);
+    num m = unknown(T, "m", 0), after = add(add(S, mul(sigma, m)), mul(phi, add(Q, m)));
+    num before = add(S, mul(phi, Q)), sum = fault(T, add(sigma, phi), sigma);
+    /* P* = P + (Σφ_i) m,   P* - (P + m) = (Σφ_i - 1) m */
+    same(T, after, add(before, mul(sum, m)));
+    same(T, sub(after, add(before, m)), mul(sub(sum, from_int(1)), m));
 }
 
 /*
@@ -688,36 +671,33 @@ A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.
 :::{claim} image_of_a_power_curve_is_one
 :title: The image of a polynomial curve is the polynomial curve of the mapped coefficients
 :zh: 多项式曲线的仿射象
-:given: any coefficients of degree $n$ in space, any $3\times3$ matrix $T$, any $m$ and $t$
-:then: $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
-:method: Both sides with everything a variable.
-:degrees: 1..6 sampled 12
-:over: t#: matrices; m#: translations; x# y# z#: coefficients
-:control: $m$ added to the last coefficient as well
+:given: a sum $S=\sum c_kt^k$ of some terms, any point of space, with one more coefficient $c$ and power $p=t^k$; any
+  $3\times3$ matrix $T$ and any $m$
+:then: $(S+cp)\,T+m=(ST+m)+(cT)\,p$; so $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
+:method: Both sides with everything a variable; by induction for any number of terms.
+:degrees: all
+:over: s# x y z: coefficients; p: t; t#: matrices; m#: translations
+:control: $m$ added to the new coefficient as well
 :::
 */
 CLAIM(image_of_a_power_curve_is_one)
 {
     enum { space = 3 };
-    int n = T->degree;
-    num c[(MAX_DEGREE + 1) * space], d[(MAX_DEGREE + 1) * space], M[space * space], m[space], t = parameter(T, "t");
-    G(free_points)(T, n, space, c);
+    num S[space], M[space * space], power = unknown(T, "p", 0);
+    num c[space] = {unknown(T, "x", 0), unknown(T, "y", 0), unknown(T, "z", 0)};
     for (int k = 0; k < space * space; k++)
         M[k] = unknown(T, "t", k);
+    for (int k = 0; k < space; k++)
+        S[k] = unknown(T, "s", k);
     for (int j = 0; j < space; j++) {
-        m[j] = unknown(T, "m", j);
-        for (int k = 0; k <= n; k++) {
-            num sum = fault(T, k == 0, k == 0 || k == n) ? m[j] : from_int(0);
-            for (int i = 0; i < space; i++)
-                sum = add(sum, mul(c[k * space + i], M[i * space + j]));
-            d[k * space + j] = sum;
+        num m = unknown(T, "m", j), image = m, before = m, d = fault(T, from_int(0), m);
+        for (int k = 0; k < space; k++) {
+            num entry = M[k * space + j];
+            image = add(image, mul(add(S[k], mul(c[k], power)), entry));
+            before = add(before, mul(S[k], entry));
+            d = add(d, mul(c[k], entry));
         }
-    }
-    for (int j = 0; j < space; j++) {
-        num image = m[j];
-        for (int i = 0; i < space; i++)
-            image = add(image, mul(G(power_sum)(n, space, c, i, t), M[i * space + j]));
-        same(T, G(power_sum)(n, space, d, j, t), image);
+        same(T, image, add(before, mul(d, power))); /* (S + c p) T + m = (S T + m) + (c T) p */
     }
 }
 

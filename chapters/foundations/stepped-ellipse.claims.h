@@ -168,11 +168,11 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
 :::{claim} second_form_is_invariant
 :title: A quadratic form is the same along the orbit
 :zh: 不变二次型
-:given: any first point, any $\varepsilon$, $n$ steps of the second way
-:then: $x_n^2+y_n^2-\varepsilon x_ny_n=x_0^2+y_0^2-\varepsilon x_0y_0$
-:method: The steps one after the other, in the field with the point and $\varepsilon$ variables.
-:degrees: 1..8 sampled 24
-:over: x y: first point; e: ε
+:given: any point $P_n$, any $\varepsilon$, one step of the second way
+:then: $x_{n+1}^2+y_{n+1}^2-\varepsilon x_{n+1}y_{n+1}=x_n^2+y_n^2-\varepsilon x_ny_n$; so it is the same for all $n$
+:method: One step, with the point and $\varepsilon$ variables; then induction.
+:degrees: all
+:over: x y: point; e: ε
 :control: the form $x^2+y^2$
 :::
 */
@@ -181,8 +181,8 @@ CLAIM(second_form_is_invariant)
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
     num mixed = fault(T, epsilon, from_int(0));
     G(second_step)(epsilon, M);
-    G(steps)(T->degree, M, Q);
-    /* x_n² + y_n² - ε x_n y_n = x_0² + y_0² - ε x_0 y_0 */
+    G(steps)(1, M, Q);
+    /* x_{n+1}² + y_{n+1}² - ε x_{n+1} y_{n+1} = x_n² + y_n² - ε x_n y_n */
     same(T, sub(G(norm_squared)(2, Q), mul(mixed, mul(Q[0], Q[1]))),
          sub(G(norm_squared)(2, P), mul(mixed, mul(P[0], P[1]))));
 }

@@ -96,6 +96,7 @@ int read_degrees(const struct block *b, struct degrees *d)
     }
     if (strcmp(text, "all") == 0 || sscanf(text, "all from %d", &d->low) == 1) {
         d->all = 1;
+        d->high = d->sampled = d->low; /* one case, in which n is a variable */
         return 1;
     }
     int read = sscanf(text, "%d..%d sampled %d", &d->low, &d->high, &d->sampled);

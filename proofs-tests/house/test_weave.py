@@ -124,7 +124,7 @@ CLAIM(range_is_decided)
 :given: n
 :then: it holds
 :method: n is a variable
-:degrees: all
+:degrees: all from 3
 :control: n + 1
 :::
 */
@@ -210,7 +210,8 @@ class Good(Weaving):
         self.assertIn(".kind = COUNTEREXAMPLE", self.claim(text, "ratio_fails"))
         self.assertIn("{[RATIONAL_TYPE] = claim_ratio_fails_q, }}", self.claim(text, "ratio_fails"))
         self.assertIn(".kind = DECISION", self.claim(text, "range_is_decided"))
-        self.assertIn(".all_degrees = 1", self.claim(text, "every_degree"))
+        self.assertIn(".degree_low = 3, .degree_high = 3, .degree_sampled = 3, .all_degrees = 1",
+                      self.claim(text, "every_degree"))
         for suffix in "fqim":
             self.assertIn(f"claim_every_degree_{suffix}", self.claim(text, "every_degree"))
 
