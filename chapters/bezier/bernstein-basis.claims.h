@@ -112,21 +112,37 @@ CLAIM(bernstein_raised_by_one_degree)
 :given: integers $0\le i\le n$, any $t$
 :let: $c=\binom ni$, so that $\binom{n-1}{i-1}=c\frac in$ and $\binom{n-1}i=c\frac{n-i}n$; $W=t^{i-1}$, $X=(1-t)^{n-i-1}$
 :then: $(B_i^n)'=n(B_{i-1}^{n-1}-B_i^{n-1})$ and $t(1-t)\,(B_i^n)'=(i-nt)\,B_i^n$
-:method: By the product rule the derivative of $t^i(1-t)^{n-i}$ is $i\,W(1-t)X-(n-i)\,tWX$.  With $n-i$, $i$, $t$,
-  $c$, $W$, $X$ variables both relations are equalities in the field.  For $i=0$ and $i=n$ one term is absent,
-  and its factor $i$ or $n-i$ is $0$.
+:method: A value and its derivative are one number $x+x'\varepsilon$ with $\varepsilon^2=0$.  The power $t^i+i\,W\varepsilon$ times
+  $t+\varepsilon$ is $t^{i+1}+(i+1)\,t^i\varepsilon$, likewise for the powers of $1-t-\varepsilon$: by induction these are the
+  derivatives of the powers, and that of $t^i(1-t)^{n-i}$ is $i\,W(1-t)X-(n-i)\,tWX$.  With $n-i$, $i$, $t$, $c$, $W$, $X$
+  variables both relations are equalities in the field.  For $i=0$ and $i=n$ one term is absent, and its factor $i$ or $n-i$ is $0$.
 :degrees: all
 :over: i n_minus_i c: i; t W X: t
 :control: the sign between the two terms of the derivative
 :::
 */
+/* x + x' e with e^2 = 0, and the product of two such numbers. */
+struct G(dual) {
+    num value, slope;
+};
+static struct G(dual) G(dual_product)(struct G(dual) a, struct G(dual) b)
+{
+    return (struct G(dual)){mul(a.value, b.value), add(mul(a.value, b.slope), mul(a.slope, b.value))};
+}
+
 CLAIM(bernstein_derivative)
 {
     num one = from_int(1), i = whole(T, "i", 1, 20), rest = whole(T, "n_minus_i", 1, 20);
     num n = add(i, rest), t = parameter(T, "t"), s = sub(one, t);
     num c = parameter(T, "c"), W = parameter(T, "W"), X = parameter(T, "X");
-    num rising = mul(i, mul(mul(W, s), X)), falling = mul(rest, mul(mul(t, W), X));
-    num D = mul(c, fault(T, sub(rising, falling), add(rising, falling)));
+    struct G(dual) of_t = {mul(t, W), mul(i, W)}, of_s = {mul(s, X), neg(mul(rest, X))}; /* t^i, (1-t)^{n-i} */
+    struct G(dual) next_t = G(dual_product)(of_t, (struct G(dual)){t, one});
+    struct G(dual) next_s = G(dual_product)(of_s, (struct G(dual)){s, neg(one)});
+    about(T, "the derivatives of the next powers");
+    same(T, next_t.slope, mul(add(i, one), of_t.value));
+    same(T, next_s.slope, neg(mul(add(rest, one), of_s.value)));
+    of_s.slope = fault(T, of_s.slope, neg(of_s.slope));
+    num D = mul(c, G(dual_product)(of_t, of_s).slope);
     num left = mul(mul(c, div(i, n)), mul(mul(W, s), X));     /* B_{i-1}^{n-1} */
     num right = mul(mul(c, div(rest, n)), mul(mul(t, W), X)); /* B_i^{n-1} */
     about(T, "(B_i^n)'");

@@ -201,7 +201,8 @@ formula beside the words has another index, and the claim below needs three poin
 :title: The curve begins and ends with the polygon
 :zh: 曲线过首末控制顶点
 :printed: $P(0)=P_0$; the curve passes through the first point of the sequence and the last
-:holds-by: end_derivatives_are_end_differences
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: end_derivatives_are_end_differences
 :figure: edges_and_end_tangents
 :::
 
@@ -212,7 +213,8 @@ formula beside the words has another index, and the claim below needs three poin
 :refuted-by: curve_does_not_end_in_its_second_point
 :class: misprint
 :corrected: P(1)=P_n
-:corrected-by: end_derivatives_are_end_differences
+:corrected-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: end_derivatives_are_end_differences
 :figure: edges_and_end_tangents
 
 The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1$ it is $P_1$.
@@ -255,7 +257,8 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :title: The derivative, term by term
 :zh: 导矢:逐项求导
 :printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
-:holds-by: derivative_in_three_steps
+:holds-by: bernstein_derivative sums_by_parts_give_the_edges
+:confirmed-by: derivative_in_three_steps
 :meant: the next line, which has no term with a factor 0 | Products with the factor $i=0$ or $n-i=0$ are not there.
 :reading: derivative_in_three_steps | products with a factor $i=0$ or $n-i=0$ are not there, or $0<t<1$: true
 :reading: first_term_divides_by_zero | every factor by itself: at $t=0$ and $t=1$, the two places where the slides use the derivative, two
@@ -263,6 +266,29 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :figure: edges_and_end_tangents
 :::
 
+:::{claim} sums_by_parts_give_the_edges
+:title: A sum of points with differences of the functions is a sum of edges with the functions
+:zh: 分部求和:基函数之差乘点即基函数乘边
+:given: any numbers $\beta_0,\beta_1,\dots$ and points $P_0,P_1,\dots$, one coordinate; $\beta_{-1}=0$; the sum
+  $E=\sum_{i<k}\beta_i(P_{i+1}-P_i)$ of some terms
+:then: if $\sum_{i\le k}(\beta_{i-1}-\beta_i)P_i=E-\beta_kP_k$ then the same is true of $k+1$; it is true of $k=0$, so for every $n$ with
+  $\beta_n=0$ $\sum_{i=0}^n(\beta_{i-1}-\beta_i)P_i=\sum_{i=0}^{n-1}\beta_i(P_{i+1}-P_i)$
+:method: One step, everything a variable; then induction.  With $\beta_i=n\,B_i^{n-1}(t)$ and `bernstein_derivative` the left side is the
+  derivative of $\sum_iP_iB_i^n(t)$ term by term, and the right side is that by the edges.
+:degrees: all
+:over: E b c: functions; P Q: points
+:control: the last function with the other sign
+:::
+*/
+CLAIM(sums_by_parts_give_the_edges)
+{
+    num E = unknown(T, "E", 0), P = unknown(T, "P", 0), Q = unknown(T, "Q", 0); /* P_k, P_{k+1} */
+    num b = unknown(T, "b", 0), c = unknown(T, "c", 0);                         /* beta_k, beta_{k+1} */
+    num so_far = sub(E, mul(b, P)), edges = add(E, mul(b, sub(Q, P)));
+    same(T, add(so_far, mul(sub(b, c), Q)), sub(edges, mul(fault(T, c, neg(c)), Q)));
+}
+
+/*
 :::{claim} derivative_in_three_steps
 :title: The three sums are the derivative
 :zh: 导矢推导链的三个式子
@@ -328,7 +354,8 @@ CLAIM(first_term_divides_by_zero)
 :title: The derivative, its terms in a row
 :zh: 导矢:逐项展开
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
-:holds-by: derivative_in_three_steps
+:holds-by: bernstein_derivative sums_by_parts_give_the_edges
+:confirmed-by: derivative_in_three_steps
 :meant: the sum of the line before, of which these are the terms in a row | The terms from the first to the last, each
   once.
 :reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last,
@@ -399,7 +426,8 @@ CLAIM(terms_in_a_row_come_twice_for_one_edge)
 :title: The derivative by the edges of the polygon
 :zh: 导矢由控制多边形的边给出
 :printed: P'(t)=\sum_{i=0}^{n-1}\frac{n!}{i!(n-1-i)!}t^i(1-t)^{n-1-i}(P_{i+1}-P_i)
-:holds-by: derivative_in_three_steps
+:holds-by: bernstein_derivative sums_by_parts_give_the_edges
+:confirmed-by: derivative_in_three_steps
 :figure: edges_and_end_tangents
 :::
 
@@ -407,7 +435,9 @@ CLAIM(terms_in_a_row_come_twice_for_one_edge)
 :title: The tangents at the ends
 :zh: 端点切矢
 :printed: $P'(0)=n(P_1-P_0)$, $P'(1)=n(P_n-P_{n-1})$
-:holds-by: end_derivatives_are_end_differences
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry bernstein_derivative
+  sums_by_parts_give_the_edges
+:confirmed-by: end_derivatives_are_end_differences
 :figure: edges_and_end_tangents
 :::
 
@@ -420,7 +450,8 @@ so it does not matter from which end the points are read.  That the figure is it
 :title: The symmetry of the functions
 :zh: 基函数的对称性
 :printed: B_{i,n}(t)=\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}=B_{n-i,n}(1-t)
-:holds-by: bernstein_is_symmetric
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: bernstein_is_symmetric
 :figure: bernstein_basis
 :::
 
@@ -428,7 +459,8 @@ so it does not matter from which end the points are read.  That the figure is it
 :title: The curve in the basis read backwards
 :zh: Bézier 曲线的对称性
 :printed: P(t)=B_{0,n}(t)P_0+\dots+B_{i,n}(t)P_i+\dots+B_{n-i,n}(t)P_{n-i}+\dots+B_{n,n}(t)P_n=B_{n,n}(1-t)P_0+\dots+B_{n-i,n}(1-t)P_i+\dots+B_{i,n}(1-t)P_{n-i}+\dots+B_{0,n}(1-t)P_n
-:holds-by: reversed_points_reverse_the_curve basis_read_backwards
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: reversed_points_reverse_the_curve basis_read_backwards
 :meant: the formula, which takes the points in the other order | The points backwards give the same curve, run
   backwards.
 :reading: reversed_points_reverse_the_curve | the points backwards give the same curve, run backwards: true
@@ -522,7 +554,8 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :title: The functions are not negative and their sum is 1
 :zh: 基函数的非负性与规范性
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
-:holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: bernstein_alternates_outside | the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bernstein_basis
 
@@ -533,7 +566,8 @@ At most 1 because the others are not negative.
 :title: The curve is in the hull of its points
 :zh: 凸包性
 :printed: the points of the curve belong to the convex hull of $P_0,\dots,P_n$
-:holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: curve_leaves_hull_outside_the_interval | the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bezier_hull
 :::

@@ -39,7 +39,8 @@ enum { MOST_PLACES = 80 };
 :title: Each step goes from curves of degree n-1 to one of degree n
 :zh: 程序注释:n 次曲线由两条 n-1 次曲线线性组合
 :printed: the value of a curve of degree $n$ at $t$ is found by a linear combination of the values of two curves of degree $n-1$ at $t$
-:holds-by: curve_blends_two_curves_of_one_point_less program_computes_the_curve
+:holds-by: bernstein_recurrence program_computes_the_curve
+:confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 :::
 */

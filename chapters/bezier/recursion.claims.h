@@ -113,7 +113,8 @@ CLAIM(many_points_may_crowd)
 :refuted-by: one_point_too_many_breaks_the_recursion
 :class: misprint
 :corrected: $P_{k,l}$ is the curve of $P_k,P_{k+1},\dots,P_l$
-:corrected-by: curve_blends_two_curves_of_one_point_less
+:corrected-by: bernstein_recurrence
+:confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 
 With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.  Or
@@ -124,17 +125,22 @@ the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is prin
 :title: The recursion
 :zh: Bézier 曲线的递推关系
 :printed: P_{0,n}(t)=(1-t)P_{0,n-1}(t)+tP_{1,n}(t)
-:holds-by: curve_blends_two_curves_of_one_point_less
+:holds-by: bernstein_recurrence
+:confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 
 With $P_{k,l}$ the curve of $P_k,\dots,P_l$; $n\ge1$, and any $t$.
+
+The two sides are sums over the points; the coefficients of each point on both sides are those of the recurrence of the
+Bernstein polynomials, for every $n$.
 :::
 
 :::{statement} slides-ch4:4-recursion-difference
 :title: The recursion with one product
 :zh: 递推关系的另一形式
 :printed: P_{0,n}(t)=P_{0,n-1}(t)+t\bigl(P_{1,n}(t)-P_{0,n-1}(t)\bigr)
-:holds-by: curve_blends_two_curves_of_one_point_less
+:holds-by: bernstein_recurrence
+:confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 :::
 
@@ -258,7 +264,8 @@ CLAIM(each_point_has_one_coefficient_in_every_line)
 :printed: the right side is $(1-t)\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i+t\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_{i+1}$
   $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$
   $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n=\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$, the left side
-:holds-by: proof_of_the_recursion_line_by_line binomials_add_up
+:holds-by: each_point_has_one_coefficient_in_every_line binomials_add_up
+:confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less
 
 Between the first two of these lines stands another, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
@@ -324,7 +331,8 @@ $n$.  Within the second bracket, which is multiplied by $t$, they must have the 
 :refuted-by: exponent_of_the_second_line_is_not_shifted
 :class: misprint
 :corrected: $(1-t)^{n-i}$ in the second sum; the first is right
-:corrected-by: proof_of_the_recursion_line_by_line
+:corrected-by: each_point_has_one_coefficient_in_every_line
+:confirmed-by: proof_of_the_recursion_line_by_line
 :figure: second_line_of_the_proof
 
 With $i$ for $i+1$ the power of $t$ and the binomial are shifted, and the power of $1-t$ is not.  The signs of the exponent are lost; that it

@@ -21,7 +21,8 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :title: The cubics meet
 :zh: 位置连续条件
 :printed: $P_3=Q_0$ makes the two curves continuous at the joint.
-:holds-by: end_derivatives_are_end_differences
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
 :::
 
@@ -29,7 +30,9 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :title: The derivatives at the joint
 :zh: 连接点处的导矢
 :printed: $Q_0'=3(Q_1-Q_0)$, $P_3'=3(P_3-P_2)$
-:holds-by: end_derivatives_are_end_differences
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry bernstein_derivative
+  sums_by_parts_give_the_edges
+:confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
 :::
 

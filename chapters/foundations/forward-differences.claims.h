@@ -158,7 +158,8 @@ The second definition and all formulas are those of forward differences.
 :zh: n 次多项式的 n 阶差分为常矢量
 :printed: The third difference is a vector that does not depend on the parameter; in general the $n$-th difference of a polynomial
   of degree $n$ is a constant vector.
-:holds-by: differences_by_alternating_sums
+:holds-by: differences_lower_the_newton_functions
+:confirmed-by: differences_by_alternating_sums
 :figure: forward_differences
 :::
 */
@@ -173,6 +174,27 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
         sum = (k - i) % 2 == 0 ? add(sum, term) : sub(sum, term);
     }
     return sum;
+}
+
+/*
+:::{claim} differences_lower_the_newton_functions
+:title: A difference takes each of Newton's functions to the one before
+:zh: 差分将 Newton 基函数降一次
+:given: any $k\ge1$ and $x$, $c=\binom x{k-1}$, so that $\binom xk=c\frac{x-k+1}k$ and $\binom{x+1}k=c\frac{x+1}k$
+:then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
+  step $\delta$ is the constant $a_n$, and every further one is 0
+:method: An identity with $k$, $x$ and $c$ variables, $x=t/\delta$.  The functions $\binom{t/\delta}0,\dots,\binom{t/\delta}n$ have the degrees
+  $0,\dots,n$, so that every polynomial of degree at most $n$ is such a sum.
+:degrees: all
+:over: k c: -; x: t
+:control: $\frac{x-k}k$ in the place of $\frac{x-k+1}k$
+:::
+*/
+CLAIM(differences_lower_the_newton_functions)
+{
+    num k = whole(T, "k", 1, 20), x = unknown(T, "x", 0), c = unknown(T, "c", 0), one = from_int(1);
+    num here = mul(c, div(sub(x, fault(T, sub(k, one), k)), k)), there = mul(c, div(add(x, one), k));
+    same(T, sub(there, here), c);
 }
 
 /*
@@ -335,7 +357,8 @@ CLAIM(step_takes_differences_to_the_next_place)
 :zh: 反复加法求各点
 :printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the
   other by repeated additions.
-:holds-by: additions_step_along_the_curve
+:holds-by: step_takes_differences_to_the_next_place
+:confirmed-by: additions_step_along_the_curve
 :figure: forward_differences
 :::
 

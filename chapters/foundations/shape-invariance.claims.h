@@ -798,7 +798,8 @@ them.
 :title: A curve can be given more freedom without changing its shape
 :zh: 升阶与分割不改变形状
 :printed: To describe more, one keeps the shape and raises the degree of the curve, or keeps the shape and divides the curve.
-:holds-by: elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
+:holds-by: bernstein_raised_by_one_degree division_keeps_power_curve
+:confirmed-by: elevation_keeps_bezier_curve split_gives_the_two_parts
 :::
 
 :::{claim} division_keeps_power_curve
@@ -836,10 +837,11 @@ CLAIM(division_keeps_power_curve)
 :title: Some curves have the convex hull property and diminish variation
 :zh: 凸包性与变差减小性
 :printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
-:holds-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry linear_factor_adds_a_change_of_sign
+:confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
-Bézier curves are such curves, by proof at least those of degree up to four: along a line $ax+by+c=0$ the coefficients
-are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.
+Bézier curves of every degree are such curves: their points are averages of the control points, and along a line $ax+by+c=0$
+the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.
 :::
 */
 #include "chapters/judge/claims_off.h"

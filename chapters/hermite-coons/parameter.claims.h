@@ -539,7 +539,8 @@ CLAIM(another_coordinate_changes_no_other)
 :title: Over the unit interval the coordinates are bounded
 :zh: 规格化参数使几何分量有界
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
-:holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :hypothesis: weights_of_both_signs_make_a_pole | the functions have no pole in $[0,1]$; polynomials have none
 
 For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.

@@ -29,8 +29,9 @@ sense, for a triangle and its base.
 :corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not
   on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate
+  linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
   third_function_has_a_zero_for_every_smaller_beta
+:confirmed-by: roots_are_at_most_sign_changes
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
   possible, at $\beta=-\frac{21}4,0,1$
 :figure: convexity_lost

@@ -32,9 +32,10 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :corrected: true for the corrected functions exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings,
   and for common points unless the curve is on $L$ and the polygon is not; for the printed functions only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero corrected_functions_sum_to_one
-  functions_are_independent_but_for_two_values roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
-  third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
-  printed_sum_in_closed_form
+  functions_are_independent_but_for_two_values linear_factor_adds_a_change_of_sign
+  averages_between_neighbours_keep_sign_changes third_function_has_a_zero_for_every_smaller_beta
+  first_function_has_a_zero_for_every_larger_beta printed_sum_in_closed_form
+:confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
 :striking: 12
 :::

@@ -104,8 +104,10 @@ CLAIM(parity_of_the_roots)
 :corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
   $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero
-  averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes functions_are_independent_but_for_two_values
-  third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
+  averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
+  functions_are_independent_but_for_two_values third_function_has_a_zero_for_every_smaller_beta
+  first_function_has_a_zero_for_every_larger_beta
+:confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
 
 The sum of the functions plays no part here, so that the misprints do no harm.
@@ -249,7 +251,8 @@ needed: seven changes among eight signs leave no other sign for $k_7$.
 :corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
   when $k_7=0$ it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes
+  linear_factor_adds_a_change_of_sign
+:confirmed-by: roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven
 
 The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.

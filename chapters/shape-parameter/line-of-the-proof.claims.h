@@ -181,7 +181,8 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
   curve is not on $L$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes line_function_of_the_curve
+  linear_factor_adds_a_change_of_sign line_function_of_the_curve
+:confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
 :::
 

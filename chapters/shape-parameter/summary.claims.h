@@ -652,7 +652,8 @@ the range from $-\frac{21}4$ to 1.
   the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes functions_are_independent_but_for_two_values
+  linear_factor_adds_a_change_of_sign functions_are_independent_but_for_two_values
+:confirmed-by: roots_are_at_most_sign_changes
 :figure: ranges_of_beta
 :::
 
@@ -683,8 +684,9 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
   too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
   not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
-  totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
+  totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
   four_vertices_of_a_convex_polygon_do_not_alternate functions_are_independent_but_for_two_values
+:confirmed-by: roots_are_at_most_sign_changes
 :figure: ranges_of_beta
 :::
 
@@ -718,12 +720,12 @@ parametrized curves.
 :zh: Bezier 曲线的良好特性
 :printed: the Bernstein polynomials have symmetry and end properties; so Bézier curves have end properties, tangency to
   the end edges, convex hull, symmetry and variation diminution
-:holds-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry bernstein_derivative
+  sums_by_parts_give_the_edges linear_factor_adds_a_change_of_sign
+:confirmed-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one
   bernstein_positive_inside reversed_points_reverse_the_curve roots_are_at_most_sign_changes
 :hypothesis: double_end_point_has_no_end_edge | for the tangency: the end edges are not 0
 :figure: end_edges
-
-The text says Bernstein polynomials of any degree; here up to the degrees of these claims.
 :::
 
 :::{claim} double_end_point_has_no_end_edge
