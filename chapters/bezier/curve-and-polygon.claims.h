@@ -33,12 +33,13 @@ The degree is at most $n$: see the next entry.
 :title: The curve of n+1 points has degree n
 :zh: 曲线的次数
 :printed: what $n+1$ points determine is a Bézier curve of degree $n$
-:holds-by: bernstein_to_power_keeps_polynomial
-:meant: the slides call the curve by the degree of its basis throughout | Degree $n$ is the degree of the Bernstein
-  polynomials it is written in.
-:reading: bernstein_to_power_keeps_polynomial | as a name: written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
-:reading: equally_spaced_points_make_a_line | a polynomial of exactly this degree: false
+:holds-by: differences_give_every_derivative
+:confirmed-by: bernstein_to_power_keeps_polynomial
+:hypothesis: equally_spaced_points_make_a_line | the $n$-th difference of the points is not 0; otherwise the degree is
+  lower, and $n$ is that of the Bernstein polynomials in which the curve is written
 :figure: degrees_one_to_three
+
+The $n$-th derivative is $n!$ times the $n$-th difference of the points.
 :::
 */
 
@@ -259,10 +260,9 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
 :holds-by: bernstein_derivative sums_by_parts_give_the_edges
 :confirmed-by: derivative_in_three_steps
-:meant: the next line, which has no term with a factor 0 | Products with the factor $i=0$ or $n-i=0$ are not there.
-:reading: derivative_in_three_steps | products with a factor $i=0$ or $n-i=0$ are not there, or $0<t<1$: true
-:reading: first_term_divides_by_zero | every factor by itself: at $t=0$ and $t=1$, the two places where the slides use the derivative, two
-  products are $0\cdot0^{-1}$, of which the convention for $0^0$ says nothing
+:hypothesis: first_term_divides_by_zero | products with a factor $i=0$ or $n-i=0$ are left out, or $0<t<1$: at $t=0$ and
+  $t=1$, the two places where the slides use the derivative, two products are $0\cdot0^{-1}$, of which the convention for
+  $0^0$ says nothing
 :figure: edges_and_end_tangents
 :::
 
@@ -356,12 +356,10 @@ CLAIM(first_term_divides_by_zero)
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: bernstein_derivative sums_by_parts_give_the_edges
 :confirmed-by: derivative_in_three_steps
-:meant: the sum of the line before, of which these are the terms in a row | The terms from the first to the last, each
-  once.
-:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last,
-  for $n=2$ these and the two with $P_1$: true
-:reading: terms_in_a_row_come_twice_for_two_edges | all six that are written out: true from $n=3$ on; for $n=2$ two of them come twice
-:reading: terms_in_a_row_come_twice_for_one_edge | the same for $n=1$: there is no $(n-2)!$, and the four others are twice the two
+:hypothesis: terms_in_a_row_come_twice_for_two_edges | the terms from the first to the last, each once: written out as six
+  they are right from $n=3$ on; for $n=2$ two of them come twice
+:hypothesis: terms_in_a_row_come_twice_for_one_edge | for $n=1$ the first and the last: there is no $(n-2)!$, and the four
+  others are twice the two
 :figure: edges_and_end_tangents
 
 The signs are lost; each is determined by the sum before.
@@ -461,11 +459,10 @@ so it does not matter from which end the points are read.  That the figure is it
 :printed: P(t)=B_{0,n}(t)P_0+\dots+B_{i,n}(t)P_i+\dots+B_{n-i,n}(t)P_{n-i}+\dots+B_{n,n}(t)P_n=B_{n,n}(1-t)P_0+\dots+B_{n-i,n}(1-t)P_i+\dots+B_{i,n}(1-t)P_{n-i}+\dots+B_{0,n}(1-t)P_n
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: reversed_points_reverse_the_curve basis_read_backwards
-:meant: the formula, which takes the points in the other order | The points backwards give the same curve, run
-  backwards.
-:reading: reversed_points_reverse_the_curve | the points backwards give the same curve, run backwards: true
-:reading: curve_is_no_mirror_image | the curve is a symmetric figure: false unless its points are
 :figure: read_from_either_end
+
+The formula says that the points backwards give the same curve, run backwards.  The curve is no symmetric figure unless its
+points are: `curve_is_no_mirror_image`.
 :::
 
 :::{claim} basis_read_backwards

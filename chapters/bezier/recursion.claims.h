@@ -20,10 +20,9 @@ enum { dim = 2 };
 :printed: Enough values of $t$ are chosen, and the points of the curve joined by segments; with more points the polyline and the curve
   can come arbitrarily near to each other.
 :holds-by: second_differences_of_a_piece polygon_and_curve_are_near_the_chord
-:meant: the sentence before has values of $t$ chosen for drawing | The values can be chosen so, close to each other
-  everywhere.
-:reading: second_differences_of_a_piece | the points can be chosen so, with steps of the parameter that tend to 0: true
-:reading: many_points_may_crowd | however the points are chosen, if only there are many: false
+:argued: | The distance of a piece from its chord is at most a number that does not depend on the piece times the square of
+  the step, and so tends to 0 with the step.
+:hypothesis: many_points_may_crowd | the steps of the parameter tend to 0; that there are many points is not enough
 :figure: crowded_points
 
 A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta^2P_j|$ away from its chord.
@@ -203,7 +202,7 @@ CLAIM(one_point_too_many_breaks_the_recursion)
 
 /*
 The slides prove the recursion by comparing coefficients.  The only thing they need to know about binomial coefficients is Pascal's rule;
-everything else is a shift of an index, which is where the misprint is.
+everything else is a shift of an index.
 
 :::{statement} slides-ch4:4-recursion-pascal
 :title: The sum of two binomial coefficients
@@ -321,59 +320,21 @@ CLAIM(proof_of_the_recursion_line_by_line)
 }
 
 /*
-To find the wrong exponent without any computation, count: in every term of degree $n$ the exponents of $t$ and of $1-t$ have the sum
-$n$.  Within the second bracket, which is multiplied by $t$, they must have the sum $n-1$.
+Whoever checks such a line by eye counts exponents: in every term of degree $n$ those of $t$ and of $1-t$ have the sum $n$, within
+a bracket that is multiplied by $t$ or by $1-t$ the sum $n-1$.
 
 :::{statement} slides-ch4:4-recursion-proof-line-2
 :title: The second line of the proof
-:zh: 证明第二行中 (1-t) 的指数
-:printed: the right side is $(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i-1}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i-1}P_i+t^{n-1}P_n\Bigr)$
-:refuted-by: exponent_of_the_second_line_is_not_shifted
-:class: misprint
-:corrected: $(1-t)^{n-i}$ in the second sum; the first is right
-:corrected-by: each_point_has_one_coefficient_in_every_line
+:zh: 证明的第二行
+:printed: the right side is
+  $(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i}P_i+t^{n-1}P_n\Bigr)$
+:holds-by: each_point_has_one_coefficient_in_every_line
 :confirmed-by: proof_of_the_recursion_line_by_line
-:figure: second_line_of_the_proof
+:figure: two_curves_of_one_point_less
 
-With $i$ for $i+1$ the power of $t$ and the binomial are shifted, and the power of $1-t$ is not.  The signs of the exponent are lost; that it
-consists of $n$, $i$ and 1, as that of the first sum does, is there to be read, and no signs make $n-i$ of it.  The next line is right again.
+The signs are lost.  In the text at hand the exponent of $1-t$ consists of $n$, $i$ and 1 in the first sum and of $n$ and
+$i$ in the second, whose power of $t$ has the 1.
 :::
 */
-
-#if RATIONAL
-/*
-:::{claim} exponent_of_the_second_line_is_not_shifted
-:title: With two edges the second line has another sum
-:zh: n=2 时证明第二行不成立
-:kind: counterexample
-:data: P = 0 1 0; t = 1/2
-:result: P(t) = 1/2; with n-i-1 = 3/4; with n-i+1 = 3/8
-:given: $n=2$, the points $P$ of a line, a parameter $t$; the second line with the exponent $n-i-1$, or $n-i+1$, in its second sum
-:then: with neither exponent the line has the value of the curve
-:method: The line as printed, with either sign of the 1, against the curve from the definition.
-:control: the exponent $n-i$ in the second sum
-:::
-*/
-CLAIM(exponent_of_the_second_line_is_not_shifted)
-{
-    enum { n = 2 };
-    num P[n + 1];
-    given_points(T, "P", n + 1, 1, P);
-    num t = given(T, "t"), s = sub(from_int(1), t), curve = G(curve)(n, 1, P, 0, t);
-    found(T, "P(t)", curve);
-    for (int sign = -1; sign <= 1; sign += 2) {
-        num low = mul(G(power)(s, n - 1), P[0]), high = mul(G(power)(t, n - 1), P[n]);
-        for (int i = 1; i < n; i++) {
-            num shifted = mul(G(power)(t, i - 1), G(power)(s, fault(T, n - i, n - i + sign)));
-            low = add(low, mul(mul(G(choose)(n - 1, i), mul(G(power)(t, i), G(power)(s, n - i - 1))), P[i]));
-            high = add(high, mul(mul(G(choose)(n - 1, i - 1), shifted), P[i]));
-        }
-        num line = add(mul(s, low), mul(t, high));
-        found(T, sign < 0 ? "with n-i-1" : "with n-i+1", line);
-        about(T, "the second line and the curve");
-        same(T, line, curve);
-    }
-}
-#endif
 
 #include "chapters/judge/claims_off.h"

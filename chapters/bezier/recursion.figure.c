@@ -30,29 +30,6 @@ FIGURE(two_curves_of_one_point_less)
     return s;
 }
 
-FIGURE(second_line_of_the_proof)
-{
-    svg *s =
-        svg_new("second_line_of_the_proof", "The second line of the proof, as printed",
-                "The curve of three points, and what the second line of the proof gives with the printed exponent: "
-                "for n = 2 that is the curve with P1 + P2 in the place of P2.");
-    static const int from[6] = {0, 0, 1, 2, 3, 0}, line[6] = {0, 0, 1, 2, 4, 2}; /* the second: P0, P1, P1 + P2 */
-    num_q b[6], c[6], P[2];
-    integers(6, from, b);
-    integers(6, line, c);
-    svg_panel(s, window(r(-1, 2), r(-1, 2), r(9, 2), r(5, 2)), 460, 0, "$n=2$, $t=1/2$ marked");
-    svg_control_polygon(s, 2, b, "P");
-    svg_bezier(s, 2, c, SVG_WRONG);
-    svg_bezier(s, 2, b, SVG_CURVE);
-    bezier_casteljau_q(2, 2, c, r(1, 2), P);
-    svg_mark(s, svg_pair(P), SVG_WRONG, SVG_USUAL);
-    bezier_casteljau_q(2, 2, b, r(1, 2), P);
-    svg_mark(s, svg_pair(P), SVG_CURVE, SVG_USUAL);
-    svg_legend_line(s, SVG_CURVE, "the curve");
-    svg_legend_line(s, SVG_WRONG, "the second line with $(1-t)^{n-i-1}$");
-    return s;
-}
-
 FIGURE(crowded_points)
 {
     svg *s =

@@ -110,9 +110,10 @@ found by Pythagoras, or from the tangent of half the angle.
 :zh: 需要三角函数计算
 :printed: With hardware the algorithm needs products of matrices, and trigonometric functions have to be computed as well.
 :holds-by: rotation_matrix_adds_the_angle
-:hypothesis: rational_step_has_no_angle | The angle $\Delta\theta$ is prescribed.  Then it takes two values, $\cos\Delta\theta$ and
-  $\sin\Delta\theta$, once for all points; a step that need only be small and constant takes none.
 :figure: three_generators
+
+The angle $\Delta\theta$ is chosen, so that its cosine and its sine have to be computed: two values, once for all points.  A
+step that need only be small and constant takes none: `rational_step_has_no_angle`.
 :::
 */
 
@@ -355,6 +356,7 @@ a geometric progression.
 :printed: The circle that this algorithm produces is not closed.
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
 :needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: three_generators
 :::
 
@@ -363,6 +365,8 @@ a geometric progression.
 :zh: 半径有不断增大的趋势
 :printed: The radius of the circle tends to increase without end.
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
+:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
 It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  For $\varepsilon=\frac1{16}$ a turn
@@ -418,6 +422,19 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 }
 
 #if RATIONAL
+/* Whether one step with the given ε moves the given point. */
+static void refute_that_a_step_moves(trial *T)
+{
+    num M[4], first[2], P[2];
+    G(small_step)(given(T, "ε"), M);
+    given_points(T, "P_0", 1, 2, first);
+    P[0] = first[0], P[1] = first[1];
+    G(steps)(1, M, P);
+    found_points(T, "P_1", 1, 2, P);
+    about(T, "whether P_1 is not P_0");
+    refute(T, equal_q(P[0], first[0]) && equal_q(P[1], first[1]));
+}
+
 /*
 :::{claim} small_step_of_zero_stays
 :title: A step of zero closes at once
@@ -432,17 +449,25 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 :control: a small step
 :::
 */
-CLAIM(small_step_of_zero_stays)
-{
-    num M[4], first[2], P[2];
-    G(small_step)(given(T, "ε"), M);
-    given_points(T, "P_0", 1, 2, first);
-    P[0] = first[0], P[1] = first[1];
-    G(steps)(1, M, P);
-    found_points(T, "P_1", 1, 2, P);
-    about(T, "whether P_1 is not P_0");
-    refute(T, equal_q(P[0], first[0]) && equal_q(P[1], first[1]));
-}
+CLAIM(small_step_of_zero_stays) { refute_that_a_step_moves(T); }
+#endif
+
+#if RATIONAL
+/*
+:::{claim} centre_is_never_left
+:title: A point at the centre stays there
+:zh: 圆心处的点不动
+:kind: counterexample
+:given: $\varepsilon$ and $P_0$
+:data: ε = 1/16; P_0 = (0,0)
+:instead: P_0 = (1,0)
+:then: $P_1=P_0$
+:result: P_1 = (0,0)
+:method: One step; that it moves the point is refuted.
+:control: a point beside the centre
+:::
+*/
+CLAIM(centre_is_never_left) { refute_that_a_step_moves(T); }
 #endif
 
 /*
@@ -450,9 +475,13 @@ CLAIM(small_step_of_zero_stays)
 :title: The small vector that is added is perpendicular to the radius
 :zh: 增量与位置矢量垂直
 :printed: $P_{n+1}$ is $P_n$ plus a small vector perpendicular to the position vector $P_n=[x_n,y_n]$; so the new radius is
-  larger than the one before.
+  often larger than the one before.
 :holds-by: small_step_adds_a_perpendicular_vector
+:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
+
+Not often, but always.
 :::
 */
 
@@ -491,6 +520,8 @@ with equal factors make a logarithmic spiral (对数螺线).
 :zh: 所得曲线为螺线
 :printed: The curve obtained is really not an exact arc of a circle, but a spiral.
 :holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius
+:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: three_generators
 
 It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by

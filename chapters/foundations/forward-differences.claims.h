@@ -404,23 +404,23 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :title: A step costs n additions for each coordinate, and, scaled, n shifts
 :zh: 每步的加法与移位次数
 :kind: decision
-:given: degrees $n=1,\dots,N$, coordinates $d=1,\dots,D$, $\delta=2^{-m}$
-:data: N = 12; D = 3
+:given: degree $n$, coordinates $d=1,\dots,D$, $\delta=2^{-m}$
+:data: D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts
 :method: The kernels are run in the number type that counts.
-:scope: degrees 1 to 12, one to three coordinates
-:control: a step that is no power of two
+:degrees: 1..12
+:scope: one to three coordinates
+:control: one addition more in the unscaled step, one shift more in the scaled one
 :::
 */
 CLAIM(step_costs_additions_only)
 {
-    int largest = given_whole(T, "N"), most = given_whole(T, "D");
-    for (int n = 1; n <= largest; n++)
-        for (int d = 1; d <= most; d++) {
-            struct operations plain = cost_of_step(T, n, d, 0, 1), scaled = cost_of_step(T, n, d, 1, fault(T, 1, 0));
-            agree(T, plain.additions == n * d && plain.multiplications == 0 && plain.shifts == 0);
-            agree(T, scaled.additions == n * d && scaled.multiplications == 0 && scaled.shifts == n * d);
-        }
+    int n = T->degree, most = given_whole(T, "D"), wrong = fault(T, 0, 1); /* one addition too many is expected */
+    for (int d = 1; d <= most; d++) {
+        struct operations plain = cost_of_step(T, n, d, 0, 1), scaled = cost_of_step(T, n, d, 1, 1);
+        agree(T, plain.additions == n * d + wrong && plain.multiplications == 0 && plain.shifts == 0);
+        agree(T, scaled.additions == n * d && scaled.multiplications == 0 && scaled.shifts == n * d + wrong);
+    }
 }
 
 /*
@@ -434,6 +434,8 @@ CLAIM(step_costs_additions_only)
 :result: shifts = 6; additions = 4; multiplications = 0
 :method: The rows are formed in the number type that counts, and in rationals for any $A,B,C,D$, where they are the
   printed ones.
+:degrees: 3..3
+:scope: coordinate by coordinate, δ = 1/256
 :control: a step that is no power of two
 :::
 */

@@ -332,9 +332,12 @@ CLAIM(graph_of_a_cubic_turns_linearly)
 :title: A cubic has at most two inflections
 :zh: 参数三次曲线至多有两个拐点
 :printed: So a parametric cubic has at most two inflections.
-:holds-by: turning_of_a_cubic_is_quadratic each_form_occurs
+:holds-by: turning_of_a_cubic_is_quadratic
+:confirmed-by: each_form_occurs
 :hypothesis: line_has_curvature_zero_everywhere | The cubic is no line.  On a line every point has curvature 0.
 :figure: forms_of_a_cubic
+
+Two do occur: `each_form_occurs`.
 :::
 
 :::{claim} line_has_curvature_zero_everywhere

@@ -158,9 +158,9 @@ learned by heart.
 :::{statement} hu-1987:1-5-2
 :title: The condition for continuous slope
 :zh: 斜率连续条件
-:printed: $\dot P_{\mathrm{II}}(0)=\frac{\alpha_2}{\alpha_1}\dot P_{\mathrm I}(1)=\lambda\,\dot P_{\mathrm I}(1)$,
-  $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the lengths of the tangent vectors of $P_{\mathrm I}$ and
-  $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
+:printed: $\dot P_x(0)=\frac{\alpha_2}{\alpha_1}\dot P_{\mathrm I}(1)=\lambda\,\dot P_{\mathrm I}(1)$,
+  $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the lengths of the tangent vectors of $P_{\mathrm I}$
+  and $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$, as for
   a quotient of lengths: with $\lambda<0$ the curve turns on its heel.
@@ -168,6 +168,8 @@ learned by heart.
   is 0 at the joint, as where there are unit tangent vectors: otherwise a quotient of lengths does not exist, and the
   tangents may be one although no $\lambda$ is.
 :figure: joints_of_order
+
+The index $x$ stands for II, the second piece, as in (1-5-1) and (1-5-3).
 :::
 
 :::{claim} equal_unit_tangents_fix_the_ratio
@@ -264,9 +266,9 @@ curvature that grows without bound.
 :::{statement} hu-1987:1-5-3-sufficient
 :title: The condition of order two makes the curvature continuous
 :zh: 曲率连续的充分条件
-:printed: $\ddot P_{\mathrm{II}}(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm
-  I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the curvature continuous at the
-  joint.
+:printed: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm
+  I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the curvature
+  continuous at the joint.
 :holds-by: condition_keeps_the_curvature_vector
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths |
   $\lambda\ne0$, as for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second
@@ -274,6 +276,8 @@ curvature that grows without bound.
 :needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot
   P_{\mathrm I}(1)\ne0$, as where there is a unit tangent vector.
 :figure: joints_of_order
+
+The index $x$ stands for II.
 :::
 
 :::{statement} hu-1987:1-5-3-beta

@@ -561,12 +561,9 @@ CLAIM(doubled_functions_keep_the_shape)
 :zh: 柯西关系
 :printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
 :holds-by: translation_adds_the_sum_of_the_functions
-:meant: the lines before it write the translated curve as $P(t)+[\phi_0(t)+\dots+\phi_n(t)]\,m$ | The curve moves
-  along with its points: $P^*(t)=P(t)+m$.
-:reading: translation_adds_the_sum_of_the_functions | The curve moves along with its points: sufficient and necessary.
-:reading: shape_is_kept_without_the_sum_one | The curve keeps its shape, wherever it goes: sufficient, but not necessary.  A
-  constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the curve is a point, and its
-  image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
+:hypothesis: shape_is_kept_without_the_sum_one | The curve is to go where its points go, $P^*(t)=P(t)+m$.  To keep its
+  shape, of which the section speaks, a constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all
+  $Q_i=0$ the curve is a point, and its image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
 :figure: sums_of_functions
 :::
 */
@@ -658,14 +655,14 @@ its values; section 1-2 has moved control points, which is another thing.
 :zh: 参数曲线的几何不变性
 :printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates.
 :holds-by: image_of_a_power_curve_is_one
-:meant: the list is about describing a curve by a parameter, whatever its functions and coefficients are | The curve
-  itself, a vector function, is mapped to one of the same kind; nothing is said of coefficients that move as points.
-:reading: image_of_a_power_curve_is_one | The curve is a vector function, and its image $P(t)\,T+m$ is one of the same kind: true.
-:reading: image_keeps_no_chord | All coefficients are moved as points, as in section 1-2: true if the functions have the sum 1 (relation of
-  Cauchy), and not for (1-2-1), which is parametric, too.
+:hypothesis: image_keeps_no_chord | Where a curve is given by points that are moved and functions that are not, these have
+  the sum 1 (relation of Cauchy).  The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the
+  coordinates.
 :figure: two_cubes_and_their_image
 
 A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.
+
+As a vector function the curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.
 :::
 
 :::{claim} image_of_a_power_curve_is_one
@@ -738,16 +735,13 @@ denominator with it as a weight.
 :title: Parametric curves are easily mapped by affine and projective maps
 :zh: 参数曲线易于作仿射与射影变换
 :printed: Affine and projective transformations of parametric curves are easily carried out.
-:holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points image_of_a_power_curve_is_one
-:meant: section 1-4 has no control points yet, and names the curves | The points $[x(t)\;y(t)\;z(t)]$ of the curve are
-  mapped.
-:reading: matrices_pass_to_the_points | The points of the curve are mapped, $[x(t)\;y(t)\;z(t)\;1]$ by a matrix and then divided: easy,
-  and true.
-:reading: projective_image_is_not_the_curve_of_the_images | Control points are mapped, and a curve is made from their images: by an affine
-  map the image; by a projective one another curve, unless it is applied to homogeneous points, and then the curve is a rational one.
+:holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one
+:confirmed-by: bezier_curve_moves_with_its_points
 :figure: projective_image_of_a_parabola
 
-A projective map is a matrix for the homogeneous coordinates, and matrices pass to the points.
+The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.  Control
+points, of which the section does not speak yet, cannot be mapped so by a projective map, unless they are homogeneous:
+`projective_image_is_not_the_curve_of_the_images`.
 :::
 
 :::{claim} projective_image_is_not_the_curve_of_the_images

@@ -224,11 +224,8 @@ of second order, and both are half the sine to first order.
 :printed: $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse
   and the exact circle.
 :holds-by: ellipse_lies_between_two_circles
-:meant: the printed formula itself, which is the outward difference for every step | How far the ellipse leaves the
-  circle outwards, relative to $r$.
-:reading: ellipse_lies_between_two_circles | By how much the ellipse leaves the circle of radius $r$ outwards, relative to $r$.
-:reading: ellipse_leaves_the_circle_by_more | The largest error in either direction: this is $1-\sqrt{1-s}$, inwards, and for every
-  $s$ a little larger than the printed $\sqrt{1+s}-1$ (`inward_error_of_the_ellipse_is_larger`).
+:hypothesis: ellipse_leaves_the_circle_by_more | The error is counted outwards, relative to $r$.  Inwards it is
+  $1-\sqrt{1-s}$, for every $s$ a little larger than the printed $\sqrt{1+s}-1$ (`inward_error_of_the_ellipse_is_larger`).
 :figure: ellipse_of_the_second_way
 :::
 

@@ -95,12 +95,15 @@ curve has to be taken at a place where it is not; there one sees that the sixth 
 :::{statement} hu-1987:1-4-torsion-power
 :title: The power of the speed in the formula of the torsion
 :zh: 挠率公式中弧长导数的幂次
-:printed: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^3K^2}\quad\text{(the lost dots restored)}
+:printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{s^3K^2}
 :refuted-by: printed_power_spoils_the_torsion
 :class: misprint
 :corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
 :figure: torsion_and_the_speed
+
+The same formula as in the entry before, read with the lost dots restored, $\dddot P$ in the last place and $\dot s$ below:
+the power of the speed is wrong then, too.
 :::
 
 :::{claim} printed_power_spoils_the_torsion
@@ -256,10 +259,11 @@ CLAIM(printed_entry_spoils_the_determinant)
 :::{statement} hu-1987:1-4-torsion-value
 :title: The value of the determinant
 :zh: 行列式的值
-:printed: The determinant of $\dot P$, $\ddot P$ and the third derivative is
-  $-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$.
+:printed: the last member of the chain: $\dots=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
 :holds-by: determinant_of_the_derivatives_is_constant
 :figure: determinants_of_the_derivatives
+
+It is the value of $(\dot P,\ddot P,\dddot P)$, with which the chain begins when the lost dot is restored.
 :::
 
 A single number decides whether a cubic is plane.  The three normals $A\times B$, $C\times A$ and $B\times C$ test the

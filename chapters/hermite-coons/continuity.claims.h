@@ -117,7 +117,7 @@ CLAIM(equal_limits_do_not_make_a_continuous_function)
 :then: $q^{(j)}(x_0)=p^{(j)}(x_0)$ for $j\le k$, and $q^{(k+1)}(x_0)-p^{(k+1)}(x_0)=(k+1)!\,r(x_0)$
 :method: $q$ is multiplied out in powers of $x$; everything a variable.  By Taylor's formula every $q$ with these $k+1$ equalities is of
   this form with some $r$.
-:degrees: 0..4 sampled 8
+:degrees: order k = 0..4 sampled 8
 :over: p# r#: coefficients; x: x₀
 :control: the exponent $k$
 :::
@@ -497,11 +497,13 @@ The section ends with the word fair (光顺), which is explained by three condit
 :zh: 光顺
 :printed: A fair curve has not too many inflections.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
   points; (3) small changes of the curvature.
-:definition: yes
-:checked-by: unit_tangent_jumps_at_the_cusp
+:reading: unit_tangent_jumps_at_the_cusp | the second condition says more than the first: true of $G^2$ as the slides
+  explain it, by proportional derivatives; at a cusp the derivatives of both sides are equal, hence proportional, and the
+  tangent turns back
+:reading: what is superfluous, and which change of the curvature is small: the text does not say, so that nothing is there
+  to be decided
 
-The words superfluous and small are not made precise.  The second condition does not follow from the first as the slides explain it: at
-a cusp all derivatives of both sides are equal, hence proportional.
+Of the three conditions only the first is precise.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -18,10 +18,8 @@ serves for existence and uniqueness, the system being square.
 :printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
   $N=m_0+m_1+\dots+m_k-1$
 :holds-by: hermite_interpolant_exists_and_is_unique
+:hypothesis: straight_data_have_no_cubic | of degree at most $N$: of degree exactly $N$ there may be none
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | $k+1$ points $t_i$: different ones
-:meant: it has as many conditions as a polynomial of degree at most $N$ has coefficients | Of degree at most $N$.
-:reading: hermite_interpolant_exists_and_is_unique | of degree at most $N$: there is exactly one
-:reading: straight_data_have_no_cubic | of degree exactly $N$: there may be none
 :figure: hermite_blending_functions
 
 The slides only ask for the polynomial.  That it can always be found, and that there is no choice, is the reason why the

@@ -145,11 +145,10 @@ an equation without a parameter.
 :zh: 难以灵活地构造复杂的曲线、曲面
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
 :holds-by: parametric_cubic_crosses_itself
-:hypothesis: nodal_cubic_has_an_equation | explicit equations $y=f(x)$ are meant: a curve that crosses itself has none, but it may have an equation
-  $f(x,y)=0$
 :figure: graphs_and_axes
 
-Hard and flexibly are read as what cannot be done at all.
+Hard is read as what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has none.  An equation $f(x,y)=0$ it
+may have, as here, and the slides do not say that it has not: `nodal_cubic_has_an_equation`.
 :::
 */
 

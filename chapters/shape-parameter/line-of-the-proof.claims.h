@@ -24,10 +24,10 @@ intersections" is true or false according to what is counted.
 :zh: 过点 Q、法向量为 u 的直线
 :printed: let $L$ be the line (or plane) through the point $Q$ with the normal vector $u$
 :holds-by: points_of_a_line_by_its_normal
-:hypothesis: no_normal_no_line | $u\ne0$
 :figure: line_along_an_edge
 
-In the plane; in space $u\cdot(X-Q)=0$ is in the same way a plane.
+A normal vector is not 0; with $u=0$ all points would be on $L$, `no_normal_no_line`.  In the plane; in space
+$u\cdot(X-Q)=0$ is in the same way a plane.
 :::
 
 :::{claim} points_of_a_line_by_its_normal

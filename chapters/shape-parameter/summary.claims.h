@@ -129,9 +129,9 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :class: false
 :corrected: corners and boundary curves as printed; with the corrected functions symmetry and affine maps for every
   $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
-:corrected-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
-  surface_functions_sum_to_one nonnegative_exactly_in_the_range corrected_functions_are_mirror_images
-  functions_vanish_to_their_orders_at_the_ends
+:corrected-by: functions_vanish_to_their_orders_at_the_ends corrected_functions_are_mirror_images
+  surface_functions_sum_to_one nonnegative_exactly_in_the_range
+:confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
 :reading: printed_surface_leaves_a_single_point | the properties are those that section 3 prints for the curve: false;
   this is what is decided above
 :reading: what is true of the curve is true of the surface: the failures are those of the curve, and the correction says
@@ -144,6 +144,9 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :figure: shape_surface
 
 With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
+
+A function of the surface is a product $B_i(u)B_j(v)$.  At $u=0$ all $B_i(u)$ but the first are 0, so that the border is the
+curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.
 :::
 
 The statement names no property, so what section 3 prints for the curve is taken one by one.  Symmetry and corners pass to
@@ -157,6 +160,7 @@ for the sum, a net with one row different from 0 for a sign.
 :then: the surface of the points $P_{3-i,2-j}$ at $(1-u,1-v)$ is that of the $P_{ij}$ at $(u,v)$; the same for one
   direction alone
 :method: Both by the kernel, everything a variable.  For $n=7$ by the symmetry of the functions.
+:scope: degrees 3 and 2
 :control: $v$ in the place of $1-v$
 :::
 */
@@ -252,6 +256,7 @@ CLAIM(surface_leaves_the_hull_at_minus_seven)
 :then: for $u=0$ and $u=1$ the surface is the curve of the first and of the last row of points, corrected with the
   parameter $\gamma$; the ends of these are the corners
 :method: The surface kernel, and `shape_point_printed` twice, against the formulas of the curves; everything a variable.
+:scope: corrected functions of degrees 3 and 2, printed ones of degree 7
 :over: z# w#: points; gamma
 :control: the second row in the place of the last
 :::
@@ -707,12 +712,12 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
 :zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
 :printed: given the control points and the Bernstein basis the Bézier curve is fixed; to change its shape one has to move
   control points
-:definition: yes
-:checked-by: decasteljau_evaluates_bezier_curve bernstein_basis_is_independent
+:holds-by: decasteljau_evaluates_bezier_curve
 :figure: curves_for_several_beta
 
-The curve is the sum of points times Bernstein polynomials, and no two polygons of one degree have the same one, as
-parametrized curves.
+The curve is computed from its control points and the parameter, and from nothing else, so that another curve has other
+points.  Other points need not give another curve of the plane, but as parametrized curves of one degree they do:
+`bernstein_basis_is_independent`.
 :::
 
 :::{statement} deng-zhang-2022:sec-1-bezier-properties
@@ -757,11 +762,11 @@ CLAIM(double_end_point_has_no_end_edge)
 :zh: 权因子可以调整有理 Bezier 曲线的形状
 :printed: rational Bézier curves, with the control points unmoved, have weights, which can adjust the shape of the curve
 :holds-by: growing_weight_pulls_each_point_straight_to_the_vertex
-:hypothesis: weights_in_a_progression_keep_the_shape | the weights are not changed from $w_i$ to $cr^iw_i$, which gives
-  another parametrization of the same curve, $c,r>0$
-:hypothesis: points_on_a_line_keep_their_segment | the points are not all on a line, where the curve can be one segment
-  for many weights
 :figure: geometric_weights
+
+They can, which does not say that every change of the weights does: weights changed from $w_i$ to $cr^iw_i$ give another
+parametrization of the same curve (`weights_in_a_progression_keep_the_shape`), and points on a line may keep their segment
+(`points_on_a_line_keep_their_segment`).
 :::
 
 :::{claim} points_on_a_line_keep_their_segment
