@@ -393,4 +393,162 @@ CLAIM(straight_points_are_run_through_unevenly)
     same(T, sum, add(t, fault(T, div(bend, from_int(n)), bend)));
 }
 
+/*
+## Outward
+
+What is true of "closer" is this.  Let the polygon be convex and turn by no more than two right angles in all: for its edges
+$e_k=P_{k+1}-P_k$ that says $e_a\times e_b\ge0$ for all $a<b$, when it turns to the left.  Then for $n=7$ and
+$-\frac72\le\beta\le1$ a larger $\beta$ moves every point of the curve to the right of the curve, outward, or leaves it where it
+is.  For the velocity $q'$ along the curve and the velocity $\partial_\beta q$ with $\beta$ have a vector product that is a sum over
+pairs of edges, whose factors are powers of $s$ and $t$ times numbers.
+
+:::{claim} growing_beta_pushes_by_the_turns
+:title: How far a larger beta pushes the curve to one side is a sum of the turns of the polygon
+:zh: β 增大时曲线的侧向速度由边的转向决定
+:given: points $P_0,\dots,P_n$ of the plane, $e_k=P_{k+1}-P_k$, any $\beta$ and $t$
+:then: $q'\times\partial_\beta q=-\sum_{a<b}K_{ab}\,s^{2n-1-a-b}t^{a+b+1}\,e_a\times e_b$ with
+  $K_{ab}=\binom{n-1}a\binom{n-1}b\frac{b-a}{(n-1)^2}\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)$
+:method: The derivative of the curve by the kernel, $\partial_\beta q=q_{\beta+1}-q_\beta$, since the curve is linear in $\beta$; everything a
+  variable.
+:degrees: 2..4 sampled 9
+:control: $\beta$ left out of $K_{ab}$
+:::
+*/
+CLAIM(growing_beta_pushes_by_the_turns)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], D[2 * dim], here[dim], there[dim], push[dim], sum = from_int(0);
+    num beta = unknown(T, "beta", 0), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(shape_derivatives)(n, dim, P, beta, t, 1, D);
+    G(shape_point)(n, dim, P, beta, t, here);
+    G(shape_point)(n, dim, P, add(beta, from_int(1)), t, there);
+    for (int c = 0; c < dim; c++)
+        push[c] = sub(there[c], here[c]);
+    for (int a = 0; a < n; a++)
+        for (int b = a + 1; b < n; b++) {
+            num first[dim], second[dim], size = mul(G(choose)(n - 1, a), G(choose)(n - 1, b));
+            for (int c = 0; c < dim; c++) {
+                first[c] = sub(P[(a + 1) * dim + c], P[a * dim + c]);
+                second[c] = sub(P[(b + 1) * dim + c], P[b * dim + c]);
+            }
+            num bend = fault(T, mul(beta, from_int((n - 1 - 2 * a) * (n - 1 - 2 * b))), from_int(0));
+            num K = mul(mul(size, from_ratio(b - a, (n - 1) * (n - 1))), add(from_int(2 * n * (n - 1)), bend));
+            num power = G(product_of_powers)(2 * n - 1 - a - b, a + b + 1, t);
+            sum = add(sum, mul(mul(K, power), G(cross2)(first, second)));
+        }
+    same(T, G(cross2)(D + dim, push), neg(sum));
+}
+
+/*
+For every $n$ the numbers $K_{ab}$ come from the coefficients of one edge in the two velocities.
+
+:::{claim} turns_push_by_these_numbers_in_every_degree
+:title: The factor of a turn, for every degree
+:zh: 任意次时转向的系数
+:given: integers $0\le a<b\le n-1$, $n\ge2$, any $\beta$ and $t$; $\gamma_k=\binom{n-1}k$ and $p_k=s^{n-1-k}t^k$ for $k=a,b$
+:let: $\partial_\beta q=st\sum_kc_ke_k$ with $c_k=\gamma_k\frac{n-1-2k}{n-1}p_k$, which is $\bigl(\binom{n-2}k-\binom{n-2}{k-1}\bigr)p_k$; the
+  derivative of $st\,p_k$ is $p_k\bigl((k+1)s-(n-k)t\bigr)$, so that $q'=\sum_kd_ke_k$ with
+  $d_k=n\gamma_kp_k+\beta\gamma_k\frac{n-1-2k}{n-1}p_k\bigl((k+1)s-(n-k)t\bigr)$
+:then: $(d_ac_b-d_bc_a)\,st=-\gamma_a\gamma_b\frac{b-a}{(n-1)^2}\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)\,st\,p_ap_b$
+:method: An identity with $n$, $a$, $b$, $\gamma_a$, $\gamma_b$, $p_a$, $p_b$, $\beta$, $t$ variables; for $c_k$ with
+  $\binom{n-2}k=\gamma_k\frac{n-1-k}{n-1}$ and $\binom{n-2}{k-1}=\gamma_k\frac k{n-1}$, for $q'$ with $n\gamma_kp_k$, the coefficient of the
+  edge in the derivative of the Bézier curve.
+:degrees: all from 2
+:over: beta; t; n a b A B p q: -
+:control: $n-1-b$ in the place of $n-1-2b$
+:::
+*/
+CLAIM(turns_push_by_these_numbers_in_every_degree)
+{
+    num n = whole(T, "n", 8, 20), one = from_int(1), two = from_int(2), M = sub(n, one), k[2], gamma[2], p[2], c[2], d[2];
+    num beta = unknown(T, "beta", 0), t = parameter(T, "t"), s = sub(one, t), share[2];
+    k[0] = whole(T, "a", 0, 3), k[1] = whole(T, "b", 4, 7);
+    gamma[0] = positive(T, "A", 0), gamma[1] = positive(T, "B", 0);
+    p[0] = positive(T, "p", 0), p[1] = positive(T, "q", 0);
+    for (int j = 0; j < 2; j++) {
+        share[j] = sub(M, mul(two, k[j]));
+        num lower = sub(div(mul(gamma[j], sub(M, k[j])), M), div(mul(gamma[j], k[j]), M));
+        about(T, "the difference of two binomial coefficients");
+        same(T, lower, div(mul(gamma[j], share[j]), M));
+        c[j] = mul(lower, p[j]);
+        num slope = sub(mul(add(k[j], one), s), mul(sub(n, k[j]), t));
+        d[j] = add(mul(mul(n, gamma[j]), p[j]), mul(beta, mul(c[j], slope)));
+    }
+    num last = fault(T, share[1], sub(M, k[1]));
+    num bracket = add(mul(two, mul(n, M)), mul(beta, mul(share[0], last)));
+    num size = div(mul(mul(gamma[0], gamma[1]), sub(k[1], k[0])), mul(M, M));
+    about(T, "the factor of a turn");
+    same(T, sub(mul(d[0], c[1]), mul(d[1], c[0])), neg(mul(mul(size, bracket), mul(p[0], p[1]))));
+}
+
+/*
+:::{claim} turns_push_outward_in_the_range
+:title: All factors have one sign for beta from -2n/(n-3) to 2n/(n-1), in every degree
+:zh: 任意次时各系数同号的 β 范围
+:given: integers $0\le a<b\le n-1$, $M=n-1$, $X=(M-2a)(M-2b)$
+:then: $M^2+X\ge0$, with equality for $a=0$, $b=M$; and $M(M-2)-X\ge0$, with equality for $a=0$, $b=1$; so
+  $2nM+\beta X\ge0$ for all $a<b$ exactly if $\beta\le\frac{2n}{n-1}$ and, for $n>3$, $\beta\ge-\frac{2n}{n-3}$
+:method: With $b=a+1+d$ and $M=b+c$ both differences are polynomials in $a,c,d$ without negative coefficients.  For $\beta\ge0$ the least
+  value of $2nM+\beta X$ is $2nM-\beta M^2$, for $\beta<0$ it is $2nM+\beta M(M-2)$.
+:degrees: all from 2
+:over: a c d: -
+:control: both differences subtracted from $-1$
+:::
+*/
+CLAIM(turns_push_outward_in_the_range)
+{
+    num a = positive(T, "a", 0), c = positive(T, "c", 0), d = positive(T, "d", 0), two = from_int(2), zero = from_int(0);
+    for (int at_the_border = 0; at_the_border < 3; at_the_border++) { /* all a, b; a = 0, b = M; a = 0, b = 1 */
+        num first = at_the_border ? zero : a, above = at_the_border == 1 ? zero : c;
+        num gap = at_the_border == 2 ? zero : d, b = add(first, add(from_int(1), gap)), M = add(b, above);
+        num X = mul(sub(M, mul(two, first)), sub(M, mul(two, b)));
+        num low = add(mul(M, M), X), high = sub(mul(M, sub(M, two)), X), minus_one = from_int(-1);
+        low = fault(T, low, sub(minus_one, low)), high = fault(T, high, sub(minus_one, high));
+        if (at_the_border == 1)
+            vanishes(T, low);
+        else if (at_the_border == 2)
+            vanishes(T, high);
+        else
+            nonnegative(T, low);
+        if (at_the_border == 0)
+            nonnegative(T, high);
+    }
+}
+
+#if RATIONAL
+/*
+For $n=7$ the range is from $-\frac72$ to $\frac73$, and the left end lies inside the range in which the functions are nonnegative.  Below
+it a polygon of two edges is enough.
+
+:::{claim} below_the_range_a_larger_beta_pulls_inward
+:title: For beta = -4 a larger beta moves a point of the curve of a convex polygon inward
+:zh: β=-4 时 β 增大使凸多边形的曲线向内移动
+:kind: counterexample
+:data: β = -4; P = (0,0) (1,0) (1,1) (1,1) (1,1) (1,1) (1,1) (1,1); t = 1/2
+:instead: β = -7/2
+:result: q'(t) × ∂q/∂β = 1/8192
+:given: $\beta$ below the range, a polygon that turns to the left by a right angle, and the middle of the interval; corrected functions
+:then: $\partial_\beta q$ is to the left of $q'$
+:method: Derivative and points by the kernels; that the product is not positive is refuted.
+:control: the left end of the range
+:::
+*/
+CLAIM(below_the_range_a_larger_beta_pulls_inward)
+{
+    num beta = given(T, "β"), P[8 * dim], D[2 * dim], here[dim], there[dim], push[dim];
+    given_points(T, "P", 8, dim, P);
+    num t = given(T, "t");
+    G(shape_derivatives)(7, dim, P, beta, t, 1, D);
+    G(shape_point)(7, dim, P, beta, t, here);
+    G(shape_point)(7, dim, P, add(beta, from_int(1)), t, there);
+    for (int c = 0; c < dim; c++)
+        push[c] = sub(there[c], here[c]);
+    num product = G(cross2)(D + dim, push);
+    found(T, "q'(t) × ∂q/∂β", product);
+    about(T, "whether the point moves outward, or stays");
+    agree(T, sign_q(product) <= 0);
+}
+#endif
+
 #include "chapters/judge/claims_off.h"

@@ -21,15 +21,20 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :class: false
 :corrected: for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
-  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; whether the curve comes nearer to the
-  polygon depends on the polygon: to some convex ones it does
-:corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one convex_polygon_prefers_beta_one
+  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; if the polygon is convex and turns by
+  at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1; whether
+  the curve comes nearer to the polygon depends on the polygon: to some convex ones it does
+:corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
+  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range convex_polygon_prefers_beta_one
+:confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :striking: 11
 
 The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three points,
 for which no point moves away from the polygon while $-2\le\beta\le1$ (`quadratic_distance_to_a_line_shrinks`,
 `quadratic_distance_to_an_end_shrinks`), and polygons of four for which it is false, are treated in `every-degree`.
+
+Below $-\frac72$ a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
 :::
 */
 

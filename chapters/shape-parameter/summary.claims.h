@@ -638,9 +638,11 @@ the range from $-\frac{21}4$ to 1.
   control polygon
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
-:corrected: $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight
-  line, evenly
+:corrected: $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight line,
+  evenly; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
+  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range
+:confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :::
 
