@@ -3,7 +3,8 @@
 
 The source has nine chapters.  This page goes through its table of contents and says, for every section, by which claims
 of ours its subject is covered, and what of it is open.  A claim is about the subject, not about the text of the section,
-unless the ledger has an entry of it.
+unless the ledger has an entry of it.  The text is at hand up to a part of § 1-5; of the other sections it is always open
+whether the source says what is decided here, and "the text" stands for that.
 */
 #if RATIONAL
 #include "chapters/foundations/pages.h"
@@ -212,19 +213,19 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 1-3 | circles | `small_steps_multiply_the_radius` `second_orbit_never_closes` `ellipse_lies_between_two_circles` `third_matrix_by_the_radius` | |
 | 1-4 | description of parametric curves | `horner_computes_the_sum_of_powers` `additions_step_along_the_curve` `cusp_of_the_example_is_a_cusp` `sign_of_delta_tells_the_form` `torsion_by_speed_and_curvature` | |
 | 1-5 | control of shape | `conditions_make_one_curve_in_another_parameter` `pieces_in_new_powers` `fractional_change_of_a_power_curve` | the end of the section |
-| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` `surface_normal_is_the_cross_product` | curvature of surfaces |
-| 1-7 | points of parametric surfaces | `tensor_kernel_is_the_matrix_product` `surface_kernel_computes_the_double_sum` `surface_derivatives_of_every_order` | differences |
-| 1-8 | control of the shape of surfaces | `borders_and_cross_derivatives_are_kept` `surface_part_is_the_piece` | joints of surfaces |
-| 1-9 | interpolation by Lagrange | `lagrange_functions_keep_every_polynomial` `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points |
+| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` `surface_normal_is_the_cross_product` | curvature of surfaces; the text |
+| 1-7 | points of parametric surfaces | `tensor_kernel_is_the_matrix_product` `surface_kernel_computes_the_double_sum` `surface_derivatives_of_every_order` | differences; the text |
+| 1-8 | control of the shape of surfaces | `borders_and_cross_derivatives_are_kept` `surface_part_is_the_piece` | joints of surfaces; the text |
+| 1-9 | interpolation by Lagrange | `lagrange_functions_keep_every_polynomial` `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points; the text |
 | 2-1 | display in space | | all of it |
-| 2-2 | affine maps | `bezier_curve_moves_with_its_points` `total_degree_survives_affine_maps` | maps of space as matrices |
-| 2-3 | projective maps | `projective_image_is_not_the_curve_of_the_images` `projective_change_of_unit_interval_is_fractional` | maps of the plane |
-| 2-4 | rotation about an axis | `rotation_matrix_adds_the_angle` `rotation_about_a_point_moves_the_example` | rotations of space |
+| 2-2 | affine maps | `bezier_curve_moves_with_its_points` `total_degree_survives_affine_maps` | maps of space as matrices; the text |
+| 2-3 | projective maps | `projective_image_is_not_the_curve_of_the_images` `projective_change_of_unit_interval_is_fractional` | maps of the plane; the text |
+| 2-4 | rotation about an axis | `rotation_matrix_adds_the_angle` `rotation_about_a_point_moves_the_example` | rotations of space; the text |
 | 2-5 | viewing transformation | | all of it |
 | 2-6 | perspective | | all of it |
 | 2-7 | theory of perspective | | all of it |
 | 2-8 | perspective space | | all of it |
-| 2-9 | homogeneous coordinates | `homogeneous_points_carry_their_weight` `translated_homogeneous_points_give_no_translate` | |
+| 2-9 | homogeneous coordinates | `homogeneous_points_carry_their_weight` `translated_homogeneous_points_give_no_translate` | the text |
 | 2-10 | clipping | | all of it |
 | 3-1 | hidden lines and surfaces | | all of it |
 | 3-2 | convex polyhedra | | all of it |
@@ -232,36 +233,36 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 3-4 | choice of coordinates | | all of it |
 | 3-5 | an algorithm for hidden parts | | all of it |
 | 3-6 | another algorithm for hidden parts | | all of it |
-| 4-1 | interpolation by Hermite | `hermite_interpolant_exists_and_is_unique` `end_data_determine_the_cubic` `osculation_is_divisibility` |  |
-| 4-2 | Ferguson's curves, first part | `hermite_kernel_blends_four_data` `base_functions_interpolate_once_continuously` `other_lengths_give_another_cubic` | the system of equations of splines |
-| 4-3 | Ferguson's curves, second part | `second_derivatives_meet_on_a_condition` `conditions_make_one_curve_in_another_parameter` `cusps_are_on_a_hyperbola` | the system of equations of splines |
-| 4-4 | Ferguson's surfaces | `tensor_kernel_is_the_matrix_product` | twists 0 |
-| 4-5 | Coons surfaces, first part | `coons_kernel_is_the_bordered_product` `four_curves_are_borders` `shifted_frame_shifts_the_patch_by_a_product` | |
-| 4-6 | Coons surfaces, second part | `borders_and_cross_derivatives_are_kept` `cubic_frame_of_corners_gives_the_product` | |
-| 4-7 | control of bicubic surfaces | `tensor_kernel_is_the_matrix_product` `cubic_frame_gives_bicubic_patch` | changes of the parameters |
-| 4-8 | twist | `two_twists_cannot_both_be_kept` | estimates of the twist |
+| 4-1 | interpolation by Hermite | `hermite_interpolant_exists_and_is_unique` `end_data_determine_the_cubic` `osculation_is_divisibility` | the text |
+| 4-2 | Ferguson's curves, first part | `hermite_kernel_blends_four_data` `base_functions_interpolate_once_continuously` `other_lengths_give_another_cubic` | the system of equations of splines; the text |
+| 4-3 | Ferguson's curves, second part | `second_derivatives_meet_on_a_condition` `conditions_make_one_curve_in_another_parameter` `cusps_are_on_a_hyperbola` | the system of equations of splines; the text |
+| 4-4 | Ferguson's surfaces | `tensor_kernel_is_the_matrix_product` | twists 0; the text |
+| 4-5 | Coons surfaces, first part | `coons_kernel_is_the_bordered_product` `four_curves_are_borders` `shifted_frame_shifts_the_patch_by_a_product` | the text |
+| 4-6 | Coons surfaces, second part | `borders_and_cross_derivatives_are_kept` `cubic_frame_of_corners_gives_the_product` | the text |
+| 4-7 | control of bicubic surfaces | `tensor_kernel_is_the_matrix_product` `cubic_frame_gives_bicubic_patch` | changes of the parameters; the text |
+| 4-8 | twist | `two_twists_cannot_both_be_kept` | estimates of the twist; the text |
 | 4-9 | joining Coons patches | | all of it |
-| 5-1 | cubic Bézier curves | `decasteljau_evaluates_bezier_curve` `end_derivatives_are_end_differences` | |
-| 5-2 | Bernstein polynomials | `bernstein_is_binomial_form` `bernstein_sums_to_one` `bernstein_positive_inside` `bernstein_recurrence` | |
-| 5-3 | properties of Bézier curves | `curve_points_are_convex_combinations` `line_crosses_curve_at_most_as_often_as_polygon` `reversed_points_reverse_the_curve` | |
-| 5-4 | elevation, division, joining | `elevation_keeps_bezier_curve` `split_gives_the_two_parts` `conditions_make_one_curve_in_another_parameter` | |
-| 5-5 | Bézier surfaces | `surface_kernel_computes_the_double_sum` `parameter_lines_are_bezier_curves` `surface_functions_sum_to_one_and_are_positive` `corners_of_the_net_give_tangents_normal_and_twist` `collapsed_border_has_no_normal` | joints of surfaces |
+| 5-1 | cubic Bézier curves | `decasteljau_evaluates_bezier_curve` `end_derivatives_are_end_differences` | the text |
+| 5-2 | Bernstein polynomials | `bernstein_is_binomial_form` `bernstein_sums_to_one` `bernstein_positive_inside` `bernstein_recurrence` | the text |
+| 5-3 | properties of Bézier curves | `curve_points_are_convex_combinations` `line_crosses_curve_at_most_as_often_as_polygon` `reversed_points_reverse_the_curve` | the text |
+| 5-4 | elevation, division, joining | `elevation_keeps_bezier_curve` `split_gives_the_two_parts` `conditions_make_one_curve_in_another_parameter` | the text |
+| 5-5 | Bézier surfaces | `surface_kernel_computes_the_double_sum` `parameter_lines_are_bezier_curves` `surface_functions_sum_to_one_and_are_positive` `corners_of_the_net_give_tangents_normal_and_twist` `collapsed_border_has_no_normal` | joints of surfaces; the text |
 | 5-6 | triangular patches | | all of it |
-| 5-7 | interpolating cubic Bézier curves | `end_data_determine_the_cubic` | systems of equations |
-| 6-1 | uniform cubic B-spline curves | `uniform_matrix_is_the_matrix` `matrix_gives_homogeneous_curve` | geometric properties of the cubic |
+| 5-7 | interpolating cubic Bézier curves | `end_data_determine_the_cubic` | systems of equations; the text |
+| 6-1 | uniform cubic B-spline curves | `uniform_matrix_is_the_matrix` `matrix_gives_homogeneous_curve` | geometric properties of the cubic; the text |
 | 6-2 | uniform B-spline surfaces | | all of it |
-| 6-3 | B-splines by divided differences | `column_by_differences_is_the_function` `truncated_power_gives_the_basis` |  |
-| 6-4 | B-splines by recursion | `bspline_basis_follows_definition` `basis_is_a_partition_of_unity` |  |
-| 6-5 | forms of B-spline curves | `clamped_end_is_the_first_point` `periodic_data_close_the_curve` `bezier_curves_are_nurbs_curves` |  |
+| 6-3 | B-splines by divided differences | `column_by_differences_is_the_function` `truncated_power_gives_the_basis` | the text |
+| 6-4 | B-splines by recursion | `bspline_basis_follows_definition` `basis_is_a_partition_of_unity` | the text |
+| 6-5 | forms of B-spline curves | `clamped_end_is_the_first_point` `periodic_data_close_the_curve` `bezier_curves_are_nurbs_curves` | the text |
 | 6-6 | points of curves from data | | all of it |
 | 6-7 | points of surfaces from data | | all of it |
-| 6-8 | de Boor's algorithm | `rational_triangle_gives_the_point` `every_level_divides_its_edges` |  |
-| 6-9 | insertion of knots | `printed_insertion_keeps_the_curve` `inserted_points_divide_the_edges` |  |
+| 6-8 | de Boor's algorithm | `rational_triangle_gives_the_point` `every_level_divides_its_edges` | the text |
+| 6-9 | insertion of knots | `printed_insertion_keeps_the_curve` `inserted_points_divide_the_edges` | the text |
 | 6-10 | Chaikin's algorithm | | all of it |
 | 6-11 | interpolating B-splines | | all of it |
-| 7-1 | plane rational curves | `rational_point_is_weighted_mean` `equal_invariants_give_same_curve` | |
-| 7-2 | conics and their kinds | `points_at_infinity_tell_the_kind` `kind_in_any_coordinates` `conic_invariants_are_determinants` | |
-| 7-3 | rational curves in space | `end_torsion_at_zero` `coplanar_vertices_give_a_plane_curve` | T-conics |
+| 7-1 | plane rational curves | `rational_point_is_weighted_mean` `equal_invariants_give_same_curve` | the text |
+| 7-2 | conics and their kinds | `points_at_infinity_tell_the_kind` `kind_in_any_coordinates` `conic_invariants_are_determinants` | the text |
+| 7-3 | rational curves in space | `end_torsion_at_zero` `coplanar_vertices_give_a_plane_curve` | T-conics; the text |
 | 8-1 | geometric models | | all of it |
 | 8-2 | methods of modelling | | all of it |
 | 8-3 | Boolean operations | | all of it |
@@ -270,9 +271,9 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 8-6 | description of solids | | all of it |
 | 8-7 | free surfaces in solids | | all of it |
 | 8-8 | local deformation | | all of it |
-| 9-1 | arcs of circles and their joints | `arc_and_its_central_angle` `rational_quadratic_of_the_arc` | joints of two arcs |
-| 9-2 | conics from lines | `conics_touching_two_lines_are_limings` `limings_pencil_in_the_frame` | |
-| 9-3 | cubic splines | `second_derivatives_meet_on_a_condition` | the system of equations |
+| 9-1 | arcs of circles and their joints | `arc_and_its_central_angle` `rational_quadratic_of_the_arc` | joints of two arcs; the text |
+| 9-2 | conics from lines | `conics_touching_two_lines_are_limings` `limings_pencil_in_the_frame` | the text |
+| 9-3 | cubic splines | `second_derivatives_meet_on_a_condition` | the system of equations; the text |
 | 9-4 | generating lines of surfaces | | all of it |
 | 9-5 | fairness | | all of it |
 | 9-6 | fairing by rebound | | all of it |

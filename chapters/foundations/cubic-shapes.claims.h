@@ -19,7 +19,8 @@ coefficients, and by $\delta=3b^2-4ac$.
 :title: The forms of a cubic
 :zh: 参数三次曲线的几种形态
 :printed: The forms of parametric cubics contain the ordinary one, the cusp, the closed loop, and that with inflections (figure 1-7).
-:holds-by: each_form_occurs sign_of_delta_tells_the_form signs_decide_the_form
+:holds-by: each_form_occurs
+:confirmed-by: sign_of_delta_tells_the_form signs_decide_the_form
 :figure: forms_of_a_cubic
 
 Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$; not so for $a=0$:

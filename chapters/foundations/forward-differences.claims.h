@@ -436,7 +436,7 @@ CLAIM(step_costs_additions_only)
   printed ones.
 :degrees: 3..3
 :scope: coordinate by coordinate, δ = 1/256
-:control: a step that is no power of two
+:control: a step that is no power of two, and the coefficients taken backwards
 :::
 */
 /* (1-4-5) as shifts and additions: e from c = (D, C, B, A), 3A as 2A + A. */
@@ -456,9 +456,12 @@ CLAIM(table_costs_shifts_and_additions)
 {
     num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {fault(T, 1, 0)};
     num x[4], d[4], table[4], delta = given(T, "δ"), power = from_int(1);
+    num used[4];
     for (int k = 0; k < 4; k++)
         x[k] = unknown(T, "c", k);
-    table_by_shifts_q(x, delta, table);
+    for (int k = 0; k < 4; k++)
+        used[k] = x[fault(T, k, 3 - k)];
+    table_by_shifts_q(used, delta, table);
     counted = (struct operations){0};
     table_by_shifts_c(c, step, e);
     if (!T->faulty)

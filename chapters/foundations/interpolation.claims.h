@@ -106,6 +106,40 @@ the data as a whole although it is far from each of them.
 :::
 */
 
+/*
+The plainest description needs neither: a curve can be kept as many points, joined by segments.
+
+:::{statement} hu-1987:1-1-point-sets
+:title: A curve as a set of points takes much memory
+:zh: 点集与折线表示的缺点
+:printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
+  pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.
+:holds-by: polyline_of_a_parabola_needs_many_points
+:figure: through_and_near
+
+Of the three disadvantages the first can be counted: for a tenth of the error more than three times as many points are needed,
+where three coefficients keep the parabola exactly.
+:::
+
+:::{claim} polyline_of_a_parabola_needs_many_points
+:title: A piece of a polyline leaves the parabola by a quarter of the square of its length
+:zh: 折线与抛物线的偏差
+:given: the parabola $y=x^2$ and its chord over $[a,a+h]$, any $a$ and $h$
+:then: half way the chord is $\frac{h^2}4$ above the curve; of $N$ pieces over $[0,1]$ one has $h\ge\frac1N$, so that the error is at least
+  $\frac1{4N^2}$
+:method: An identity in $a$ and $h$.
+:over: a; h
+:control: the chord from $a$ to $a+2h$
+:::
+*/
+CLAIM(polyline_of_a_parabola_needs_many_points)
+{
+    num a = unknown(T, "a", 0), h = unknown(T, "h", 0), half = from_ratio(1, 2);
+    num end = add(a, fault(T, h, add(h, h))), middle = add(a, mul(half, h));
+    num chord = mul(half, add(mul(a, a), mul(end, end)));
+    same(T, sub(chord, mul(middle, middle)), mul(from_ratio(1, 4), mul(h, h))); /* h²/4 */
+}
+
 #if RATIONAL
 /*
 :::{claim} nearest_line_meets_no_datum

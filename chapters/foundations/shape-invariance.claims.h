@@ -17,6 +17,60 @@ example, and asks for the condition that excludes it.
 enum { dim = 2 };
 
 /*
+Two things are said of shapes before the example: that a body has its place for itself, which numbers do not know, and that
+a shape is not a function.
+
+:::{statement} hu-1987:1-2-interference
+:title: That two bodies have not one place has to be examined
+:zh: 空间唯一性与干涉检验
+:printed: Two objects cannot occupy one space at the same time; but in a computer shapes are equations and data, so that this is very
+  difficult to satisfy, and interference has to be examined.
+:holds-by: two_descriptions_may_claim_one_place
+
+Difficult is read as: it does not follow from the description of either.  Each body is well described, and both contain one point.
+:::
+
+:::{statement} hu-1987:1-2-shape-is-no-function
+:title: The properties of a shape are not those of a function
+:zh: 形状的性质不等同于函数的性质
+:printed: The shape meant here is a geometrically invariant notion; its properties are not altogether those of a function.
+:holds-by: turned_graph_is_no_graph
+
+To be the graph of a function is a property that a turn of the same shape can take away.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} two_descriptions_may_claim_one_place
+:title: Two discs, each well described, contain one point
+:zh: 两圆盘的描述互不排斥
+:kind: decision
+:given: the discs about $C_0$ and $C_1$ with the radii $r$, and a point $X$
+:data: C = (0,0) (1,0); r = 1 1; X = (1/2,0)
+:instead: C = (0,0) (3,0)
+:then: $|X-C_k|^2<r_k^2$ for both: $X$ is inside of both
+:result: |X - C|² = 1/4 1/4
+:method: Both squares of distances, exactly.
+:control: a disc farther away
+:::
+*/
+CLAIM(two_descriptions_may_claim_one_place)
+{
+    num C[2 * dim], r[2], X[dim], square[2];
+    given_points(T, "C", 2, 2, C);
+    given_points(T, "r", 2, 1, r);
+    given_points(T, "X", 1, 2, X);
+    for (int k = 0; k < 2; k++) {
+        num from_centre[dim] = {sub(X[0], C[2 * k]), sub(X[1], C[2 * k + 1])};
+        square[k] = G(norm_squared)(2, from_centre);
+    }
+    found_points(T, "|X - C|²", 2, 1, square);
+    agree(T, compare_q(square[0], mul(r[0], r[0])) < 0 && compare_q(square[1], mul(r[1], r[1])) < 0);
+}
+#endif
+
+/*
 ## The example
 
 :::{statement} hu-1987:1-2-1

@@ -150,6 +150,8 @@ is no way in either direction: the figure does not know how fast it is run throu
 :zh: C0、C1、C2 的几何意义
 :printed: Geometrically $C^0$, $C^1$, $C^2$ mean that the graph of the function, the direction of its tangent, its curvature are continuous.
 :holds-by: curvature_of_a_graph
+:argued: | Slope and curvature are formed from $f'$ and $f''$ by sums, products and a root, divided by numbers that are not
+  0, and so are continuous where $f'$ and $f''$ are.
 :hypothesis: tangent_turns_back_at_a_smooth_parameter | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
 :reading: curvature_of_a_graph | from the class to the figure, for graphs: true
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs: false

@@ -18,12 +18,27 @@ serves for existence and uniqueness, the system being square.
 :printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
   $N=m_0+m_1+\dots+m_k-1$
 :holds-by: hermite_interpolant_exists_and_is_unique
+:argued: every N | Two solutions differ by a polynomial of degree at most $N$ that has $N+1$ zeros, counted with
+  multiplicity, and so is 0; the system is square, and with one solution for the data 0 it has one for all data.
 :hypothesis: straight_data_have_no_cubic | of degree at most $N$: of degree exactly $N$ there may be none
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | $k+1$ points $t_i$: different ones
 :figure: hermite_blending_functions
 
 The slides only ask for the polynomial.  That it can always be found, and that there is no choice, is the reason why the
 number of conditions is one more than $N$.
+:::
+*/
+
+/*
+:::{statement} slides-ch4:2-general-degree
+:title: In general the interpolating polynomial is of a high degree
+:zh: 一般 Hermite 插值多项式次数较高
+:printed: for the general problem the interpolating polynomial is in general of a rather high degree, which is inconvenient
+:holds-by: hermite_interpolant_exists_and_is_unique
+:figure: hermite_blending_functions
+
+The data of a polynomial of degree $N=m_0+\dots+m_k-1$ give it back, so that the degree $N$ occurs: it grows by one with each
+value and each derivative.  The cubics of the next section stay cubics, however many nodes there are.
 :::
 */
 
@@ -47,7 +62,7 @@ static void G(different_nodes)(trial *T, int d, num tau[])
   coefficients back; hence to any data there is exactly one polynomial of degree at most $N$
 :method: Nodes and coefficients are variables; the data are the derivatives of the power form.  The map from $N+1$ coefficients
   to $N+1$ data is linear and has a left inverse, so it is one to one, and being square, it is onto.
-:degrees: 0..6 sampled 10
+:degrees: N = 0..6 sampled 10
 :over: t#: nodes; c#: coefficients
 :defines: hermite_interpolant
 :control: the last datum replaced by 0

@@ -22,7 +22,8 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   $g_{i0}=\bigl(1-2\frac{t-t_i}{t_i-t_{i+1}}\bigr)\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$,
   $g_{i1}=\bigl(1-2\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigr)\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$,
   $h_{i0}=\frac{t-t_i}{t_{i+1}-t_i}\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
-:holds-by: base_functions_interpolate_once_continuously
+:holds-by: hermite_kernel_blends_four_data
+:confirmed-by: base_functions_interpolate_once_continuously
 :needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | an
   interval $[t_i,t_{i+1}]$: $t_i\ne t_{i+1}$
 :figure: nodes_that_meet
@@ -35,6 +36,8 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   $h_{i-1,1}(t)(t_i-t_{i-1})$, $h_{i,0}(t)(t_{i+1}-t_i)$ and 0; for $i=0$ and $i=n$ the piece outside $[t_0,t_n]$ is left out
 :definition: yes
 :checked-by: base_functions_interpolate_once_continuously
+:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+  the other intervals.
 :figure: piecewise_base_functions
 :::
 
@@ -102,6 +105,8 @@ must not only differ but increase.
 :printed: $P(t)=\sum_{i=0}^n[f(t_i)a_{i,0}(t)+f'(t_i)a_{i,1}(t)]$ on $[t_0,t_n]$ has just four terms on each $[t_i,t_{i+1}]$ and
   satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$
 :holds-by: base_functions_interpolate_once_continuously
+:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+  the other intervals.
 :needs: overlapping_intervals_miss_the_data | the nodes are ordered, $t_0<t_1<\dots<t_n$ | intervals $[t_i,t_{i+1}]$
   of $[t_0,t_n]$: $t_0<t_1<\dots<t_n$
 :figure: nodes_that_meet
@@ -141,6 +146,8 @@ CLAIM(overlapping_intervals_miss_the_data)
 :zh: 单段的四项表示
 :printed: P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)
 :holds-by: base_functions_interpolate_once_continuously
+:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+  the other intervals.
 :meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
 :reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$: true
 :reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval: false for other lengths than 1
@@ -184,6 +191,8 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :zh: 逐段光滑连接
 :printed: The cubics are joined smoothly, piece by piece.
 :holds-by: base_functions_interpolate_once_continuously
+:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+  the other intervals.
 :meant: the data are values and first derivatives | With a continuous tangent, $C^1$.
 :reading: base_functions_interpolate_once_continuously | $C^1$: for all data
 :reading: pieces_need_not_have_one_curvature | $C^2$: not for all data

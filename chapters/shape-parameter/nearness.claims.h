@@ -23,10 +23,10 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
   triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; if the polygon is convex and turns by
   at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1; whether
-  the curve comes nearer to the polygon depends on the polygon: to some convex ones it does
+  the curve comes nearer to the polygon depends on the polygon
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
-  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range convex_polygon_prefers_beta_one
-:confirmed-by: growing_beta_pushes_by_the_turns
+  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range
+:confirmed-by: growing_beta_pushes_by_the_turns convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :striking: 11
 
@@ -35,6 +35,8 @@ for which no point moves away from the polygon while $-2\le\beta\le1$ (`quadrati
 `quadratic_distance_to_an_end_shrinks`), and polygons of four for which it is false, are treated in `every-degree`.
 
 Below $-\frac72$ a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
+
+To some convex polygons it comes nearer: `convex_polygon_prefers_beta_one`.
 :::
 */
 

@@ -759,6 +759,91 @@ CLAIM(double_end_point_has_no_end_edge)
 }
 
 /*
+:::{statement} deng-zhang-2022:ref-1-year
+:title: The year of the first reference
+:zh: 文献 [1] 的年份
+:printed: [1] Pottmann, H. and Wagner, M.G. (1944) Helix Splines as an Example of Affine Tchebycheffian Splines. Advances in
+  Computational Mathematics, 2, 123-142
+:refuted-by: reference_is_older_than_its_journal
+:class: misprint
+:corrected: 1994
+:corrected-by: second_volume_is_of_the_second_year
+:cites: the journal's list of volumes | volume 1 of Advances in Computational Mathematics is of 1993, and the first volumes are one a year
+
+One digit, 4 for 9.  The fact about the journal is no computation, and is cited.
+:::
+
+:::{claim} reference_is_older_than_its_journal
+:title: The first reference is older than the journal it appeared in
+:zh: 文献 [1] 早于所载期刊创刊
+:kind: counterexample
+:data: printed year = 1944; year of volume 1 = 1993
+:instead: printed year = 1994
+:given: the year that is printed, and the year of the first volume of the journal
+:then: the printed year is before the first volume
+:method: The two numbers; that the first is not less than the second is refuted.
+:control: the year 1994
+:::
+*/
+CLAIM(reference_is_older_than_its_journal)
+{
+    int printed = given_whole(T, "printed year"), first = given_whole(T, "year of volume 1");
+    about(T, "whether the printed year is not before the first volume");
+    refute(T, printed < first);
+}
+
+/*
+:::{claim} second_volume_is_of_the_second_year
+:title: The volume of the first reference is of 1994
+:zh: 文献 [1] 所在卷的年份
+:kind: decision
+:data: year of volume 1 = 1993; volume = 2; year = 1994
+:instead: volume = 3
+:given: the year of the first volume of the journal, one volume a year, and the printed volume
+:then: the year of the volume is the one given
+:method: The year of the first volume plus the volume less 1.
+:control: another volume
+:::
+*/
+CLAIM(second_volume_is_of_the_second_year)
+{
+    int first = given_whole(T, "year of volume 1"), volume = given_whole(T, "volume");
+    same(T, from_int(first + volume - 1), given(T, "year"));
+}
+#endif
+
+/*
+:::{statement} deng-zhang-2022:sec-1-degree
+:title: A family with a parameter l has too high a degree
+:zh: 文献 [11] 的曲线次数过高
+:printed: for a polygon of $n+1$ points [11] uses Bernstein polynomials of degree $m=l(n-1)+1$; the geometric meaning of $l$ is vague, and
+  the degree is too high for computing
+:holds-by: degree_with_the_parameter_exceeds_that_of_the_polygon
+
+For $l=1$ it is the Bézier curve of degree $n$; for larger $l$ the degree is higher by a product.  What is vague, and what too high, is not
+said.
+:::
+
+:::{claim} degree_with_the_parameter_exceeds_that_of_the_polygon
+:title: The degree with the parameter l exceeds that of the polygon by a product
+:zh: m-n=(l-1)(n-1)
+:given: any $n$ and $l$, $m=l(n-1)+1$
+:then: $m-n=(l-1)(n-1)$, which is 0 for $l=1$ and positive for $l,n>1$
+:method: An identity in $n$ and $l$.
+:degrees: all
+:over: n: -; l
+:control: $l(n-1)$ for $m$
+:::
+*/
+CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
+{
+    num n = whole(T, "n", 1, 20), l = whole(T, "l", 1, 9), one = from_int(1), product = mul(l, sub(n, one));
+    num m = add(product, from_int(fault(T, 1, 0)));
+    same(T, sub(m, n), mul(sub(l, one), sub(n, one)));
+}
+
+#if RATIONAL
+/*
 :::{statement} deng-zhang-2022:sec-1-weights
 :title: Weights adjust the shape of a rational Bézier curve
 :zh: 权因子可以调整有理 Bezier 曲线的形状
