@@ -276,7 +276,7 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :method: One step, everything a variable; then induction.  With $\beta_i=n\,B_i^{n-1}(t)$ and `bernstein_derivative` the left side is the
   derivative of $\sum_iP_iB_i^n(t)$ term by term, and the right side is that by the edges.
 :degrees: all
-:over: E b c: functions; P Q: points
+:over: E# b# c#: functions; P# Q#: points
 :control: the last function with the other sign
 :::
 */

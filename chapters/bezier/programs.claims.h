@@ -31,6 +31,8 @@ enum { MOST_PLACES = 80 };
 :printed: R and Q have n+1 numbers; R becomes P; for m from n down to 1: Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
   result is R[0], the value of the curve at $t$
 :holds-by: program_computes_the_curve
+:argued: every n | One pass of the outer loop is one level of the recursion, which holds for every $n$; after $n$ passes
+  R[0] is the value of the curve.
 :hypothesis: difference_loses_the_last_point | exact arithmetic: in binary64 the result at $t=1$ need not be the last point
 :figure: last_point_lost
 :::
@@ -180,7 +182,8 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :title: The parameter is divided into npoints equal parts
 :zh: 将参数 t 作 npoints 等分
 :printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
-:holds-by: program_ends_at_one_in_exact_arithmetic
+:holds-by: equal_steps_reach_every_part
+:confirmed-by: program_ends_at_one_in_exact_arithmetic
 :hypothesis: sum_of_steps_misses_one | exact arithmetic: in binary64 the last parameter need not be 1
 :hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
 :reading: sum_of_steps_is_seldom_one | in binary64: true for 12 of the numbers of steps up to 64
@@ -193,6 +196,8 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :zh: 分别求出 npoints+1 个离散点
 :printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
 :holds-by: program_ends_at_one_in_exact_arithmetic
+:argued: every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
+  that knows nothing of the others.
 :hypothesis: last_point_of_the_example_is_missed | exact arithmetic: in binary64 the last of them need not be the end of the curve
 :reading: corrected_program_ends_at_the_last_point | in binary64 with $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$: the ends are exact
 :figure: last_parameter
@@ -239,13 +244,33 @@ static num G(bez_to_points)(struct G(program) * run, int n, int npoints, const s
 }
 
 /*
+:::{claim} equal_steps_reach_every_part
+:title: Steps of one N-th from 0 on reach every i/N, and 1 after N of them
+:zh: 以 1/N 为步长从 0 出发经 N 步到达 1
+:given: any number $N$ of steps, any $i$; the parameter $\frac iN$
+:then: one step further it is $\frac{i+1}N$; so it is $\frac iN$ after $i$ steps, and $\frac NN=1$ in the end
+:method: An identity in $i$ and $N$; then induction.
+:scope: every npoints
+:over: i N: -
+:control: a step of $\frac1{N+1}$
+:::
+*/
+CLAIM(equal_steps_reach_every_part)
+{
+    num i = whole(T, "i", 0, 20), N = whole(T, "N", 21, 40), one = from_int(1);
+    num step = div(one, fault(T, N, add(N, one)));
+    same(T, add(div(i, N), step), div(add(i, one), N));
+    same(T, mul(N, step), one);
+}
+
+/*
 :::{claim} program_ends_at_one_in_exact_arithmetic
 :title: In exact arithmetic the points are those of equal steps, from the first point to the last
 :zh: 精确运算下离散点的参数为 i/N
 :given: a cubic with any points of a line, $N$ steps
 :then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_3$
 :method: The program as printed, against the definition at $\frac iN$, one case for each $N$.
-:degrees: 1..6 sampled 12
+:degrees: npoints = 1..6 sampled 12
 :over: x#: points
 :control: the first step taken before the first point
 :::
@@ -302,6 +327,7 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
   the npoints+1 points
 :method: The program on the arrays that count.  What it touches depends on $n$ and the number of steps only, not on the numbers.
 :degrees: 0..24
+:scope: npoints = 8
 :control: R with $n$ places
 :::
 */

@@ -210,7 +210,7 @@ plane has one direction across the curve, hence one equation a point; space has 
 :then: $C_a\cdot C_b-\frac{(C_a\cdot C')(C_b\cdot C')}{|C'|^2}=(C_a-TT^TC_a)\cdot(C_b-TT^TC_b)$, and in the plane both are
   $\det(C',C_a)\det(C',C_b)/|C'|^2$
 :method: All coordinates are variables; $TT^T=C'C'^T/|C'|^2$ has no root.  The degree is the dimension.
-:degrees: 2..3 sampled 3
+:degrees: d = 2..3 sampled 3
 :over: a# b# c#: vectors
 :control: the projection along $C_a$ in the place of that along $C'$
 :::

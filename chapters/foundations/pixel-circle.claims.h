@@ -111,7 +111,8 @@ and the positive root.
 :title: The angle of the third way
 :zh: 第三种方法的转角
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
-:holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
+:holds-by: third_matrix_by_the_radius
+:confirmed-by: distance_of_the_first_two_points
 :needs: negative_cosine_is_not_the_root | $\Delta\theta$ is a small angle | $0<\theta\le\frac\pi2$, as for a small
   step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is not $\sin^{-1}\frac1r$, whose
   cosine is $\frac35$.

@@ -200,7 +200,7 @@ points, and the rows of (1-4-5) only that of their own, small, size.
 :given: any coefficients of degree 3, $\delta=2^{-m}$, $2^m$ steps; $m$ is the degree
 :then: the first row is $P(1)=A+B+C+D$
 :method: The table and its steps; in binary64 within the running error bound.
-:degrees: 1..6 sampled 8
+:degrees: m = 1..6 sampled 8
 :over: x#: coefficients
 :control: one step less
 :::

@@ -454,7 +454,7 @@ The functions are polynomials in the source; nothing here uses it, so they are v
   rotation or not
 :method: Both sides with the sum, the function, the point and the 9 entries variables; by induction for any number of terms.
 :degrees: all
-:over: s# x y z: points; f: function; m#: matrices
+:over: s# x# y# z#: points; f#: functions; m#: matrices
 :control: the new point is not mapped
 :::
 */
@@ -563,7 +563,7 @@ to itself needs a constant sum, and the print does not say which of the two is m
   $P^*-(P+m)=(\sum\phi_i-1)\,m$, which vanishes for one $m\ne0$ exactly when the sum is 1, and then for every $m$
 :method: Both sides with everything a variable, coordinate by coordinate; by induction for any number of terms.
 :degrees: all
-:over: s x: points; f r: functions; m: translation
+:over: s# x#: points; f# r#: functions; m#: translations
 :control: the new function left out of the sum
 :::
 */
@@ -727,7 +727,7 @@ As a vector function the curve is mapped to $P(t)\,T+m$, which is one of the sam
 :then: $(S+cp)\,T+m=(ST+m)+(cT)\,p$; so $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
 :method: Both sides with everything a variable; by induction for any number of terms.
 :degrees: all
-:over: s# x y z: coefficients; p: t; t#: matrices; m#: translations
+:over: s# x# y# z#: coefficients; p: t; t#: matrices; m#: translations
 :control: $m$ added to the new coefficient as well
 :::
 */

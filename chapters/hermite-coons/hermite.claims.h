@@ -63,7 +63,7 @@ static void G(different_nodes)(trial *T, int d, num tau[])
 :method: Nodes and coefficients are variables; the data are the derivatives of the power form.  The map from $N+1$ coefficients
   to $N+1$ data is linear and has a left inverse, so it is one to one, and being square, it is onto.
 :degrees: N = 0..6 sampled 10
-:over: t#: nodes; c#: coefficients
+:over: t#: different nodes; c#: coefficients
 :defines: hermite_interpolant
 :control: the last datum replaced by 0
 :::
@@ -304,7 +304,7 @@ static void G(osculates)(trial *T, struct G(poly) p, num t0, num t1, const num d
 :given: $t_0\ne t_1$, values $f(t_0),f(t_1)$ and derivatives $f'(t_0),f'(t_1)$
 :then: the cubic with the four sums, divided by $(t_1-t_0)^3$, as coefficients satisfies the four conditions
 :method: Everything variable; the sums are entered as lists of monomials.
-:over: t# h#: nodes; f#: data
+:over: t# h#: different nodes; f#: data
 :control: the sign of the first monomial of $a_2$ reversed
 :::
 */
@@ -389,7 +389,7 @@ begin with $-2t$.
 :given: $t_0\ne t_1$ and any data
 :then: the printed sum has the values and derivatives prescribed at $t_0$ and $t_1$
 :method: The sum as a polynomial in $t$; everything variable.
-:over: t# h#: nodes; f#: data
+:over: t# h#: different nodes; f#: data
 :control: the cube $(t_0-t_1)^3$ under both values
 :::
 */
@@ -437,7 +437,7 @@ The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that bef
   the printed sum, and that sum has the data
 :method: The printed functions are multiplied out as polynomials in $t$, and differentiated power by power; everything variable.
 :defines: hermite_blending hermite_cubic
-:over: t# h#: nodes; f#: data; p: t
+:over: t# h#: different nodes; f#: data; p: t
 :control: the two derivatives exchanged
 :::
 */
@@ -493,7 +493,7 @@ The case $t_0=0$, $t_1=1$.
 :then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are the matrix with the diagonal
   $1,1,\frac1{t_1-t_0},\frac1{t_1-t_0}$ and 0 elsewhere; over the unit interval it is the unit matrix
 :method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables, then 0 and 1.
-:over: t# h#: nodes
+:over: t# h#: different nodes
 :control: $h_{00}$ taken for $h_{01}$
 :::
 */
@@ -534,7 +534,7 @@ With values alone, at as many nodes, the same idea gives Lagrange's functions.
 :method: Nodes and $t$ variables, the polynomial each of $1,\ t-\tau_0,\ (t-\tau_0)(t-\tau_1),\dots$ up to degree $n$; both sides are
   linear in the polynomial, and every other one is a sum of multiples of these.
 :degrees: 0..6 sampled 10
-:over: t#: nodes; p: t
+:over: t#: different nodes; p: t
 :defines: lagrange_blending
 :control: the first value that is not 0 left out
 :::
@@ -601,7 +601,7 @@ follows, and the slides do not always keep the two apart.
 :then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
-:over: t# h#: nodes; f#: data
+:over: t# h#: different nodes; f#: data
 :control: the derivatives not multiplied by the length
 :::
 */

@@ -49,7 +49,7 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   and derivative are the data, from both sides
 :method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.
 :degrees: 1..4 sampled 8
-:over: t# h#: nodes; f# d#: data; p: t
+:over: t# h#: increasing nodes; f# d#: data; p: t
 :control: in $a_{0,1}$ the function of the other end
 :::
 */
@@ -236,7 +236,7 @@ CLAIM(pieces_need_not_have_one_curvature)
 :then: $\frac12\bigl(P''(t_i+)-P''(t_i-)\bigr)$ is
   $3\frac{f_{i+1}-f_i}{h_i^2}+3\frac{f_i-f_{i-1}}{h_{i-1}^2}-\frac{f'_{i+1}}{h_i}-2f'_i\bigl(\frac1{h_{i-1}}+\frac1{h_i}\bigr)-\frac{f'_{i-1}}{h_{i-1}}$
 :method: The kernel on both intervals, against the formula; everything variable.
-:over: t# h#: nodes; f# d#: data
+:over: t# h#: increasing nodes; f# d#: data
 :control: $2f_i'$ replaced by $f_i'$
 :::
 */

@@ -207,7 +207,7 @@ coefficients are 0 but for one, so they do not change their sign.
   `curve_of_a_triangle_meets_a_line_three_times` has three common points with the line $y=0$.
 :types: field rational
 :degrees: 7..7
-:scope: β < −21/4
+:scope: every β < −21/4
 :over: b: -
 :control: $b$ replaced by $2b$ in the parameter
 :::
@@ -235,7 +235,7 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 :method: The value of the kernel at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
 :types: field rational
 :degrees: 7..7
-:scope: β > 1
+:scope: every β > 1
 :over: b: -
 :control: $b$ replaced by $2b$ in the parameter
 :::

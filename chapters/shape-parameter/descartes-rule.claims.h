@@ -28,6 +28,8 @@ are positive.  That the argument nowhere uses the range of $\beta$ could have be
 
 Roots may be counted with or without multiplicity: what is decided below holds for both, and the counterexamples have simple
 roots.
+
+The number of roots is called Zeros in (15) and Zero in (20), and the rule of signs 符号法制 once and 符号法则 afterwards.
 :::
 */
 

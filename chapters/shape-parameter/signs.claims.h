@@ -233,7 +233,7 @@ changes of sign.  The function then begins with 0, falls, and has to rise again.
   $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both
   signs and vanishes at both ends.  $B_5$ is the mirror image.
 :degrees: 7..7
-:scope: −7 ≤ β < −21/4
+:scope: below it down to −7
 :control: an interval that reaches into the true range
 :::
 */
