@@ -172,8 +172,8 @@ $(t,t^4)$ has $K=0$ at $t=0$ and stays on one side.
 :zh: 拐点处二阶导矢平行于切矢
 :printed: An inflection is a point with $\dot P\times\ddot P=0$; points with $\dot P=0$ not considered, $\ddot P=g\dot P$ with a scalar $g$.
 :holds-by: second_derivative_splits_along_the_first
-:needs: cusp_has_no_such_factor | the sentence speaks of directions of $\dot P$ | $\dot P\ne0$: where $\dot
-  P=0\ne\ddot P$ there is no $g$.
+:needs: cusp_has_no_such_factor | the sentence itself, which leaves out the points with $\dot P=0$ | $\dot P\ne0$: where
+  $\dot P=0\ne\ddot P$ there is no $g$.
 :figure: forms_of_a_cubic
 :::
 

@@ -706,7 +706,7 @@ one of them.  The price is that the curve becomes a rational one, whose weights 
 :zh: 双线性(同形)参数变换
 :printed: More generally the parameter can be changed by a bilinear or homographic transformation, a rational one.
 :holds-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
-:needs: fractional_change_with_a_pole | it is a change of parameter | The denominator has no zero on the interval.
+:hypothesis: fractional_change_with_a_pole | The denominator has no zero on the interval.
 :figure: fractional_parameter
 
 The text that is at hand ends before the formula.

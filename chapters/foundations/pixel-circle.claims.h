@@ -113,9 +113,9 @@ and the positive root.
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
-:needs: negative_cosine_is_not_the_root | $\Delta\theta$ is a small angle | $0<\theta\le\frac\pi2$, as for a small
-  step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is not $\sin^{-1}\frac1r$, whose
-  cosine is $\frac35$.
+:needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
+  $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$
+  is not $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
 :figure: step_of_the_third_way
 :::
 
@@ -125,8 +125,8 @@ and the positive root.
 :printed: With $\sin\theta=\varepsilon=\frac1r$, $\cos\theta=\sqrt{1-\sin^2\theta}=\sqrt{1-\varepsilon^2}$:
   $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
 :holds-by: third_matrix_by_the_radius
-:needs: negative_cosine_is_not_the_root | $\Delta\theta$ is a small angle | $0<\theta<\frac\pi2$, so that the cosine
-  is the positive root; and $r\ge1$
+:needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
+  $0<\theta<\frac\pi2$, so that the cosine is the positive root; and $r\ge1$
 :figure: step_of_the_third_way
 :::
 

@@ -107,8 +107,8 @@ must not only differ but increase.
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
-:needs: overlapping_intervals_miss_the_data | the nodes are ordered, $t_0<t_1<\dots<t_n$ | intervals $[t_i,t_{i+1}]$
-  of $[t_0,t_n]$: $t_0<t_1<\dots<t_n$
+:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ | intervals
+  $[t_i,t_{i+1}]$ of $[t_0,t_n]$: $t_0<t_1<\dots<t_n$
 :figure: nodes_that_meet
 :::
 */
