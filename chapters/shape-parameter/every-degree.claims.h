@@ -461,7 +461,8 @@ For every $n$ the numbers $K_{ab}$ come from the coefficients of one edge in the
 */
 CLAIM(turns_push_by_these_numbers_in_every_degree)
 {
-    num n = whole(T, "n", 8, 20), one = from_int(1), two = from_int(2), M = sub(n, one), k[2], gamma[2], p[2], c[2], d[2];
+    num n = whole(T, "n", 8, 20), one = from_int(1), two = from_int(2), M = sub(n, one), k[2], gamma[2], p[2], c[2],
+        d[2];
     num beta = unknown(T, "beta", 0), t = parameter(T, "t"), s = sub(one, t), share[2];
     k[0] = whole(T, "a", 0, 3), k[1] = whole(T, "b", 4, 7);
     gamma[0] = positive(T, "A", 0), gamma[1] = positive(T, "B", 0);
@@ -498,7 +499,8 @@ CLAIM(turns_push_by_these_numbers_in_every_degree)
 */
 CLAIM(turns_push_outward_in_the_range)
 {
-    num a = positive(T, "a", 0), c = positive(T, "c", 0), d = positive(T, "d", 0), two = from_int(2), zero = from_int(0);
+    num a = positive(T, "a", 0), c = positive(T, "c", 0), d = positive(T, "d", 0), two = from_int(2),
+        zero = from_int(0);
     for (int at_the_border = 0; at_the_border < 3; at_the_border++) { /* all a, b; a = 0, b = M; a = 0, b = 1 */
         num first = at_the_border ? zero : a, above = at_the_border == 1 ? zero : c;
         num gap = at_the_border == 2 ? zero : d, b = add(first, add(from_int(1), gap)), M = add(b, above);
