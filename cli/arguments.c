@@ -1,7 +1,10 @@
 /* arguments.c -- how the arguments of a command are parsed: its own options, and those that commands share. */
 #include "cli/command.h"
+#include "cli/output.h"
+#include "cli/terminal.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static const struct argp_option json_row[] = {
@@ -23,6 +26,66 @@ static error_t parse_shared(int key, char *arg, struct argp_state *state)
         return ARGP_ERR_UNKNOWN;
     }
 }
+
+/* ---- files that options name ------------------------------------------------------------------------- */
+
+/* An option that was given with a file; cli/command.h says which options take one. */
+struct given {
+    const struct argp_option *row;
+    const char *path;
+};
+enum { MOST_GIVEN = 16 };
+static struct given given[MOST_GIVEN];
+static int files_given;
+
+int is_written_file(const struct argp_option *row) { return row->arg != NULL && strcmp(row->arg, "FILE") == 0; }
+int is_written_folder(const struct argp_option *row) { return row->arg != NULL && strcmp(row->arg, "DIR") == 0; }
+int is_read_file(const struct argp_option *row)
+{
+    return row->arg != NULL && strchr(row->arg, '.') != NULL && strstr(row->arg, "...") == NULL;
+}
+
+/* Notes the file that the option names, if it names one; one file an option. */
+static void note_file(const struct argp_option *row, const char *path, struct argp_state *state)
+{
+    if (!is_written_file(row) && !is_written_folder(row) && !is_read_file(row))
+        return;
+    for (int k = 0; k < files_given; k++)
+        if (given[k].row == row)
+            argp_error(state, "--%s is given twice: '%s' or '%s'?", row->name, given[k].path, path);
+    if (files_given < MOST_GIVEN)
+        given[files_given++] = (struct given){row, path};
+}
+
+/* The options of the command itself. */
+static error_t parse_own(int key, char *arg, struct argp_state *state)
+{
+    const struct command *c = ((const struct asked *)state->input)->command;
+    for (const struct argp_option *row = c->options; row != NULL && row->name != NULL; row++)
+        if (row->key == key && arg != NULL)
+            note_file(row, arg, state);
+    return c->parse != NULL ? c->parse(key, arg, state) : ARGP_ERR_UNKNOWN;
+}
+
+/* Ends the program when a file that is to be written cannot be, before anything is computed. */
+static void promise_files(const struct asked *a)
+{
+    if (a->path != NULL)
+        output_spare(a->path);
+    for (int k = 0; k < files_given; k++)
+        if (is_read_file(given[k].row))
+            output_spare(given[k].path);
+    for (int k = 0; k < files_given; k++) {
+        const struct argp_option *row = given[k].row;
+        int code = is_written_file(row)     ? output_promise(row->name, given[k].path)
+                   : is_written_folder(row) ? output_promise_folder(row->name, given[k].path)
+                                            : 0;
+        if (code != 0)
+            exit(code);
+    }
+}
+
+/* ---- arguments --------------------------------------------------------------------------------------- */
 
 static error_t parse_patterns(int key, char *arg, struct argp_state *state)
 {
@@ -70,6 +133,15 @@ static int processors(void)
     return n < 1 ? 1 : n > 64 ? 64 : (int)n;
 }
 
+/* The help that argp prints has 79 columns unless its variable says otherwise. */
+static void fit_help_to_screen(void)
+{
+    enum { USUAL = 79 };
+    char format[32];
+    snprintf(format, sizeof format, "rmargin=%d", page_width(USUAL));
+    setenv("ARGP_HELP_FMT", format, 0);
+}
+
 void parse_arguments(const struct call *call, struct asked *a)
 {
     static const struct argp json = {.options = json_row, .parser = parse_shared};
@@ -78,17 +150,20 @@ void parse_arguments(const struct call *call, struct asked *a)
     static const struct argp *const arguments[] = {
         [NO_ARGUMENTS] = &none, [CLAIM_NAMES] = &names, [FIGURE_NAMES] = &names, [FILE_NAME] = &file};
     const struct command *c = call->command;
-    const struct argp own = {.options = c->options, .parser = c->parse};
+    const struct argp own = {.options = c->options, .parser = parse_own};
     const struct argp_child parts[PARTS + 1] = {{.argp = &own},
                                                 {.argp = c->shared & TAKES_JSON ? &json : &none},
                                                 {.argp = c->shared & TAKES_JOBS ? &jobs : &none},
                                                 {.argp = arguments[c->arguments]}};
     const struct argp whole = {.parser = give_input, .args_doc = c->usage, .doc = c->text, .children = parts};
+    files_given = 0;
     a->command = c;
     a->jobs = processors();
+    fit_help_to_screen();
     argp_err_exit_status = EXIT_USAGE;
     if (argp_parse(&whole, call->argc, call->argv, 0, NULL, a) != 0)
         exit(EXIT_USAGE);
+    promise_files(a);
 }
 
 int whole_number(struct argp_state *state, const char *option, const char *text, int low, int high)

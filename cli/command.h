@@ -29,6 +29,13 @@ struct topic {
     const char *title, *text;
 };
 
+/* What the argument of an option says of it: FILE is written, DIR is a folder to write to, and a name with an ending, such
+ * as CURVE.json, is read.  A file that is read is not written over, and whether the others can be written is seen before
+ * anything is computed. */
+int is_written_file(const struct argp_option *row);
+int is_written_folder(const struct argp_option *row);
+int is_read_file(const struct argp_option *row);
+
 /* One command.  Its file defines it as `const struct command command_NAME`, cli/commands.h lists it; help, manual and
  * completion are made from this. */
 struct call;

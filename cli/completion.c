@@ -27,12 +27,9 @@ static const char *words_of(const struct command *c, const char *option)
     return NULL;
 }
 
-/* Whether the option takes a file or a folder: its argument says so. */
 static int takes_file(const struct argp_option *row)
 {
-    return row->arg != NULL &&
-           (strcmp(row->arg, "FILE") == 0 || strcmp(row->arg, "DIR") == 0 || strchr(row->arg, '.') != NULL) &&
-           strstr(row->arg, "...") == NULL;
+    return is_written_file(row) || is_written_folder(row) || is_read_file(row);
 }
 
 struct page {

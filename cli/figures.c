@@ -27,6 +27,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'l':
         a->list = 1;
         break;
+    case ARGP_KEY_END:
+        if (a->list && a->out != NULL)
+            argp_error(state, "--list writes nothing: --out does not go with it");
+        break;
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -58,12 +62,12 @@ static void draw(void *context, int k)
 
 static int run(const struct call *call)
 {
-    struct arguments a = {.out = "."};
+    struct arguments a = {0};
     parse_arguments(call, &a.asked);
     if (!all_match(call->reg, &a.asked.patterns, FIGURES))
         return EXIT_USAGE;
-    if (!a.list && make_folder(a.out) != 0)
-        return EXIT_INTERNAL;
+    if (a.out == NULL)
+        a.out = ".";
     int count;
     const figure **list = matching_figures(call->reg, &a.asked.patterns, &count);
     struct work w = {.folder = a.out, .list = list};

@@ -151,14 +151,6 @@ static const char *end_of_text(const char *s, const char *end)
     return s;
 }
 
-static int columns_between(const char *s, const char *end)
-{
-    char *copy = must(strndup(s, (size_t)(end - s)));
-    int columns = columns_of(copy);
-    free(copy);
-    return columns;
-}
-
 /* Returns whether all of its matrices can be laid out. */
 static int measure(struct word *w)
 {

@@ -1,6 +1,7 @@
 /* main.c -- finds the command that is called, and runs it. */
 #include "chapters/chapters.h"
 #include "cli/commands.h"
+#include "cli/screen.h"
 
 #include <locale.h>
 #include <stdio.h>
@@ -18,7 +19,7 @@ void print_help(FILE *out)
     fputs("\nCommands:\n", out);
     for (int k = 0; commands[k] != NULL; k++)
         fprintf(out, "  %-10s %s\n", commands[k]->name, commands[k]->summary);
-    fputs("\n'cagd COMMAND --help' explains a command.  Exit status: 0 as expected, 1 a verdict is not as\n"
+    fputs("\n'cagd help COMMAND' explains a command.  Exit status: 0 as expected, 1 a verdict is not as\n"
           "expected, 2 bad usage or input, 3 internal error.\n",
           out);
 }
@@ -38,25 +39,43 @@ static int run(const struct command *command, int argc, char **argv)
     snprintf(name, sizeof name, "cagd %s", command->name);
     argv[0] = name;
     const struct call call = {command, &compiled_chapters, argc, argv};
-    int code = command->run(&call);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        fputs("cagd: standard output cannot be written\n", stderr);
-        return EXIT_INTERNAL;
+    return command->run(&call);
+}
+
+static const struct command *command_called(const char *name)
+{
+    for (int k = 0; commands[k] != NULL; k++)
+        if (strcmp(name, commands[k]->name) == 0)
+            return commands[k];
+    return NULL;
+}
+
+/* cagd help, or cagd help COMMAND. */
+static int help(int argc, char **argv)
+{
+    if (argc < 2) {
+        print_help(stdout);
+        return EXIT_AS_EXPECTED;
     }
-    return code;
+    const struct command *command = command_called(argv[1]);
+    char name[] = "help", option[] = "--help", *asked[] = {name, option, NULL};
+    return command != NULL ? run(command, 2, asked) : unknown_command(argv[1]);
 }
 
 int main(int argc, char **argv)
 {
     setlocale(LC_CTYPE, "");
+    screen_begin();
     if (argc < 2) {
         print_help(stderr);
         return EXIT_USAGE;
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         print_help(stdout);
         return EXIT_AS_EXPECTED;
     }
+    if (strcmp(argv[1], "help") == 0)
+        return help(argc - 1, argv + 1);
     if (strcmp(argv[1], "--version") == 0) {
         puts("cagd " CAGD_VERSION);
         return EXIT_AS_EXPECTED;
@@ -64,8 +83,6 @@ int main(int argc, char **argv)
     /* For the build alone, and so not in the help: --write-documents DIR. */
     if (strcmp(argv[1], "--write-documents") == 0 && argc == 3)
         return write_manual(argv[2]) == 0 && write_completions(argv[2]) == 0 ? EXIT_AS_EXPECTED : EXIT_INTERNAL;
-    for (int k = 0; commands[k] != NULL; k++)
-        if (strcmp(argv[1], commands[k]->name) == 0)
-            return run(commands[k], argc - 1, argv + 1);
-    return unknown_command(argv[1]);
+    const struct command *command = command_called(argv[1]);
+    return command != NULL ? run(command, argc - 1, argv + 1) : unknown_command(argv[1]);
 }

@@ -1,53 +1,228 @@
-/* output.c -- files that are either whole or not there. */
+/* output.c -- files that are written: whole or not at all, and in place of nothing that was not meant. */
 #include "cli/output.h"
+#include "cli/command.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdarg.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-struct output {
-    char *path, *temporary;
-    FILE *stream;
+static void *must(void *p)
+{
+    if (p == NULL)
+        abort();
+    return p;
+}
+
+static int failed(const char *path, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static int failed(const char *path, const char *format, ...)
+{
+    char cause[PATH_MAX + 128];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(cause, sizeof cause, format, list);
+    va_end(list);
+    fprintf(stderr, "cagd: %s: %s\n", path, cause);
+    return -1;
+}
+
+/* ---- where a name leads --------------------------------------------------------------------------- */
+
+/* Where the bytes go: the path behind all symbolic links, and what is there. */
+struct place {
+    char path[PATH_MAX];
+    struct stat is; /* of the file; where there is none, of its folder */
+    int exists, in_place;
 };
 
-static int failed(const char *path)
+/* The folder of a path, "." where it names none. */
+static void folder_of(const char *path, char folder[PATH_MAX])
 {
-    fprintf(stderr, "cagd: %s: %s\n", path, strerror(errno));
+    const char *slash = strrchr(path, '/');
+    int length = slash == NULL ? 0 : slash == path ? 1 : (int)(slash - path);
+    snprintf(folder, PATH_MAX, "%.*s", length == 0 ? 1 : length, length == 0 ? "." : path);
+}
+
+static const char *name_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash == NULL ? path : slash + 1;
+}
+
+/* The link at p->path is replaced by what it says; 0 where there is no link. */
+static int follow(struct place *p)
+{
+    char target[PATH_MAX], folder[PATH_MAX], whole[2 * PATH_MAX];
+    ssize_t length = readlink(p->path, target, sizeof target - 1);
+    if (length < 0)
+        return 0;
+    target[length] = '\0';
+    folder_of(p->path, folder);
+    snprintf(whole, sizeof whole, "%s%s%s", target[0] == '/' ? "" : folder, target[0] == '/' ? "" : "/", target);
+    if (strlen(whole) >= sizeof p->path)
+        return 0;
+    memcpy(p->path, whole, strlen(whole) + 1);
+    return 1;
+}
+
+/* A file that is there.  The path of a regular file, when its links are followed, leads to itself; that of one which is open
+ * but has no name any more does not. */
+static int find_existing(const char *path, struct place *p)
+{
+    char folder[PATH_MAX], *real = realpath(p->path, NULL);
+    struct stat again;
+    p->exists = 1;
+    if (S_ISDIR(p->is.st_mode)) {
+        free(real);
+        return failed(path, "is a folder; name a file in it");
+    }
+    p->in_place = !S_ISREG(p->is.st_mode) || p->is.st_nlink != 1 || real == NULL || strlen(real) >= sizeof p->path ||
+                  stat(real, &again) != 0 || again.st_ino != p->is.st_ino || again.st_dev != p->is.st_dev;
+    if (!p->in_place)
+        memcpy(p->path, real, strlen(real) + 1);
+    free(real);
+    if (access(p->path, W_OK) != 0)
+        return failed(path, "cannot be written: %s; choose another name or change what it permits", strerror(errno));
+    folder_of(p->path, folder);
+    p->in_place = p->in_place || access(folder, W_OK | X_OK) != 0;
+    return 0;
+}
+
+/* 0, or -1 and a line on stderr when nothing can be written there. */
+static int find_place(const char *path, struct place *p)
+{
+    enum { MOST_LINKS = 40 };
+    char folder[PATH_MAX];
+    *p = (struct place){.exists = 0};
+    if (path[0] == '\0')
+        return failed("''", "is no name of a file");
+    if (strlen(path) >= sizeof p->path)
+        return failed(path, "%s", strerror(ENAMETOOLONG));
+    strcpy(p->path, path);
+    for (int links = 0; stat(p->path, &p->is) != 0;) {
+        if (errno != ENOENT)
+            return failed(path, "%s", strerror(errno));
+        if (links++ < MOST_LINKS && follow(p))
+            continue;
+        folder_of(p->path, folder);
+        if (stat(folder, &p->is) != 0)
+            return failed(path, "there is no folder '%s'; make it first", folder);
+        if (name_of(p->path)[0] == '\0')
+            return failed(path, "is a folder; name a file in it");
+        if (access(folder, W_OK | X_OK) != 0)
+            return failed(path, "nothing can be written in the folder '%s': %s; choose another", folder,
+                          strerror(errno));
+        return 0;
+    }
+    return find_existing(path, p);
+}
+
+/* ---- writing --------------------------------------------------------------------------------------- */
+
+struct output {
+    const char *path; /* as it was given */
+    struct place place;
+    char temporary[PATH_MAX]; /* empty: written in place */
+    int file;
+    FILE *stream; /* keeps the text until it is whole */
+    char *text;
+    size_t size;
+};
+
+/* A file under a name that nobody uses, in the folder of the place, with the mode and the owner of what is there: its
+ * descriptor, or -1. */
+static int open_temporary(struct output *o)
+{
+    static atomic_uint last;
+    char folder[PATH_MAX];
+    int fd;
+    folder_of(o->place.path, folder);
+    do {
+        int length = snprintf(o->temporary, sizeof o->temporary, "%s/.cagd-%ld-%u", folder, (long)getpid(), last++);
+        if (length >= (int)sizeof o->temporary) {
+            errno = ENAMETOOLONG;
+            return -1;
+        }
+        fd = open(o->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (fd < 0 && errno == EEXIST);
+    if (fd < 0 || !o->place.exists)
+        return fd;
+    const struct stat *is = &o->place.is;
+    struct stat mine;
+    if (fstat(fd, &mine) == 0 &&
+        ((mine.st_uid == is->st_uid && mine.st_gid == is->st_gid) || fchown(fd, is->st_uid, is->st_gid) == 0) &&
+        fchmod(fd, is->st_mode & 07777) == 0)
+        return fd;
+    close(fd);
+    unlink(o->temporary);
     return -1;
 }
 
 struct output *output_open(const char *path)
 {
-    struct output *o = calloc(1, sizeof *o);
-    size_t room = strlen(path) + 8;
-    if (o == NULL || (o->path = strdup(path)) == NULL || (o->temporary = malloc(room)) == NULL)
-        abort();
-    snprintf(o->temporary, room, "%s.XXXXXX", path);
-    int fd = mkstemp(o->temporary);
-    if (fd >= 0 && fchmod(fd, 0644) == 0)
-        o->stream = fdopen(fd, "w");
-    if (o->stream == NULL) {
-        failed(path);
-        free(o->path), free(o->temporary), free(o);
+    struct output *o = must(calloc(1, sizeof *o));
+    o->path = path;
+    o->file = -1;
+    if (find_place(path, &o->place) != 0) {
+        free(o);
         return NULL;
     }
+    if (!o->place.in_place)
+        o->file = open_temporary(o);
+    if (o->file < 0 && o->place.exists) {
+        o->temporary[0] = '\0';
+        o->file = open(o->place.path, O_WRONLY | O_NOCTTY | O_CLOEXEC);
+    }
+    if (o->file < 0) {
+        failed(path, "%s", strerror(errno));
+        free(o);
+        return NULL;
+    }
+    o->stream = must(open_memstream(&o->text, &o->size));
     return o;
 }
 
 FILE *output_stream(struct output *o) { return o->stream; }
 
+/* The whole text into the file; 0, or -1 and errno. */
+static int write_whole(const struct output *o)
+{
+    if (o->temporary[0] == '\0' && S_ISREG(o->place.is.st_mode) && ftruncate(o->file, 0) != 0)
+        return -1;
+    for (size_t done = 0; done < o->size;) {
+        ssize_t more = write(o->file, o->text + done, o->size - done);
+        if (more < 0 && errno != EINTR)
+            return -1;
+        done += more > 0 ? (size_t)more : 0;
+    }
+    return 0;
+}
+
 int output_close(struct output *o)
 {
-    int bad = ferror(o->stream) != 0;
-    bad |= fclose(o->stream) != 0;
-    if (bad || rename(o->temporary, o->path) != 0) {
-        bad = failed(o->path);
-        unlink(o->temporary);
+    if (fclose(o->stream) != 0)
+        abort();
+    int bad = write_whole(o), cause = errno;
+    if (close(o->file) != 0 && bad == 0)
+        bad = -1, cause = errno;
+    if (bad == 0 && o->temporary[0] != '\0' && rename(o->temporary, o->place.path) != 0)
+        bad = -1, cause = errno;
+    if (bad != 0) {
+        failed(o->path, "%s%s", strerror(cause),
+               o->temporary[0] == '\0' ? ""
+               : o->place.exists       ? "; what was there is unchanged"
+                                       : "; nothing was left there");
+        if (o->temporary[0] != '\0')
+            unlink(o->temporary);
     }
-    free(o->path), free(o->temporary), free(o);
-    return bad ? -1 : 0;
+    free(o->text);
+    free(o);
+    return bad;
 }
 
 int write_text_file(const char *path, const char *text)
@@ -61,18 +236,96 @@ int write_text_file(const char *path, const char *text)
 
 int make_folder(const char *path)
 {
-    char *copy = strdup(path);
-    if (copy == NULL)
-        abort();
-    for (char *p = copy + 1; *p != '\0'; p++)
+    char *copy = must(strdup(path));
+    for (char *p = copy + 1; *copy != '\0' && *p != '\0'; p++)
         if (*p == '/') {
             *p = '\0';
-            mkdir(copy, 0755);
+            mkdir(copy, 0777);
             *p = '/';
         }
-    int bad = mkdir(copy, 0755) != 0 && errno != EEXIST;
+    int cause = mkdir(copy, 0777) != 0 ? errno : 0;
     struct stat s;
-    bad |= stat(copy, &s) != 0 || !S_ISDIR(s.st_mode);
+    int is_folder = stat(copy, &s) == 0 && S_ISDIR(s.st_mode);
     free(copy);
-    return bad ? failed(path) : 0;
+    if (is_folder)
+        return 0;
+    return failed(path, "%s", cause == EEXIST ? "is no folder; name another one" : strerror(cause));
+}
+
+/* ---- promises --------------------------------------------------------------------------------------- */
+
+/* Files that are read or that options will write, by what tells them apart: a file by its own number, and one that is not
+ * there by the number of its folder and its name. */
+struct named {
+    const char *option; /* NULL: it is read */
+    dev_t device;
+    ino_t number;
+    char name[NAME_MAX + 1];
+};
+enum { MOST_NAMED = 64 };
+static struct named named[MOST_NAMED];
+static int names;
+
+static struct named identity(const char *option, const struct stat *is, const char *name)
+{
+    struct named n = {.option = option, .device = is->st_dev, .number = is->st_ino};
+    snprintf(n.name, sizeof n.name, "%.*s", NAME_MAX, name);
+    return n;
+}
+
+static void note(struct named n)
+{
+    if (names < MOST_NAMED)
+        named[names++] = n;
+}
+
+void output_spare(const char *path)
+{
+    struct stat is;
+    if ((strcmp(path, "-") == 0 ? fstat(STDIN_FILENO, &is) : stat(path, &is)) == 0 && S_ISREG(is.st_mode))
+        note(identity(NULL, &is, ""));
+}
+
+static int misused(const char *option, const char *path, const char *cause)
+{
+    fprintf(stderr, "cagd: --%s %s: %s\n", option, path, cause);
+    return EXIT_USAGE;
+}
+
+int output_promise(const char *option, const char *path)
+{
+    struct place place;
+    struct stat is;
+    if (strcmp(path, "-") == 0)
+        return misused(option, path, "takes the name of a file; standard output is /dev/stdout");
+    if (find_place(path, &place) != 0)
+        return EXIT_INTERNAL;
+    if (place.exists && !S_ISREG(place.is.st_mode))
+        return 0;
+    for (int stream = STDOUT_FILENO; stream <= STDERR_FILENO; stream++)
+        if (place.exists && fstat(stream, &is) == 0 && is.st_dev == place.is.st_dev && is.st_ino == place.is.st_ino)
+            return misused(option, path, "is where other output goes already; choose another name");
+    const struct named n = identity(option, &place.is, place.exists ? "" : name_of(place.path));
+    for (int k = 0; k < names; k++)
+        if (named[k].device == n.device && named[k].number == n.number && strcmp(named[k].name, n.name) == 0) {
+            if (named[k].option == NULL)
+                return misused(option, path, "is read, and would be lost; choose another name");
+            fprintf(stderr, "cagd: --%s %s: --%s writes that file; choose another name\n", option, path,
+                    named[k].option);
+            return EXIT_USAGE;
+        }
+    note(n);
+    return 0;
+}
+
+int output_promise_folder(const char *option, const char *path)
+{
+    if (strcmp(path, "-") == 0)
+        return misused(option, path, "takes the name of a folder");
+    if (make_folder(path) != 0)
+        return EXIT_INTERNAL;
+    return access(path, W_OK | X_OK) == 0
+               ? 0
+               : (failed(path, "nothing can be written in this folder: %s; choose another", strerror(errno)),
+                  EXIT_INTERNAL);
 }

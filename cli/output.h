@@ -1,11 +1,14 @@
-/* output.h -- files that are either whole or not there. */
+/* output.h -- files that are written: whole or not at all, and in place of nothing that was not meant.
+ *
+ * A new file, and a regular file that is there, is written beside its place under another name and renamed when it is whole;
+ * what was there keeps its mode and its owner.  Symbolic links are followed.  Devices, FIFOs, files with several names and
+ * files in a folder that takes no new ones are written in place. */
 #ifndef CAGD_OUTPUT_H
 #define CAGD_OUTPUT_H
 
 #include <stdio.h>
 
-/* Output goes to a temporary file beside `path`, renamed when it is whole.  NULL and a line on
- * stderr when it cannot be written. */
+/* NULL and a line on stderr when the file cannot be written. */
 struct output;
 struct output *output_open(const char *path);
 FILE *output_stream(struct output *o);
@@ -13,4 +16,12 @@ FILE *output_stream(struct output *o);
 int output_close(struct output *o);
 int write_text_file(const char *path, const char *text);
 int make_folder(const char *path); /* with its parents */
+
+/* Before anything is computed.  A file that is read, "-" for standard input: no output may take its place. */
+void output_spare(const char *path);
+/* Whether an option may write to the file, or into the folder, which is made: 0; EXIT_USAGE for a file that is read, that
+ * standard output goes to, or that another option writes; EXIT_INTERNAL where nothing can be written; then with a line on
+ * stderr. */
+int output_promise(const char *option, const char *path);
+int output_promise_folder(const char *option, const char *path);
 #endif

@@ -1,5 +1,6 @@
 /* report.c -- results as JSON and as texts of one line. */
 #include "cli/report.h"
+#include "cli/screen.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -121,6 +122,7 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
 
 static void print_with(json_t *document, int digits)
 {
+    screen_leaves_lines();
     json_dumpf(document, stdout, JSON_INDENT(2) | (size_t)JSON_REAL_PRECISION(digits));
     fputc('\n', stdout);
     json_decref(document);

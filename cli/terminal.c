@@ -1,11 +1,13 @@
 /* terminal.c -- widths and colours. */
 #include "cli/terminal.h"
+#include "cli/screen.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-int is_terminal(FILE *stream) { return isatty(fileno(stream)); }
+int is_terminal(FILE *stream) { return isatty(stream == stdout ? screen_descriptor() : fileno(stream)); }
 
 const char *style(FILE *stream, enum style s)
 {
@@ -20,7 +22,7 @@ int page_width(int most)
     struct winsize size;
     const char *said = getenv("COLUMNS");
     int columns = said != NULL ? atoi(said) : 0;
-    if (columns <= 0 && is_terminal(stdout) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0)
+    if (columns <= 0 && is_terminal(stdout) && ioctl(screen_descriptor(), TIOCGWINSZ, &size) == 0)
         columns = size.ws_col;
     return columns <= 0 || columns > most ? most : columns < LEAST ? LEAST : columns;
 }
@@ -48,13 +50,15 @@ const char *end_of_character(const char *s)
     return next_character(s, &c);
 }
 
-int columns_of(const char *s)
+int columns_between(const char *s, const char *end)
 {
     int columns = 0;
-    for (unsigned long c; *s != '\0'; columns += width_of(c))
+    for (unsigned long c; s < end; columns += width_of(c))
         s = next_character(s, &c);
     return columns;
 }
+
+int columns_of(const char *s) { return columns_between(s, s + strlen(s)); }
 
 void put_padded(FILE *out, const char *s, int width)
 {

@@ -13,6 +13,7 @@ int is_terminal(FILE *stream);
 int page_width(int most);
 const char *end_of_character(const char *utf8);           /* behind the first character           */
 int columns_of(const char *utf8);                         /* printed width of a text              */
+int columns_between(const char *utf8, const char *end);   /* and of the part of it before `end`   */
 void put_padded(FILE *out, const char *utf8, int width);  /* text and blanks up to the width      */
 void put_clipped(FILE *out, const char *utf8, int width); /* as much as fits, and " ..." if cut   */
 #endif

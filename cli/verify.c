@@ -52,6 +52,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case ARGP_KEY_END:
         if (a->report != NULL && (a->asked.patterns.count > 0 || a->shards > 1))
             argp_error(state, "--report is about every statement: it takes no PATTERN and no --shard");
+        if (a->asked.json && a->tap)
+            argp_error(state, "one format at a time: --json or --tap?");
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -256,7 +258,7 @@ const struct command command_verify = {
         "Examples:\n"
         "  cagd verify                      every claim\n"
         "  cagd verify 'rational-bezier.*'  one chapter\n"
-        "  cagd verify wang-ch3:3.2.4       the claims that decide one statement\n"
+        "  cagd verify 'wang-ch3:3.2.4-*'   the claims that decide one formula\n"
         "  cagd verify --json --jobs 2      for a program\n"
         "\vA PATTERN is a shell glob over claim names, chapter.name, or statement ids.  The letters f q i d say in "
         "which numbers a claim was run: rational functions, rationals, intervals, binary64.  A counterexample, marked "

@@ -1,0 +1,308 @@
+"""What real use met: where output goes, terminals, names that people type, files that are none.
+
+    python3 test_manners.py CAGD ROOT
+"""
+import fcntl
+import json
+import os
+import pathlib
+import pty
+import re
+import shutil
+import stat
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+import threading
+import unicodedata
+import unittest
+
+ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+ARCH = ROOT / "chapters/fitting/arch.csv"
+CIRCLE = ROOT / "chapters/nurbs/circle.json"
+NAME = "elevation_keeps_rational_curve"
+
+
+def run(*args, **options):
+    return subprocess.run([CAGD, *map(str, args)], capture_output=True, text=True, timeout=600, **options)
+
+
+def on_terminal(*args, rows=24, columns=60, **environment):
+    """What stands on a terminal when the program has ended, without colours, and its exit code."""
+    main, other = pty.openpty()
+    fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+    env = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "LINES", "PAGER", "LESS")}
+    p = subprocess.Popen([CAGD, *map(str, args)], stdin=other, stdout=other, stderr=subprocess.DEVNULL, env={**env, **environment})
+    os.close(other)
+    said = b""
+    while True:
+        try:
+            more = os.read(main, 1 << 16)
+        except OSError:
+            break
+        if not more:
+            break
+        said += more
+    os.close(main)
+    return re.sub(r"\x1b\[[0-9;]*m", "", said.decode().replace("\r\n", "\n")), p.wait()
+
+
+def columns(line):
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in line)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+        os.chmod(self.folder, 0o755)
+
+    def refuses(self, *args, words=(), code=2, **options):
+        """Nothing on stdout, one line on stderr (and argp's pointer to --help) that has the words."""
+        r = run(*args, **options)
+        self.assertEqual((r.returncode, r.stdout), (code, ""), r)
+        lines = [line for line in r.stderr.splitlines() if not line.startswith("Try `")]
+        self.assertEqual(len(lines), 1, r.stderr)
+        for word in words:
+            self.assertIn(str(word), lines[0])
+        return lines[0]
+
+
+class Output(Case):
+    """Nothing that was there is lost or replaced."""
+
+    def picture(self, path, **options):
+        """The picture of a fit, written to the path."""
+        r = run("fit", ARCH, "--svg", path, **options)
+        self.assertEqual((r.returncode, r.stderr), (0, ""), r)
+
+    def is_picture(self, text):
+        self.assertTrue(text.rstrip().endswith("</svg>"), text[-100:])
+
+    def test_a_device_stays_one(self):
+        full = self.folder / "full"  # as /dev/full, which a program that fails here would replace
+        try:
+            os.mknod(full, stat.S_IFCHR | 0o666, os.stat("/dev/full").st_rdev)
+            open(full, "w").close()
+        except OSError:
+            if os.geteuid() == 0:
+                self.skipTest("no devices can be made here")
+            full = pathlib.Path("/dev/full")
+        r = run("fit", ARCH, "--svg", full)
+        self.assertEqual(r.returncode, 3)
+        self.assertIn("No space left", r.stderr)
+        self.assertTrue(stat.S_ISCHR(full.stat().st_mode))
+
+    def test_a_fifo_is_written_to(self):
+        fifo, said = self.folder / "fifo", []
+        os.mkfifo(fifo)
+        reader = threading.Thread(target=lambda: said.append(fifo.read_text()), daemon=True)
+        reader.start()
+        self.picture(fifo)
+        reader.join(10)
+        self.assertTrue(stat.S_ISFIFO(fifo.stat().st_mode))
+        self.is_picture(said[0])
+
+    def test_links_are_followed(self):
+        (self.folder / "deep").mkdir()
+        target, link, second = self.folder / "deep" / "t.svg", self.folder / "l.svg", self.folder / "deep" / "m.svg"
+        link.symlink_to("deep/m.svg")
+        second.symlink_to("t.svg")
+        self.picture(link)  # to nothing yet
+        self.is_picture(target.read_text())
+        target.write_text("old")
+        self.picture(link)
+        self.is_picture(target.read_text())
+        self.assertTrue(link.is_symlink() and second.is_symlink())
+        self.assertEqual(sorted(p.name for p in (self.folder / "deep").iterdir()), ["m.svg", "t.svg"])
+        link.unlink()
+        link.symlink_to("l.svg")
+        self.refuses("fit", ARCH, "--svg", link, code=3, words=[link])
+
+    def test_both_names_of_a_file_stay_one_file(self):
+        a, b = self.folder / "a.svg", self.folder / "b.svg"
+        a.write_text("old")
+        os.link(a, b)
+        self.picture(a)
+        self.assertEqual(a.stat().st_ino, b.stat().st_ino)
+        self.is_picture(b.read_text())
+
+    def test_modes_are_those_of_the_umask_or_stay(self):
+        a, b = self.folder / "a.svg", self.folder / "b.svg"
+        self.picture(a, preexec_fn=lambda: os.umask(0o077))
+        self.assertEqual(stat.S_IMODE(a.stat().st_mode), 0o600)
+        b.touch()
+        b.chmod(0o640)
+        self.picture(b)
+        self.assertEqual(stat.S_IMODE(b.stat().st_mode), 0o640)
+        new = self.folder / "new" / "newer"
+        self.assertEqual(run("figures", "--out", new, "envelope_extra", preexec_fn=lambda: os.umask(0o077)).returncode, 0)
+        for folder in new, new.parent:
+            self.assertEqual(stat.S_IMODE(folder.stat().st_mode), 0o700)
+
+    def test_what_is_read_is_not_written(self):
+        points, link = self.folder / "in.csv", self.folder / "link"
+        shutil.copy(ARCH, points)
+        link.symlink_to("in.csv")
+        for name in points, link, self.folder / "." / "in.csv":
+            self.refuses("fit", points, "--svg", name, words=["--svg", name, "read"])
+        with open(points) as stream:
+            self.refuses("fit", "-", "--svg", points, stdin=stream, words=[points])
+        curve = self.folder / "c.json"
+        self.assertEqual(run("fit", ARCH, "--curve", curve).returncode, 0)
+        kept = curve.read_text()
+        self.refuses("fit", points, "--initial", curve, "--curve", curve, words=[curve, "read"])
+        self.assertEqual((points.read_bytes(), curve.read_text()), (ARCH.read_bytes(), kept))
+
+    def test_a_name_is_given_once(self):
+        a = self.folder / "a"
+        (self.folder / "link").symlink_to("a")
+        for other in a, self.folder / "." / "a", self.folder / "link":
+            self.refuses("fit", ARCH, "--svg", a, "--curve", other, words=["--svg", "--curve", other])
+        self.refuses("fit", ARCH, "--svg", a, "--svg", self.folder / "b", words=["twice"])
+        self.assertFalse(a.exists())
+        null = self.folder / "null"
+        null.symlink_to("/dev/null")
+        r = run("fit", ARCH, "--svg", null, "--curve", null)
+        self.assertEqual((r.returncode, null.is_symlink()), (0, True), r)
+
+    def test_a_hyphen_is_no_file(self):
+        self.refuses("fit", ARCH, "--svg", "-", words=["--svg -", "/dev/stdout"], cwd=self.folder)
+        self.refuses("verify", NAME, "--certificates", "-", words=["folder"], cwd=self.folder)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_standard_output_is_a_place(self):
+        place = self.folder / "stdout"  # as /dev/stdout, which a program that fails here would replace
+        place.symlink_to("/proc/self/fd/1")
+        said = run("fit", ARCH, "--svg", place).stdout
+        self.assertIn("<svg", said)
+        self.assertIn("Chi-squared", said)
+        out = self.folder / "out"
+        with open(out, "w") as stream:
+            r = subprocess.run([CAGD, "fit", ARCH, "--svg", out], stdout=stream, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(r.returncode, 2)
+        self.assertIn(str(out), r.stderr)
+
+    def test_what_cannot_be_written_is_noticed_first(self):
+        """One claim of the whole book takes a minute; a refusal takes no time."""
+        for option, name, word in (("--junit", self.folder / "no" / "x.xml", "make it first"),
+                                   ("--junit", self.folder, "is a folder"), ("--report", ARCH, "is no folder"),
+                                   ("--certificates", ARCH / "x", "Not a directory")):
+            with self.subTest(option=option, name=name):
+                r = subprocess.run([CAGD, "verify", option, str(name)], capture_output=True, text=True, timeout=5)
+                self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (3, "", 1), r)
+                self.assertIn(str(name), r.stderr)
+                self.assertIn(word, r.stderr)
+        self.refuses("fit", ARCH, "--svg", "", code=3)
+
+    @unittest.skipUnless(os.geteuid() == 0, "takes the rights of root away")
+    def test_of_an_ordinary_user(self):
+        def as_nobody():
+            os.setgid(65534), os.setuid(65534)
+
+        mine, locked = self.folder / "mine.svg", self.folder / "locked"
+        mine.write_text("kept")
+        mine.chmod(0o644)
+        locked.mkdir()
+        writable = self.folder / "writable.svg"
+        writable.write_text("old")
+        writable.chmod(0o666)
+        points = self.folder / "p.csv"
+        shutil.copy(ARCH, points)
+        program = self.folder / "cagd"
+        shutil.copy(CAGD, program)
+        # The program may stand where others do not look.
+        for name, word in ((mine, "another name"), (locked / "x.svg", "choose another")):
+            r = subprocess.run([program, "fit", points, "--svg", name], capture_output=True, text=True, preexec_fn=as_nobody)
+            self.assertEqual((r.returncode, r.stdout), (3, ""), r)
+            self.assertIn(str(name), r.stderr)
+            self.assertIn(word, r.stderr)
+        self.assertEqual(mine.read_text(), "kept")
+        r = subprocess.run([program, "fit", points, "--svg", writable], capture_output=True, text=True, preexec_fn=as_nobody)
+        self.assertEqual((r.returncode, r.stderr), (0, ""))
+        self.is_picture(writable.read_text())
+        self.assertEqual((writable.stat().st_uid, stat.S_IMODE(writable.stat().st_mode)), (0, 0o666))
+
+    def test_a_full_disk_is_noticed(self):
+        for args in (["--help"], ["--version"], ["help", "fit"], ["fit", "--help"], ["list"], ["show", NAME],
+                     ["curve", CIRCLE, "--elevate"]):
+            with open("/dev/full", "w") as full:
+                r = subprocess.run([CAGD, *map(str, args)], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((r.returncode, r.stderr), (3, "cagd: standard output cannot be written\n"), args)
+
+
+class Terminal(Case):
+    COMMANDS = [["--help"], ["help", "fit"], ["verify", "--help"], ["curve", "--help"], ["list", "end_*"], ["verify", "end_*"],
+                ["ledger", "wang-ch3:3.2.*"], ["ledger", "--summary", "wang-ch3:3.2.*"], ["show", "wang-ch3:3.2.8"],
+                ["show", NAME], ["fit", ARCH], ["curve", CIRCLE], ["curve", CIRCLE, "--at", "1/3", "-d", "2"],
+                ["ledger", "--striking", "2", "wang-ch3:*"]]
+
+    def test_no_line_is_wider_than_the_terminal(self):
+        for args in self.COMMANDS:
+            with self.subTest(args=args):
+                said, code = on_terminal(*args, PAGER="")
+                self.assertEqual(code, 0)
+                self.assertTrue(said.strip())
+                self.assertEqual([line for line in said.splitlines() if columns(line) > 60], [])
+
+    def test_nothing_is_lost_in_the_breaks(self):
+        said, _ = on_terminal("list", "end_*", PAGER="")
+        self.assertEqual("".join(said.split()), "".join(run("list", "end_*").stdout.split()))
+
+    def test_what_is_read_by_programs_is_not_broken(self):
+        said, _ = on_terminal("list", "--json", "end_*", PAGER="")
+        self.assertEqual(said, run("list", "--json", "end_*").stdout)
+
+    def test_a_pager_for_what_is_longer_than_the_screen(self):
+        pager = "sed 's/^/PAGED /'"
+        said, code = on_terminal("list", PAGER=pager)
+        self.assertEqual(code, 0)
+        self.assertTrue(all(line.startswith("PAGED ") for line in said.splitlines()))
+        self.assertNotIn("PAGED", on_terminal("list", NAME, PAGER=pager)[0])
+        self.assertNotIn("PAGED", on_terminal("list", PAGER=pager, rows=5000)[0])
+        self.assertNotIn("PAGED", run("list", env={**os.environ, "PAGER": pager}).stdout)
+
+    def test_without_a_pager_all_is_printed(self):
+        whole = "".join(run("list").stdout.split())
+        self.assertEqual("".join(on_terminal("list", PAGER="")[0].split()), whole)
+        self.assertTrue("".join(on_terminal("list", PAGER="no-such-pager 2>/dev/null")[0].split()).endswith(whole))
+
+    def test_a_pager_may_be_left(self):
+        self.assertEqual(on_terminal("list", PAGER="head -1")[1], 0)
+
+
+class Help(Case):
+    def test_help_of_a_command(self):
+        for command in re.findall(r"^  (\w+)  ", run("help").stdout, re.M):
+            self.assertEqual(run("help", command).stdout, run(command, "--help").stdout)
+        self.refuses("help", "frobnicate", words=["frobnicate", "verify"])
+
+    def test_every_name_in_an_example_exists(self):
+        """Claims and statements; files are of the reader."""
+        tried = 0
+        for command in "verify", "list", "show", "ledger", "figures":
+            for line in re.findall(r"^  cagd (%s .*)$" % command, run("help", command).stdout, re.M):
+                words = re.sub(r"  .*", "", line).replace("'", "").split()[1:]
+                names = [w for k, w in enumerate(words) if not w.startswith("-") and words[k - 1] not in ("--out", "--jobs")]
+                if names:
+                    tried += 1
+                    with self.subTest(names=names):
+                        r = run(*(["figures", "--list"] if command == "figures" else ["list"]), *names)
+                        if command != "show":
+                            self.assertEqual(r.returncode, 0, r)
+                        elif r.returncode != 0:
+                            self.assertEqual(run("show", *names).returncode, 0)
+        self.assertGreater(tried, 6)
+
+    def test_options_that_contradict_each_other(self):
+        self.refuses("verify", "--json", "--tap", NAME, words=["--json", "--tap"])
+        self.refuses("ledger", "--json", "--summary", words=["one form"])
+        self.refuses("figures", "--list", "--out", self.folder, words=["--out"])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
