@@ -47,7 +47,8 @@ const struct command command_list = {
             "Examples:\n"
             "  cagd list\n"
             "  cagd list '*curvature*'\n"
-            "  cagd list 'wang-ch3:3.2.*'\n",
+            "  cagd list 'wang-ch3:3.2.*'\n"
+            "  cagd list 包络                  whose titles have the word\n",
     .arguments = CLAIM_NAMES,
     .shared = TAKES_JSON,
     .run = run,

@@ -1,10 +1,13 @@
 /* select.c -- which claims, statements and figures are meant by patterns and ids. */
 #include "cli/select.h"
+#include "cli/names.h"
 
+#include <ctype.h>
 #include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 static void *must(void *p)
 {
@@ -17,6 +20,29 @@ static int any(const struct patterns *p, const char *text)
 {
     for (int k = 0; k < p->count; k++)
         if (fnmatch(p->at[k], text, 0) == 0)
+            return 1;
+    return 0;
+}
+
+int is_glob(const char *text) { return strpbrk(text, "*?[") != NULL; }
+
+/* Letters compare whatever their case is; a word of other letters may begin anywhere. */
+int is_in_title(const char *text, const char *title, const char *title_zh)
+{
+    enum { SHORTEST = 3 }; /* bytes: one Chinese character */
+    size_t length = strlen(text);
+    if (length < SHORTEST || is_glob(text))
+        return 0;
+    for (const char *at = title; at != NULL && *at != '\0'; at++)
+        if (strncasecmp(at, text, length) == 0 && (at == title || !isalnum((unsigned char)at[-1])))
+            return 1;
+    return title_zh != NULL && strstr(title_zh, text) != NULL;
+}
+
+static int any_title(const struct patterns *p, const char *title, const char *title_zh)
+{
+    for (int k = 0; k < p->count; k++)
+        if (is_in_title(p->at[k], title, title_zh))
             return 1;
     return 0;
 }
@@ -39,7 +65,7 @@ static int any_name(const struct patterns *p, const claim *c)
 
 static int claim_matches(const cagd_register *r, const claim *c, const struct patterns *p)
 {
-    if (p->count == 0 || any_name(p, c))
+    if (p->count == 0 || any_name(p, c) || any_title(p, c->title, c->title_zh))
         return 1;
     for (const statement *s = r->statements; s->id != NULL; s++)
         if (names(s, c->name) && any(p, s->id))
@@ -49,7 +75,7 @@ static int claim_matches(const cagd_register *r, const claim *c, const struct pa
 
 static int statement_matches(const cagd_register *r, const statement *s, const struct patterns *p)
 {
-    if (p->count == 0 || any(p, s->id))
+    if (p->count == 0 || any(p, s->id) || any_title(p, s->title, s->title_zh))
         return 1;
     for (const claim *c = r->claims; c->name != NULL; c++)
         if (names(s, c->name) && any_name(p, c))
@@ -114,68 +140,6 @@ const claim **claims_of(const cagd_register *r, const statement *const list[], i
     return claims;
 }
 
-/* ---- nearest ids --------------------------------------------------------------------------------- */
-
-/* Levenshtein's distance. */
-static int distance(const char *a, const char *b)
-{
-    size_t m = strlen(b);
-    int *row = must(calloc(m + 1, sizeof *row));
-    for (size_t j = 0; j <= m; j++)
-        row[j] = (int)j;
-    for (size_t i = 1; a[i - 1] != '\0'; i++) {
-        int diagonal = row[0];
-        row[0] = (int)i;
-        for (size_t j = 1; j <= m; j++) {
-            int change = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            int smallest = row[j] + 1 < row[j - 1] + 1 ? row[j] + 1 : row[j - 1] + 1;
-            row[j] = change < smallest ? change : smallest;
-        }
-    }
-    int d = row[m];
-    free(row);
-    return d;
-}
-
-enum { NEAREST = 3, LONGEST = 255 };
-struct near {
-    const char *id[NEAREST];
-    int distance[NEAREST];
-};
-
-/* An id that contains the word counts as near; among equals, the one that begins alike is nearer. */
-static void consider(struct near *n, const char *wanted, const char *id)
-{
-    int alike = 0, letters = strstr(id, wanted) != NULL ? 1 : distance(wanted, id);
-    while (alike < LONGEST && wanted[alike] != '\0' && wanted[alike] == id[alike])
-        alike++;
-    int d = letters * (LONGEST + 1) - alike;
-    for (int k = 0; k < NEAREST; k++)
-        if (n->id[k] == NULL || d < n->distance[k]) {
-            for (int j = NEAREST - 1; j > k; j--)
-                n->id[j] = n->id[j - 1], n->distance[j] = n->distance[j - 1];
-            n->id[k] = id, n->distance[k] = d;
-            return;
-        }
-}
-
-void complain_about(const cagd_register *r, const char *wanted, enum kind_of_name kind)
-{
-    struct near n = {{0}, {0}};
-    for (const statement *s = r->statements; kind != FIGURES && s->id != NULL; s++)
-        consider(&n, wanted, s->id);
-    for (const claim *c = r->claims; kind != FIGURES && c->name != NULL; c++)
-        consider(&n, wanted, c->name);
-    for (const figure *f = r->figures; kind == FIGURES && f->name != NULL; f++)
-        consider(&n, wanted, f->name);
-    fprintf(stderr, "cagd: no %s is called '%s'; the nearest:", kind == FIGURES ? "figure" : "statement or claim",
-            wanted);
-    for (int k = 0; k < NEAREST && n.id[k] != NULL; k++)
-        fprintf(stderr, "%s %s", k > 0 ? "," : "", n.id[k]);
-    fputs("\n", stderr);
-}
-
 int all_match(const cagd_register *r, const struct patterns *p, enum kind_of_name kind)
 {
     for (int k = 0; k < p->count; k++) {
@@ -187,10 +151,12 @@ int all_match(const cagd_register *r, const struct patterns *p, enum kind_of_nam
             free(matching_statements(r, &one, &count));
         else
             free(matching_figures(r, &one, &count));
-        if (count == 0) {
-            complain_about(r, p->at[k], kind);
+        if (count > 0)
+            continue;
+        const char *meant = name_meant_by(r, p->at[k], kind);
+        if (meant == NULL)
             return 0;
-        }
+        p->at[k] = (char *)meant;
     }
     return 1;
 }

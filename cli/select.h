@@ -4,8 +4,9 @@
 
 #include "chapters/judge/register.h"
 
-/* Patterns are shell globs.  One matches a claim by its name, by chapter.name, or by the id of a statement that the claim
- * decides; a statement by its id, or by the names of its claims; a figure by its name.  No pattern matches all. */
+/* Patterns are shell globs, or words of titles.  A glob matches a claim by its name, by chapter.name, or by the id of a
+ * statement that the claim decides; a statement by its id, or by the names of its claims; a figure by its name.  Words, of
+ * which no name is made, match what has them in its English or Chinese title.  No pattern matches all. */
 struct patterns {
     char **at;
     int count;
@@ -20,8 +21,10 @@ const claim **claims_of(const cagd_register *r, const statement *const list[], i
 
 /* What a pattern or an id may name. */
 enum kind_of_name { CLAIMS, STATEMENTS, FIGURES };
-/* Whether every pattern matches something of the kind; a line on stderr about the first that does not. */
+/* Whether every pattern matches something of the kind; a line on stderr about the first that does not.  A name that is
+ * spelled in another way (cli/names.h) is replaced in the patterns by the one that is meant. */
 int all_match(const cagd_register *r, const struct patterns *p, enum kind_of_name kind);
-/* One line on stderr: nothing is called so, and the names nearest to it, of figures or of statements and claims. */
-void complain_about(const cagd_register *r, const char *id, enum kind_of_name kind);
+/* Whether the text is a glob, and whether it is in one of the titles, where it begins a word. */
+int is_glob(const char *text);
+int is_in_title(const char *text, const char *title, const char *title_zh);
 #endif

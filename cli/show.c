@@ -1,10 +1,12 @@
 /* show.c -- cagd show: one statement or one claim as a page. */
 #include "cli/commands.h"
+#include "cli/names.h"
 #include "cli/page.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 
+#include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -158,6 +160,59 @@ static int show_entry(const cagd_register *reg, struct entry e, const claim_resu
     return good;
 }
 
+/* What is to be shown, in order. */
+struct entries {
+    struct entry *at;
+    int count;
+};
+
+static void add(struct entries *list, struct entry e)
+{
+    list->at = realloc(list->at, (size_t)(list->count + 1) * sizeof *list->at);
+    if (list->at == NULL)
+        abort();
+    list->at[list->count++] = e;
+}
+
+/* The statements whose ids match, and the claims whose names do. */
+static void add_matching(const cagd_register *r, const char *glob, struct entries *list)
+{
+    for (const statement *s = r->statements; s->id != NULL; s++)
+        if (fnmatch(glob, s->id, 0) == 0)
+            add(list, (struct entry){.statement = s});
+    for (const claim *c = r->claims; c->name != NULL; c++) {
+        char full[256];
+        snprintf(full, sizeof full, "%s.%s", c->chapter, c->name);
+        if (fnmatch(glob, c->name, 0) == 0 || fnmatch(glob, full, 0) == 0)
+            add(list, (struct entry){.claim = c});
+    }
+}
+
+/* What the texts name: ids, globs, and names that are spelled otherwise.  0, or -1 and a line on stderr. */
+static int find_entries(const cagd_register *r, const struct asked *a, struct entries *list)
+{
+    for (int k = 0; k < a->patterns.count; k++) {
+        int before = list->count;
+        const char *text = a->patterns.at[k];
+        struct entry e = entry_of(r, text);
+        if (!is_nothing(e))
+            add(list, e);
+        else if (is_glob(text))
+            add_matching(r, text, list);
+        if (list->count > before)
+            continue;
+        const char *meant = name_meant_by(r, text, STATEMENTS);
+        if (meant == NULL)
+            return -1;
+        add(list, entry_of(r, meant));
+    }
+    if (a->json && list->count > 1) {
+        fprintf(stderr, "cagd: --json shows one id at a time, and '%s' matches %d\n", a->patterns.at[0], list->count);
+        return -1;
+    }
+    return 0;
+}
+
 static int run(const struct call *call)
 {
     struct arguments arguments = {0};
@@ -165,21 +220,20 @@ static int run(const struct call *call)
     const struct asked a = arguments.asked;
     int every = 0, judged = 0, good = 1;
     const cagd_register *r = call->reg;
+    struct entries entries = {0};
+    if (find_entries(r, &a, &entries) != 0) {
+        free(entries.at);
+        return EXIT_USAGE;
+    }
     while (r->claims[every].name != NULL)
         every++;
     char *wanted = calloc((size_t)every + 1, 1);
     const claim **list = calloc((size_t)every + 1, sizeof *list);
     if (wanted == NULL || list == NULL)
         abort();
-    for (int k = 0; k < a.patterns.count; k++) {
-        struct entry e = entry_of(r, a.patterns.at[k]);
-        if (is_nothing(e)) {
-            complain_about(r, a.patterns.at[k], STATEMENTS);
-            free(wanted), free(list);
-            return EXIT_USAGE;
-        }
+    for (int k = 0; k < entries.count; k++) {
         int count;
-        const claim **its = claims_of_entry(r, e, &count);
+        const claim **its = claims_of_entry(r, entries.at[k], &count);
         for (int m = 0; m < count; m++)
             wanted[its[m] - r->claims] = 1;
         free(its);
@@ -188,13 +242,13 @@ static int run(const struct call *call)
         if (wanted[m])
             list[judged++] = &r->claims[m];
     claim_result *results = judge_with_progress(list, judged, a.jobs, 0);
-    for (int k = 0; k < a.patterns.count; k++) {
+    for (int k = 0; k < entries.count; k++) {
         if (k > 0)
             puts("\n");
-        good &= show_entry(r, entry_of(r, a.patterns.at[k]), results, judged, &arguments);
+        good &= show_entry(r, entries.at[k], results, judged, &arguments);
     }
     free_results(results, judged);
-    free(wanted), free(list);
+    free(wanted), free(list), free(entries.at);
     return good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
 }
 
@@ -211,6 +265,9 @@ const struct command command_show = {
             "  cagd show wang-ch3:thm-3.3.2\n"
             "  cagd show --numbers wang-ch3:3.2.8\n"
             "  cagd show elevation_keeps_rational_curve\n"
+            "  cagd show thm-3.3.2                    the end of an id, where only one ends so\n"
+            "  cagd show 定理3.3.2                    as the book calls it\n"
+            "  cagd show 'wang-ch3:thm-3.2.*'         one page after another\n"
             "  cagd show slides-ch4:table-bezier      a printed table, all entries on one page\n",
     .arguments = CLAIM_NAMES,
     .shared = TAKES_JSON | TAKES_JOBS,

@@ -260,7 +260,8 @@ const struct command command_verify = {
         "  cagd verify 'rational-bezier.*'  one chapter\n"
         "  cagd verify 'wang-ch3:3.2.4-*'   the claims that decide one formula\n"
         "  cagd verify --json --jobs 2      for a program\n"
-        "\vA PATTERN is a shell glob over claim names, chapter.name, or statement ids.  The letters f q i d say in "
+        "\vA PATTERN is a shell glob over claim names, chapter.name, or statement ids, or a word of a title, English "
+        "or Chinese.  The letters f q i d say in "
         "which numbers a claim was run: rational functions, rationals, intervals, binary64.  A counterexample, marked "
         "✗, refutes what is printed, a reading of it, or what is left of it without a hypothesis; 'cagd ledger' says "
         "which.  Exit status 1 when a verdict is not as expected.",

@@ -304,5 +304,50 @@ class Help(Case):
         self.refuses("figures", "--list", "--out", self.folder, words=["--out"])
 
 
+class Names(Case):
+    """What people type for a statement."""
+
+    def shown(self, text):
+        r = run("show", "--json", text)
+        self.assertEqual((r.returncode, r.stderr), (0, ""), r)
+        return json.loads(r.stdout)["statement"]["id"]
+
+    def test_the_end_of_an_id_and_the_words_of_the_book(self):
+        for text in ("thm-3.3.2", "定理3.3.2", "定理 3.3.2", "Theorem 3.3.2", "theorem 3.3.2", "wang-ch3:定理3.3.2"):
+            self.assertEqual(self.shown(text), "wang-ch3:thm-3.3.2", text)
+        for text in "(3.2.8)", "式(3.2.8)", "公式（3.2.8）", "formula 3.2.8", "eq. (3.2.8)":
+            self.assertEqual(self.shown(text), "wang-ch3:3.2.8", text)
+        self.assertEqual(self.shown("曲线是族的包络"), "wang-ch3:thm-3.3.2")
+        for command in "list", "verify":  # the same names, wherever claims are meant
+            self.assertEqual(run(command, "thm-3.2.1").stdout.split()[:3], run(command, "wang-ch3:thm-3.2.1").stdout.split()[:3])
+
+    def test_what_may_be_several_is_listed(self):
+        self.refuses("show", "3.3.2", words=["wang-ch3:3.3.2", "wang-ch3:thm-3.3.2", "which"])
+        self.refuses("show", "3.2.4", words=["wang-ch3:3.2.4-left", "wang-ch3:prop-3.2.4"])
+        self.refuses("show", "包络", words=["titles", "wang-ch3:thm-3.3.2", "cagd list '包络'"])
+
+    def test_titles_are_searched(self):
+        for text in "包络", "envelope", "ENVELOPE":
+            self.assertGreater(len(run("list", text).stdout.splitlines()), 5)
+        rows = json.loads(run("list", "--json", "升阶").stdout)["claims"]
+        self.assertIn(NAME, [row["name"] for row in rows])
+        self.assertTrue(all("升阶" in row["title_zh"] for row in rows))
+
+    def test_patterns_in_show(self):
+        pages = run("show", "wang-ch3:thm-3.2.*").stdout.split("\n\n\n")
+        wanted = [w for w in run("ledger", "wang-ch3:thm-3.2.*").stdout.split() if re.fullmatch(r"wang-ch3:thm-3\.2\..*", w)]
+        self.assertEqual(len(pages), len(wanted))
+        self.refuses("show", "--json", "wang-ch3:thm-3.*", words=["one id", "matches"])
+        self.refuses("show", "no-such-*", words=["matches"])
+
+    def test_names_are_near_or_not_offered(self):
+        for name in "xyzzy", "定理9.9.9", "no-such-claim", "nothing-of-the-kind:*":
+            self.assertNotIn("nearest", self.refuses("show", name, words=[name, "cagd list", "cagd ledger"]))
+        self.refuses("show", "wang-ch3:thm-3.3.3", words=["nearest: wang-ch3:thm-3.3"])
+        self.refuses("show", NAME[:-1] + "s", words=["nearest: " + NAME])
+        self.refuses("show", "envelope_extra", words=["figure", "cagd figures"])
+        self.assertNotIn("nearest", self.refuses("figures", "xyzzy", words=["cagd figures --list"]))
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=1)
