@@ -3,11 +3,14 @@
 #include "core/number/limits.h"
 #include "exact/words.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum { MOST_POINTS = 100000 };
+static const size_t MOST_BYTES = (size_t)1 << 29; /* of a file */
 
 /* What is read, as far as it is read, and what is wrong with it. */
 struct reading {
@@ -41,6 +44,16 @@ static struct element element(const char *field, int i)
 
 static num_q *numbers(int count) { return region_bytes((size_t)count * sizeof(num_q)); }
 
+/* What is expected of a text that is no number; of one whose exponent is too large for it, that. */
+static const char *number_wanted(const char *text)
+{
+    const char *exponent = text != NULL ? strpbrk(text, text[strcspn(text, "xX")] != '\0' ? "pP" : "eE") : NULL;
+    if (exponent != NULL && strtol(exponent + 1, NULL, 10) == 0)
+        exponent = NULL;
+    return exponent != NULL ? "an exponent between -99999 and 99999"
+                            : "a number, or a string such as \"3/7\", \"0.1\" or \"0x1.8p-3\"";
+}
+
 /* A JSON number is the binary64 it denotes; a string is the rational it writes. */
 static int read_number(const json_t *value, num_q *out)
 {
@@ -69,8 +82,8 @@ static int read_numbers(const struct reading *r, const char *field, const json_t
         return refuse(r, field, "%s", cagd_status_text(CAGD_NO_MEMORY));
     for (int i = 0; i < given; i++)
         if (read_number(json_array_get(array, (size_t)i), &(*out)[i]) != 0)
-            return refuse(r, element(field, i).text,
-                          "expected a number, or a string such as \"3/7\", \"0.1\" or \"0x1.8p-3\"");
+            return refuse(r, element(field, i).text, "expected %s",
+                          number_wanted(json_string_value(json_array_get(array, (size_t)i))));
     return 0;
 }
 
@@ -199,19 +212,74 @@ static int read_document(struct reading *r, const json_t *document, cagd_spline_
     return check_curve(r, c);
 }
 
+/* All bytes of the file, which the caller frees; NULL and the error when it cannot be read. */
+static char *read_file(const struct reading *r, const char *path, size_t *length)
+{
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    struct stat is;
+    if (file == NULL) {
+        refuse(r, "", "%s; expected the file of a curve", strerror(errno));
+        return NULL;
+    }
+    if (fstat(fileno(file), &is) == 0 && S_ISDIR(is.st_mode)) {
+        fclose(file);
+        refuse(r, "", "is a folder; expected the file of a curve");
+        return NULL;
+    }
+    char *text = NULL;
+    size_t room = 0, had = 0, got;
+    do {
+        room = room == 0 ? 1 << 16 : 2 * room;
+        char *more = realloc(text, room + 1);
+        if (more == NULL)
+            abort();
+        text = more;
+        got = fread(text + had, 1, room - had, file);
+        had += got;
+    } while (had == room && room < MOST_BYTES);
+    int bad = ferror(file), cause = errno;
+    if (file != stdin)
+        fclose(file);
+    if (bad || had == room) {
+        free(text);
+        if (bad)
+            refuse(r, "", "%s", strerror(cause));
+        else
+            refuse(r, "", "it goes on after %zu bytes, the largest size that is read", MOST_BYTES);
+        return NULL;
+    }
+    text[had] = '\0';
+    *length = had;
+    return text;
+}
+
+/* What is wrong with a text that is no JSON, in the words of people who write curves. */
+static int refuse_syntax(const struct reading *r, const char *text, const json_error_t *syntax)
+{
+    char place[48] = "";
+    if (strspn(text, " \t\r\n") == strlen(text))
+        return refuse(r, "", "it is empty; expected an object {\"kind\": ..., \"degree\": ..., \"points\": ..., ...}");
+    if (syntax->line > 0)
+        snprintf(place, sizeof place, "line %d, column %d", syntax->line, syntax->column);
+    if (json_error_code(syntax) == json_error_numeric_overflow)
+        return refuse(r, place, "%s; a number that binary64 does not hold is written in quotes, such as \"1e400\"",
+                      syntax->text);
+    return refuse(r, place, "%s", syntax->text);
+}
+
 int read_curve(const char *path, cagd_spline_q *c, struct input_error *error)
 {
+    static const char mark[] = "\xEF\xBB\xBF"; /* of UTF-8, which editors put at the beginning */
     struct reading r = {.error = error};
+    size_t length;
     json_error_t syntax;
-    json_t *document = strcmp(path, "-") == 0 ? json_loadf(stdin, JSON_REJECT_DUPLICATES, &syntax)
-                                              : json_load_file(path, JSON_REJECT_DUPLICATES, &syntax);
-    if (document == NULL) {
-        char place[48] = "";
-        if (syntax.line > 0)
-            snprintf(place, sizeof place, "line %d, column %d", syntax.line, syntax.column);
-        return refuse(&r, place, "%s", syntax.text);
-    }
-    int result = read_document(&r, document, c);
+    char *text = read_file(&r, path, &length);
+    if (text == NULL)
+        return -1;
+    size_t skipped = length >= 3 && memcmp(text, mark, 3) == 0 ? 3 : 0;
+    json_t *document = json_loadb(text + skipped, length - skipped, JSON_REJECT_DUPLICATES, &syntax);
+    int result = document != NULL ? read_document(&r, document, c) : refuse_syntax(&r, text + skipped, &syntax);
+    free(text);
     json_decref(document);
     return result;
 }
@@ -232,16 +300,28 @@ static json_t *numbers_json(int count, const num_q x[])
     return array;
 }
 
+/* Whether the knots are those of a Bézier curve: 0, ..., 0, 1, ..., 1. */
+static int is_bezier(const cagd_spline_q *c)
+{
+    int so = c->count == c->degree + 1;
+    for (int i = 0; so && i < 2 * c->count; i++)
+        so = cagd_equal_q(c->knots[i], from_int_q(i >= c->count));
+    return so;
+}
+
 json_t *curve_json(const cagd_spline_q *c)
 {
+    static const char *const kinds[] = {"bspline", "nurbs", "bezier", "rational-bezier"};
+    int bezier = is_bezier(c);
     json_t *points = json_array();
     for (int i = 0; i < c->count; i++)
         json_array_append_new(points, numbers_json(c->dim, c->points + i * c->dim));
-    json_t *document = json_pack("{s:s, s:i, s:o}", "kind", c->weights != NULL ? "nurbs" : "bspline", "degree",
+    json_t *document = json_pack("{s:s, s:i, s:o}", "kind", kinds[2 * bezier + (c->weights != NULL)], "degree",
                                  c->degree, "points", points);
     if (c->weights != NULL)
         json_object_set_new(document, "weights", numbers_json(c->count, c->weights));
-    json_object_set_new(document, "knots", numbers_json(c->count + c->degree + 1, c->knots));
+    if (!bezier)
+        json_object_set_new(document, "knots", numbers_json(c->count + c->degree + 1, c->knots));
     return document;
 }
 
@@ -250,6 +330,7 @@ num_q exact_number(struct argp_state *state, const char *option, const char *tex
     unsigned before = region_faults;
     num_q a = from_string_q(text);
     if (region_faults != before)
-        argp_error(state, "%s takes a number such as 3/7, 0.1 or 0x1.8p-3, not '%s'", option, text);
+        argp_error(state, "%s takes a number such as 3/7, 0.1 or 0x1.8p-3, with an exponent up to 99999, not '%s'",
+                   option, text);
     return a;
 }

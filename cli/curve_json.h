@@ -13,7 +13,7 @@
  * standard input, and checks it: a Bézier, rational Bézier, B-spline or NURBS curve, exactly as the file says it.  A Bézier
  * curve is a spline of one span over 0, ..., 0, 1, ..., 1.  0 and *c, which lives in the region; otherwise -1 and *error. */
 int read_curve(const char *path, cagd_spline_q *c, struct input_error *error);
-/* The same format; whole numbers as such, other rationals as strings. */
+/* The same format, a curve of one span over 0 and 1 as a Bézier curve; whole numbers as such, other rationals as strings. */
 json_t *curve_json(const cagd_spline_q *c);
 json_t *number_json(num_q a);
 /* The exact value of an option; one line and EXIT_USAGE when it is not a number. */

@@ -263,15 +263,23 @@ KERNEL void G(bspline_elevate)(const struct G(spline) * s, int m, const num v[re
 }
 
 /* The p+1 Bézier points of the segment over [u_mu, u_{mu+1}]: b_i = f[u_mu, ..., u_mu, u_{mu+1}, ..., u_{mu+1}]
- * with i arguments u_{mu+1}. */
+ * with i arguments u_{mu+1}.  De Boor's triangle at u_mu leaves the points of the segment over the knots u_mu, p+1 times, and
+ * u_{mu+1}, ..., u_{mu+p}; the b_i are the first points of the levels of the triangle of these at u_{mu+1}. */
 KERNEL void G(bspline_to_bezier)(struct G(curve_span) s, num b[restrict])
 {
-    int p = s.degree;
-    num x[MAX_DEGREE + 1];
-    for (int i = 0; i <= p; i++) {
-        for (int r = 0; r < p; r++)
-            x[r] = s.knots[r < p - i ? s.mu : s.mu + 1];
-        G(bspline_blossom)(s, x, b + i * s.dim);
+    int p = s.degree, dim = s.dim;
+    num d[(MAX_DEGREE + 1) * MAX_DIM], knots[2 * MAX_DEGREE + 1], from = s.knots[s.mu], to = s.knots[s.mu + 1];
+    for (int m = 0; m < (p + 1) * dim; m++)
+        d[m] = s.points[(s.mu - p) * dim + m];
+    for (int r = 1; r <= p; r++)
+        G(bspline_deboor_level)(s, r, d, from);
+    for (int i = 0; i <= 2 * p; i++)
+        knots[i] = i <= p ? from : s.knots[s.mu + i - p];
+    for (int r = 0; r <= p; r++) {
+        if (r > 0)
+            G(bspline_deboor_level)(G(on_span)(p, dim, knots, p, d), r, d, to);
+        for (int k = 0; k < dim; k++)
+            b[r * dim + k] = d[k];
     }
 }
 

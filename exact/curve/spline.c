@@ -67,6 +67,17 @@ cagd_status cagd_spline_curvature_squared_q(const cagd_spline_q *s, num_q t, cag
     return CAGD_OK;
 }
 
+cagd_status cagd_spline_turn_q(const cagd_spline_q *s, num_q t, cagd_side side, int *turn)
+{
+    num_q D[3 * MAX_DIM];
+    REQUIRE(s->dim == 2, CAGD_DIMENSION);
+    cagd_status status = cagd_spline_derivatives_q(s, t, side, 2, D);
+    REQUIRE(status == CAGD_OK, status);
+    REQUIRE(!is_zero_q(norm_squared_q(2, D + 2)), CAGD_UNDEFINED);
+    *turn = cagd_sign_q(cross2_q(D + 2, D + 4));
+    return CAGD_OK;
+}
+
 cagd_status cagd_spline_torsion_q(const cagd_spline_q *s, num_q t, cagd_side side, num_q *torsion)
 {
     num_q D[4 * MAX_DIM];
@@ -111,13 +122,39 @@ cagd_status cagd_spline_remove_q(const cagd_spline_q *s, num_q x, cagd_spline_q 
     return made(spline_remove_q(s, x, &room, where), s, s->degree, s->count - 1, &room, result);
 }
 
+/* The points of the curve in degree p+1: point j is the polar form of its segment at v_{j+1}, ..., v_{j+p+1}, from the Bézier points
+ * of the segment, which are computed once a segment.  In binary64 this would lose digits, and so spline_elevate takes the mean of
+ * p+1 polar forms in degree p; here it only takes less time, p of p^3 for a point. */
+static cagd_status elevate(const cagd_spline_q *s, int count, const struct spline_room_q *room, int *where)
+{
+    num_q H[(MAX_DEGREE + 1) * MAX_DIM], B[(MAX_DEGREE + 1) * MAX_DIM], E[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM];
+    int n = s->count, p = s->degree, dim = s->dim, last = -1;
+    raised_knots_q(n, p, s->knots, room->knots);
+    for (int j = 0; j < count; j++) {
+        int mu = span_of_point_q(n, p, s->knots, count, p + 1, room->knots, j);
+        if (mu != last) {
+            dim = spline_points_of_span_q(s, mu, H);
+            bspline_to_bezier_q(span_alone_q(p, dim, s->knots, mu, H), B);
+            bezier_elevate_q(p, dim, B, E);
+            last = mu;
+        }
+        bspline_point_of_bezier_q(p + 1, dim, E, s->knots[mu], s->knots[mu + 1], room->knots + j + 1, P);
+        cagd_status status = spline_put_q(s, j, 1, P, room, where);
+        if (status != CAGD_OK)
+            return status;
+    }
+    return spline_result_q(s, count, room, where);
+}
+
 cagd_status cagd_spline_elevate_q(const cagd_spline_q *s, cagd_spline_q *result, int *where)
 {
+    *where = -1;
+    REQUIRE(s->degree < MAX_DEGREE, CAGD_DEGREE);
     int count = spline_elevated_count_q(s);
     struct spline_room_q room;
     cagd_status found = room_for(s, s->degree + 1, count, &room, where);
     REQUIRE(found == CAGD_OK, found);
-    return made(spline_elevate_q(s, &room, where), s, s->degree + 1, count, &room, result);
+    return made(elevate(s, count, &room, where), s, s->degree + 1, count, &room, result);
 }
 
 cagd_status cagd_spline_reduce_q(const cagd_spline_q *s, cagd_spline_q *result, int *where)

@@ -33,6 +33,10 @@ cagd_status cagd_spline_derivatives_q(const cagd_spline_q *spline, cagd_num_q t,
 cagd_status cagd_spline_curvature_squared_q(const cagd_spline_q *spline, cagd_num_q t, cagd_side side,
                                             cagd_num_q *curvature_squared);
 
+/* *turn: to which side the curve turns at t, dim 2: the sign of det(R', R''), 1 to the left.  As for the derivatives, and
+ * UNDEFINED where R' is 0. */
+cagd_status cagd_spline_turn_q(const cagd_spline_q *spline, cagd_num_q t, cagd_side side, int *turn);
+
 /* The torsion at t, dim 3.  As for the derivatives, and UNDEFINED where the first two are linearly dependent. */
 cagd_status cagd_spline_torsion_q(const cagd_spline_q *spline, cagd_num_q t, cagd_side side, cagd_num_q *torsion);
 

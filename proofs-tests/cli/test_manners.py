@@ -2,12 +2,16 @@
 
     python3 test_manners.py CAGD ROOT
 """
+import csv
 import fcntl
+import fractions
 import json
+import math
 import os
 import pathlib
 import pty
 import re
+import resource
 import shutil
 import stat
 import struct
@@ -347,6 +351,113 @@ class Names(Case):
         self.refuses("show", NAME[:-1] + "s", words=["nearest: " + NAME])
         self.refuses("show", "envelope_extra", words=["figure", "cagd figures"])
         self.assertNotIn("nearest", self.refuses("figures", "xyzzy", words=["cagd figures --list"]))
+
+
+class Curves(Case):
+    BIG = 200
+
+    def big(self, weights):
+        """Degree 30, 200 points: what a curve may be, and is not printed by hand."""
+        n, p = self.BIG, 30
+        inner = [f"{i}/{n - p}" for i in range(1, n - p)]
+        curve = {"kind": "nurbs" if weights else "bspline", "degree": p, "knots": [0] * (p + 1) + inner + [1] * (p + 1),
+                 "points": [[f"{i * i % 97}/{i % 13 + 1}", i * 31 % 101] for i in range(n)]}
+        if weights:
+            curve["weights"] = [i % 7 + 1 for i in range(n)]
+        path = self.folder / "big.json"
+        path.write_text(json.dumps(curve))
+        return path
+
+    def curve(self, document):
+        path = self.folder / "c.json"
+        path.write_text(document if isinstance(document, str) else json.dumps(document))
+        return path
+
+    def values(self, path, *options):
+        return json.loads(run("curve", path, "--json", *options).stdout)["values"]
+
+    def test_a_large_curve_takes_seconds(self):
+        """Before, elevation took half a minute and more; the same limit for all, of processor time."""
+        for weights in False, True:
+            path = self.big(weights)
+            wanted = self.values(path, "--at", "0.3")[0]["derivatives"]
+            for options in ["--elevate"], ["--bezier"], ["--at", "0.3", "-d", "64"]:
+                r = run("curve", path, *options, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (12, 12)))
+                self.assertEqual((r.returncode, r.stderr), (0, ""), options)
+                if options == ["--elevate"]:
+                    higher = json.loads(r.stdout)
+                    self.assertEqual(higher["degree"], 31)
+                    self.assertEqual(self.values(self.curve(higher), "--at", "0.3")[0]["derivatives"], wanted)
+                if options == ["--bezier"]:
+                    segments = json.loads(r.stdout)
+                    self.assertEqual(len(segments), self.BIG - 30)
+                    self.assertEqual(self.values(self.curve(segments[51]), "--at", "0.3")[0]["derivatives"], wanted)
+
+    def test_a_bezier_curve_is_written_back_as_one(self):
+        for document in ({"kind": "bezier", "degree": 2, "points": [[0, 0], [1, 2], [3, 0]]},
+                         {"kind": "rational-bezier", "degree": 2, "points": [[0, 0], [1, 2], [3, 0]], "weights": [1, 2, 1]}):
+            path = self.curve(document)
+            self.assertEqual(json.loads(run("curve", path, "--json").stdout)["curve"], document)
+            higher = json.loads(run("curve", path, "--elevate").stdout)
+            self.assertEqual((higher["kind"], "knots" in higher), (document["kind"], False))
+            self.assertIn("knots", json.loads(run("curve", path, "--insert", "1/2").stdout))
+
+    def test_curvature_has_a_sign_in_the_plane(self):
+        left = {"kind": "bezier", "points": [[0, 0], [1, 0], [1, 1]]}
+        right = {"kind": "bezier", "points": [[0, 0], [1, 0], [1, -1]]}
+        space = {"kind": "bezier", "points": [[0, 0, 0], [1, 0, 0], [1, -1, 0]]}
+        for document, sign in (left, 1), (right, -1), (space, 1):
+            path = self.curve(document)
+            value = self.values(path, "--at", "0")[0]
+            self.assertEqual((value["curvature"], value["curvature_squared"]), (sign * 0.5, "1/4"))
+            self.assertIn(f"  curvature     {sign * 0.5}\n", run("curve", path, "--at", "0").stdout)
+        self.assertNotIn("curvature", self.values(self.curve({"kind": "bezier", "points": [[0], [1]]}), "--at", "0")[0])
+
+    def test_options_that_do_nothing_are_refused(self):
+        self.refuses("curve", CIRCLE, "--derivatives", "2", words=["--derivatives", "--at"])
+        self.refuses("curve", CIRCLE, "--left", words=["--left"])
+        self.refuses("curve", CIRCLE, "--csv", words=["--csv"])
+        self.refuses("curve", CIRCLE, "--csv", "--json", "--at", "0", words=["one format"])
+        self.refuses("curve", CIRCLE, "--elevate", "--at-file", "x.txt", words=["--at belongs"])
+        self.refuses("curve", "-", "--at-file", "-", words=["standard input"])
+
+    def test_many_parameters_from_a_file(self):
+        rows = [f"{k}/1000" for k in range(0, 4001)]
+        file = self.folder / "t.txt"
+        file.write_text("# parameters\n\n" + "\r\n".join(rows))
+        table = list(csv.DictReader(run("curve", CIRCLE, "--at-file", file, "--csv", "-d", "1").stdout.splitlines()))
+        self.assertEqual(list(table[0]), ["t", "x", "y", "x_1", "y_1", "curvature"])
+        self.assertEqual(len(table), len(rows))
+        for row, text in zip(table, rows):
+            self.assertEqual(float(row["t"]), float(fractions.Fraction(text)))
+            self.assertAlmostEqual(math.hypot(float(row["x"]), float(row["y"])), 1, 15)
+            self.assertAlmostEqual(float(row["curvature"]), 1, 15)
+        exact = self.values(CIRCLE, "--at-file", file)
+        self.assertEqual([v["rounded"][0] for v in exact], [[float(row["x"]), float(row["y"])] for row in table])
+        self.assertEqual(len(re.findall("^at t = ", run("curve", CIRCLE, "--at-file", file).stdout, re.M)), len(rows))
+        file.write_text("0\n1/3\nzwei\n")
+        self.refuses("curve", CIRCLE, "--at-file", file, "--csv", words=[file, "line 3", "'zwei'"])
+        file.write_text("0\n9\n")
+        self.refuses("curve", CIRCLE, "--at-file", file, "--csv", words=["outside the domain", "9"])
+        self.refuses("curve", CIRCLE, "--at-file", self.folder / "none", words=["none", "one a line"])
+        self.refuses("curve", CIRCLE, "--at-file", self.folder, words=["directory"])
+
+    def test_files_that_are_none(self):
+        line = {"kind": "bezier", "points": [[0], [1]]}
+        marked = self.folder / "marked.json"
+        marked.write_bytes(b"\xef\xbb\xbf" + json.dumps(line).encode())
+        self.assertEqual(run("curve", marked).stdout, run("curve", self.curve(line)).stdout)
+        self.refuses("curve", self.folder, words=[self.folder, "is a folder", "the file of a curve"])
+        self.refuses("curve", self.folder / "none", words=["No such file", "the file of a curve"])
+        self.refuses("curve", self.curve(" \n"), words=["empty", "kind"])
+        self.refuses("curve", self.curve('{"kind": "bezier", "points": [[1e400], [1]]}'), words=["in quotes", "line 1"])
+        self.refuses("curve", self.curve({"kind": "bezier", "points": [["1e999999999"], [1]]}),
+                     words=["points[0]", "exponent", "99999"])
+        self.refuses("curve", CIRCLE, "--at", "1e999999", words=["exponent", "99999"])
+        large = self.curve({"kind": "bezier", "points": [["1e5000"], [1]]})
+        self.assertEqual(self.values(large, "--at", "0")[0]["rounded"], [[None]])
+        self.assertIn("1" + 5000 * "0", run("curve", large, "--at", "0", "--json").stdout)
+        self.assertIn("beyond binary64", run("curve", large, "--at", "0").stdout)
 
 
 if __name__ == "__main__":
