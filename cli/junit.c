@@ -58,8 +58,11 @@ int write_junit(const char *path, const claim_result *results, int count)
             continue;
         }
         char *line = exhibits_line(r);
+        const type_result *b = speaking_type(r);
         fprintf(out, ">\n    <failure message=\"%s, expected otherwise\">", outcome_name[r->outcome]);
         put_xml(out, line);
+        if (b != NULL)
+            fprintf(out, "%sseed %016llx", line[0] != '\0' ? "; " : "", (unsigned long long)b->seed);
         fputs("</failure>\n  </testcase>\n", out);
         free(line);
     }

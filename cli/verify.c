@@ -5,6 +5,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/report.h"
+#include "cli/screen.h"
 #include "cli/terminal.h"
 #include "cli/tex.h"
 #include "exact/number/parallel.h"
@@ -61,6 +62,18 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
+/* What a claim shows that is not as expected: the case by its parameters, and the two sides, a line each. */
+static void put_witness(const claim_result *r)
+{
+    enum { INDENT = 7, MOST = 300 };
+    const type_result *b = speaking_type(r);
+    for (int k = 0; b != NULL && k < b->exhibits; k++) {
+        printf("%*s%s = ", INDENT, "", b->shown[k].name);
+        put_clipped(stdout, b->shown[k].value, MOST);
+        putchar('\n');
+    }
+}
+
 /* The evidence with what supports it, as in "proved  n = 1 to 6; every value of t w_0 ...". */
 static void put_row(const claim_result *r, int name_width)
 {
@@ -79,11 +92,8 @@ static void put_row(const claim_result *r, int name_width)
             if (r->by[t].ran)
                 printf("%s: %s%s  ", number_type_name[t], outcome_name[r->by[t].outcome],
                        r->by[t].control_caught ? "" : ", its control was not caught");
-        char *line = exhibits_line(r);
         const type_result *b = speaking_type(r);
-        printf("seed %016llx  ", b != NULL ? (unsigned long long)b->seed : 0);
-        put_clipped(stdout, line, 300);
-        free(line);
+        printf("seed %016llx", b != NULL ? (unsigned long long)b->seed : 0);
     } else {
         char *scope = tex_to_text(r->scope, 1);
         fputs(scope, stdout);
@@ -93,6 +103,8 @@ static void put_row(const claim_result *r, int name_width)
                    style(stdout, PLAIN));
     }
     putchar('\n');
+    if (!r->as_expected)
+        put_witness(r);
 }
 
 static void print_table(const claim_result *results, int count)
@@ -132,13 +144,46 @@ static void print_table(const claim_result *results, int count)
     printf("%d comparisons in %d runs; %d of %d controls caught\n", compared, runs, controls, runs);
 }
 
+/* A text between double quotes, as YAML and JSON have it. */
+static void put_quoted(const char *text)
+{
+    json_t *string = json_string(text);
+    char *quoted = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
+    fputs(quoted != NULL ? quoted : "\"\"", stdout);
+    free(quoted);
+    json_decref(string);
+}
+
+/* The block of YAML that the protocol has for what is said of a test that failed. */
+static void put_tap_witness(const claim_result *r)
+{
+    const type_result *b = speaking_type(r);
+    if (b == NULL)
+        return;
+    printf("  ---\n  message: %s, expected otherwise\n  seed: \"%016llx\"\n", outcome_name[r->outcome],
+           (unsigned long long)b->seed);
+    if (b->exhibits > 0)
+        puts("  data:");
+    for (int k = 0; k < b->exhibits; k++) {
+        fputs("    - ", stdout);
+        put_quoted(b->shown[k].name);
+        fputs(": ", stdout);
+        put_quoted(b->shown[k].value);
+        putchar('\n');
+    }
+    puts("  ...");
+}
+
 static void print_tap(const claim_result *results, int count)
 {
+    screen_leaves_lines();
     printf("TAP version 13\n1..%d\n", count);
     for (int k = 0; k < count; k++) {
         const claim_result *r = &results[k];
         printf("%s %d - %s.%s # %s; %s\n", r->as_expected ? "ok" : "not ok", k + 1, r->claim->chapter, r->claim->name,
                evidence_name[r->evidence], r->scope);
+        if (!r->as_expected)
+            put_tap_witness(r);
     }
 }
 

@@ -138,6 +138,18 @@ static void add_words(char **list, char *more)
     free(more);
 }
 
+/* A failing case is told with its degree, in the letter of the claim, unless it shows that itself. */
+static void show_degree(const claim *c, trial *T)
+{
+    const char *letter = c->letter != NULL && c->letter[0] != '\0' ? c->letter : "n";
+    int order = strcmp(letter, "k") == 0;
+    for (int k = 0; k < T->exhibits; k++)
+        if (strcmp(T->shown[k].name, letter) == 0)
+            return;
+    if (c->degree_high > 0)
+        show_text(T, letter, "%d", T->degree + order);
+}
+
 static type_result judge_type(const struct plan *p)
 {
     double start = now();
@@ -147,6 +159,8 @@ static type_result judge_type(const struct plan *p)
         char *variables = NULL, *positive = NULL;
         trial T = run_case(p, k, 0, &variables, &positive);
         outcome o = judged(&T);
+        if (o == FAILS && p->claim->kind != COUNTEREXAMPLE)
+            show_degree(p->claim, &T);
         genuine = o == FAILS && region_faults == 0 && T.compared > 0 && !T.mistaken;
         r.faults |= region_faults;
         r.cases++;

@@ -1,6 +1,8 @@
 """What real use met: where output goes, terminals, names that people type, files that are none.
 
-    python3 test_manners.py CAGD ROOT
+    python3 test_manners.py CAGD ROOT WHOLE_RUN
+
+WHOLE_RUN is the folder that whole_run.py wrote: a run over everything.
 """
 import csv
 import fcntl
@@ -22,7 +24,16 @@ import termios
 import threading
 import unicodedata
 import unittest
+import warnings
 
+try:
+    import jsonschema
+except ImportError:  # ./test installs it on Debian
+    jsonschema = None
+
+warnings.filterwarnings("ignore", category=DeprecationWarning)  # of RefResolver, which Debian 12 has
+
+WHOLE_RUN = pathlib.Path(sys.argv.pop(3)).resolve()
 ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 ARCH = ROOT / "chapters/fitting/arch.csv"
@@ -458,6 +469,91 @@ class Curves(Case):
         self.assertEqual(self.values(large, "--at", "0")[0]["rounded"], [[None]])
         self.assertIn("1" + 5000 * "0", run("curve", large, "--at", "0", "--json").stdout)
         self.assertIn("beyond binary64", run("curve", large, "--at", "0").stdout)
+
+
+@unittest.skipIf(jsonschema is None, "python3-jsonschema is missing")
+class Schemas(Case):
+    """What is printed and written as JSON is what the installed schemas say."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.schemas = {p.name: json.loads(p.read_text()) for p in sorted((ROOT / "cli/schemas").iterdir())}
+
+    def validator(self, name):
+        schema = self.schemas[name + ".schema.json"]
+        return jsonschema.Draft202012Validator(schema, resolver=jsonschema.RefResolver("", schema, store=self.schemas))
+
+    def errors(self, document, name=None):
+        name = name or document["schema"]
+        return [f"{'/'.join(map(str, e.absolute_path))}: {e.message[:200]}" for e in self.validator(name).iter_errors(document)]
+
+    def fits(self, document, name=None):
+        self.assertEqual(self.errors(document, name), [])
+
+    def said(self, *args, code=0):
+        r = run(*args)
+        self.assertEqual(r.returncode, code, r)
+        return json.loads(r.stdout)
+
+    def test_every_schema_is_one_and_is_named_by_its_file(self):
+        for name, schema in self.schemas.items():
+            jsonschema.Draft202012Validator.check_schema(schema)
+            self.assertEqual(schema["$id"], name)
+
+    def test_every_format_has_one(self):
+        formats = set()
+        for path in [*(ROOT / "cli").rglob("*.c"), *(ROOT / "chapters/judge").rglob("*.c")]:
+            formats |= set(re.findall(r"cagd-[a-z]+(?:-[a-z]+)*-\d+(?=\\?\")", path.read_text()))
+        self.assertGreater(len(formats), 8)
+        self.assertEqual({name + ".schema.json" for name in formats} - set(self.schemas), set())
+
+    def test_the_whole_book(self):
+        self.fits(json.loads((WHOLE_RUN / "verify.json").read_text()))
+        self.fits(json.loads((WHOLE_RUN / "report/ledger.json").read_text()))
+        self.fits(json.loads((WHOLE_RUN / "certificates/manifest.json").read_text()))
+        tried = 0
+        for folder in sorted((WHOLE_RUN / "certificates").iterdir()):
+            for path in sorted(folder.iterdir() if folder.is_dir() else [])[::10]:
+                if path.stat().st_size < 100000:
+                    tried += 1
+                    self.fits(json.loads(path.read_text()))
+        self.assertGreater(tried, 100)
+
+    def test_what_commands_print(self):
+        for args in (["verify", "--json", "end_*"], ["list", "--json"], ["ledger", "--json", "wang-ch3:3.2.*"],
+                     ["show", "--json", "wang-ch3:thm-3.3.2"], ["show", "--json", NAME], ["fit", ARCH, "--json"],
+                     ["show", "--json", "slides-ch4:table-bezier"], ["fit", ARCH, "--json", "--degree", "3", "--free", "weights"],
+                     ["curve", CIRCLE, "--json"], ["curve", CIRCLE, "--json", "--at", "1/3", "--at", "2", "-d", "3"]):
+            with self.subTest(args=args):
+                self.fits(self.said(*args))
+
+    def test_formulas_of_a_reader(self):
+        for path in sorted((ROOT / "proofs-tests/fuzz/corpus/formula").glob("*.md"))[:12]:
+            r = run("check", "--json", path)
+            if r.returncode in (0, 1):
+                self.fits(json.loads(r.stdout))
+
+    def test_curves_as_files_have_them(self):
+        for path in [CIRCLE, *sorted((ROOT / "chapters").rglob("*.json"))]:
+            self.fits(json.loads(path.read_text()), "cagd-curve-file-1")
+        for option in ["--elevate"], ["--bezier"], ["--split", "1/2"], ["--insert", "1/2"]:
+            self.fits(self.said("curve", CIRCLE, *option), "cagd-curve-file-1")
+        curve = self.folder / "c.json"
+        run("fit", ARCH, "--curve", curve)
+        self.fits(json.loads(curve.read_text()), "cagd-curve-file-1")
+
+    def test_other_documents_do_not_fit(self):
+        """What the program refuses, and fields that nobody knows."""
+        good = json.loads(CIRCLE.read_text())
+        for change in ({"kind": "spline"}, {"degree": 65}, {"knot": [1]}, {"points": [[1, 2, 3, 4]]}, {"points": [["x", 1]]},
+                       {"weights": None}, {"kind": "bezier"}):
+            self.assertNotEqual(self.errors({**good, **change}, "cagd-curve-file-1"), [], change)
+        for args in ["list", "--json", "end_*"], ["show", "--json", NAME], ["curve", CIRCLE, "--json", "--at", "0"]:
+            document = self.said(*args)
+            self.assertNotEqual(self.errors({**document, "further": 1}), [])
+            for field in document:
+                if field != "schema":
+                    self.assertNotEqual(self.errors({k: v for k, v in document.items() if k != field}), [], field)
 
 
 if __name__ == "__main__":

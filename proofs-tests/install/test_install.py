@@ -31,6 +31,8 @@ with tempfile.TemporaryDirectory() as folder:
     for wanted in ("bin/cagd", "share/man/man1/cagd.1", "share/bash-completion/completions/cagd",
                    "share/zsh/site-functions/_cagd", "share/fish/vendor_completions.d/cagd.fish"):
         assert (prefix / wanted).exists(), wanted
+    schemas = sorted(path.name for path in (source.parent.parent / "cli/schemas").iterdir())
+    assert schemas == sorted(path.name for path in (prefix / "share/cagd/schemas").iterdir()) != [], "schemas"
     assert sh(str(prefix / "bin" / "cagd"), "--version").startswith("cagd ")
 
     by_cmake = pathlib.Path(folder) / "by-cmake"
