@@ -642,6 +642,34 @@ static void count_progress(void *context, int done, int total, const char *name)
     *last = done;
 }
 
+/* True up to degree 2: the case that fails is told with its degree, once, in the letter of the claim. */
+static void at_most_two_q(trial *T)
+{
+    if (T->deep)
+        show_text(T, "n", "%d", T->degree);
+    same_q(T, from_int_q(T->degree > 2), from_int_q(fault(T, 0, 1)));
+}
+static void test_a_failing_case_tells_its_degree(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        claim c = {IN(RATIONAL_TYPE, _q, at_most_two), .degree_low = 1, .degree_high = 4, .degree_sampled = 4};
+        c.letter = k == 1 ? "k" : "n";
+        const claim *list = &c;
+        claim_result *r = judge_claims(&list, 1, &(run_options){.jobs = 1, .deep = k == 2});
+        const type_result *b = &r->by[RATIONAL_TYPE];
+        int told = 0;
+        for (int m = 0; m < b->exhibits; m++)
+            if (strcmp(b->shown[m].name, c.letter) == 0) {
+                assert_string_equal(b->shown[m].value, k == 1 ? "4" : "3");
+                told++;
+            }
+        assert_int_equal(b->outcome, FAILS);
+        assert_int_equal(told, 1);
+        free_results(r, 1);
+    }
+}
+
 static claim_result *judge_many(int jobs, int *finished)
 {
     const claim *list[MANY];
@@ -994,6 +1022,7 @@ int main(void)
         unit(test_data_are_the_same_dyadics_everywhere),
         unit(test_pick_stays_in_range),
         unit(test_exhibits),
+        unit(test_a_failing_case_tells_its_degree),
         unit(test_given_data),
         unit(test_given_data_are_tied_to_the_body),
         unit(test_data_instead),
