@@ -78,7 +78,8 @@ CLAIM(empty_span_has_no_parameter)
 :printed: the curve on $[t_r,t_{r+1})$ written in the powers $1,u,\dots,u^{k-1}$ is its representation in powers, and
   the matrix of (4.4.3) its coefficient matrix
 :definition: yes
-:checked-by: matrix_holds_the_powers_of_the_basis coefficient_matrix_is_affinely_invariant
+:checked-by: matrix_holds_the_powers_of_the_basis
+:confirmed-by: coefficient_matrix_is_affinely_invariant
 :figure: matrices_of_merging_knots
 
 The matrix exists for every pattern of knots, and is the only one, because the points are arbitrary and the powers
@@ -169,14 +170,14 @@ The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r
 :::{claim} matrix_gives_homogeneous_curve
 :title: The matrix applied to homogeneous points gives the homogeneous curve
 :zh: 齐次坐标下的矩阵表示
-:given: orders $k=p+1$, simple knots, points and weights variables, $u$ variable
+:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, points and weights variables, $u$ variable
 :then: $(1,\dots,u^p)A\,(\tilde r_{r-p},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$,
   and the quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
 :method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
   is any coordinate, so one suffices.  Both sides are linear in $w_ir_i$ and in $w_i$, so that degree 5 is contained in
   `matrix_holds_the_powers_of_the_basis`.
 :degrees: 0..4 sampled 7
-:scope: simple knots
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x#: points
 :control: the last weight left out
 :::
@@ -184,29 +185,33 @@ The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r
 CLAIM(matrix_gives_homogeneous_curve)
 {
     int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num A[CELLS], u = parameter(T, "u"), t = G(at_parameter)(&S, u), left[2], right[2];
-    num x[LARGEST_ORDER], w[LARGEST_ORDER];
-    G(bspline_matrix)(k - 1, S.t, S.r, A);
-    left[0] = left[1] = right[0] = right[1] = from_int(0);
-    for (int i = 0; i < k; i++) {
-        x[i] = unknown(T, "x", i);
-        w[i] = positive(T, "w", i);
-        num N = G(basis_value)(&S, i, k, t);
-        right[0] = add(right[0], mul(N, mul(w[i], x[i])));
-        right[1] = add(right[1], mul(N, w[i]));
-    }
-    for (int j = 0; j < k; j++)
+    num knots[2 * LARGEST_ORDER];
+    G(increasing)(T, 2 * k, knots);
+    for (int count = G(pattern_count)(k, 4, 2), number = 0; number < count; number++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, number), knots);
+        num A[CELLS], u = parameter(T, "u"), t = G(at_parameter)(&S, u), left[2], right[2];
+        num x[LARGEST_ORDER], w[LARGEST_ORDER];
+        G(bspline_matrix)(k - 1, S.t, S.r, A);
+        left[0] = left[1] = right[0] = right[1] = from_int(0);
         for (int i = 0; i < k; i++) {
-            num share = mul(G(power)(u, j), A[j * k + i]), weight = fault(T, w[i], i == k - 1 ? from_int(1) : w[i]);
-            left[0] = add(left[0], mul(share, mul(weight, x[i])));
-            left[1] = add(left[1], mul(share, w[i]));
+            x[i] = unknown(T, "x", i);
+            w[i] = positive(T, "w", i);
+            num N = G(basis_value)(&S, i, k, t);
+            right[0] = add(right[0], mul(N, mul(w[i], x[i])));
+            right[1] = add(right[1], mul(N, w[i]));
         }
-    about(T, "homogeneous coordinates");
-    same(T, left[0], right[0]);
-    same(T, left[1], right[1]);
-    about(T, "the affine point");
-    same(T, div(left[0], left[1]), div(right[0], right[1]));
+        for (int j = 0; j < k; j++)
+            for (int i = 0; i < k; i++) {
+                num share = mul(G(power)(u, j), A[j * k + i]), weight = fault(T, w[i], i == k - 1 ? from_int(1) : w[i]);
+                left[0] = add(left[0], mul(share, mul(weight, x[i])));
+                left[1] = add(left[1], mul(share, w[i]));
+            }
+        about(T, "homogeneous coordinates");
+        same(T, left[0], right[0]);
+        same(T, left[1], right[1]);
+        about(T, "the affine point");
+        same(T, div(left[0], left[1]), div(right[0], right[1]));
+    }
 }
 
 #if RATIONAL
@@ -256,7 +261,8 @@ CLAIM(affine_points_need_the_weights)
 :zh: 系数矩阵的行列标号
 :printed: \mathbf A_{r,k,T}=(a_{j,i})_{k\times k},\quad j=0,\dots,k-1,\quad i=r-k+1,\dots,r
 :definition: yes
-:checked-by: matrix_holds_the_powers_of_the_basis coefficient_rows_have_fixed_sums
+:checked-by: matrix_holds_the_powers_of_the_basis
+:confirmed-by: coefficient_rows_have_fixed_sums
 :figure: matrices_of_merging_knots
 
 Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.

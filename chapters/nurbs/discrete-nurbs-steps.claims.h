@@ -8,6 +8,7 @@ becomes the point, and what has to be decided about it is the index.
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
+#include "chapters/nurbs/patterns.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -188,35 +189,39 @@ CLAIM(insertions_commute)
 :::{claim} insertion_cuts_the_corners
 :title: Each inserted knot cuts corners of the polygon
 :zh: 每嵌入一个节点即割去控制多边形的若干角
-:given: one knot $\tau$ strictly inside an interval between simple knots, positive gaps and weights
+:given: every segment; one knot $\tau$ strictly inside its interval, positive gaps of the knots and weights
 :let: $s_i=a_iw_i/(a_iw_i+(1-a_i)w_{i-1})$ with $a_i=(\tau-t_i)/(t_{i+k-1}-t_i)$
 :then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
 :method: The kernel; signs are read off coefficients.
 :degrees: 1..6 sampled 7
-:scope: one span of simple knots
-:over: s: ratio in which τ divides its interval
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
+  numbers above
+:over: s: ratio in which τ divides its interval; x: -
 :control: $s_i$ without the weights
 :::
 */
 CLAIM(insertion_cuts_the_corners)
 {
     int p = T->degree, mu = p, n = p + 1;
-    num u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], v[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS];
-    G(increasing_knots)(T, 2 * p + 2, 6, u);
-    G(weighted_points)(T, n, 1, R, w);
-    num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
-    G(nurbs_insert)(nurbs(p, n, 1, u, R, w), mu, knot, v, S, z);
-    about(T, "the old points");
-    same(T, S[0], R[0]);
-    same(T, S[n], R[n - 1]);
-    for (int i = 1; i < n; i++) {
-        num a = div(sub(knot, u[i]), sub(u[i + p], u[i])), right = mul(a, w[i]), left = mul(sub(one, a), w[i - 1]);
-        num s = fault(T, div(right, add(left, right)), a);
-        about(T, "s_i is in [0, 1]");
-        nonnegative(T, s);
-        nonnegative(T, sub(one, s));
-        about(T, "the new point");
-        same(T, S[i], add(mul(sub(one, s), R[i - 1]), mul(s, R[i])));
+    struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
+    num R[MOST_KNOTS], w[MOST_KNOTS], v[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], one = from_int(1);
+    for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
+        const num *u = K.u;
+        num knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+        G(weighted_points)(T, n, 1, R, w);
+        G(nurbs_insert)(nurbs(p, n, 1, u, R, w), mu, knot, v, S, z);
+        about(T, "the old points");
+        same(T, S[0], R[0]);
+        same(T, S[n], R[n - 1]);
+        for (int i = 1; i < n; i++) {
+            num a = div(sub(knot, u[i]), sub(u[i + p], u[i])), right = mul(a, w[i]), left = mul(sub(one, a), w[i - 1]);
+            num s = fault(T, div(right, add(left, right)), a);
+            about(T, "s_i is in [0, 1]");
+            nonnegative(T, s);
+            nonnegative(T, sub(one, s));
+            about(T, "the new point");
+            same(T, S[i], add(mul(sub(one, s), R[i - 1]), mul(s, R[i])));
+        }
     }
 }
 

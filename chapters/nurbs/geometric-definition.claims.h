@@ -444,7 +444,7 @@ of knots.
 :method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
   span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
   zero.
-:scope: k = 3 over simple knots
+:scope: simple knots
 :control: the factor 2
 :::
 */

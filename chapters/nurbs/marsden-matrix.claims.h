@@ -449,11 +449,11 @@ dependence of the rows is one of the powers; that the B-splines are independent 
 :::{claim} singular_g_makes_powers_dependent
 :title: A combination of the rows of G is the combination of the powers
 :zh: G 的行组合对应幂函数组合
-:given: orders $k=p+1$, simple knots, $t$ and numbers $c_0,\dots,c_{k-1}$, all variables
+:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, $t$ and numbers $c_0,\dots,c_{k-1}$, all variables
 :then: $\sum_\mu c_\mu t^\mu=\sum_i(G^Tc)_iN_{i,k}(t)$; so $G^Tc=0$ makes the polynomial vanish, and $c=0$
 :method: Both sides at a variable $t$.
 :degrees: 0..5 sampled 7
-:scope: simple knots
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; c#: coefficients
 :control: $G$ in the place of its transpose
 :::
@@ -461,20 +461,24 @@ dependence of the rows is one of the powers; that the B-splines are independent 
 CLAIM(singular_g_makes_powers_dependent)
 {
     int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num g[CELLS], c[LARGEST_ORDER], t = parameter(T, "t"), left = from_int(0), right = from_int(0);
-    G(matrix_g)(&S, g);
-    for (int mu = 0; mu < k; mu++) {
-        c[mu] = unknown(T, "c", mu);
-        left = add(left, mul(c[mu], G(power)(t, mu)));
+    num knots[2 * LARGEST_ORDER];
+    G(increasing)(T, 2 * k, knots);
+    for (int count = G(pattern_count)(k, 4, 2), number = 0; number < count; number++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, number), knots);
+        num g[CELLS], c[LARGEST_ORDER], t = parameter(T, "t"), left = from_int(0), right = from_int(0);
+        G(matrix_g)(&S, g);
+        for (int mu = 0; mu < k; mu++) {
+            c[mu] = unknown(T, "c", mu);
+            left = add(left, mul(c[mu], G(power)(t, mu)));
+        }
+        for (int i = 0; i < k; i++) {
+            num sum = from_int(0);
+            for (int mu = 0; mu < k; mu++)
+                sum = add(sum, mul(fault(T, g[mu * k + i], g[i * k + mu]), c[mu]));
+            right = add(right, mul(sum, G(basis_value)(&S, i, k, t)));
+        }
+        same(T, left, right);
     }
-    for (int i = 0; i < k; i++) {
-        num sum = from_int(0);
-        for (int mu = 0; mu < k; mu++)
-            sum = add(sum, mul(fault(T, g[mu * k + i], g[i * k + mu]), c[mu]));
-        right = add(right, mul(sum, G(basis_value)(&S, i, k, t)));
-    }
-    same(T, left, right);
 }
 
 #if RATIONAL
@@ -519,11 +523,11 @@ With $\det G\ne0$ the last two steps are the inverse matrix by cofactors and the
 :::{claim} cofactors_give_powers_of_t
 :title: The cofactors give the B-splines in powers of t
 :zh: 代数余子式给出 B 样条基
-:given: orders $k=p+1$, simple knots and $t$ variables
+:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, knots and $t$ variables
 :then: $\det G\,N_{i,k}(t)=\sum_\mu g^*_{\mu i}t^\mu$
 :method: Determinants and cofactors of the kernels; the B-splines by definition.
 :degrees: 0..4 sampled 7
-:scope: simple knots
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots
 :control: the cofactors transposed
 :::
@@ -531,18 +535,22 @@ With $\det G\ne0$ the last two steps are the inverse matrix by cofactors and the
 CLAIM(cofactors_give_powers_of_t)
 {
     int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num g[CELLS], t = parameter(T, "t");
-    G(matrix_g)(&S, g);
-    num det = G(determinant)(k, g);
-    for (int i = 0; i < k; i++) {
-        num sum = from_int(0);
-        for (int mu = 0; mu < k; mu++) {
-            num star = fault(T, G(cofactor)(k, g, mu, i), G(cofactor)(k, g, i, mu));
-            sum = add(sum, mul(star, G(power)(t, mu)));
+    num knots[2 * LARGEST_ORDER];
+    G(increasing)(T, 2 * k, knots);
+    for (int count = G(pattern_count)(k, 4, 2), number = 0; number < count; number++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, number), knots);
+        num g[CELLS], t = parameter(T, "t");
+        G(matrix_g)(&S, g);
+        num det = G(determinant)(k, g);
+        for (int i = 0; i < k; i++) {
+            num sum = from_int(0);
+            for (int mu = 0; mu < k; mu++) {
+                num star = fault(T, G(cofactor)(k, g, mu, i), G(cofactor)(k, g, i, mu));
+                sum = add(sum, mul(star, G(power)(t, mu)));
+            }
+            /* det G N_i,k(t) = Σ_μ g*_μi t^μ */
+            same(T, sum, mul(det, G(basis_value)(&S, i, k, t)));
         }
-        /* det G N_i,k(t) = Σ_μ g*_μi t^μ */
-        same(T, sum, mul(det, G(basis_value)(&S, i, k, t)));
     }
 }
 

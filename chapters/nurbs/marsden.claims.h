@@ -330,7 +330,7 @@ begins.  As the step of the recursion alone it does not suffice: then the suppor
 :title: For k = 1 the identity is obvious
 :zh: k=1 时恒等式显然
 :printed: k=1:\quad(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)
-:holds-by: marsden_identity
+:holds-by: marsden_identity_for_every_pattern
 :::
 
 :::{statement} wang-ch4:formula-4.4.15
@@ -543,13 +543,13 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 :::{claim} powers_of_t_from_derivatives
 :title: The powers of t from the derivatives of omega at 0
 :zh: 由 ω 的导数得幂函数
-:given: orders $k=p+1$, simple knots and $t$ variables
+:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, knots and $t$ variables
 :then: (4.4.20) for every $\mu$; its right sides are the entries of $(N_{r-k+1,k},\dots,N_{r,k})\,G^T$ with $G=(g_{\mu
   i})$
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
 :types: field
 :degrees: 0..5
-:scope: simple knots
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x: -
 :control: the sign $(-1)^\mu$ left out
 :::
@@ -557,17 +557,21 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 CLAIM(powers_of_t_from_derivatives)
 {
     int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num t = parameter(T, "t"), N[LARGEST_ORDER];
-    for (int i = 0; i < k; i++)
-        N[i] = G(basis_value)(&S, i, k, t);
-    for (int mu = 0; mu < k; mu++) {
-        num sum = from_int(0);
+    num knots[2 * LARGEST_ORDER];
+    G(increasing)(T, 2 * k, knots);
+    for (int count = G(pattern_count)(k, 4, 2), number = 0; number < count; number++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, number), knots);
+        num t = parameter(T, "t"), N[LARGEST_ORDER];
         for (int i = 0; i < k; i++)
-            sum = add(sum, mul(G(omega_derivative)(&S, i, k - 1 - mu), N[i]));
-        sum = mul(div(G(factorial)(mu), G(factorial)(k - 1)), sum);
-        /* t^μ = (-1)^μ μ!/(k-1)! Σ ω_i,k^(k-1-μ)(0) N_i,k(t) */
-        same(T, G(power)(t, mu), G(signed_by)(fault(T, mu, 0), sum));
+            N[i] = G(basis_value)(&S, i, k, t);
+        for (int mu = 0; mu < k; mu++) {
+            num sum = from_int(0);
+            for (int i = 0; i < k; i++)
+                sum = add(sum, mul(G(omega_derivative)(&S, i, k - 1 - mu), N[i]));
+            sum = mul(div(G(factorial)(mu), G(factorial)(k - 1)), sum);
+            /* t^μ = (-1)^μ μ!/(k-1)! Σ ω_i,k^(k-1-μ)(0) N_i,k(t) */
+            same(T, G(power)(t, mu), G(signed_by)(fault(T, mu, 0), sum));
+        }
     }
 }
 #endif

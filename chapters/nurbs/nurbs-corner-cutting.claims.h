@@ -503,6 +503,8 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
   inserted_polygons_stay_convex
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | not turning back is not enough: its end does not run over its start
+:argued: every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
+  order than the factors, which are between 0 and 1.
 :figure: what_convex_must_mean
 :::
 */

@@ -22,7 +22,7 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
   partition $T=\{t_i\}_{i=-\infty}^\infty$ of the $t$-axis, $t_j\le t_{j+1}$, with the B-splines $N_{i,k}$ of order $k$ of
   $T$: the curve (4.1.1) is the NURBS curve of order $k$ of $T$, the $\tilde r_i$ are its control points and
   $\tilde r_1\tilde r_2\cdots\tilde r_n$ is its control polygon
-:checked-by: basis_is_a_partition_of_unity nurbs_point_is_the_weighted_mean outer_knots_do_not_count
+:checked-by: basis_is_a_partition_of_unity nurbs_point_is_the_weighted_mean
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights: with a negative one the
   denominator may vanish
 :reading: outer_knots_do_not_count | the partition is without end; $t_2,\dots,t_{n+k-1}$ are all that counts on the domain
