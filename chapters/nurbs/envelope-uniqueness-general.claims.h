@@ -64,7 +64,8 @@ recursions.
 :::{claim} family_steps_along_the_tangent
 :title: A member is reached from that of the level before by a step along its tangent
 :zh: 由上一层沿切线得到下一层
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; weights and
   points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
@@ -100,7 +101,8 @@ CLAIM(family_steps_along_the_tangent)
 :::{claim} derivative_by_tau_is_that_of_the_level_before
 :title: The derivative by τ is, up to a factor, the derivative by t of the level before
 :zh: 对 τ 的偏导与上一层对 t 的偏导成比例
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; any homogeneous
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; any homogeneous
   coordinate of the points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
 :method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
@@ -269,22 +271,25 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
 :::{statement} wang-ch4:thm-4.3.3-chain
 :title: The denominator of level r by sums over level r-1
 :zh: 第 r 层分母用第 r-1 层表示
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
-  +\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
-:holds-by: level_by_sums_over_the_level_before
-:meant: (2.1.1), the recursion of the B-splines | A quotient $0/0$ counts as $0$, as everywhere in the theory of B-splines.
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=i-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
+  +\sum_{i=i-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
+:class: misprint
+:refuted-by: sum_begins_at_no_index
+:corrected: the last two sums begin at $i=j-k+r$, as those of the lines before
+:corrected-by: level_by_sums_over_the_level_before
 :reading: first_term_of_the_chain_divides_by_zero | with division by its letter: false at multiple knots, as the terms $i=j-k+r$
-  and $i=j$ contain B-splines that vanish on the span over differences of knots that may be $0$
+  and $i=j$ contain B-splines that vanish on the span over differences of knots that may be $0$; but by (2.1.1) $0/0$ counts as $0$
 :figure: divisor_zero
 
-In the last line the source has $i=i-k+r$ for $i=j-k+r$, twice: see `notation-4.3`.  All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
+All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
 includes, the values are limits from the left.
 :::
 
 :::{claim} level_by_sums_over_the_level_before
 :title: The three steps of the display
 :zh: 所印等式链
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights, any $t$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; weights, any $t$
   and $\tau$, every $r=1,\dots,k-2$
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
 :method: Every expression by its letter, term by term.
@@ -387,12 +392,11 @@ CLAIM(first_term_of_the_chain_divides_by_zero)
 /*
 :::{statement} wang-ch4:notation-4.3
 :title: The letter of the span in the last proof
-:zh: 区间与求和下标中的字母
-:printed: $t_i\le t<t_{i+1}$ in theorem 4.3.3, with the difference of the weights, in (4.3.17) and with the products of level $r-2$;
-  $\sum_{i=i-k+r}^j$, twice, in the last line of the display for the denominator
+:zh: 区间端点的字母
+:printed: $t_i\le t<t_{i+1}$ in theorem 4.3.3, with the difference of the weights, in (4.3.17) and with the products of level $r-2$
 :class: misprint
-:refuted-by: sum_begins_at_no_index span_has_the_letter_of_the_sum
-:corrected: $t_j\le t<t_{j+1}$ and $\sum_{i=j-k+r}^j$
+:refuted-by: span_has_the_letter_of_the_sum
+:corrected: $t_j\le t<t_{j+1}$
 :corrected-by: span_has_its_own_letter
 
 $j$ is the number of the span, $i$ that of a term of the sums.

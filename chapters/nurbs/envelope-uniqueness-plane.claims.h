@@ -212,7 +212,8 @@ and their derivatives its linear part.
 :::{claim} family_moves_with_its_points
 :title: Under an affine map of the points the members are mapped, and their derivatives by its linear part
 :zh: 顶点经仿射变换,族曲线随之变换
-:given: $k=p+1$; simple knots, or the ends of the span $p$-fold, or its left end double; weights and points, any $t$
+:given: $k=p+1$; simple knots, or the ends of the span $p$-fold, or its left end double, for $k\le4$ all patterns; weights
+  and points, any $t$
   and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
 :then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by
   $t$ and by $\tau$ are those of $\mathbf r^{[k-r]}$ under $ax+by$

@@ -161,7 +161,8 @@ but to solve these equations backwards there is one of them too few.
 :::{claim} weighted_points_follow_the_recursion
 :title: A linear function of the weighted points follows the recursion (4.1.3)
 :zh: 加权顶点的线性函数满足递推 (4.1.3)
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; weights and
   points of space, two vectors, any $\tau$, every $r=2,\dots,k-1$
 :then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$

@@ -28,7 +28,8 @@ recursion.
 :::{claim} equal_weights_give_the_polynomial_family
 :title: With equal weights all levels have these weights, and their points are those of de Boor's algorithm
 :zh: 权相等时各层权不变
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; one weight $w_1$
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; one weight $w_1$
   for all points; any $\tau$, $r=1,\dots,k-1$
 :then: $w_i^{[r]}(\tau)=w_1$, and $r_i^{[r]}(\tau)$ is the point of level $r$ of de Boor's triangle without weights
 :method: The rational recursion against the kernel of de Boor's levels, one coordinate.
@@ -148,7 +149,8 @@ this leg is a tangent.
 :::{claim} lines_of_the_family_by_two_points
 :title: The member of order 2 is the printed quotient of two points
 :zh: 二阶族曲线即所印的两点之商
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; weights and
   points, any $t$ and $\tau$; $r=k-2$
 :then: (4.3.3) is (4.3.8)
 :method: Both quotients by their letter, one coordinate.
@@ -187,7 +189,8 @@ curve.
 :::{claim} span_derivatives_are_parallel
 :title: The homogeneous derivatives of member and curve are parallel in every order
 :zh: 族曲线与曲线的各阶齐次导矢平行
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; weights and
   points, any $t$, every $r=0,\dots,k-1$ and $i=0,\dots,k-1-r$
 :then: with $n=k-1$, $m=n-r$: $\frac{n!}{(n-i)!}\,\partial_t^iP^{[r]}(t,t)=\frac{m!}{(m-i)!}\,P^{(i)}(t)$ for the
   coordinate and for the weight
@@ -273,7 +276,8 @@ CLAIM(curvatures_have_a_fixed_ratio)
 :title: The ratio of the curvatures, measured on curves of the plane and of space
 :zh: 曲率比的直接计算
 :types: rational interval double
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot; weights and
+:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; weights and
   points of the plane and of space, any $t$, $r=1,\dots,k-2$
 :then: $((k-r-1)(k-2))^2\,\kappa^2_{k-r}(t)=((k-1)(k-r-2))^2\,\kappa^2(t)$
 :method: The second way: the points of the member by (4.1.3), (4.1.4), and the curvatures of both curves by their
