@@ -116,7 +116,7 @@ const char *cagd_spelled(const char *head)
     char text[MOST_HEAD + 8];
     size_t n = strlen(head);
     int length = snprintf(text, sizeof text, "%s%s", head, n > 0 && head[n - 1] == '_' ? "i" : "");
-    const char *kept = cagd_text_of(text, length);
+    const char *kept = cagd_text_of(text, length < (int)sizeof text ? length : (int)sizeof text - 1);
     return kept != NULL ? kept : "";
 }
 

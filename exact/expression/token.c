@@ -51,8 +51,8 @@ static int length_at(const char *s, int n)
             k++;
         return k > 1 ? k : n > 1 ? 2 : 1;
     }
-    int k = 1;
-    while (k < n && ((unsigned char)s[k] & 0xC0) == 0x80)
+    int k = 1, most = (unsigned char)s[0] < 0x80 ? 1 : 4;
+    while (k < n && k < most && ((unsigned char)s[k] & 0xC0) == 0x80)
         k++;
     return k;
 }
