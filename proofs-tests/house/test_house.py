@@ -121,6 +121,15 @@ class Kernels(unittest.TestCase):
             self.assertNotRegex(text, r"\b(double|float|mpq_|mpfr_|fabs|sqrt)\b", f"{path.name}")
 
 
+class Faults(unittest.TestCase):
+    def test_every_fault_that_changes_nothing_is_one_of_a_line_that_stands(self):
+        for line in (ROOT / "proofs-tests/faults/equivalent.txt").read_text().splitlines():
+            if line.strip() and not line.startswith("#"):
+                file, code, _, reason = (part.strip() for part in line.split(" | ", 3))
+                self.assertIn(code, [each.strip() for each in (ROOT / file).read_text().splitlines()], file)
+                self.assertTrue(reason, line)
+
+
 class Contents(unittest.TestCase):
     """The page on the table of contents of a source names claims that exist, and every section of the book once."""
 
