@@ -2,7 +2,7 @@
  *
  * The kernels never look at a number, so they run on numbers that only count: `steps`, if it is not NULL, is a counter
  * that every operation on the number increases by one, and `tree` is the number of operations in the expression written out
- * in full, where a common part counts each time it occurs.  The first is the time of a program that keeps what it has
+ * in full, where a common part counts each time it occurs, or LONG_MAX where it is more.  The first is the time of a program that keeps what it has
  * computed, the second that of the plain recursion, which computes it again.
  * `roundings` is how many roundings there are at most on the way from a datum to the number: those of both factors of a
  * product or quotient, of the worse part of a sum, and that of the operation.  It bounds the relative error as long as
@@ -13,6 +13,7 @@
 
 #include "core/number/binomial.h"
 
+#include <limits.h>
 #include <stddef.h>
 
 typedef struct num_n {
@@ -21,12 +22,15 @@ typedef struct num_n {
     int roundings, cancels;
 } num_n;
 
+/* a + b + 1, or LONG_MAX where it is more. */
+static inline long tree_of(long a, long b) { return a < LONG_MAX - b ? a + b + 1 : LONG_MAX; }
+
 static inline num_n counted(num_n a, num_n b, int roundings)
 {
     long *steps = a.steps != NULL ? a.steps : b.steps;
     if (steps != NULL)
         ++*steps;
-    return (num_n){steps, a.tree + b.tree + 1, roundings + 1, a.cancels || b.cancels};
+    return (num_n){steps, tree_of(a.tree, b.tree), roundings + 1, a.cancels || b.cancels};
 }
 static inline num_n from_int_n(long m)
 {

@@ -56,6 +56,8 @@ static int finish(struct dxf *d)
 static int begin(struct dxf *d, const char *name)
 {
     int vertex = strcmp(name, "VERTEX") == 0;
+    if (vertex && d->kind != HEAVY && d->kind != VERTEX)
+        return refuse(d->r, name, "a VERTEX stands outside of a POLYLINE");
     if (vertex ? put(d) != 0 : finish(d) != 0)
         return -1;
     d->kind = strcmp(name, "LWPOLYLINE") == 0 ? LIGHT
@@ -93,8 +95,9 @@ static int take(struct dxf *d, int code, const char *text)
     if (code == 42)
         d->arcs += x != 0 && d->kind != HEAVY;
     if (code == 70 && (d->kind == LIGHT || d->kind == HEAVY)) {
-        d->closed = (int)x & 1;
-        if (d->kind == HEAVY && (int)x & 8 && d->dim == 0 && d->p->count == 0)
+        int flags = x >= 0 && x < 1 << 15 ? (int)x : 0;
+        d->closed = flags & 1;
+        if (d->kind == HEAVY && flags & 8 && d->dim == 0 && d->p->count == 0)
             d->p->dim = 3;
     }
     if (d->kind == LIGHT && code == 10) {

@@ -322,6 +322,8 @@ class Files(Case):
         self.assertIn("1 of the pieces", self.read(self.dxf(light.replace(" 10\n", " 42\n0.5\n 10\n", 2).replace(" 42\n0.5\n", "", 1)))[3][0])
         self.refuses(self.dxf(light + light), ["2 polylines", "of 31, 31"])
         self.refuses(self.dxf(""), ["no polyline"])
+        self.refuses(self.dxf("0\nVERTEX\n10\n1\n20\n2\n0\nSEQEND\n"), ["line 8", "VERTEX stands outside of a POLYLINE"])
+        self.refuses(self.dxf(single.replace("POINT", "VERTEX")), ["VERTEX stands outside"])
         self.refuses(self.dxf(light).replace(" 10\n1.0\n", " 10\nnan\n"), ["'nan' is not a number"])
         self.refuses("0\nSECTION\n2\nENTITIES\nzero\nx\n", ["line 5", "'zero' is not the code"])
 
