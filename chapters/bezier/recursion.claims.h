@@ -22,7 +22,9 @@ enum { dim = 2 };
 :holds-by: second_differences_of_a_piece polygon_and_curve_are_near_the_chord
 :argued: | The distance of a piece from its chord is at most a number that does not depend on the piece times the square of
   the step, and so tends to 0 with the step.
-:hypothesis: many_points_may_crowd | the steps of the parameter tend to 0; that there are many points is not enough
+:meant: the word "can" (可以) | More and more points can be chosen so that the polyline comes near: with steps that tend to 0.
+:reading: second_differences_of_a_piece | they can be so chosen: true
+:reading: many_points_may_crowd | however they are chosen: false, many points are not enough
 :figure: crowded_points
 
 A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta^2P_j|$ away from its chord.

@@ -272,7 +272,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :zh: 单段变换到单位区间
 :printed: $u=\frac{t-t_i}{t_{i+1}-t_i}$, $t=t_i+u(t_{i+1}-t_i)$:
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
-:holds-by: unit_blending_functions one_choice_of_signs_in_the_matrix
+:holds-by: unit_blending_functions
+:confirmed-by: one_choice_of_signs_in_the_matrix
 :needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | an
   interval: $t_i\ne t_{i+1}$
 :figure: one_tangent_two_lengths

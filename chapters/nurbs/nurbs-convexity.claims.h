@@ -30,7 +30,7 @@ the corners and pass to the curve.
   point twice except the end to the start
 :figure: what_convex_must_mean
 
-The statements of the section are true with the last reading and false with the others.  A straight curve is convex: it is
+What fails in this section with the other readings, and because of them alone, is true with the last one.  A straight curve is convex: it is
 part of the boundary of a half plane.
 :::
 */

@@ -21,7 +21,7 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
 :printed: Given $n\ge k$ points $\tilde r_i=(w_ix_i,w_iy_i,w_iz_i,w_i)$ in homogeneous coordinates, $w_i>0$, and a nonuniform
   partition $T=\{t_i\}_{i=-\infty}^\infty$ of the $t$-axis, $t_j\le t_{j+1}$, with the B-splines $N_{i,k}$ of order $k$ of
   $T$: the curve (4.1.1) is the NURBS curve of order $k$ of $T$, the $\tilde r_i$ are its control points and
-  $\tilde r_1\tilde r_2\cdots\tilde r_n$ is its control polygon
+  $\tilde r_i\tilde r_2\cdots\tilde r_n$ is its control polygon
 :checked-by: basis_is_a_partition_of_unity nurbs_point_is_the_weighted_mean
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights: with a negative one the
   denominator may vanish
@@ -30,7 +30,7 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
   coordinates counts, so that a control point is a point together with its weight
 :figure: nurbs_definition
 
-Printed is another first point of the polygon, see the next entry.  The polygon that later sections cut and compare with lines
+The first point of the polygon is printed with the index $i$, see the next entry.  The polygon that later sections cut and compare with lines
 is $r_1r_2\cdots r_n$ in space.  What the definition leaves
 open is in the entries after that: whether there is an interval, what happens at its right end, and how multiple a knot may be.
 :::

@@ -679,7 +679,8 @@ $k$.
 :title: The matrix is the same on every span
 :zh: 与 r 无关
 :printed: the entries do not depend on $r$
-:holds-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
+:holds-by: uniform_matrix_is_the_matrix
+:confirmed-by: coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
 :::
 */

@@ -19,7 +19,7 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :printed: For $I_1<1$ the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$ and
   $A=C$.
 :holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
-:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights
+:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive; otherwise the central angle may be $2\pi-2\theta$.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle: true.
 :figure: circular_arc
@@ -296,7 +296,7 @@ a quantity has been lost: none of them says how high the triangle is.
   $2\theta$, $0<\theta<\frac\pi2$, and the radius $l\csc\theta$ if and only if $\|R_0R_1\|=\|R_2R_1\|=l\sec\theta$,
   $\|R_0R_2\|=2l$, $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
 :corrected-by: arc_and_its_central_angle arcs_satisfy_the_three_equations
-:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights
+:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
   has it, or $\arccos\sqrt{I_1}$: nothing ties the height of the triangle to it.

@@ -19,7 +19,7 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 :holds-by: implicit_form_is_the_resultant kind_in_any_coordinates
 :needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do
   not lie on a line, as in the frame of (3.1.5).
-:needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights
+:needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive, so $\omega_1\ne0$.
 
 For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
@@ -295,9 +295,9 @@ CLAIM(discriminant_in_special_coordinates)
 :holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
   on a line, as in the frame of (3.1.5): $l\ne0$, $y_1\ne0$.
-:needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are
+:needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are
   positive, so $\omega>0$.
-:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are
   positive, so $\omega\ne0$.
 :figure: classification_by_weight
 
@@ -452,9 +452,9 @@ its hypotheses is needed, and an example without it stands beside.
 :holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
   on a line, as in the frame of (3.1.5).
-:needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\omega_2>0$, as for positive weights.
-:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_1\ne0$, as for
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$, as for
   positive weights.
 :reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity: true,
   also where these are counted on the curve itself.

@@ -16,7 +16,7 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 :printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: curve_points_are_convex_combinations
-:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
 :reading: curve_points_have_hull_certificates | Read without the shares: membership in the hull is a linear problem, decided with a certificate for
@@ -34,7 +34,7 @@ Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common n
 :printed: B_i^n(t)\,\omega_i/\omega(t)\ge0
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: curve_points_are_convex_combinations
-:needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_i>0$.
 :figure: convex_hull
 :::

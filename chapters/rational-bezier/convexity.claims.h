@@ -44,7 +44,7 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :holds-by: determinant_of_three_sums_goes_by_triples wronskian_of_three_bernstein_functions
   curve_turns_like_its_triangles
 :confirmed-by: curvature_is_a_sum_over_triangles designed_convex_polygons_have_convex_curves
-:needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
   points need only be part of the boundary.
@@ -515,7 +515,7 @@ CLAIM(mixed_weights_lose_convexity)
 :printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
 :holds-by: subdivided_polygon_turns_like_its_triangles
 :confirmed-by: subdivided_convex_polygons_are_convex
-:needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights
 :argued: | Repeated, the subdivided polygons converge to the curve, and a limit of convex polygons is convex.
 :argued: every n | One cut of corners is a matrix with two neighbouring entries that are not negative in each row,

@@ -19,7 +19,7 @@ hypothesis: no weight is $0$.
 :printed: if a rational Bézier curve is plane, its vertices are coplanar
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor weight_can_be_divided_out
 :confirmed-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
-:needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights; it is enough that no weight is $0$
 :figure: weight_zero_out_of_plane
 
@@ -318,7 +318,7 @@ CLAIM(collocation_determinant_does_not_vanish)
 :printed: \omega_iz_i=0\ \Rightarrow\ z_i=0,\quad i=0,1,\dots,n
 :holds-by: weight_can_be_divided_out
 :confirmed-by: plane_function_determines_the_vertices
-:needs: weight_zero_hides_the_vertex | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_i\ne0$
+:needs: weight_zero_hides_the_vertex | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_i\ne0$
 :figure: weight_zero_out_of_plane
 :::
 */

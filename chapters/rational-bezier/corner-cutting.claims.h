@@ -66,7 +66,7 @@ CLAIM(equal_weights_give_polynomial_triangle)
 :printed: From the theorem follow the recursive evaluation of a rational Bézier curve and its geometric construction
 :holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: triangle_ends_on_the_curve triangle_level_by_level
-:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights: otherwise a point of the construction may be missing
 
 The evaluation is $\mathbf R(c)=\mathbf R_n^n(c)$; the construction divides each edge in the ratio
@@ -114,7 +114,7 @@ have a pole for that.
 :printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf
   R_i^{r-1}(c)$
 :holds-by: cut_coefficients_are_convex
-:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights: otherwise, on a perfectly regular curve, a coefficient is negative
 :figure: cut_leaves_the_edge
 :::
@@ -125,7 +125,7 @@ have a pole for that.
 :printed: The geometric meaning of the theorem is again recursive corner cutting
 :holds-by: cut_coefficients_are_convex triangle_of_powers_consists_of_powers
 :confirmed-by: triangle_level_by_level
-:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights
 :::
 

@@ -21,7 +21,7 @@ projection to points of space, which divides by weights; it does no harm as long
   by 4 each time
 :hypothesis: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step
   a piece may stay long for ever
-:needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   positive weights
 :argued: | The bounds of the claims are put together in words, as below; they tend to 0 with the length of the longest
   piece.

@@ -227,7 +227,7 @@ CLAIM(rational_point_is_weighted_mean)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
 :holds-by: rational_point_is_weighted_mean
 :confirmed-by: rational_derivatives_are_formal_derivatives
-:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
 :figure: homogeneous_line
 
@@ -356,11 +356,11 @@ is for those who do.
 :printed: To guarantee the convex hull property and to avoid $\omega(t)=0$ one usually prescribes $\omega_i>0$.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
-:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\omega_i>0$,
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_i>0$,
   for $\omega(t)\ne0$.
-:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_i>0$, for the convex hull property.
-:meant: the words: to guarantee, one prescribes | Positive weights suffice; that they are necessary is not said.
+:meant: the words: to guarantee, one usually prescribes | Positive weights suffice; that they are necessary is not said.
 :reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The
   sentence does not say so: it says that they suffice.
 :figure: weights_and_poles
@@ -454,7 +454,7 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
   adjust its shape.
 :holds-by: more_weight_moves_a_mean_to_its_point positive_terms_make_a_convex_mean
 :confirmed-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
-:needs: growing_negative_weight_pushes_away | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: growing_negative_weight_pushes_away | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_i>0$.
 :meant: property 3.2.3, which keeps the ends of the curve in the end points | No point of the curve moves away from
   $R_i$, and those that move come nearer.

@@ -148,9 +148,9 @@ CLAIM(unit_invariants_give_polynomial_curve)
   $\sum_{i=0}^nB_i^n(u)\alpha^i\mathbf P_i\Big/\sum_{i=0}^nB_i^n(u)\alpha^i$
 :holds-by: geometric_weights_term_by_term alpha_runs_the_interval_once
 :confirmed-by: geometric_weights_reparametrize_bezier
-:needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\alpha>0$, which
+:needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$, which
   positive weights $\alpha^i$ mean: for every $\alpha<0$ the denominator $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
-:needs: zero_alpha_collapses | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | $\alpha>0$: for $\alpha=0$
+:needs: zero_alpha_collapses | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$: for $\alpha=0$
   the curve collapses to $\mathbf P_0$
 :figure: geometric_weights
 

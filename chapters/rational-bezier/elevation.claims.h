@@ -32,7 +32,7 @@ the products $\omega_iR_i$.
   with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$
 :holds-by: bernstein_function_in_the_next_degree
 :confirmed-by: elevation_keeps_rational_curve
-:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights; otherwise the new vertices need not exist, though the curve has no pole
 :figure: elevation_cuts_corners
 :::
@@ -172,7 +172,7 @@ and any other numbers would do.
   i=0,1,\dots,n+1;\quad\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0
 :holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
 :confirmed-by: elevated_points_as_printed elevation_keeps_rational_curve
-:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights, so that no denominator vanishes
 :figure: elevation_cuts_corners
 :::
@@ -322,7 +322,7 @@ corner $R_i$.
 :zh: 升阶的几何意义是割角
 :printed: geometrically (3.2.9) again cuts the corners of the polygon
 :holds-by: elevation_cuts_corners
-:needs: elevated_vertex_may_leave_the_edge | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: elevated_vertex_may_leave_the_edge | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights; otherwise the new vertex may lie outside the edge
 :figure: elevation_mixed_weights
 :::
@@ -456,7 +456,7 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
 :printed: elevation can be repeated without end
 :holds-by: elevation_cuts_corners repeated_elevation_in_one_formula
 :confirmed-by: repeated_elevation_computed
-:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights; with mixed ones already the first step may fail
 :figure: elevation_mixed_weights
 
@@ -565,7 +565,7 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :argued: | The bounds (1) to (4) of `elevated_polygons_converge` are put together in words: a product of $k$ factors
   is estimated factor by factor, the sums over $k$ are formed, and between two vertices polygon and curve are as near,
   since $\mathbf R$ has a bounded derivative; the bound $\frac{\text{const}}{N-n+1}$ tends to 0.
-:needs: elevation_fails_at_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights, so
+:needs: elevation_fails_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights, so
   that no polygon of the sequence lacks a vertex
 :figure: elevation_converges
 

@@ -275,7 +275,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :confirmed-by: end_curvature_at_zero
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_0\ne\mathbf R_1$.
-:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
   | $\omega_i>0$; in general the right side needs $|\omega_0\omega_2|$.
 :reading: missing_points_have_the_factor_zero | Read for $n=1$, where $\omega_2$ and $\mathbf a_2$ do not exist: whatever stands for them, the factor $n-1$
   makes it $0$, the curvature of a segment.
@@ -293,7 +293,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :confirmed-by: end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
-:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
   | $\omega_i>0$, as at $t=0$.
 :figure: end_curvature
 :::

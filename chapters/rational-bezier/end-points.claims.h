@@ -22,12 +22,12 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term end_direction_has_a_positive_factor
 :confirmed-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points
   end_derivatives_at_one_with_repeated_points
-:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
-:needs: zero_weight_turns_the_end_tangent | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: zero_weight_turns_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_k\ne0$ and $\omega_{n-h}\ne0$ (simple ends: $\omega_1$, $\omega_{n-1}$), for the tangent to be that of the
   edge.
-:needs: negative_weight_reverses_the_end_tangent | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: negative_weight_reverses_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$, for the curve to leave towards $R_k$ and to arrive from
   $R_{n-h}$: otherwise the edge is on the tangent, but behind the end point.
 :figure: end_tangents
@@ -255,10 +255,11 @@ CLAIM(multiplicities_fit_into_the_polygon)
 :::{statement} wang-ch3:3.2.3-left
 :title: At t = 0: the end point, and derivatives that vanish
 :zh: t=0 处的端点与零导矢
-:printed: \mathbf R(0)=\mathbf R_0,\quad\mathbf R^{(l)}(0)=\mathbf 0,\quad l=1,2,\dots,k-1
+:printed: When $\mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k$, $k\ge1$:
+  $\mathbf R(0)=\mathbf R_0,\quad\mathbf R^{(l)}(0)=\mathbf 0,\quad l=1,2,\dots,k-1$
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_zero_with_repeated_points
-:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\ne0$.
 :::
 */
@@ -303,10 +304,11 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
 :::{statement} wang-ch3:3.2.3-right
 :title: At t = 1: the end point, and derivatives that vanish
 :zh: t=1 处的端点与零导矢
-:printed: \mathbf R(1)=\mathbf R_n,\quad\mathbf R^{(m)}(1)=\mathbf 0,\quad m=1,2,\dots,h-1
+:printed: When $\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h}$, $h\ge1$:
+  $\mathbf R(1)=\mathbf R_n,\quad\mathbf R^{(m)}(1)=\mathbf 0,\quad m=1,2,\dots,h-1$
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_one_with_repeated_points
-:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_n\ne0$; the example is to be read in reversed order.
 :::
 
@@ -347,10 +349,11 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :::{statement} wang-ch3:3.2.4-left
 :title: At t = 0: the first derivative that does not vanish
 :zh: t=0 处首个非零导矢
-:printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)
+:printed: When $\mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k$, $k\ge1$:
+  $\mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)$
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_zero_with_repeated_points
-:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\ne0$.
 :figure: end_tangents
 :::
@@ -358,7 +361,8 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :::{statement} wang-ch3:3.2.4-right
 :title: At t = 1: the first derivative that does not vanish
 :zh: t=1 处首个非零导矢
-:printed: \mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
+:printed: When $\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h}$, $h\ge1$:
+  $\mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})$
 :class: misprint
 :refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
 :corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
@@ -522,14 +526,15 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
 :::{statement} wang-ch3:3.2.4-expansion
 :title: The curve expanded about its first point
 :zh: 曲线在首点处的展开式
-:printed: \mathbf R(t)=\mathbf R_0+\left\{t^k\left[\binom nk(1-t)^{n-k}\omega_k(\mathbf R_k-\mathbf R_0)\right]
-  +t^{k+1}\sum_{i=k+1}^n\binom ni(1-t)^{n-i}t^{i-k-1}\omega_i(\mathbf R_i-\mathbf R_0)\right\}\Big/\omega(t)
+:printed: When $\mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k$, $k\ge1$:
+  $\mathbf R(t)=\mathbf R_0+\left\{t^k\left[\binom nk(1-t)^{n-k}\omega_k(\mathbf R_k-\mathbf R_0)\right]
+  +t^{k+1}\sum_{i=k+1}^n\binom ni(1-t)^{n-i}t^{i-k-1}\omega_i(\mathbf R_i-\mathbf R_0)\right\}\Big/\omega(t)$
 :holds-by: mean_grows_by_one_term
 :confirmed-by: curve_expands_about_its_first_point
 
 With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left
 half of (3.2.3) and (3.2.4).  The right half is left to the reader; by symmetry it comes with $(1-t)^h$, whose $h$-th
-derivative brings the factor $(-1)^h$ that the print lacks.
+derivative brings the factor $(-1)^h$; with $R_{n-h}-R_n$ turned round it is the $(-1)^{h+1}$ that the print lacks.
 :::
 
 :::{claim} curve_expands_about_its_first_point

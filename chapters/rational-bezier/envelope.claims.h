@@ -79,7 +79,7 @@ control polygon, and the polar form says of which curve.
   of degree $n-r$ that belongs to the parameter $c$
 :holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: member_is_a_polar_curve
-:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights are
+:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
 :figure: triangle_point_at_infinity
 :::
@@ -130,7 +130,7 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :holds-by: members_are_flatter_powers triangle_of_powers_consists_of_powers
 :confirmed-by: member_touches_curve
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
-:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights are
+:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
 :figure: envelope_cusp
 

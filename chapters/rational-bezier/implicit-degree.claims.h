@@ -276,7 +276,7 @@ CLAIM(printed_recursion_is_not_the_operations)
 :printed: from column $i+1$ subtract $\Omega_i$ times column 1, $i=1,\dots,n$; then from column $i+2$ subtract
   $\Omega_i$ times column 2; at last from column $i+n$ subtract $\Omega_i$ times column $n$
 :holds-by: column_operations_give_the_corrected_recursion
-:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\ne0$, for $\Omega_i$ divides by it; with $\omega_0=0$ the determinant is 0 anyway
 
 The columns $i+r\le2n$ exist, and the determinant does not change.

@@ -215,7 +215,7 @@ CLAIM(curve_in_the_new_parameter)
 :printed: \sum_{i=0}^na_iu^{n-i}=0,\quad\sum_{i=0}^nb_iu^{n-i}=0
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
 :confirmed-by: equations_of_a_point
-:needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights
+:needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive, so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
 
 Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ and $W(u)>0$.
@@ -550,7 +550,7 @@ determinant is identically 0.
 :confirmed-by: equation_vanishes_on_the_curve
 :hypothesis: elevated_curve_has_no_equation | $A$, $B$, $W$ have no common zero (no base point, $u=\infty$
   included); else $F$ is 0 for all $(x,y)$
-:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | the weights
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; with $\omega_0=0$ the first column vanishes
 :needs: space_curve_and_its_shadow | theorem 3.4.1, which is about a curve $F(x,y)=0$ | the curve is plane; for a curve of
   space $F=0$ is only the cylinder over its projection

@@ -24,7 +24,7 @@ proof line by line, and the definition of the $I_i$.
 :printed: t=au/[au+b(1-u)],\quad 0\le u\le1
 :definition: yes
 :checked-by: fractional_change_runs_once projective_change_of_unit_interval_is_fractional
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $a$ and $b$ of one sign, which positive weights give; with $a/b<0$ the denominator vanishes inside $[0,1]$
 :figure: reparametrization
 
@@ -237,7 +237,7 @@ CLAIM(invariants_by_definition)
 :printed: a=\sqrt[n]{\omega_n^{*}/\omega_n},\quad b=\sqrt[n]{\omega_0^{*}/\omega_0}
 :definition: yes
 :checked-by: end_weights_give_the_factors
-:needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights, for even $n$: otherwise the roots need not be real
 :::
 */
@@ -296,9 +296,9 @@ CLAIM(negated_weights_have_no_real_factors)
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve end_weights_give_the_factors
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights: with a negative one the other arc of the conic has the same $I_1$
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ |
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   positive weights: for $n=1$ there is no condition at all, and the curve may even become unbounded
 :figure: equal_invariants_other_arc
 :::
@@ -476,7 +476,7 @@ CLAIM(equal_invariants_mean_geometric_ratios)
 :printed: For $i=n$, (3.2.11) gives $q=a/b$
 :holds-by: larger_numbers_have_larger_powers
 :confirmed-by: equal_powers_of_positive_numbers
-:needs: quotient_is_lost_up_to_sign | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights;
+:needs: quotient_is_lost_up_to_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights;
   otherwise for even $n$ only $q=\pm a/b$
 :::
 
@@ -551,7 +551,7 @@ CLAIM(quotient_is_lost_up_to_sign)
 :printed: a^ib^{n-i}\omega_i=\omega_i^*, so that (3.2.14) is (3.2.13)
 :holds-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is $1$ for $i=1$, the right side $-1$
 :::
 
@@ -851,7 +851,7 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights
 :figure: reparametrization
 

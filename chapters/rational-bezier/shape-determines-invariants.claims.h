@@ -38,7 +38,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
   differently; the source excludes this reading
 :reading: congruent_cubics_with_other_invariants | congruent curves: "only if" fails; the motion may exchange the
   ends, and with them the weights (so for $n=4,5$ as well: congruent_curves_beyond_cubics)
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights, for "if"
 :needs: segment_has_two_invariants | the theorem | $n=2$: the three points not collinear
 :needs: palindromes_of_degree_four | the theorem | $n=4$: edges not coplanar at one end at least; without it the point
@@ -543,7 +543,7 @@ the other end to symmetry.
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights
 :::
 
@@ -726,6 +726,8 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
 :printed: Now the necessity is proved for $n=5$ only.
 :holds-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
   backward_run_flattens_the_first_edges
+:argued: | Steps (1) and (2) of theorem 3.2.1: curves of one shape correspond to each other, start to start, so that their
+  curvatures and torsions there agree.
 
 The theorem is stated for $n=2$ to 5, so that this proof has to contain the others, and it does.  $n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
 $\tau(0)$ gives $I_2$.

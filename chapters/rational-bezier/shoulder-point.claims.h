@@ -15,7 +15,7 @@ A designer sees $\omega$: it is the ratio in which the curve divides the median 
 :printed: \mathbf R_s=\mathbf R^*(u)\big|_{u=1/2}=\frac1{1+\omega}\left(\frac{\mathbf R_0}2+\frac{\mathbf R_2}2\right)
   +\frac\omega{1+\omega}\mathbf R_1
 :holds-by: shoulder_point_of_the_curve
-:needs: shoulder_point_at_infinity | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are
+:needs: shoulder_point_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are
   positive, so $\omega\ne-1$.
 :figure: shoulder_point
 
@@ -97,7 +97,7 @@ $\omega$ has to be said, and a print that does not say it can be read either way
 :printed: $R_s$ lies on the median of $\triangle R_1R_0R_2$ to its base, and the curve divides this median into two parts
   in the ratio $1:\omega$.
 :holds-by: curve_divides_the_median
-:needs: negative_weight_leaves_the_median | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights
+:needs: negative_weight_leaves_the_median | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive, so $\omega>0$.
 :meant: corollary 3.5.1, which names the parts | The parts are taken from the vertex.
 :reading: curve_divides_the_median | The parts are taken from the vertex, $\|R_1R_s\|:\|R_sM\|=1:\omega$, as in corollary
@@ -220,7 +220,7 @@ vertex.
 :holds-by: shoulder_ratio_is_the_root_of_the_invariant sign_of_the_discriminant kind_in_any_coordinates
 :needs: flat_triangle_has_a_shoulder_point | the corollary, which names the triangle and its median | $R_0R_1R_2$ is a
   triangle.
-:needs: weight_zero_has_ratio_zero | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights are positive, so
+:needs: weight_zero_has_ratio_zero | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are positive, so
   $\omega_1\ne0$.
 :figure: shoulder_point
 

@@ -162,7 +162,7 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :zh: 标准形的权
 :printed: (\omega_0^*,\omega_1^*,\omega_2^*)=\left(1,\ \omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}},\ 1\right)
 :holds-by: standard_form_by_a_change_of_parameter
-:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | The weights
+:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive.
 :::
 

@@ -114,7 +114,7 @@ the points: run first, it tells where the division is not possible.
 :definition: yes
 :checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: triangle_in_closed_form triangle_level_by_level
-:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular curve
 :figure: triangle_point_at_infinity
 
@@ -186,7 +186,7 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
   and points $\mathbf R_n^{n-i}(c)$.
 :corrected-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: subdivision_left_half subdivision_right_half
-:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 :needs: cut_at_an_end_is_empty | the theorem: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
   $(t-a)/0$, and its points all coincide; for $c=b$ likewise the right one
 :needs: cut_outside_can_fail | the theorem: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
@@ -368,7 +368,7 @@ coincide would not give that point.
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)},\quad a\le t\le c
 :holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: subdivision_left_half
-:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 
 As an identity it holds for every $t$.
 :::
@@ -384,7 +384,7 @@ As an identity it holds for every $t$.
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)},\quad c\le t\le b
 :corrected-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: subdivision_right_half
-:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 :striking: 6
 :figure: right_half_misprint
 

@@ -66,7 +66,7 @@ CLAIM(line_form_of_the_curve)
 :printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: sign_of_the_curve_is_that_of_the_numerator
-:needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights,
+:needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights,
   or only $\omega(t)\ne0$
 :meant: the last clause of the property | Crossings.
 :reading: designed_curves_cross_no_more | crossings, which are roots of odd multiplicity
@@ -449,7 +449,7 @@ CLAIM(curve_inside_the_line_has_too_many_roots)
 :printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
 :holds-by: sign_changes_are_counted_one_by_one
 :confirmed-by: positive_factors_keep_sign_changes
-:needs: mixed_weights_change_sign_changes | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive
+:needs: mixed_weights_change_sign_changes | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights
 :figure: line_crossings
 :::

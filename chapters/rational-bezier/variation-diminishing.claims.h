@@ -24,7 +24,7 @@ computed, and a third time from the cutting of corners for every degree.
   averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one
 :confirmed-by: elevation_cuts_corners powers_in_every_degree elevated_polygons_converge
   bernstein_collocation_is_totally_positive
-:needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one prescribes $\omega_i>0$ | positive weights
+:needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon.
 :reading: designed_curves_cross_no_more | crossings, counted along the curve and along the polygon, as the last clause
