@@ -6,8 +6,8 @@ WHERE is `newer`, Debian 13 (gcc 14, FLINT 3, GMP 6.3, MPFR 4.2, Ceres 2.2), or 
 run by an emulator.  Each is set up in a folder of its own by debootstrap, as root; the committed sources are compiled there;
 everything is decided, in every number type, drawn and certified, here and there; and every file is compared, without the
 times.  A certificate lists operations in the order in which a compiler evaluates the arguments of a call, which C leaves open:
-on arm64 gcc has another one, so those of arm64 are not compared but rechecked.  `newer` takes ten minutes on two cores, `arm64`
-half an hour.
+on arm64 gcc has another one, so those of arm64 are not compared but rechecked.  `newer` takes two minutes on two cores that
+have nothing else to do, `arm64` six.
 """
 import argparse
 import filecmp
@@ -44,6 +44,7 @@ class Arm64:
                 [name + ":arm64" for name in ["libc6-dev", "libstdc++-12-dev"] + LIBRARIES + OLDER_FLINT])
 
 
+CANNOT = 3  # recheck.py: nothing is wrong, and some kinds of claims it does not recheck, here as there
 PLACES = {"newer": Newer, "arm64": Arm64}
 
 
@@ -123,7 +124,9 @@ def main():
             there, same_order = elsewhere.run(), PLACES[where].same_order
             count, different = compare(here, there, same_order)
             if not same_order:
-                must(sys.executable, a.root / "proofs-tests/recheck.py", there / "certificates")
+                r = subprocess.run([sys.executable, a.root / "proofs-tests/recheck.py", there / "certificates"], stdout=subprocess.PIPE, text=True)
+                print(r.stdout.splitlines()[-1])
+                result |= r.returncode not in (0, CANNOT)
             for name in different:
                 print("differs:", name)
             print(f"{where}: {count} files compared, {len(different)} differ; {time.monotonic() - start:.0f} s", flush=True)
