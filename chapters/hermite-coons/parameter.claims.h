@@ -113,6 +113,7 @@ tangent is a vector, and nothing happens: its length is never 0.
 :instead: ω = 1 1 1
 :result: R'(0) = (0,2)
 :given: the quarter circle with the points $R$ and the weights $\omega$; any $t$
+:scope: the stated quarter circle
 :then: $R\cdot R'=0$ and $|R'|=\frac2{1+t^2}$, which is nowhere 0; at $t=0$ the derivative is upright, and there is no slope
 :method: Points and derivatives by the rational kernel; the length by its square.
 :control: equal weights

@@ -533,6 +533,8 @@ It solves (4.3.9) and gives the curve.
 :zh: 第二种情形:混合积之和
 :printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
+:needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0, as for
+  positive weights and $t$ and $\tau$ in one span
 :figure: points_off_the_plane
 
 For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the
@@ -540,8 +542,8 @@ osculating plane passes through it, and is therefore weaker than (4.3.9), which 
 :::
 
 :::{claim} triple_product_is_that_of_the_point
-:title: The triple product is, up to a positive factor, that of p, r', r''
-:zh: 混合积与 (p, r', r'') 只差正因子
+:title: The triple product is that of p, r', r'', up to the factor −W
+:zh: 混合积与 (p, r', r'') 只差因子 −W
 :given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give; and for
   $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
 :then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
@@ -576,5 +578,43 @@ CLAIM(triple_product_is_that_of_the_point)
         same(T, sum, G(det3)(S, J.r1, J.r2));
     }
 }
+
+#if RATIONAL
+/*
+The factor $-W$ is divided out, and so it must not be 0.
+
+:::{claim} member_of_weight_zero_leaves_the_sum_open
+:title: Where the member has the weight 0, the triple product is 0 and the sum over the points is not
+:zh: 族曲线的权为零时混合积为零而和不为零
+:kind: counterexample
+:data: p = (1,0,0); p' = (0,1,0); p'' = (0,0,1); w = 1; w' = -1; s = 1
+:instead: w' = 1
+:given: $p$, $p'$, $p''$, $w$ and $w'$ of a curve at $t$, $w''=0$, and $s=\frac{\tau-t}{k-1}$
+:let: $W=w+s\,w'$, $A=p+s\,p'$
+:then: $W=0$ and $(r',A,p'')=0$, but $(p,r',r'')\ne0$
+:result: W = 0; (r',A,p'') = 0; (p,r',r'') = 1
+:method: $r'$ and $r''$ by the quotient rule, the triple products as determinants.
+:control: a weight $W$ that is not 0
+:::
+*/
+CLAIM(member_of_weight_zero_leaves_the_sum_open)
+{
+    num p[3], p1[3], p2[3], A[3], r1[3], r2[3], w = given(T, "w"), w1 = given(T, "w'"), s = given(T, "s");
+    given_points(T, "p", 1, 3, p);
+    given_points(T, "p'", 1, 3, p1);
+    given_points(T, "p''", 1, 3, p2);
+    for (int c = 0; c < 3; c++) {
+        A[c] = add(p[c], mul(s, p1[c]));
+        r1[c] = div(sub(p1[c], div(mul(w1, p[c]), w)), w);            /* r' = (p' - w' r) / w     */
+        r2[c] = div(sub(p2[c], mul(from_int(2), mul(w1, r1[c]))), w); /* r'' = (p'' - 2 w' r') / w */
+    }
+    num triple = G(det3)(r1, A, p2), sum = G(det3)(p, r1, r2);
+    found(T, "W", add(w, mul(s, w1)));
+    found(T, "(r',A,p'')", triple);
+    found(T, "(p,r',r'')", sum);
+    about(T, "whether the two triple products vanish together");
+    refute(T, is_zero_q(triple) != is_zero_q(sum));
+}
+#endif
 
 #include "chapters/judge/claims_off.h"

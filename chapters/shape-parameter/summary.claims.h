@@ -818,7 +818,9 @@ CLAIM(second_volume_is_of_the_second_year)
 :zh: 文献 [11] 的曲线次数过高
 :printed: for a polygon of $n+1$ points [11] uses Bernstein polynomials of degree $m=l(n-1)+1$; the geometric meaning of $l$ is vague, and
   the degree is too high for computing
-:holds-by: degree_with_the_parameter_exceeds_that_of_the_polygon
+:reading: degree_with_the_parameter_exceeds_that_of_the_polygon | the degree $m$ exceeds that of a polygon of $n+1$ points: true for
+  $l,n>1$, by $(l-1)(n-1)$
+:reading: that [11] has this degree, that its parameter is vague and its degree too high: no computation decides it, and [11] is not at hand
 
 For $l=1$ it is the Bézier curve of degree $n$; for larger $l$ the degree is higher by a product.  What is vague, and what too high, is not
 said.
