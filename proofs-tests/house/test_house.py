@@ -57,6 +57,10 @@ class Arrows(unittest.TestCase):
                 if parts[0] == "chapters":
                     self.assertIn(parts[1], ("judge", mine), f"{path} includes {inc}")
 
+    def test_no_section_is_longer_than_900_lines(self):
+        for path in sorted((ROOT / "chapters").glob("*/*.claims.h")):
+            self.assertLessEqual(len(path.read_text().splitlines()), 900, f"{path.name}: two themes are two sections")
+
     def test_the_words_of_drawings_are_defined_once(self):
         words = re.findall(r"^static inline \w+ (\w+)\(", (ROOT / "figures/words.h").read_text(), re.M)
         self.assertTrue(words)

@@ -1,4 +1,4 @@
-/* summary.figure.c -- drawings for summary.claims.h. */
+/* surface.figure.c -- drawings for surface.claims.h. */
 #include "chapters/judge/counting.h"
 #include "chapters/shape-parameter/drawing.h"
 
