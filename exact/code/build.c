@@ -1,6 +1,8 @@
 /* build.c -- see build.h. */
 #include "exact/code/build.h"
 
+#include "exact/code/scratch.h"
+
 #include <errno.h>
 #include <spawn.h>
 #include <stdlib.h>
@@ -41,10 +43,10 @@ static int run(char *const word[])
 struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, const char *path, const char *compiler,
                                           size_t room, char message[])
 {
-    char folder[] = "/tmp/cagd-exactly-XXXXXX", driver[64], object[64], *word[MOST_WORDS], *made[MOST_WORDS];
+    char folder[SCRATCH], driver[IN_SCRATCH], object[IN_SCRATCH], *word[MOST_WORDS], *made[MOST_WORDS];
     struct cagd_code_program *p = NULL;
     int words = 0, count = 0, status = -1;
-    if (mkdtemp(folder) == NULL) {
+    if (make_scratch(folder, "cagd-exactly") != 0) {
         snprintf(message, room, "no temporary folder: %s", strerror(errno));
         return NULL;
     }

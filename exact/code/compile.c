@@ -6,6 +6,7 @@
  * FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.  The flags are clang's, for the sources.
  * Messages are clang's own, or one line; the exit code is 0, 1 when a source does not compile, 2 for wrong usage. */
 #include "exact/code/rewrite.h"
+#include "exact/code/scratch.h"
 
 #include <llvm-c/Analysis.h>
 #include <llvm-c/BitReader.h>
@@ -25,7 +26,7 @@ extern char **environ;
 
 enum { MOST_WORDS = 4096, MOST_MEMBERS = 4096 };
 
-static char scratch[] = "/tmp/cagd-code-XXXXXX";
+static char scratch[SCRATCH];
 static LLVMModuleRef everything;
 
 _Noreturn static void give_up(int code, const char *what, const char *about)
@@ -38,7 +39,7 @@ static void remove_scratch(void)
 {
     static const char *const names[] = {"source.bc", "all.bc"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
-        char path[64];
+        char path[IN_SCRATCH];
         snprintf(path, sizeof path, "%s/%s", scratch, names[k]);
         unlink(path);
     }
@@ -172,7 +173,7 @@ static int is_in_a_library(const char *name)
 int main(int argc, char **argv)
 {
     const char *out = NULL;
-    char bitcode[64], all[64];
+    char bitcode[IN_SCRATCH], all[IN_SCRATCH];
     int files = 0, cpp = 0, archives = 0, flags = argc;
     if (argc == 2 && strcmp(argv[1], "--tools") == 0)
         return puts(CAGD_LLVM_BIN) == EOF;
@@ -188,7 +189,7 @@ int main(int argc, char **argv)
     }
     if (out == NULL || files == 0 || argc > MOST_WORDS)
         give_up(2, "usage: cagd-compile-exactly -o OUT.so FILE... [-- FLAG...]", NULL);
-    if (mkdtemp(scratch) == NULL)
+    if (make_scratch(scratch, "cagd-code") != 0)
         give_up(1, "no temporary folder", strerror(errno));
     atexit(remove_scratch);
     snprintf(bitcode, sizeof bitcode, "%s/source.bc", scratch);

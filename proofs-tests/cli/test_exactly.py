@@ -3,6 +3,7 @@
     python3 test_exactly.py CAGD ROOT
 """
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -60,6 +61,13 @@ class Page(Exactly):
         self.assertGreaterEqual(len(shown), 3)
         for one in shown:
             self.assertIn(one, printed.stdout)
+
+    def test_what_is_built_lies_below_tmpdir(self):
+        ran = run(PAGE, env={**os.environ, "TMPDIR": str(self.folder / "missing")})
+        self.assertEqual((ran.returncode, ran.stdout), (2, ""))
+        self.assertIn("no temporary folder: No such file or directory", ran.stderr)
+        run(PAGE, env={**os.environ, "TMPDIR": str(self.folder)})
+        self.assertEqual(list(self.folder.iterdir()), [], "nothing is left")
 
     def test_rounding_names_a_line(self):
         ran = run(PAGE, "--only", "casteljau_is_bernstein", "--rounding=60")
