@@ -268,46 +268,87 @@ void print_claim(const cagd_register *reg, const claim_result *r)
     print_literature(reg, "", r, 1);
 }
 
-/* How many claims a role has. */
-static int count_role(const statement *s, role wanted)
+/* A line "Proved for n = 1 to 6.": what is known of a step. */
+static void print_known(const char *words)
 {
-    int n = 0;
-    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
-        n += l->role == wanted && l->claim != NULL;
-    return n;
+    char *sentence = malloc(strlen(words) + 2);
+    if (sentence == NULL)
+        abort();
+    sprintf(sentence, "%s.", words);
+    sentence[0] = (char)(sentence[0] >= 'a' && sentence[0] <= 'z' ? sentence[0] - 'a' + 'A' : sentence[0]);
+    char *plain = tex_to_text(sentence, 1);
+    paragraph(plain);
+    free(plain), free(sentence);
 }
 
-/* What the claims of a role compute, and why that suffices: each is a step of its kind, with a number where there are more. */
-static void print_steps(const statement *s, role wanted, const claim_result *results, int count)
+/* The steps that lead to a finding: of how many, which one is told. */
+struct steps {
+    const statement *statement;
+    role role; /* of the claims among them */
+    const finding *together;
+    int all, told;
+};
+
+static int is_step(const struct steps *at, const statement_link *l)
 {
-    int number = 0, all = count_role(s, wanted);
-    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
-        const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        if (c == NULL)
-            continue;
-        if (number++ > 0)
-            putchar('\n');
-        char what[64];
-        snprintf(what, sizeof what, "%d  %s", number, kind_name[c->claim->kind]);
-        labelled(all > 1 ? what : kind_name[c->claim->kind], c->claim->title);
-        labelled("given", c->claim->given);
-        labelled("let", c->claim->let);
-        labelled("then", c->claim->then);
-        prose(c->claim->method);
-        labelled("argument", c->claim->argued);
-    }
+    return (l->role == at->role && l->claim != NULL) || l->role == ARGUED || l->role == CITES;
 }
 
-/* The steps that are words: arguments and cited theorems. */
-static void print_words(const statement *s)
+/* "2 identity  The derivative of the product": a step has a number where there are more. */
+static void begin_step(struct steps *at, const char *kind, const char *title)
 {
-    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
-        if (l->role != ARGUED && l->role != CITES)
-            continue;
+    char what[64];
+    if (at->told++ > 0)
         putchar('\n');
-        labelled(l->role == ARGUED ? "argument" : "cited", l->role == CITES ? l->place : "");
-        labelled(l->role == ARGUED && l->place[0] != '\0' ? l->place : "", l->text);
+    snprintf(what, sizeof what, "%d %s", at->told, kind);
+    labelled(at->all > 1 ? what : kind, title);
+}
+
+/* What the claim computes, and why that suffices; how it is known, where that is not what is said of all steps together. */
+static void print_computed_step(struct steps *at, const claim_result *c)
+{
+    finding alone = finding_of(c, at->statement->letter);
+    char *words = finding_words(&alone), *all = finding_words(at->together);
+    begin_step(at, kind_name[c->claim->kind], c->claim->title);
+    if (strcmp(words, all) != 0)
+        print_known(words);
+    labelled("given", c->claim->given);
+    labelled("let", c->claim->let);
+    labelled("then", c->claim->then);
+    prose(c->claim->method);
+    labelled("argument", c->claim->argued);
+    free(words), free(all), free_finding(&alone);
+}
+
+/* An argument, with the cases that it adds, or a cited theorem, with its place. */
+static void print_step_in_words(struct steps *at, const statement_link *l)
+{
+    char title[512] = "";
+    if (l->place[0] != '\0')
+        snprintf(title, sizeof title, "%s%s", l->role == ARGUED ? "for " : "", l->place);
+    if (title[0] != '\0') {
+        begin_step(at, l->role == ARGUED ? "argument" : "cited", title);
+        prose(l->text);
+    } else {
+        begin_step(at, l->role == ARGUED ? "argument" : "cited", l->text);
     }
+}
+
+/* First what was computed, then words. */
+static void print_steps(const statement *s, role wanted, const finding *together, int with_words,
+                        const claim_result *results, int count)
+{
+    struct steps at = {.statement = s, .role = wanted, .together = together};
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
+        at.all += is_step(&at, l) && (l->role == wanted || with_words);
+    for (int words = 0; words <= with_words; words++)
+        for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+            const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+            if (!words && c != NULL)
+                print_computed_step(&at, c);
+            else if (words && (l->role == ARGUED || l->role == CITES))
+                print_step_in_words(&at, l);
+        }
 }
 
 /* "Two identities and an argument in words decide it together." */
@@ -393,6 +434,7 @@ static void print_hypotheses(const statement *s, const claim_result *results, in
     }
 }
 
+/* Which of several readings the text itself has, and by what one knows. */
 static void print_meant(const statement *s)
 {
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
@@ -403,18 +445,100 @@ static void print_meant(const statement *s)
         }
 }
 
-/* The ways to read it, a paragraph each, behind what is known of it. */
+enum reading_state { READING_TRUE, READING_FALSE, READING_OPEN, READING_STATES };
+
+static enum reading_state state_of(const claim_result *c)
+{
+    return c == NULL ? READING_OPEN : c->claim->kind == COUNTEREXAMPLE ? READING_FALSE : READING_TRUE;
+}
+
+/* How a reading is known, in the words of a verdict.  The caller frees. */
+static char *known_of_reading(const statement *s, const claim_result *c)
+{
+    char *text = NULL;
+    if (c == NULL)
+        return strdup("not decided");
+    if (state_of(c) == READING_FALSE) {
+        if (asprintf(&text, "%s by a counterexample", evidence_name[c->evidence]) < 0)
+            abort();
+        return text;
+    }
+    finding f = finding_of(c, s->letter);
+    text = finding_words(&f);
+    free_finding(&f);
+    return text;
+}
+
+/* The ways to read it, with their numbers: behind what is known of it, how. */
 static void print_readings(const statement *s, const claim_result *results, int count)
 {
+    static const char *const told[READING_STATES] = {"true", "false", "open"};
+    int number = 0;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         if (l->role != READING)
             continue;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        char *plain = tex_to_layout(l->text, 1);
-        printf("%*s%-6s", INDENT, "", c == NULL ? "open" : c->claim->kind == COUNTEREXAMPLE ? "false" : "true");
-        put_behind(stdout, plain, INDENT + 6, INDENT + 6, page_width(WIDEST));
-        free(plain);
+        char *known = known_of_reading(s, c), *plain = tex_to_layout(l->text, 1), *how = tex_to_layout(known, 1);
+        printf("%*s%2d  %-7s", INDENT, "", ++number, told[state_of(c)]);
+        put_behind(stdout, plain, INDENT + 11, INDENT + 11, page_width(WIDEST));
+        put_paragraph(stdout, how, INDENT + 11, page_width(WIDEST));
+        free(plain), free(known), free(how);
     }
+}
+
+/* "1, 3 and 4 are true": the readings of one state. */
+static void put_readings_in(FILE *out, const statement *s, enum reading_state wanted, const claim_result *results,
+                            int count)
+{
+    static const char *const told[READING_STATES] = {"true", "false", "not decided"};
+    int all = 0, put = 0, number = 0;
+    for (int pass = 0; pass < 2; pass++, number = 0)
+        for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+            if (l->role != READING)
+                continue;
+            number++;
+            if (state_of(l->claim != NULL ? result_of(l->claim, results, count) : NULL) != wanted)
+                continue;
+            if (pass == 0)
+                all++;
+            else
+                fprintf(out, "%s%d", put == 0 ? "" : put + 1 == all ? " and " : ", ", number), put++;
+        }
+    if (all > 0)
+        fprintf(out, " %s %s", all == 1 ? "is" : "are", told[wanted]);
+}
+
+/* "It can be read in three ways: 1 and 2 are true, 3 is false." */
+static void print_undecided(const statement *s, const claim_result *results, int count)
+{
+    static const char *const number[] = {"one way", "two ways", "three ways", "four ways", "five ways", "six ways"};
+    int of[READING_STATES] = {0}, all = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
+        if (l->role == READING) {
+            of[state_of(l->claim != NULL ? result_of(l->claim, results, count) : NULL)]++;
+            all++;
+        }
+    char *text = NULL;
+    size_t room;
+    FILE *out = open_memstream(&text, &room);
+    if (out == NULL)
+        abort();
+    fputs("It can be read in ", out);
+    if (all >= 1 && all <= 6)
+        fputs(number[all - 1], out);
+    else
+        fprintf(out, "%d ways", all);
+    const char *between = ": ";
+    for (enum reading_state k = 0; k < READING_STATES; k++)
+        if (of[k] > 0) {
+            fputs(between, out);
+            put_readings_in(out, s, k, results, count);
+            between = ", ";
+        }
+    fputs(".", out);
+    fclose(out);
+    paragraph(text);
+    free(text);
 }
 
 static int has_reading(const statement *s)
@@ -428,9 +552,6 @@ static int has_reading(const statement *s)
 /* The numbers that show of a reading that it fails. */
 static void print_failing_readings(const statement *s, const claim_result *results, int count)
 {
-    static const char *const ordinals[] = {"first", "second",  "third",  "fourth", "fifth",
-                                           "sixth", "seventh", "eighth", "ninth",  "tenth"};
-    enum { ORDINALS = sizeof ordinals / sizeof *ordinals };
     int number = 0;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         if (l->role != READING)
@@ -438,7 +559,7 @@ static void print_failing_readings(const statement *s, const claim_result *resul
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (c != NULL && c->claim->kind == COUNTEREXAMPLE && !is_shown_above(s, l)) {
             char text[64];
-            snprintf(text, sizeof text, "Counterexample to the %s reading", ordinals[number % ORDINALS]);
+            snprintf(text, sizeof text, "Counterexample to reading %d", number + 1);
             heading(text);
             prose(c->claim->then);
             print_exhibits(c);
@@ -476,16 +597,17 @@ static void print_finding(const char *before, const finding *f)
 static void print_verdict(const statement_result *r, const claim_result *results, int count)
 {
     static const char *const words[] = {"It holds as printed", "It holds under more hypotheses",
-                                        "It fails as printed", "It can be read in several ways",
+                                        "It fails as printed", "",
                                         "It is open",          "A definition"};
     heading("Verdict");
     if (r->verdict == VERDICT_FAILS)
         printf("%*s%s: %s (%s).\n", INDENT, "", words[r->verdict], class_words(r->statement->class),
                evidence_name[r->as_printed.evidence]);
+    else if (r->verdict == VERDICT_UNDECIDED)
+        print_undecided(r->statement, results, count);
     else
         print_finding(words[r->verdict], &r->as_printed);
-    if (r->verdict == VERDICT_UNDECIDED)
-        print_readings(r->statement, results, count);
+    labelled("An example:", r->statement->example);
 }
 
 void print_statement(const cagd_register *reg, const statement_result *r, const claim_result *results, int count,
@@ -500,7 +622,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
     print_verdict(r, results, count);
     print_hypotheses(s, results, count);
     print_meant(s);
-    if (r->verdict != VERDICT_UNDECIDED && has_reading(s)) {
+    if (has_reading(s)) {
         heading("Ways to read it");
         print_readings(s, results, count);
     }
@@ -510,8 +632,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
         heading("Why");
         print_deciders(s, deciding, results, count);
         putchar('\n');
-        print_steps(s, deciding, results, count);
-        print_words(s);
+        print_steps(s, deciding, &r->as_printed, 1, results, count);
     }
     if (s->corrected[0] != '\0') {
         heading("Corrected");
@@ -519,9 +640,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
         print_finding("It holds", &r->as_corrected);
         print_deciders(s, CORRECTED_BY, results, count);
         putchar('\n');
-        print_steps(s, CORRECTED_BY, results, count);
-        if (r->verdict == VERDICT_FAILS)
-            print_words(s);
+        print_steps(s, CORRECTED_BY, &r->as_corrected, r->verdict == VERDICT_FAILS, results, count);
     }
     if (s->note[0] != '\0') {
         heading("Remarks");

@@ -74,6 +74,31 @@ static json_t *counterexample_json(const claim_result *r)
     return j;
 }
 
+/* A step, or a reading, with how it is known: what the fields `more` say, and the finding of its claim alone. */
+static json_t *with_finding(json_t *more, const statement *s, const claim_result *c)
+{
+    finding f = c != NULL ? finding_of(c, s->letter) : (finding){0};
+    json_object_set_new(more, "evidence", json_string(evidence_name[f.evidence]));
+    json_object_set_new(more, "scope", json_string(f.scope != NULL ? f.scope : ""));
+    json_object_set_new(more, "argued_for", json_string(f.argued_for != NULL ? f.argued_for : ""));
+    free_finding(&f);
+    return more;
+}
+
+/* The claims of a role, each with its own finding. */
+static json_t *steps_json(const statement *s, role wanted, const claim_result *results, int count)
+{
+    json_t *steps = json_array();
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (c != NULL)
+            json_array_append_new(
+                steps,
+                with_finding(json_pack("{s:s, s:s}", "claim", l->claim, "kind", kind_name[c->claim->kind]), s, c));
+    }
+    return steps;
+}
+
 json_t *statement_json(const statement_result *r, const claim_result *results, int count)
 {
     const statement *s = r->statement;
@@ -99,24 +124,26 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
             json_array_append_new(
                 words, json_pack("{s:s, s:s, s:s}", "is", role_key[l->role], "place", l->place, "text", l->text));
         if (l->role == READING)
-            json_array_append_new(readings, json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim,
-                                                      "outcome", c != NULL ? outcome_name[c->outcome] : "not decided"));
+            json_array_append_new(
+                readings, with_finding(json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim, "outcome",
+                                                 c != NULL ? outcome_name[c->outcome] : "not decided"),
+                                       s, c));
     }
-    json_t *printed =
-        json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
-                  evidence_name[r->as_printed.evidence], "scope", r->as_printed.scope, "argued_for",
-                  r->as_printed.argued_for, "class", r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses",
-                  hypotheses, "counterexample", against != NULL ? counterexample_json(against) : json_null(),
-                  "readings", readings, "stated_hypotheses_needed", needed, "words", words);
+    json_t *printed = json_pack(
+        "{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
+        evidence_name[r->as_printed.evidence], "scope", r->as_printed.scope, "argued_for", r->as_printed.argued_for,
+        "class", r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses", hypotheses, "counterexample",
+        against != NULL ? counterexample_json(against) : json_null(), "readings", readings, "stated_hypotheses_needed",
+        needed, "words", words, "steps", steps_json(s, s->is_definition ? CHECKED_BY : HOLDS_BY, results, count));
     json_t *corrected = json_null();
     if (s->corrected[0] != '\0')
-        corrected = json_pack("{s:s, s:s, s:s, s:s, s:s}", "tex", s->corrected, "verdict",
+        corrected = json_pack("{s:s, s:s, s:s, s:s, s:s, s:o}", "tex", s->corrected, "verdict",
                               r->as_corrected.evidence != NO_EVIDENCE ? "holds" : "open", "evidence",
                               evidence_name[r->as_corrected.evidence], "scope", r->as_corrected.scope, "argued_for",
-                              r->as_corrected.argued_for);
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:b}", "id", s->id, "title", s->title,
+                              r->as_corrected.argued_for, "steps", steps_json(s, CORRECTED_BY, results, count));
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:s, s:b}", "id", s->id, "title", s->title,
                      "title_zh", s->title_zh, "printed_tex", s->printed, "chapter", s->chapter, "as_printed", printed,
-                     "corrected", corrected, "claims", claims, "figure", s->figure, "note", s->note, "as_expected",
+                     "corrected", corrected, "claims", claims, "figure", s->figure, "example", s->example, "note", s->note, "as_expected",
                      r->as_expected);
 }
 

@@ -93,6 +93,7 @@ typedef struct trial {
 typedef struct claim {
     const char *name, *title, *title_zh, *given, *let, *then, *method, *control, *scope;
     const char *letter, *over; /* of the degrees; what the variables of the field stand for: see scope.c         */
+    const char *within;        /* which phrases of scopes are narrower than which: see scope.h; NULL for none     */
     const char *argued_for, *argued; /* the cases that an argument in words adds, and the argument; see ARGUED    */
     const char *defines; /* the kernels whose definitional claim this is: its other side shares no code with them */
     const char *chapter, *file;
@@ -129,6 +130,7 @@ typedef struct statement_link {
 
 typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
+    const char *example; /* why one instance decides what is printed in general words, or empty */
     const char *letter; /* that its source has for degrees; "k" for orders; NULL: n */
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */

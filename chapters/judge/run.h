@@ -60,7 +60,7 @@ extern const char *const verdict_name[];
 /* What claims together decided. */
 typedef struct finding {
     evidence evidence; /* the weakest that is needed; BY_ARGUMENT where words or a cited theorem are needed     */
-    char *scope;       /* what the scopes of all claims that are needed have in common, in words                */
+    char *scope;       /* what the scopes of all claims that are needed have in common, in words; see scope.h   */
     char *argued_for;  /* the cases that arguments in words add, or empty                                       */
 } finding;
 
@@ -76,7 +76,12 @@ typedef struct statement_result {
 /* The caller owns what is in the result: free_statement_result. */
 statement_result derive(const statement *s, const claim_result *results, int count);
 void free_statement_result(statement_result *r);
-/* "proved for n = 1 to 6; argued for every n": in words; "" without evidence.  The caller frees. */
+/* What one claim decided, as one step of several or as a reading, in the letter of the source; NULL: n.  The caller owns what
+ * is in it: free_finding. */
+finding finding_of(const claim_result *c, const char *letter);
+void free_finding(finding *f);
+/* "proved for n = 1 to 6; argued for every n", "argued for every n; computed for n = 1 to 6": in words; "" without evidence.
+ * The caller frees. */
 char *finding_words(const finding *f);
 const claim_result *result_of(const char *claim_name, const claim_result *results, int count);
 #endif

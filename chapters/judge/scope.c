@@ -37,13 +37,91 @@ static void meet_range(scope *s, whole_range r)
     s->range[s->ranges++] = r;
 }
 
-static void meet_phrase(scope *s, const char *text, size_t n)
+static void add_phrase(scope *s, const char *text, size_t n)
 {
-    for (int k = 0; k < s->phrases; k++)
-        if (strlen(s->phrase[k]) == n && strncmp(s->phrase[k], text, n) == 0)
-            return;
     s->phrase = one_more(s->phrase, s->phrases, sizeof *s->phrase);
     s->phrase[s->phrases++] = copy_of(text, n);
+}
+
+/* Whether the next n characters are that text. */
+static int is_text(const char *at, size_t n, const char *text)
+{
+    return strlen(text) == n && strncmp(at, text, n) == 0;
+}
+
+/* Whether the table has the row "narrow | wide". */
+static int is_declared(const char *table, const char *narrow, const char *wide)
+{
+    for (const char *row = table; row != NULL && *row != '\0'; row += strspn(row, "; ")) {
+        size_t end = strcspn(row, ";"), n = strcspn(row, "|");
+        const char *right = row + n + 1;
+        if (n < end) {
+            right += strspn(right, " ");
+            while (n > 0 && row[n - 1] == ' ')
+                n--;
+            if (is_text(row, n, narrow) && is_text(right, (size_t)(row + end - right), wide))
+                return 1;
+        }
+        row += end;
+    }
+    return 0;
+}
+
+/* Whether all cases of a phrase are cases of another one. */
+static int is_within(const scope *s, const scope *other, const char *narrow, const char *wide)
+{
+    return strcmp(narrow, wide) == 0 || is_declared(s->within, narrow, wide) ||
+           is_declared(other->within, narrow, wide);
+}
+
+/* Whether some phrase of s has no counterpart in the other scope, none that is the same, narrower or wider. */
+static int has_phrase_alone(const scope *s, const scope *other)
+{
+    for (int k = 0; k < s->phrases; k++) {
+        int known = 0;
+        for (int m = 0; m < other->phrases && !known; m++)
+            known = is_within(s, other, s->phrase[k], other->phrase[m]) ||
+                    is_within(s, other, other->phrase[m], s->phrase[k]);
+        if (!known)
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether it is that of something stated once: a curve, a polygon, some numbers. */
+static int is_one_instance(const scope *s)
+{
+    static const char stated[] = "the stated ";
+    for (int k = 0; k < s->phrases; k++)
+        if (strncmp(s->phrase[k], stated, sizeof stated - 1) == 0)
+            return s->ranges == 0 && s->kinds == 0;
+    return 0;
+}
+
+static int is_every_case(const scope *s) { return s->ranges == 0 && s->phrases == 0 && s->kinds == 0; }
+
+static int are_apart(const scope *s, const scope *other)
+{
+    if (is_every_case(s) || is_every_case(other))
+        return 0;
+    return (has_phrase_alone(s, other) && has_phrase_alone(other, s)) || is_one_instance(s) != is_one_instance(other);
+}
+
+/* Of phrases that can be compared the narrower one is left. */
+static void meet_phrases(scope *s, const scope *other)
+{
+    for (int m = 0; m < other->phrases; m++) {
+        int asked = 0;
+        for (int k = 0; k < s->phrases && !asked; k++) {
+            asked = is_within(s, other, s->phrase[k], other->phrase[m]);
+            if (!asked && is_within(s, other, other->phrase[m], s->phrase[k])) {
+                free(s->phrase[k]);
+                s->phrase[k--] = s->phrase[--s->phrases];
+            }
+        }
+        if (!asked)
+            add_phrase(s, other->phrase[m], strlen(other->phrase[m]));
+    }
 }
 
 /* What one claim takes to be positive and another one takes as it comes is positive. */
@@ -64,10 +142,12 @@ static void meet_quantity(scope *s, const char *noun, size_t n, int many, int po
 
 void meet_scope(scope *s, const scope *other)
 {
+    s->apart |= other->apart || are_apart(s, other);
+    meet_phrases(s, other);
+    if (s->within == NULL)
+        s->within = other->within;
     for (int k = 0; k < other->ranges; k++)
         meet_range(s, other->range[k]);
-    for (int k = 0; k < other->phrases; k++)
-        meet_phrase(s, other->phrase[k], strlen(other->phrase[k]));
     for (int k = 0; k < other->kinds; k++) {
         const quantity *q = &other->data[k];
         meet_quantity(s, q->noun, q->noun != NULL ? strlen(q->noun) : 0, q->many, q->positive);
@@ -182,7 +262,7 @@ static whole_range range_of(const claim *c, int low, int high)
 scope scope_of(const claim_result *r)
 {
     const claim *c = r->claim;
-    scope s = {0};
+    scope s = {.within = c->within};
     number_type t = 0; /* the types stand in the order of their strength */
     while (t < NUMBER_TYPES && !r->by[t].ran)
         t++;
@@ -196,7 +276,7 @@ scope scope_of(const claim_result *r)
         meet_range(&s, range_of(c, b->degree_low, b->degree_high));
     for (const char *at = c->scope; *at != '\0'; at += strspn(at, "; ")) {
         size_t n = strcspn(at, ";");
-        meet_phrase(&s, at, n);
+        add_phrase(&s, at, n);
         at += n;
     }
     if (computed == PROVED && b->variables != NULL)
@@ -204,7 +284,7 @@ scope scope_of(const claim_result *r)
     else if (computed == SAMPLED || computed == MEASURED || computed == ENCLOSED)
         s.instances = b->cases;
     else if (s.ranges == 0 && s.phrases == 0)
-        meet_phrase(&s, "the stated instance", strlen("the stated instance"));
+        add_phrase(&s, "the stated instance", strlen("the stated instance"));
     return s;
 }
 
@@ -240,14 +320,36 @@ static const char *letter_in_print(const char *noun)
     return noun;
 }
 
+/* Whether a phrase says for which values of a letter: "0 < t < 1" does for t, "every β > 1" for β. */
+static int has_relation_of(const scope *s, const char *letter)
+{
+    size_t n;
+    for (int k = 0; k < s->phrases; k++) {
+        if (strpbrk(s->phrase[k], "<>") == NULL && strstr(s->phrase[k], "≤") == NULL &&
+            strncmp(s->phrase[k], "every ", 6) != 0)
+            continue;
+        for (const char *p = s->phrase[k]; (p = next_word(p, &n)) != NULL; p += n)
+            if (is_text(p, n - (p[n - 1] == ','), letter))
+                return 1;
+    }
+    return 0;
+}
+
+/* Whether data are put among those that are many or single, positive or not: a letter is not of which a phrase speaks. */
+static int is_put_among(const scope *s, const quantity *q, int many, int positive)
+{
+    return q->noun != NULL && q->many == many && q->positive == positive &&
+           (many || !has_relation_of(s, letter_in_print(q->noun)));
+}
+
 /* "all points and weights": the named data that are many or single, positive or not. */
 static int put_nouns(FILE *out, const scope *s, int many, int positive, int first)
 {
     int count = 0, put = 0;
     for (int k = 0; k < s->kinds; k++)
-        count += s->data[k].noun != NULL && s->data[k].many == many && s->data[k].positive == positive;
+        count += is_put_among(s, &s->data[k], many, positive);
     for (int k = 0; k < s->kinds && count > 0; k++)
-        if (s->data[k].noun != NULL && s->data[k].many == many && s->data[k].positive == positive) {
+        if (is_put_among(s, &s->data[k], many, positive)) {
             if (put == 0)
                 fprintf(out, "%s%s%s", first ? "" : ", ", many ? "all" : "every", positive ? " positive" : "");
             fprintf(out, "%s %s", put == 0 ? "" : put + 1 == count ? " and" : ",", letter_in_print(s->data[k].noun));
@@ -256,39 +358,59 @@ static int put_nouns(FILE *out, const scope *s, int many, int positive, int firs
     return first && count == 0;
 }
 
-static void put_data(FILE *out, const scope *s)
+/* Returns whether there was anything to say. */
+static int put_data(FILE *out, const scope *s)
 {
     int first = put_nouns(out, s, 1, 0, 1);
     first = put_nouns(out, s, 1, 1, first);
     first = put_nouns(out, s, 0, 0, first);
     first = put_nouns(out, s, 0, 1, first);
     for (int k = 0; k < s->kinds; k++)
-        if (s->data[k].noun == NULL)
+        if (s->data[k].noun == NULL) {
             fprintf(out, "%sall %s%sdata", first ? "" : ", ", first ? "" : "other ",
                     s->data[k].positive ? "positive " : "");
+            first = 0;
+        }
+    if (!first && s->hypothetical)
+        fputs(" that the hypotheses allow", out);
+    return !first;
 }
+
+/* What follows is behind "; " unless it is the first. */
+static void put_between(FILE *out) { fputs(ftell(out) > 0 ? "; " : "", out); }
 
 char *scope_words(const scope *s, const char *letter)
 {
-    char *text = NULL;
-    size_t room = 0;
-    FILE *out = open_memstream(&text, &room);
-    if (out == NULL)
+    char *text = NULL, *data = NULL;
+    size_t room = 0, of_data = 0;
+    FILE *out = open_memstream(&text, &room), *all = open_memstream(&data, &of_data);
+    if (out == NULL || all == NULL)
         abort();
-    const char *between = "";
-    for (int k = 0; k < s->ranges; k++, between = "; ") {
-        fputs(between, out);
+    int any_data = put_data(all, s);
+    fclose(all);
+    for (int k = 0; k < s->ranges; k++) {
+        if (s->apart && s->range[k].letter[0] != '\0')
+            continue;
+        put_between(out);
         put_range(out, &s->range[k], letter);
     }
-    for (int k = 0; k < s->phrases; k++, between = "; ")
-        fprintf(out, "%s%s", between, s->phrase[k]);
-    if (s->kinds > 0) {
-        fputs(between, out);
-        put_data(out, s);
-        between = "; ";
+    for (int k = 0; k < s->phrases && !s->apart; k++) {
+        put_between(out);
+        fputs(s->phrase[k], out);
     }
-    if (s->instances > 0)
-        fprintf(out, "%s%d random instances", between, s->instances);
+    if (any_data && !s->apart) {
+        put_between(out);
+        fputs(data, out);
+    }
+    if (s->apart) {
+        put_between(out);
+        fputs("each step for its own cases", out);
+    }
+    if (s->instances > 0) {
+        put_between(out);
+        fprintf(out, "%d random instances", s->instances);
+    }
     fclose(out);
+    free(data);
     return text;
 }

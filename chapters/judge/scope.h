@@ -4,6 +4,11 @@
  * is true, and the data are whatever they are, the weights as long as they are positive.  What needs several claims was
  * decided for the cases that all of them were decided for: for the intersection of their scopes.
  *
+ * Of two phrases one may be the narrower: the option `within` of a chapter's letters says of which, "simple knots | every
+ * pattern of the knots".  The narrower one is left.  Where each of two claims has a phrase with which the other one's cannot
+ * be compared, they are about different things, steps of a proof for instance, and their scopes are apart: the degree
+ * alone is common to them, and every step is told with its own.  So are one instance and a range of cases.
+ *
  * The degree has one range, whatever letter it has: a source of letter k counts orders, which are one more.  Another letter
  * of the option `degrees` is a number of its own. */
 #ifndef CAGD_SCOPE_H
@@ -29,7 +34,11 @@ typedef struct scope {
     char **phrase;
     quantity *data;
     int ranges, phrases, kinds;
-    int instances; /* random instances; 0 where nothing was sampled */
+    int instances;    /* random instances; 0 where nothing was sampled                          */
+    int apart;        /* of several claims, about different things                                 */
+    int hypothetical; /* 1 where hypotheses say which data are meant                               */
+    const char
+        *within; /* "narrow | wide; narrow | wide": which phrases are narrower, as the chapters declare; or NULL */
 } scope;
 
 /* Of a claim: made from what was run in the type that gives the claim its evidence. */

@@ -79,6 +79,27 @@ static finding found(struct gathering *g, const char *letter, int said_of_all)
     return f;
 }
 
+void free_finding(finding *f)
+{
+    free(f->scope), free(f->argued_for);
+    *f = (finding){0};
+}
+
+finding finding_of(const claim_result *c, const char *letter)
+{
+    struct gathering g = {.weakest = PROVED};
+    add_claim(&g, c);
+    return found(&g, letter, 0);
+}
+
+/* "proved for n = 1 to 6"; "proved, each step for its own cases". */
+static void put_known(FILE *out, const char *how, const char *cases)
+{
+    static const char apart[] = "each step ";
+    int is_apart = strncmp(cases, apart, sizeof apart - 1) == 0;
+    fprintf(out, "%s%s%s", how, cases[0] == '\0' ? "" : is_apart ? ", " : " for ", cases);
+}
+
 char *finding_words(const finding *f)
 {
     char *text = NULL;
@@ -86,10 +107,19 @@ char *finding_words(const finding *f)
     FILE *out = open_memstream(&text, &room);
     if (out == NULL)
         abort();
-    if (f->evidence != NO_EVIDENCE) {
-        fprintf(out, "%s%s%s", evidence_name[f->evidence], f->scope[0] != '\0' ? " for " : "", f->scope);
-        if (f->argued_for[0] != '\0')
-            fprintf(out, "; %s for %s", evidence_name[BY_ARGUMENT], f->argued_for);
+    const char *how = evidence_name[f->evidence], *argued = evidence_name[BY_ARGUMENT];
+    if (f->evidence == BY_ARGUMENT && is_given(f->argued_for)) {
+        put_known(out, how, f->argued_for);
+        if (is_given(f->scope)) {
+            fputs("; ", out);
+            put_known(out, "computed", f->scope);
+        }
+    } else if (f->evidence != NO_EVIDENCE) {
+        put_known(out, how, f->scope);
+        if (is_given(f->argued_for)) {
+            fputs("; ", out);
+            put_known(out, argued, f->argued_for);
+        }
     }
     fclose(out);
     return text;
@@ -167,6 +197,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
         } else if (link->role == CITES) {
             weaken(truth, BY_ARGUMENT);
         }
+    truth->scope.hypothetical = n.of[HYPOTHESIS] + n.of[NEEDS] > 0;
     r.as_expected &= !is_empty_scope(&printed.scope) && !is_empty_scope(&corrected.scope);
     r.as_printed = found(&printed, s->letter, said_of_all);
     r.as_corrected = found(&corrected, s->letter, said_of_all);
@@ -185,7 +216,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
 
 void free_statement_result(statement_result *r)
 {
-    free(r->as_printed.scope), free(r->as_printed.argued_for);
-    free(r->as_corrected.scope), free(r->as_corrected.argued_for);
+    free_finding(&r->as_printed);
+    free_finding(&r->as_corrected);
     *r = (statement_result){0};
 }

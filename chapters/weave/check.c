@@ -135,18 +135,31 @@ static void check_links(const struct book *book, const struct block *b)
     }
 }
 
-/* Where a reading fails and claims decide that the statement holds, it is said what the text itself means. */
+/* The words of a reading do not say otherwise than its claim. */
+static void check_words_of_reading(const struct block *b, int line, int fails, const char *text)
+{
+    int says_true = strstr(text, ": true") != NULL && strstr(text, "false") == NULL;
+    int says_false = strstr(text, ": false") != NULL && strstr(text, "true") == NULL;
+    if (fails ? says_true : says_false)
+        complain(b->file, line, "'%s': by its claim the reading is %s", b->name, fails ? "false" : "true");
+}
+
+/* Where a reading fails it is said what the text itself means, unless readings are all that is known. */
 static void check_readings(const struct book *book, const struct block *b)
 {
-    if (value_of(b, "meant") != NULL || value_of(b, "hypothesis") != NULL || value_of(b, "holds-by") == NULL)
-        return;
+    int decided =
+        value_of(b, "holds-by") != NULL || value_of(b, "refuted-by") != NULL || value_of(b, "definition") != NULL;
+    int told = value_of(b, "meant") != NULL || !decided;
     for (int k = 0; k < b->options; k++) {
         struct link link = read_link(b->option[k].value, CLAIM_TEXT);
-        if (role_of(b->option[k].key) != READING || link.claim == NULL)
+        const struct block *target = link.claim != NULL ? block_named(book, link.claim, CLAIM_BLOCK) : NULL;
+        if (role_of(b->option[k].key) != READING || target == NULL)
             continue;
-        const struct block *target = block_named(book, link.claim, CLAIM_BLOCK);
-        if (target != NULL && kind_of(target) == COUNTEREXAMPLE)
-            complain(b->file, b->option[k].line, "'%s' holds, and so read it fails: which reading is meant?", b->name);
+        int fails = kind_of(target) == COUNTEREXAMPLE;
+        check_words_of_reading(b, b->option[k].line, fails, link.text);
+        if (fails && !told)
+            complain(b->file, b->option[k].line, "'%s' is decided, and so read it fails: which reading is meant?",
+                     b->name);
     }
 }
 
@@ -166,8 +179,8 @@ static void check_statement(const struct book *book, const struct block *b)
 #define CLASS(name) name,
     static const char *const classes[] = {CLASS_LIST(CLASS) NULL};
 #undef CLASS
-    static const char *const known[] = {"title",  "zh",         "printed",  "class", "corrected",
-                                        "figure", "definition", "striking", NULL};
+    static const char *const known[] = {"title",  "zh",         "printed",  "class",   "corrected",
+                                        "figure", "definition", "striking", "example", NULL};
     static const char *const needed[] = {"title", "zh", "printed", NULL};
     check_keys(b, known, role_keys, needed);
     const char *class = value_of(b, "class"), *figure = value_of(b, "figure");
@@ -193,11 +206,40 @@ static void check_source(const struct block *b)
     check_keys(b, known, none, needed);
 }
 
-/* The letters of a chapter: what the variables of its claims stand for, unless a claim says otherwise. */
-static void check_letters(const struct block *b)
+/* Whether the n characters are a phrase of the scope of some claim. */
+static int is_phrase(const struct book *book, const char *text, size_t n)
 {
-    static const char *const known[] = {"over", "degree", NULL}, *const none[] = {NULL};
-    check_keys(b, known, none, none);
+    for (int k = 0; k < book->blocks; k++) {
+        const char *scope = book->block[k].kind == CLAIM_BLOCK ? value_of(&book->block[k], "scope") : NULL;
+        for (const char *at = scope; at != NULL && *at != '\0'; at += strspn(at, "; ")) {
+            size_t m = strcspn(at, ";");
+            if (m == n && strncmp(at, text, n) == 0)
+                return 1;
+            at += m;
+        }
+    }
+    return 0;
+}
+
+/* "narrow | wide": two phrases of scopes. */
+static void check_within(const struct book *book, const struct block *b, const struct option *o)
+{
+    struct link row = read_link(o->value, PLACE_TEXT);
+    if (row.place == NULL || !is_phrase(book, row.place, strlen(row.place)) ||
+        !is_phrase(book, row.text, strlen(row.text)))
+        complain(b->file, o->line, "what is within is written as narrow | wide, two phrases of scopes: '%s'", o->value);
+}
+
+/* The letters of a chapter: what the variables of its claims stand for, unless a claim says otherwise; and which phrases of
+ * their scopes are narrower than which. */
+static void check_letters(const struct book *book, const struct block *b)
+{
+    static const char *const known[] = {"over", "degree", NULL}, *const rows[] = {"within", NULL},
+                             *const none[] = {NULL};
+    check_keys(b, known, rows, none);
+    for (int k = 0; k < b->options; k++)
+        if (strcmp(b->option[k].key, "within") == 0)
+            check_within(book, b, &b->option[k]);
     if (strcmp(b->name, b->chapter) != 0)
         complain(b->file, b->line, "the letters of chapter '%s' are called '%s'", b->chapter, b->name);
 }
@@ -211,7 +253,7 @@ void check_book(const struct book *book)
         else if (b->kind == STATEMENT_BLOCK)
             check_statement(book, b);
         else if (b->kind == LETTERS_BLOCK)
-            check_letters(b);
+            check_letters(book, b);
         else
             check_source(b);
         if (block_named(book, b->name, b->kind) != b)

@@ -92,6 +92,17 @@ static const char *letter_of(const struct book *book, const struct block *b, con
     return d->letter[0] != '\0' ? d->letter : letter;
 }
 
+/* Which phrases of scopes are narrower than which: what the letters of the chapter declare, a row each. */
+static char *within_of(const struct book *book, const struct block *b)
+{
+    const struct block *letters = block_named(book, b->chapter, LETTERS_BLOCK);
+    char *rows = whole_copy("");
+    for (int k = 0; letters != NULL && k < letters->options; k++)
+        if (strcmp(letters->option[k].key, "within") == 0)
+            rows = joined(rows, ';', letters->option[k].value);
+    return rows;
+}
+
 static void put_argument(FILE *out, const char *argued)
 {
     struct link link = read_link(argued != NULL ? argued : "", PLACE_TEXT);
@@ -116,6 +127,7 @@ static void put_claim(FILE *out, const struct book *book, const struct block *b,
     put_option(out, "defines", b, "defines");
     put_field(out, "over", over_of(book, b));
     put_field(out, "letter", letter_of(book, b, &d));
+    put_field(out, "within", within_of(book, b));
     put_argument(out, value_of(b, "argued"));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
@@ -201,6 +213,7 @@ static void put_statement(FILE *out, const struct book *book, const struct block
     put_option(out, "class", b, "class");
     put_option(out, "corrected", b, "corrected");
     put_option(out, "figure", b, "figure");
+    put_option(out, "example", b, "example");
     put_field(out, "note", b->note);
     put_field(out, "letter", letter_of_source(book, b));
     put_field(out, "chapter", b->chapter);

@@ -69,9 +69,31 @@ class Words(unittest.TestCase):
     def test_readings_say_first_what_is_true(self):
         page = show("wang-ch3:thm-3.3.2")
         verdict = page.split("\nVerdict\n")[1].split("\n\n")[0]
-        self.assertEqual([line.split()[0] for line in verdict.splitlines()[1:] if re.match(r"    \S", line)],
-                         ["true", "false", "false"])
-        self.assertIn("Counterexample to the second reading", page)
+        self.assertEqual(verdict.strip(), "It can be read in three ways: 1 is true, 2 and 3 are false.")
+        ways = page.split("\nWays to read it\n")[1].split("\n\n")[0]
+        self.assertEqual(re.findall(r"(?m)^     (\d+)  (true|false|open) ", ways), [("1", "true"), ("2", "false"), ("3", "false")])
+        self.assertIn("Counterexample to reading 2", page)
+
+    def test_a_reading_is_told_with_its_evidence(self):
+        """As a claim that decides a statement is: by what, and for which cases."""
+        ways = show("wang-ch4:cor-4.3.1-bezier").split("\nWays to read it\n")[1].split("\n\n")[0]
+        found = [" ".join(way.split()) for way in re.split(r"(?m)^     \d+  ", ways)[1:]]
+        self.assertRegex(found[0], r"^true .* proved for k = 2 to \d+; \(k-1\)-fold ends of the span; .*all weights, points and knots")
+        self.assertRegex(found[1], r"^true .* proved for k = 3 to \d+; ")
+        self.assertRegex(found[2], r"^false .* decided by a counterexample$")
+
+    def test_steps_are_told_with_evidence_of_their_own(self):
+        """Where it is not that of the verdict; the verdict has what is common to them."""
+        page = show("wang-ch4:thm-4.2.2-step-contradiction").split("\nVerdict\n")[1]
+        self.assertIn("each step for its own cases", " ".join(page.split("\n\n")[0].split()))
+        steps = re.split(r"(?m)^    \d+ (?:identity|decision|argument|cited) ", page.split("\nWhy\n")[1])[1:]
+        computed = [" ".join(step.split()) for step in steps if "\n    given " in step]
+        self.assertGreater(len(computed), 1)
+        for step in computed:
+            self.assertRegex(step, r"(Proved|Decided) for .* given ")
+        alone = next(s["id"] for s in REGISTER["statements"] if "meant" not in s["has"] and "needs" not in s["has"] and
+                     "hypothesis" not in s["has"] and len(" ".join(s["has"].get("holds-by", [])).split()) == 1)
+        self.assertNotRegex(show(alone).split("\nWhy\n")[1], r"(?m)^    Proved for ")
 
     def test_a_comparison_is_a_sentence(self):
         page = show("hu-1987:1-4-torsion-first-determinant")

@@ -19,6 +19,7 @@ INDEX = """# A chapter (一章)
 :::{letters} chapter
 :over: t
 :degree: p
+:within: the interval | all intervals
 :::
 
 ```{toctree}
@@ -47,6 +48,7 @@ FIRST = r"""/*
 :argued: every n | by induction
 :cites: a book | a theorem
 :figure: picture
+:example: it stands for all
 :striking: 2
 
 A remark: with a colon.
@@ -124,6 +126,7 @@ CLAIM(range_is_decided)
 :given: n
 :then: it holds
 :method: n is a variable
+:scope: all intervals; 0 < t < 1
 :degrees: all from 3
 :control: n + 1
 :::
@@ -204,7 +207,7 @@ class Good(Weaving):
         self.assertIn(".kind = IDENTITY, .degree_low = 1, .degree_high = 6, .degree_sampled = 12, .all_degrees = 0", c)
         self.assertIn('.defines = "kernel", .over = "h#: lengths;t", .letter = "k"', c)
         self.assertIn('.argued_for = "every k", .argued = "by words"', c)
-        self.assertIn('.over = "t", .letter = "p"', self.claim(text, "every_degree"))
+        self.assertIn('.over = "t", .letter = "p", .within = "the interval | all intervals"', self.claim(text, "every_degree"))
         self.assertIn(f'.file = "chapter/first.claims.h", .line = {line_of(FIRST, ":::{claim} sum_is_zero")},', c)
         self.assertIn("[FIELD_TYPE] = claim_sum_is_zero_f, [RATIONAL_TYPE] = claim_sum_is_zero_q, }}", c)
         self.assertIn(".kind = COUNTEREXAMPLE", self.claim(text, "ratio_fails"))
@@ -227,6 +230,7 @@ class Good(Weaving):
         self.assertIn(r'.printed = "a=b, \\ b=\"c\""', text)
         self.assertIn('.note = "A remark: with a colon."', text)
         self.assertIn(".is_definition = 0, .striking = 2", text)
+        self.assertIn('.example = "it stands for all"', text)
 
     def test_claims_of_types_that_are_not_compiled_are_left_out(self):
         text = self.register(types="double")
@@ -315,6 +319,11 @@ class BadWords(Weaving):
     def test_letters_are_those_of_their_chapter(self):
         self.spoiled("index.md", ":::{letters} chapter", ":::{letters} other", "chapter")
         self.spoiled("index.md", ":degree: p", ":degre: p", "unknown option")
+
+    def test_what_is_within_are_two_phrases_of_scopes(self):
+        row = ":within: the interval | all intervals"
+        for bad in "the interval", "the interval | every interval", "interval | all intervals", " | all intervals", "the interval |":
+            self.spoiled("index.md", row, f":within: {bad}", "narrow | wide")
 
 
 class BadData(Weaving):
@@ -455,14 +464,25 @@ class BadLinks(Weaving):
                      at=":needs: ratio_fails | a")
 
     def test_a_reading_that_fails(self):
-        text = FIRST.replace(":hypothesis: ratio_fails | a hypothesis that is not\n", "")
-        text = text.replace(":reading: a way to read it", ":reading: ratio_fails | a way to read it")
-        self.write("first.claims.h", text)
-        self.assertEqual(self.weave().returncode, 0)
-        text = text.replace(":meant: the title | what is meant\n", "")
-        self.write("first.claims.h", text)
+        """Of a statement that is decided it is said what is meant, whether it holds, fails, is conditional or a definition."""
+        failing = FIRST.replace(":reading: a way to read it", ":reading: ratio_fails | a way to read it")
+        unsaid = failing.replace(":meant: the title | what is meant\n", "")
+        alone = unsaid.replace(":hypothesis: ratio_fails | a hypothesis that is not\n", "")
+        refuted = FIRST.replace(":class: false\n", ":class: false\n:reading: ratio_fails | a way\n")
+        defined = alone.replace(":holds-by: sum_is_zero", ":definition: yes")
+        undecided = alone.replace(":holds-by: sum_is_zero\n", "")
+        for text in failing, undecided:
+            self.write("first.claims.h", text)
+            self.assertEqual(self.weave().returncode, 0)
         (self.root / "register.c").unlink()
-        self.refused("first.claims.h", line_of(text, ":reading: ratio_fails"), "which reading is meant")
+        for text in unsaid, alone, refuted, defined:
+            self.write("first.claims.h", text)
+            self.refused("first.claims.h", line_of(text, ":reading: ratio_fails"), "which reading is meant")
+
+
+    def test_words_of_a_reading_agree_with_its_claim(self):
+        self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: ratio_fails | one way: true", "is false")
+        self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: sum_is_zero | one way: false", "is true")
 
 
 class BadChapters(Weaving):

@@ -118,7 +118,7 @@ enum { GOOD = 7 };
 
 #define STATEMENT(of, in_source, at, its_class, correction, about, drawn)                                              \
     .id = in_source ":" of, .title = "Title of " of, .title_zh = "命题", .printed = "x = " of, .class = its_class,     \
-    .corrected = correction, .figure = drawn, .note = about, .letter = "n", .chapter = "first",                        \
+    .corrected = correction, .figure = drawn, .example = "", .note = about, .letter = "n", .chapter = "first",         \
     .file = "chapters/first/one.claims.h", .line = at
 #define LINKS(...)                                                                                                     \
     (const statement_link[])                                                                                           \
@@ -459,10 +459,12 @@ static void pages_say(void **state)
         const char *id, *says[6];
     } list[] = {
         {"book:1",
-         {"It holds as printed: argued for the stated instance",
+         {"It holds as printed: argued, each step for its own cases.",
+          "Proved for all points, all other positive data.", "Argued for the stated instance.",
           "An identity, a decision and an argument in words decide it together."}},
         {"book:2",
-         {"It fails as printed: a misprint (decided).", "It holds: argued for the stated instance; argued for every n.",
+         {"It fails as printed: a misprint (decided).",
+          "It holds: argued for every n; computed for the stated instance.",
           "A decision and two arguments in words decide it together.", "because"}},
         {"book:3",
          {"It holds under more hypotheses: sampled for 24 random instances.", "An identity decides it.", "x > 0",
@@ -471,7 +473,9 @@ static void pages_say(void **state)
          {"A definition: argued for the stated instance.",
           "A decision, an argument in words and a cited theorem decide it together.", "a theorem"}},
         {"paper:5", {"A definition."}},
-        {"paper:6", {"It can be read in several ways.", "one way", "another way"}},
+        {"paper:6",
+         {"It can be read in two ways: 2 is true, 1 is false.", "1 false one way decided by a counterexample",
+          "2 true another way proved for all points, all other positive data"}},
         {"paper:7", {"It holds as printed: sampled for 24 random instances.", "the other"}},
         {"paper:8", {"It fails as printed: false (decided)."}},
         {"three_is_four",

@@ -869,7 +869,8 @@ static void test_result_of(void **state)
 /* ---- Scopes ------------------------------------------------------------------------------------------ */
 
 static char weighted_names[] = "x0 w1 t", weighted_positive[] = "w1", plain_names[] = "x3 w0 beta0", odd_names[] = "h7",
-            no_names[] = "";
+            no_names[] = "", one_weight[] = "w0 t";
+static const char order[] = "simple knots | every pattern of knots; 0 < t < 1 | 0 ≤ t ≤ 1";
 static const claim weighted = {.name = "weighted",
                                .scope = "simple knots",
                                .over = "x#: points; w#: weights;t",
@@ -879,7 +880,11 @@ static const claim weighted = {.name = "weighted",
                    stretched = {.name = "stretched", .scope = "", .argued_for = "every n", .argued = "by induction"},
                    worded = {.name = "worded", .scope = "", .argued_for = "", .argued = "by continuity"},
                    said = {.name = "said", .scope = "0 < t < 1", .over = "x#: points; w: -"},
-                   high = {.name = "high", .scope = ""}, instances = {.name = "instances", .scope = ""};
+                   high = {.name = "high", .scope = ""}, instances = {.name = "instances", .scope = ""},
+                   inside = {.name = "inside", .scope = "0 < t < 1", .over = "w#: weights; t", .within = order},
+                   closed = {.name = "closed", .scope = "0 ≤ t ≤ 1", .over = "w#: weights; t", .within = order},
+                   patterns = {.name = "patterns", .scope = "every pattern of knots", .within = order},
+                   stated = {.name = "stated", .scope = "the stated curves"};
 #define RUN_IN_FIELD(c, low, high_, names, positive_names)                                                             \
     {                                                                                                                  \
         .claim = &c, .as_expected = 1, .evidence = PROVED, .computed = PROVED,                                         \
@@ -895,6 +900,14 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(worded, 1, 4, no_names, no_names),
     RUN_IN_FIELD(high, 7, 8, no_names, no_names),
     RUN_IN_FIELD(said, 0, 0, plain_names, no_names),
+    RUN_IN_FIELD(inside, 0, 0, one_weight, no_names),
+    RUN_IN_FIELD(closed, 1, 4, one_weight, no_names),
+    RUN_IN_FIELD(patterns, 1, 3, no_names, no_names),
+    {.claim = &stated,
+     .as_expected = 1,
+     .evidence = DECIDED,
+     .computed = DECIDED,
+     .by = {[RATIONAL_TYPE] = {.ran = 1}}},
     {.claim = &instances,
      .as_expected = 1,
      .evidence = SAMPLED,
@@ -943,6 +956,68 @@ static void test_the_scope_is_what_all_claims_have_in_common(void **state)
                    LINKS(BY("plain"), {CONFIRMED_BY, "instances", NULL, ""}));
 }
 
+/* Of two phrases that the chapters compare the narrower one is left, whichever comes first; a letter of which a phrase
+ * speaks is not among the data. */
+static void test_a_narrower_phrase_is_left(void **state)
+{
+    (void)state;
+    assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights", "", LINKS(BY("closed")));
+    assert_finding("n", PROVED, "n = 1 to 4; 0 < t < 1; all weights", "", LINKS(BY("closed"), BY("inside")));
+    assert_finding("n", PROVED, "n = 1 to 4; 0 < t < 1; all weights", "", LINKS(BY("inside"), BY("closed")));
+    assert_finding("n", PROVED, "n = 1 to 3; simple knots; all points, all positive weights, every t", "",
+                   LINKS(BY("patterns"), BY("weighted")));
+    assert_finding("n", PROVED, "n = 2 to 3; every pattern of knots; all points and weights, every β", "",
+                   LINKS(BY("patterns"), BY("plain"))); /* a phrase of one alone asks it of both */
+}
+
+/* Phrases that nobody compares are about different things: the degree is what is common. */
+static void test_claims_about_different_things_are_apart(void **state)
+{
+    (void)state;
+    const char *const apart = "n = 1 to 3; each step for its own cases";
+    assert_finding("n", PROVED, apart, "", LINKS(BY("patterns"), BY("said")));
+    assert_finding("n", PROVED, apart, "", LINKS(BY("said"), BY("patterns")));
+    assert_finding("n", PROVED, apart, "", LINKS(BY("said"), BY("patterns"), BY("inside")));
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+                   LINKS(BY("odd"), BY("patterns"), BY("said"))); /* the m of one step is not common */
+    assert_finding("n", DECIDED, "n = 1 to 6; each step for its own cases", "", LINKS(BY("weighted"), BY("stated")));
+    assert_finding("n", DECIDED, "each step for its own cases", "", LINKS(BY("stated"), BY("inside")));
+    assert_finding("n", DECIDED, "the stated curves", "", LINKS(BY("stated")));
+    assert_finding("n", SAMPLED, "n = 1 to 3; each step for its own cases; 24 random instances", "",
+                   LINKS(BY("patterns"), BY("said"), BY("instances")));
+}
+
+/* What hypotheses ask of the data is not everything that the claims were computed for. */
+static void test_data_within_hypotheses(void **state)
+{
+    (void)state;
+    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β that the hypotheses allow", "",
+                   LINKS(BY("plain"), {HYPOTHESIS, NULL, NULL, "positive weights"}));
+    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β that the hypotheses allow", "",
+                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "positive weights"}));
+    assert_finding("n", PROVED, "n = 1 to 4", "every n", LINKS(BY("stretched"), {NEEDS, NULL, "", ""}));
+}
+
+static void test_the_finding_of_one_claim(void **state)
+{
+    (void)state;
+    const claim_result *plain_result = &scoped[1], *worded_result = &scoped[4], *stretched_result = &scoped[3];
+    finding f = finding_of(plain_result, "k");
+    assert_int_equal(f.evidence, PROVED);
+    assert_string_equal(f.scope, "k = 3 to 9; all points and weights, every β");
+    free_finding(&f);
+    assert_null(f.scope);
+    f = finding_of(plain_result, NULL);
+    assert_string_equal(f.scope, "n = 2 to 8; all points and weights, every β");
+    free_finding(&f);
+    f = finding_of(worded_result, "n");
+    assert_int_equal(f.evidence, BY_ARGUMENT);
+    free_finding(&f);
+    f = finding_of(stretched_result, "n");
+    assert_string_equal(f.argued_for, "every n");
+    free_finding(&f);
+}
+
 static void test_claims_without_a_common_case(void **state)
 {
     (void)state;
@@ -985,13 +1060,18 @@ static void test_a_claim_that_needs_words_is_argued(void **state)
 static void test_finding_words(void **state)
 {
     (void)state;
-    char scope_text[] = "n = 1 to 4", every[] = "every n", none[] = "";
+    char scope_text[] = "n = 1 to 4", every[] = "every n", none[] = "", apart[] = "each step for its own cases";
     const struct {
         finding f;
         const char *words;
     } list[] = {{{PROVED, scope_text, none}, "proved for n = 1 to 4"},
                 {{PROVED, scope_text, every}, "proved for n = 1 to 4; argued for every n"},
                 {{BY_ARGUMENT, none, none}, "argued"},
+                {{BY_ARGUMENT, scope_text, none}, "argued for n = 1 to 4"},
+                {{BY_ARGUMENT, scope_text, every}, "argued for every n; computed for n = 1 to 4"},
+                {{BY_ARGUMENT, none, every}, "argued for every n"},
+                {{BY_ARGUMENT, apart, every}, "argued for every n; computed, each step for its own cases"},
+                {{DECIDED, apart, none}, "decided, each step for its own cases"},
                 {{NO_EVIDENCE, none, none}, ""}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         char *words = finding_words(&list[k].f);
@@ -1035,6 +1115,10 @@ int main(void)
         unit(test_readings),
         unit(test_result_of),
         unit(test_the_scope_is_what_all_claims_have_in_common),
+        unit(test_a_narrower_phrase_is_left),
+        unit(test_claims_about_different_things_are_apart),
+        unit(test_data_within_hypotheses),
+        unit(test_the_finding_of_one_claim),
         unit(test_claims_without_a_common_case),
         unit(test_arguments),
         unit(test_a_claim_that_needs_words_is_argued),
