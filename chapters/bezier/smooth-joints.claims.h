@@ -265,6 +265,8 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
 :reading: equal_second_derivatives_with_unequal_first | with the condition for $G^1$ alone: for $a\ne1$ not $C^2$, and not $G^2$ either
 :reading: printed_condition_divides_the_curvature | what it does to the curvature at such a joint: the curvature is divided by $a^2$
+:meant: the slides before it, which come from $G^1$ with any $a>0$ | The first: the printed condition is added to that
+  for $G^1$.
 :figure: second_derivatives_alone
 :striking: 45
 

@@ -18,6 +18,7 @@ whether the source says what is decided here, and "the text" stands for that.
 :zh: 全书共九章
 :printed: The whole book has nine chapters.
 :holds-by: contents_has_nine_chapters
+:example: the table of contents of this book.
 :figure: pages_of_the_sections
 :::
 */
@@ -66,6 +67,7 @@ two statements do no more than that, and find two numbers that cannot be right t
 :corrected: Without § 9-2 the page numbers increase strictly; if it is no exception and the other pages are right, it begins on a page from
   226 to 233.
 :corrected-by: other_pages_do_not_decrease
+:example: the table of contents of this book.
 :figure: pages_of_the_sections
 :::
 */
@@ -148,6 +150,7 @@ For the ninth, chapter 2, the pages around it leave all possibilities open.
 :class: misprint
 :corrected: In the eight other chapters the page of the chapter is that of its first section.
 :corrected-by: other_chapters_begin_with_their_first_section
+:example: the table of contents of this book.
 :figure: pages_of_the_sections
 
 Which of the three numbers is wrong cannot be decided from the table.

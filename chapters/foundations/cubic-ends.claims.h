@@ -256,6 +256,7 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :corrected-by: end_data_determine_the_cubic
 :reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before: false
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too: true
+:meant: the sentence above, in which the first $\dot Q_0$ is called the position vector | The second; the dot is a slip.
 :figure: ends_with_lost_letters
 :::
 
@@ -300,6 +301,8 @@ and the second curve can be the first one, turned over.
 :reading: other_lengths_give_another_cubic | the shape is the set of the points: true with the first hypothesis alone
 :reading: exchanged_lengths_turn_the_cubic | the shape is what rotations and translations keep: false with the first hypothesis alone,
   true with both
+:meant: section 1-2, in which a shape does not change when it is moved | The second: curves that can be moved onto
+  each other have one shape.
 :figure: exchanged_lengths
 :::
 
@@ -488,6 +491,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :zh: 切矢的方向与大小均影响形状
 :printed: Not only the direction of a tangent vector, its length, too, influences the shape of the curve.
 :holds-by: each_form_occurs
+:example: curves that differ in these lengths alone have different forms.
 :figure: lengths_of_the_tangents
 :::
 */

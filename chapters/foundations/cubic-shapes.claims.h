@@ -20,6 +20,7 @@ coefficients, and by $\delta=3b^2-4ac$.
 :zh: 参数三次曲线的几种形态
 :printed: The forms of parametric cubics contain the ordinary one, the cusp, the closed loop, and that with inflections (figure 1-7).
 :holds-by: each_form_occurs
+:example: each form occurs, and one curve of each shows it.
 :confirmed-by: sign_of_delta_tells_the_form signs_decide_the_form
 :figure: forms_of_a_cubic
 

@@ -100,6 +100,7 @@ CLAIM(second_derivative_is_not_constant)
 :corrected-by: curvature_and_torsion_belong_to_arc_length
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else: false
 :reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say: true
+:meant: the formulas beside it, in which $s$ is the length of the arc | The first: $s$ is the length of the arc.
 :figure: curvature_and_the_speed
 
 One more dot is lost.  Without it the letter is the length of the arc, and then the quotient depends on where the length is

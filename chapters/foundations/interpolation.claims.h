@@ -87,6 +87,8 @@ needs one thing that interpolation does without, a measure of the distance from 
 :definition: yes
 :printed: Approximation does not require that the curve passes through all data strictly, but only that it is nearest to them as a whole.
 :checked-by: nearest_line_meets_no_datum
+:example: nearest is read as the least sum of squares; for one set of data the nearest line passes through none of
+  them.
 :figure: through_and_near
 
 What "nearest as a whole" means has to be said; here it is the least sum of squares.
@@ -101,7 +103,8 @@ the data as a whole although it is far from each of them.
 :zh: 拟合的定义
 :definition: yes
 :printed: Interpolation and approximation of curves and surfaces together are called fitting.
-:checked-by: one_cubic_passes_through_four_data nearest_line_meets_no_datum
+:checked-by: one_cubic_passes_through_four_data
+:confirmed-by: nearest_line_meets_no_datum
 :figure: through_and_near
 :::
 */

@@ -24,6 +24,7 @@ section says what such a curve is good for, and counts the first two; the table 
 :printed: In the fitting of curves the form that is not parametric has the problem of slopes $dy/dx=\infty$, and that of several
   values.
 :holds-by: parabola_across_has_no_slope
+:example: both can occur, and one curve has both.
 :figure: infinite_slope_and_two_values
 :::
 */
@@ -74,6 +75,7 @@ one abscissa cannot.
 :printed: A piece of a curve is the part from $t=a$ to $t=b$, $a\le t\le b$; also where there are several values its extent can be given
   conveniently.
 :holds-by: intervals_of_the_parameter_separate_the_values
+:example: one curve with several values, of which intervals of the parameter separate them.
 :figure: infinite_slope_and_two_values
 :::
 

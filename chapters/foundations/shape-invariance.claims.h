@@ -26,6 +26,7 @@ a shape is not a function.
 :printed: Two objects cannot occupy one space at the same time; but in a computer shapes are equations and data, so that this is very
   difficult to satisfy, and interference has to be examined.
 :holds-by: two_descriptions_may_claim_one_place
+:example: it can happen, and two bodies show it.
 
 Difficult is read as: it does not follow from the description of either.  Each body is well described, and both contain one point.
 :::
@@ -35,6 +36,7 @@ Difficult is read as: it does not follow from the description of either.  Each b
 :zh: 形状的性质不等同于函数的性质
 :printed: The shape meant here is a geometrically invariant notion; its properties are not altogether those of a function.
 :holds-by: turned_graph_is_no_graph
+:example: one shape shows a property that not all of its positions have.
 
 To be the graph of a function is a property that a turn of the same shape can take away.
 :::

@@ -157,6 +157,7 @@ is no way in either direction: the figure does not know how fast it is run throu
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs: false
 :reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
 :reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter: false
+:meant: the words: the graph of the function | The first: from the class to the figure, for graphs.
 :figure: upright_cube_root
 
 A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
@@ -330,6 +331,7 @@ provided that both have a direction.
   a negative factor is a curve that turns back
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ: true
 :reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
+:meant: the definition of $G^1$, which asks for proportional derivatives | The first: the sizes may differ.
 :figure: joints_of_order
 :::
 */

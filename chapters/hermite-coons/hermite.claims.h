@@ -638,6 +638,7 @@ CLAIM(unit_blending_functions)
 :zh: 三次 Hermite 曲线的矩阵形式
 :printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
 :holds-by: one_choice_of_signs_in_the_matrix
+:example: the matrix is the one that is printed.
 :figure: hermite_blending_functions
 
 The signs are lost; of the 1024 ways to give the ten entries signs, one is true.

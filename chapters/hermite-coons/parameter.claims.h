@@ -27,6 +27,7 @@ after a turn it need not be one.
 :zh: 非参数方程依赖坐标轴
 :printed: $y=f(x)$ and $f(x,y)=0$ belong to the axes and are inconvenient when the coordinates are changed.
 :holds-by: turned_graph_is_no_graph
+:example: one graph that a turn makes no graph.
 :figure: graphs_and_axes
 :::
 */
@@ -67,6 +68,7 @@ CLAIM(turned_graph_is_no_graph)
 :zh: 一个自变量对应多个值
 :printed: In some coordinates a curve may have several $y$ for some $x$ and several $x$ for some $y$.
 :holds-by: circle_has_two_values_each_way
+:example: it may happen, and one curve shows it.
 :figure: graphs_and_axes
 :::
 
@@ -146,6 +148,7 @@ an equation without a parameter.
 :zh: 难以灵活地构造复杂的曲线、曲面
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
 :holds-by: parametric_cubic_crosses_itself
+:example: one curve that no graph is.
 :figure: graphs_and_axes
 
 Hard is read as what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has none.  An equation $f(x,y)=0$ it
@@ -238,6 +241,8 @@ of its cylinders, and for a circle that is tilted against all three axes and any
 :reading: two_cylinders_are_two_ellipses | what they have in common: the ellipses of $z=y$ and of $z=-y$
 :reading: two_cylinders_of_the_circle_hold_an_ellipse | for the circle of $x^2+y^2+z^2=2$, $x+y+z=0$, what two of its cylinders have in
   common: the circle and an ellipse of a plane in which two coordinates are equal
+:meant: the words: defined as the intersection of two cylinders | The curve is all that the two cylinders have in
+  common.
 :figure: two_cylinders
 
 The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
@@ -486,6 +491,7 @@ CLAIM(segment_in_its_parameter)
 :zh: 参数形式自由度更大
 :printed: With a parameter there is more freedom to control the shape of curves and surfaces, and more that can be described.
 :holds-by: parametric_cubic_crosses_itself
+:example: one shape that no graph has.
 :figure: graphs_and_axes
 
 A parametric cubic of the plane has eight coefficients, of which the graph of a cubic, $x=t$, has four.  The claim shows a shape that no
@@ -580,6 +586,7 @@ other: for a curve whose shape follows a control polygon, and for a curve that i
 :printed: Approximation: a curve is constructed that is nearest to the points in some sense.
 :definition: yes
 :checked-by: parabola_through_the_points_is_nearer nearest_line_meets_no_datum
+:example: two senses of nearest, and for each one set of points.
 
 In which sense is left open.  By the distance from the points a Bézier curve, approximating by the words before, is no approximation, since a
 curve of the same degree through the points is nearer; the least sum of squares among simpler curves is a problem with one

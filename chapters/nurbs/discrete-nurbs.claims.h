@@ -130,6 +130,7 @@ CLAIM(refined_data_give_the_same_curve)
 :refuted-by: three_names_lack_the_order
 :corrected: $\Gamma_k^{(T)}(T')$, $\Gamma_k^{(T\oplus T')}(\Phi)$ and $r_k(t)$
 :corrected-by: names_carry_the_order
+:example: the three names that are printed.
 :::
 */
 
@@ -197,6 +198,7 @@ which the later proof answers in another way than the definition of the $\alpha$
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
   closed on the right: then $\tau=t_1$ is excluded
 :reading: clamped_end_may_be_inserted_again | with the same: and a $k$-fold right end may be inserted, which repeats $r_n$
+:meant: the intervals $t_j\le t<t_{j+1}$ of the section, closed on the left | The first.
 :figure: nurbs_polygons_converge
 
 With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; one knot

@@ -41,6 +41,8 @@ vanishing curvature or torsion, and its members have them.
 :reading: curvatures_have_a_fixed_ratio | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
   closed span and $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through
   it needs $\mathbf r'\times\mathbf r''=0$ there
+:meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
+  solutions.
 :corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
   $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
@@ -279,6 +281,8 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
 :corrected-by: level_by_sums_over_the_level_before
 :reading: first_term_of_the_chain_divides_by_zero | with division by its letter: false at multiple knots, as the terms $i=j-k+r$
   and $i=j$ contain B-splines that vanish on the span over differences of knots that may be $0$; but by (2.1.1) $0/0$ counts as $0$
+:meant: (2.1.1), by which $0/0$ counts as $0$ | No division by its letter: a term with a B-spline that vanishes is
+  left out.
 :figure: divisor_zero
 
 All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display

@@ -21,6 +21,7 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
 :reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises: false
 :reading: points_are_polar_values_of_the_segment | for all $t$ of the span: true, but not for this reason, the
   coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants
+:meant: the proof, in which (4.3.12) is the alternative to $\tau=t$ | The first: at one $t$.
 :corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
   linearly dependent, the segment is in a plane through the origin, and so are its control points
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
@@ -289,6 +290,7 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: false, every
   inflection is a counterexample
 :reading: slope_is_constant_where_nothing_turns | for all $t$: true
+:meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
 :figure: nurbs_second_line

@@ -86,6 +86,7 @@ CLAIM(superscript_of_the_order_gives_another_product)
   false
 :reading: points_are_polar_values_of_the_segment | for all pairs of the square: true, as in theorem 4.3.2, each member
   being in a plane through the origin and its points with it, but not by linear independence
+:meant: the proof, in which the sum is the alternative to $\tau=t$ | The first: at one pair $(t,\tau)$.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
   whatever the points are
 :corrected-by: general_condition_is_that_of_the_level_before
@@ -213,6 +214,7 @@ CLAIM(weighted_points_follow_the_recursion)
 :reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$: false
 :reading: span_derivatives_are_parallel | for all pairs of the square: true, because on the diagonal it says that the
   curve is in a plane through the origin; not by solving for the terms
+:meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
   are 0 on every level
 :corrected-by: general_condition_is_that_of_the_level_before

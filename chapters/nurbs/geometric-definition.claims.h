@@ -330,6 +330,8 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
   of one of the polygons is another
 :reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition,
   with positive weights
+:meant: theorems 4.3.1 to 4.3.3, which it sums up | All three: for every $r$, for all joint solutions, for every
+  family.
 :corrected: the curve is among the envelopes, as the points with $\tau=t$
 :corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
 :figure: nurbs_polygons_extra
@@ -418,6 +420,8 @@ CLAIM(convex_polygon_has_a_stationary_leg)
 :reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
   of its points: where the polygons exist it is the curve alone, as $\tau\ne t$ is possible for single values of
   $\tau$ only, unless a segment is straight
+:meant: the words "for every", and the section, by which the envelope is all joint solutions | The first and the
+  second.
 :corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
   of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
   of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three

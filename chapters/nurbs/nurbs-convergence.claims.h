@@ -27,6 +27,7 @@ of the curve and the curve does not jump, and then with the square of the larges
 :reading: first_vertex_stays_off_the_curve | the polygon is the whole polygon, as after (4.1.1): the hypothesis is needed
 :reading: polygon_is_within_the_bound_of_the_spline | only the part of the polygon over the domain is meant: true for unclamped knots, too,
   with the same bound
+:meant: the words after (4.1.1), by which the polygon is the whole polygon | The first.
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
   all refinements, and $h_m\to0$.

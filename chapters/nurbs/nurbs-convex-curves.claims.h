@@ -239,7 +239,8 @@ corollary 4.1.1 is that of the $T'_m$.
 :title: The limit of the hulls is closed and convex
 :zh: 凸包的极限
 :printed: A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))
-:holds-by: inserted_polygons_stay_convex inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:confirmed-by: inserted_polygons_stay_convex
 :hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
@@ -292,6 +293,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
   together with the segment over which it jumps
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
+:meant: the sentence, which is about the curve $\boldsymbol r_k(t)$ | The second.
 :argued: | A limit of points of the boundaries is on the boundary of the limit, as the remarks say.
 :figure: where_hypotheses_are_needed
 

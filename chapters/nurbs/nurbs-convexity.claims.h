@@ -28,6 +28,8 @@ the corners and pass to the curve.
   is often meant
 :reading: triangles_of_one_sign_make_a_polygon_convex | $\Gamma$ runs through the boundary or part of it once, coming to no
   point twice except the end to the start
+:meant: the words of the definition, which speak of a set of points | The first.  The statements of the section need
+  the last.
 :figure: what_convex_must_mean
 
 What fails in this section with the other readings, and because of them alone, is true with the last one.  A straight curve is convex: it is
@@ -215,6 +217,7 @@ and is then this hull. So "smallest" hides a hypothesis, the same that is to be 
 :reading: curve_inside_its_hull_has_no_smallest_set | $\Gamma$ need not be convex: then there is no such set, and $A(\Gamma)$ is
   not defined
 :reading: convex_polygons_lie_on_the_border_of_their_hull | $\Gamma$ is convex: then there is one, the convex hull of $\Gamma$
+:meant: the sentence, which speaks of the convex curve that it has just defined | The second.
 :figure: where_hypotheses_are_needed
 
 Let $\Gamma$ be compact and part of the boundary of a convex set $C$.  Every closed convex set that contains $\Gamma$ contains its

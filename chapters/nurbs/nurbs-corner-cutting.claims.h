@@ -33,6 +33,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   edge $r_0r_1$: then the knots have to be in the domain, $t_k\le\tau\le t_{n+1}$
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same with intervals closed on the right, and $\tau=t_1$ excluded as well; when $t_k$ is a
   $k$-fold knot it is not inserted again
+:meant: (4.1.6), by which $\Gamma_k^{(T)}(T')$ is made | The first.
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :argued: every order and every number of points and knots | One corner after the other is cut, and neither the triangles nor the
   identities of one insertion know how many points there are; their other cases are those of the claims.
@@ -320,6 +321,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
+:meant: (4.1.6), by which $\Gamma_k^{(T)}(T')$ is made | The first.
 :figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
@@ -500,7 +502,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :zh: 归纳法第一步
 :printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\Phi)$, the lemma is true for one knot
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
-  inserted_polygons_stay_convex
+:confirmed-by: inserted_polygons_stay_convex
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | not turning back is not enough: its end does not run over its start
 :argued: every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
@@ -661,6 +663,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
+:meant: (4.1.6), by which $\Gamma_k^{(T)}(T')$ is made | The first.
 :figure: hulls_of_knot_sets
 :::
 */

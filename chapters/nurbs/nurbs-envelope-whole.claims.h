@@ -29,6 +29,7 @@ span; what has to be asked is whether the members exist.
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
 :reading: whole_member_ends_in_no_interval | at $t=t_{n+1}=\dots=t_{n+k-r}$ by the letter of the half-open intervals: (4.3.3) is
   $0/0$ there; the limit from the left is meant, as `def-4.1.1-interval` says
+:meant: `def-4.1.1-interval`, once for all: the domain is closed | At its right end the limit from the left.
 :figure: nurbs_envelope_whole
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On

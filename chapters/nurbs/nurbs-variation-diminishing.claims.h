@@ -38,6 +38,7 @@ counted, or, for insertion, if it counts as infinitely many points.
 :reading: self_crossing_polygon_gains_points_on_a_line | points of the plane, each counted once
 :reading: edge_on_the_line_must_be_counted | points that are not on an edge or piece of curve on the line
 :reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many
+:meant: property 3.2.7 of the same book, which counts how often the line is crossed | The first: crossings.
 :figure: what_must_be_counted
 
 With the first two meanings the statements below are true; with the third and the fourth the lemma and the theorem are
@@ -410,6 +411,8 @@ change can arise.
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the
   knots have to be in the domain
 :reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
+:meant: property 3.2.7 of the same book, which counts how often the line is crossed; and (4.1.6), by which the polygon
+  is made | The first and the third.
 :argued: every order and every number of points and knots | An insertion puts a point on each of some edges and takes the old
   vertices away; one after the other these are the cases that were decided.
 :figure: line_and_cut_corners
@@ -751,7 +754,8 @@ may be more than $k$; then some vertices are repeated and nothing else happens.
 :zh: 这些顶点是多边形与直线的交点
 :printed: these points are obviously also points of intersection of $\boldsymbol L_0$ and $\Gamma_k^{(T)}(T')$, so
   $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\ge N+1$
-:holds-by: polygon_through_the_crossings_crosses_as_often inserted_parameters_become_vertices
+:holds-by: inserted_parameters_become_vertices
+:confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
 :argued: every curve | The points are common points of the line and of the polygon, being vertices.
 :figure: points_of_the_line_as_vertices

@@ -117,6 +117,8 @@ the equation.
   $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
   for a proper parametrisation
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve: false, it is an arc of it
+:meant: theorem 3.4.2, from which it is drawn | Neither: the degree is that of $F$, and the Bézier curve is on the
+  curve $F=0$.
 :argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
   p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: arc_of_a_line
@@ -163,6 +165,7 @@ For the converse one curve suffices that no rational curve can follow.
 :printed: the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
   need not hold
 :holds-by: smooth_cubic_has_two_separate_parts
+:example: that it need not hold is shown by one curve.
 :cites: Lüroth's theorem: a curve with a rational parametrization has one that runs through it once | A rational cubic
   so has a parametrization of degree 3, hence a double point by `rational_cubic_has_one_double_point`; this one has
   none.  That no arc of it is rational, therefore, and the two parts show it a second time, as a rational curve is

@@ -301,6 +301,8 @@ a quantity has been lost: none of them says how high the triangle is.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
   has it, or $\arccos\sqrt{I_1}$: nothing ties the height of the triangle to it.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation: true.
+:meant: the theorem, which introduces $\theta$ by its three equations alone | The first: any angle that satisfies
+  them.
 :striking: 2
 :figure: circular_arc_extra
 

@@ -98,6 +98,8 @@ as $S_1-S_2$, has no $\lambda$.
   hypotheses.
 :reading: pencil_misses_its_difference | The members are all the conics through the common points: only with the
   hypotheses above.
+:meant: the words: the pencil of the conics through the points of intersection | The second: the members are all the
+  conics through them.
 :figure: pencil_of_conics
 :::
 

@@ -56,6 +56,8 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex
   region; then all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
+:meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | The
+  first, with the hypothesis; a polygon that only turns to one side is not meant.
 :figure: convex_polygon_convex_curve
 
 If all $D_{ijk}\ge0$ and one is positive, any three points of the curve with parameters in $(0,1)$ turn left in their order, none are on one

@@ -204,6 +204,7 @@ strip still serves, and they are found by asking when two neighbouring edges are
 :printed: The cut coefficients depend not only on the parameter $\lambda$ but on the level of cutting, the number
   $i$ of the edge and the weights $\omega_i$
 :holds-by: cut_depends_on_level_edge_and_weights
+:example: one curve shows of each of the three that the ratio depends on it.
 :reading: cut_depends_on_level_edge_and_weights | as "in general": holds, each of the three by itself
 :reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among
   them, it is as for polynomials: one ratio on all edges of all levels

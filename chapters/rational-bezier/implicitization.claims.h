@@ -305,6 +305,7 @@ elsewhere gives a point off the arc, or no point at all.
 :reading: common_root_of_a_point_off_the_arc | a common root, real or complex
 :reading: nonnegative_common_roots_are_the_points | a common root in the range $0\le u\le+\infty$ of (3.4.4), if that is
   carried over
+:meant: (3.4.5), which is printed without a range | The first: a common root, real or complex.
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
 :corrected-by: parameter_change_and_its_inverse mean_grows_by_one_term positive_terms_make_a_convex_mean
@@ -557,6 +558,8 @@ determinant is identically 0.
 :reading: equation_vanishes_on_the_curve | every point of the curve satisfies $F=0$: true without any hypothesis
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve: false; there are the
   points of the other parameters, and isolated points
+:meant: its proof, which goes from a point of the curve to a common root and no way back | The first: every point of
+  the curve satisfies $F=0$.
 :argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
   p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: implicit_elevation

@@ -518,6 +518,8 @@ while the sentence is about every curve of the family.
   $\lambda<0$.
 :reading: product_of_lengths_is_not_printed | $g_1$, $g_2$ are ratios of lengths: constant and positive, but not
   $4\lambda/(1-\lambda)$ for $\lambda>1$ and for $\lambda<0$.
+:meant: the norms in the definition of $(g_1,g_2)$ | The second: ratios of lengths.  The formula that is printed is
+  that of ratios with signs, $X_A/(1-X_A)$; with either the sentence fails.
 :figure: ratio_product_extra
 
 The source has $0<\lambda<1$ and the minus sign in mind, which it names just before for the points of the triangle; what it

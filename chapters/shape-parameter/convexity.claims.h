@@ -34,6 +34,7 @@ sense, for a triangle and its base.
 :confirmed-by: roots_are_at_most_sign_changes
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
   possible, at $\beta=-\frac{21}4,0,1$
+:meant: the words: a line of the plane meets the curve | Common points are points of the plane.
 :figure: convexity_lost
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on

@@ -152,6 +152,7 @@ CLAIM(double_end_point_has_no_end_edge)
 :class: misprint
 :corrected: 1994
 :corrected-by: second_volume_is_of_the_second_year
+:example: the reference is the one that is printed.
 :cites: the journal's list of volumes | volume 1 of Advances in Computational Mathematics is of 1993, and the first volumes are one a year
 
 One digit, 4 for 9.  The fact about the journal is no computation, and is cited.

@@ -139,6 +139,8 @@ CLAIM(surface_kernel_gives_the_double_sum)
   (`net_of_straight_lines_gives_a_saddle`)
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
   what they are for a net, so that nothing is there to be decided
+:meant: the word "similar", after the properties of section 3 | The first: the properties of the curve, for the
+  surface.
 :figure: shape_surface
 
 With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
