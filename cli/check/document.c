@@ -2,6 +2,7 @@
 
 #include "cli/input.h"
 #include "cli/terminal.h"
+#include "exact/expression/evaluate.h"
 #include "exact/words.h"
 
 #include <ctype.h>
@@ -157,28 +158,29 @@ static void read_expected(struct document *d, struct formula *f, int from, int t
              d->text + from);
 }
 
-static void read_seconds(struct document *d, struct formula *f, int from, int to)
+static double seconds_of(struct document *d, int from, int to)
 {
     const char *text = cagd_text_of(d->text + from, to - from);
     char *end;
-    f->seconds = text != NULL ? strtod(text, &end) : 0;
-    if (text == NULL || *end != '\0' || !(f->seconds > 0 && f->seconds <= 3600))
-        complain(d, from, to, "expected the seconds that the statement may take, at most 3600");
+    double seconds = text != NULL ? strtod(text, &end) : 0;
+    if (text == NULL || *end != '\0' || !(seconds > 0 && seconds <= 3600))
+        complain(d, from, to, "expected the seconds that it may take, at most 3600");
+    return seconds;
 }
 
 /* A name without indices that stands for all numbers, or for those within its bounds. */
-static void read_find(struct document *d, struct formula *f, int from, int to)
+static const char *parameter_named(struct document *d, const cagd_scope *scope, int from, int to)
 {
     cagd_reading_error error;
-    const cagd_tree *t = cagd_read_value(&f->scope, d->text, from, to, &error);
+    const cagd_tree *t = cagd_read_value(scope, d->text, from, to, &error);
     if (t == NULL) {
         complain_of_reading(d, &error);
-        return;
+        return NULL;
     }
-    const cagd_variable *v = t->head != NULL ? cagd_declared(&f->scope, t->head) : NULL;
-    if (t->kind != CAGD_NAME || t->count > 0 || (v != NULL && v->whole) || cagd_defined(&f->scope, t->head) != NULL)
+    const cagd_variable *v = t->head != NULL ? cagd_declared(scope, t->head) : NULL;
+    if (t->kind != CAGD_NAME || t->count > 0 || (v != NULL && v->whole) || cagd_defined(scope, t->head) != NULL)
         complain(d, from, to, "expected the name of a variable, without indices");
-    f->find = t->head;
+    return t->head;
 }
 
 static void read_statement(struct document *d, int head, int at, int stop)
@@ -207,7 +209,7 @@ static void read_statement(struct document *d, int head, int at, int stop)
         else if (field(d, at, end, "expected", &from, &to))
             read_expected(d, f, from, to);
         else if (field(d, at, end, "seconds", &from, &to))
-            read_seconds(d, f, from, to);
+            f->seconds = seconds_of(d, from, to);
         else if (d->text[at] == ':' && !field(d, at, end, "source", &from, &to) &&
                  !field(d, at, end, "title", &from, &to))
             complain(d, at, at + 1, "expected :printed:, :for:, :find:, :title:, :source:, :expected: or :seconds:");
@@ -219,7 +221,7 @@ static void read_statement(struct document *d, int head, int at, int stop)
     if (ranges_end > ranges && !cagd_read_ranges(&f->scope, d->text, ranges, ranges_end, &error))
         complain_of_reading(d, &error);
     if (find_end > find)
-        read_find(d, f, find, find_end);
+        f->find = parameter_named(d, &f->scope, find, find_end);
     if (d->complaints > complaints)
         return;
     f->at = printed;
@@ -229,6 +231,110 @@ static void read_statement(struct document *d, int head, int at, int stop)
         complain_of_reading(d, &error);
     else
         d->count++;
+}
+
+/* The value of a number, or of an end of a range. */
+static int number_of(const cagd_scope *scope, const cagd_tree *t, cagd_num_q *out)
+{
+    cagd_context *c = region_bytes(sizeof *c);
+    if (c == NULL || t == NULL)
+        return 0;
+    *c = (cagd_context){.scope = scope, .steps = CAGD_USUAL_STEPS};
+    cagd_value v = cagd_evaluate(c, t);
+    int good = region_faults == 0 && v.rational;
+    region_faults &= FAULT_MEMORY;
+    *out = v.q;
+    return good;
+}
+
+static int whole_of(const cagd_scope *scope, const cagd_tree *t, long *out)
+{
+    cagd_num_q q;
+    return number_of(scope, t, &q) && cagd_value_is_whole(cagd_value_q(q), out);
+}
+
+/* The functions: a name with one lower index, a letter that runs over whole numbers, and one argument, a letter. */
+static void read_functions(struct document *d, struct sheet *s, int from, int to)
+{
+    cagd_reading_error error;
+    const cagd_tree *t = s->tree = cagd_read_value(&s->scope, d->text, from, to, &error);
+    if (t == NULL) {
+        complain_of_reading(d, &error);
+        return;
+    }
+    const cagd_tree *index = t->kind == CAGD_NAME && t->lower == 1 ? t->at[0] : NULL;
+    const cagd_tree *argument = t->kind == CAGD_NAME && t->arguments == 1 ? t->at[t->count - 1] : NULL;
+    if (index == NULL || argument == NULL || index->kind != CAGD_NAME || argument->kind != CAGD_NAME || t->order > 0) {
+        complain(d, from, to, "expected functions with one index and one argument, such as b_i(t)");
+        return;
+    }
+    const cagd_variable *v = cagd_declared(&s->scope, index->head);
+    s->index = index->head, s->argument = argument->head;
+    s->index_from = index->from - from, s->index_to = index->to - from;
+    s->argument_from = argument->from - from, s->argument_to = argument->to - from;
+    s->functions = cagd_text_of(d->text + from, to - from);
+    if (v == NULL || !v->whole || !whole_of(&s->scope, v->low, &s->first) || !whole_of(&s->scope, v->high, &s->last))
+        complain(d, from, to, "the range of the index is not known: expected, for instance, :for: %s = 0..3", s->index);
+    else if (s->last <= s->first || s->last - s->first >= CAGD_MOST_FUNCTIONS)
+        complain(d, from, to, "expected 2 to %d functions", CAGD_MOST_FUNCTIONS);
+}
+
+/* The values of the parameter in the picture, with commas between. */
+static void read_shown(struct document *d, struct sheet *s, int from, int to)
+{
+    while (from < to) {
+        const char *comma = memchr(d->text + from, ',', (size_t)(to - from));
+        int end = comma != NULL ? (int)(comma - d->text) : to, next = end + 1;
+        cagd_reading_error error;
+        strip(d, &from, &end);
+        const cagd_tree *t = cagd_read_value(&s->scope, d->text, from, end, &error);
+        if (t == NULL)
+            complain_of_reading(d, &error);
+        else if (s->shown_count == MOST_SHOWN || !number_of(&s->scope, t, &s->shown[s->shown_count++]))
+            complain(d, from, end, "expected at most %d numbers with commas between", MOST_SHOWN);
+        from = next;
+    }
+}
+
+static void read_sheet(struct document *d, int head, int at, int stop)
+{
+    struct sheet *s = &d->sheet[d->sheets];
+    enum { FUNCTIONS, FOR, FIND, AT, KEYS };
+    static const char *const key[] = {"functions", "for", "find", "at"};
+    int column, from[KEYS] = {0}, to[KEYS] = {0}, complaints = d->complaints;
+    int name = head + (int)strlen(":::{basis}"), name_end = end_of_entry(d, head, next_line(d, head));
+    *s = (struct sheet){.seconds = usual_seconds};
+    if (d->sheets == MOST_SHEETS) {
+        complain(d, head, head + 1, "more than %d bases", MOST_SHEETS);
+        return;
+    }
+    strip(d, &name, &name_end);
+    place_of(d, head, &s->line, &column);
+    s->name = cagd_text_of(d->text + name, name_end - name);
+    if (name == name_end)
+        complain(d, head, end_of_line(d, head), "a basis without a name");
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        int known = d->text[at] != ':', a, b;
+        for (int k = 0; k < KEYS; k++)
+            known |= field(d, at, end, key[k], &from[k], &to[k]);
+        if (field(d, at, end, "seconds", &a, &b))
+            known = 1, s->seconds = seconds_of(d, a, b);
+        if (!known && !field(d, at, end, "source", &a, &b) && !field(d, at, end, "title", &a, &b))
+            complain(d, at, at + 1, "expected :functions:, :for:, :find:, :at:, :title:, :source: or :seconds:");
+    }
+    cagd_reading_error error;
+    s->scope = d->scope;
+    if (to[FUNCTIONS] == from[FUNCTIONS] && d->complaints == complaints)
+        complain(d, head, end_of_line(d, head), "a basis without functions: expected a line :functions: b_i(t)");
+    if (to[FOR] > from[FOR] && !cagd_read_ranges(&s->scope, d->text, from[FOR], to[FOR], &error))
+        complain_of_reading(d, &error);
+    if (to[FIND] > from[FIND])
+        s->find = parameter_named(d, &s->scope, from[FIND], to[FIND]);
+    if (d->complaints == complaints)
+        read_functions(d, s, from[FUNCTIONS], to[FUNCTIONS]);
+    if (d->complaints == complaints)
+        read_shown(d, s, from[AT], to[AT]);
+    d->sheets += d->complaints == complaints;
 }
 
 /* The line of three colons that ends the block. */
@@ -253,8 +359,10 @@ static void read_blocks(struct document *d)
             read_let(d, inside, stop);
         else if (begins(d, at, ":::{statement}"))
             read_statement(d, at, inside, stop);
+        else if (begins(d, at, ":::{basis}"))
+            read_sheet(d, at, inside, stop);
         else
-            complain(d, at, end_of_line(d, at), "expected :::{let} or :::{statement} NAME");
+            complain(d, at, end_of_line(d, at), "expected :::{let}, :::{statement} NAME or :::{basis} NAME");
         at = stop;
     }
 }
@@ -279,7 +387,8 @@ int read_document(const char *path, struct document *d)
     if (in != stdin)
         fclose(in);
     d->formula = cagd_region_array(MOST_STATEMENTS + 1, 1, sizeof *d->formula);
-    if (text == NULL || d->formula == NULL || bad)
+    d->sheet = cagd_region_array(MOST_SHEETS + 1, 1, sizeof *d->sheet);
+    if (text == NULL || d->formula == NULL || d->sheet == NULL || bad)
         return refuse_file(d, "cannot be read");
     if (size > LARGEST)
         return refuse_file(d, "is larger than 4 MB");
@@ -287,8 +396,8 @@ int read_document(const char *path, struct document *d)
         return refuse_file(d, "is no text");
     d->text = text, d->size = (int)size;
     read_blocks(d);
-    if (d->complaints == 0 && d->count == 0)
-        return refuse_file(d, "has no statement: expected a block :::{statement} NAME");
+    if (d->complaints == 0 && d->count == 0 && d->sheets == 0)
+        return refuse_file(d, "has no statement: expected a block :::{statement} NAME or :::{basis} NAME");
     if (d->complaints > MOST_COMPLAINTS)
         fprintf(stderr, "cagd: %s: and %d more\n", name_of_input(path), d->complaints - MOST_COMPLAINTS);
     return d->complaints;

@@ -9,9 +9,10 @@
 #ifndef CAGD_CLI_CHECK_DOCUMENT_H
 #define CAGD_CLI_CHECK_DOCUMENT_H
 
+#include "exact/expression/basis.h"
 #include "exact/expression/read.h"
 
-enum { MOST_STATEMENTS = 1000 };
+enum { MOST_STATEMENTS = 1000, MOST_SHEETS = 100, MOST_SHOWN = 3 };
 
 /* What a file says is to come out, where it says so. */
 enum expected { EXPECT_HOLDS, EXPECT_FAILS, EXPECT_UNDECIDED, EXPECT_NOTHING };
@@ -27,12 +28,33 @@ struct formula {
     const cagd_tree *tree;
 };
 
+/* Functions about which everything is asked that bases are asked about:
+ *
+ *     :::{basis} corrected
+ *     :functions: \hat B_i(t)
+ *     :for: i = 0..7, 0 \le t \le 1
+ *     :find: \beta                        the parameter, if there is one
+ *     :at: -21/4, 0, 1                     its values in the picture, if they are given
+ *     ::: */
+struct sheet {
+    const char *name, *functions; /* as they are written, TeX                                          */
+    int line, index_from, index_to, argument_from, argument_to; /* where in `functions` these stand     */
+    const char *index, *argument, *find;
+    long first, last;
+    double seconds;
+    cagd_scope scope;
+    const cagd_tree *tree; /* of the functions                                                          */
+    cagd_num_q shown[MOST_SHOWN];
+    int shown_count;
+};
+
 struct document {
     const char *path, *text;
     int size, complaints;
     cagd_scope scope;
     struct formula *formula;
-    int count;
+    struct sheet *sheet;
+    int count, sheets;
 };
 
 /* Reads the file; "-" is standard input.  Whatever is wrong goes to stderr, each with file, line, column and a caret below it:

@@ -361,7 +361,7 @@ static void print_roots(const struct formula *s, const cagd_found *f)
     }
 }
 
-static const char *breaking_text(const struct formula *s, const cagd_found *f, int k)
+const char *breaking_text(const struct formula *s, const cagd_found *f, int k)
 {
     const char *text = append("", "$%s = %s$", s->find, to_string_q(f->cells.sample[k]));
     for (int m = 0; m < f->wholes; m++)

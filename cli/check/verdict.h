@@ -17,6 +17,8 @@ const char *reason_of(const struct document *d, const cagd_finding *f);
 
 /* For which values of the parameter it holds, in TeX: "$-7 \le \beta \le 1$"; in the region. */
 const char *values_of(const struct formula *s, const cagd_found *f);
+/* For which numbers it breaks first in cell k: "$\beta = -8$, $i = 1$, $t = 1/65$"; in the region. */
+const char *breaking_text(const struct formula *s, const cagd_found *f, int k);
 void print_found_page(const struct document *d, const struct formula *s, const cagd_found *f);
 json_t *found_json(const struct formula *s, const cagd_found *f);
 

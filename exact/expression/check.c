@@ -171,7 +171,17 @@ static cagd_answer refuted(struct run *r, cagd_context *c, const cagd_tree *t, i
     return CAGD_FAILS;
 }
 
-/* The relation a >= b, a > b, or a = b as a constraint of the parameter. */
+/* One more constraint, with the case that it comes from. */
+static void collect(struct run *r, cagd_constraint one, const char *other)
+{
+    struct collection *into = r->into;
+    for (int m = 0; m < r->wholes; m++)
+        into->chosen[into->count][m] = r->chosen[m];
+    into->constraint[into->count] = one;
+    into->other[into->count++] = other;
+}
+
+/* The relation a >= b, a > b, or a = b as a constraint of the parameter; with an inequality its value must not be a pole. */
 static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relation, cagd_value d)
 {
     struct collection *into = r->into;
@@ -181,32 +191,32 @@ static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relat
     r->out->comparisons++;
     if (relation == CAGD_NOT_EQUAL)
         return undecided(r, c, "a relation that is not understood with :find:");
-    if (into->count == MOST_CONSTRAINTS)
+    if (into->count + 2 > MOST_CONSTRAINTS)
         return undecided(r, c, "too many cases");
     num_f f = cagd_in_field(d), n = cagd_numerator_f(f),
           p = relation == CAGD_EQUAL ? n : mul_f(n, cagd_denominator_f(f));
-    cagd_constraint *one = &into->constraint[into->count];
-    *one = (cagd_constraint){.p = p,
-                             .demand = relation == CAGD_EQUAL                              ? CAGD_ZERO
-                                       : relation == CAGD_LESS || relation == CAGD_GREATER ? CAGD_MORE_THAN_ZERO
-                                                                                           : CAGD_AT_LEAST_ZERO};
-    into->other[into->count] = NULL;
+    cagd_constraint one = {.p = p,
+                           .demand = relation == CAGD_EQUAL                              ? CAGD_ZERO
+                                     : relation == CAGD_LESS || relation == CAGD_GREATER ? CAGD_MORE_THAN_ZERO
+                                                                                         : CAGD_AT_LEAST_ZERO};
+    const char *other = NULL;
     for (int m = 0; m < count; m++) {
         const cagd_binding *b = &c->binding[of[m]];
         if (b == parameter) {
             into->domain = side[m];
-        } else if (degree_f(p, side[m].variable) > 0 && one->demand != CAGD_ZERO) {
-            if (into->other[into->count] != NULL)
+        } else if (degree_f(p, side[m].variable) > 0 && one.demand != CAGD_ZERO) {
+            if (other != NULL)
                 return undecided(r, c, "an inequality of more than one name besides the parameter");
-            one->t = side[m];
-            into->other[into->count] = b->key;
+            one.t = side[m];
+            other = b->key;
         }
     }
-    if (into->other[into->count] == NULL)
-        one->t.variable = parameter->value.f;
-    for (int m = 0; m < r->wholes; m++)
-        into->chosen[into->count][m] = r->chosen[m];
-    into->count++;
+    if (other == NULL)
+        one.t.variable = parameter->value.f;
+    collect(r, one, other);
+    num_f poles = cagd_factor_of_parameter(cagd_denominator_f(f), parameter->value.f);
+    if (relation != CAGD_EQUAL && !is_constant_f(poles, NULL))
+        collect(r, (cagd_constraint){mul_f(poles, poles), CAGD_MORE_THAN_ZERO, {.variable = parameter->value.f}}, NULL);
     return CAGD_HOLDS;
 }
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_FACTORS = 40, MOST_HALVINGS = 9, MOST_SIDES = 12 };
+enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12 };
 
 /* ---- numbers between numbers --------------------------------------------------------------------------- */
 
@@ -181,6 +181,16 @@ static int other_variable(num_f p, num_f parameter, num_f *out)
     return 0;
 }
 
+num_f cagd_factor_of_parameter(num_f p, num_f parameter)
+{
+    num_f factor[MOST_FACTORS], product = from_int_f(1), other;
+    int power[MOST_FACTORS], count = cagd_factors_f(p, parameter, MOST_FACTORS, factor, power);
+    for (int i = 0; i < count; i++)
+        if (!other_variable(factor[i], parameter, &other))
+            product = mul_f(product, factor[i]);
+    return product;
+}
+
 /* A coefficient of p, a polynomial in the parameter alone that is not 0 unless p is. */
 static num_f some_coefficient(num_f p, num_f parameter)
 {
@@ -253,9 +263,15 @@ static cagd_answer holds_between(const cagd_constraint *c, num_f parameter, cons
     return some ? CAGD_HOLDS : CAGD_UNDECIDED; /* p >= 0 on one side, and so in the limit */
 }
 
+/* A number where an answer may change, and the irreducible polynomial that is 0 there. */
+struct cut {
+    struct cagd_root root;
+    num_f factor;
+};
+
 /* The roots of p, a polynomial in the parameter, in [low,high], by its irreducible factors: increasing, with room between them.
  * -1 where there are too many. */
-static int cuts_of(num_f p, num_f parameter, num_q low, num_q high, struct cagd_root out[])
+static int cuts_of(num_f p, num_f parameter, num_q low, num_q high, struct cut out[])
 {
     num_f factor[MOST_FACTORS];
     int power[MOST_FACTORS], count = 0, factors = cagd_factors_f(p, parameter, MOST_FACTORS, factor, power);
@@ -263,79 +279,133 @@ static int cuts_of(num_f p, num_f parameter, num_q low, num_q high, struct cagd_
         return -1;
     for (int i = 0; i < factors; i++) {
         poly f = in_one(factor[i], parameter);
+        int room = CAGD_MOST_CUTS - count, found = 1;
+        struct cagd_root root[CAGD_MOST_CUTS];
         if (cagd_poly_degree(f) == 1) {
             num_q x = neg_q(div_q(cagd_poly_coefficient(f, 0), cagd_poly_coefficient(f, 1)));
             if (cagd_compare_q(x, low) < 0 || cagd_compare_q(x, high) > 0)
                 continue;
-            if (count == CAGD_MOST_CUTS)
-                return -1;
-            out[count++] = (struct cagd_root){x, x, 1, f};
-            continue;
+            root[0] = (struct cagd_root){x, x, 1, f};
+        } else {
+            found = cagd_isolate_roots(f, low, high, root, room);
         }
-        int found = cagd_isolate_roots(f, low, high, out + count, CAGD_MOST_CUTS - count);
-        if (found > CAGD_MOST_CUTS - count)
+        if (found > room)
             return -1;
-        count += found;
+        for (int k = 0; k < found; k++)
+            out[count++] = (struct cut){root[k], factor[i]};
     }
     for (int i = 1; i < count; i++) /* different irreducible factors have no root in common */
         for (int k = i; k > 0; k--) {
-            while (cagd_compare_q(out[k - 1].hi, out[k].lo) >= 0 && cagd_compare_q(out[k].hi, out[k - 1].lo) >= 0) {
-                if (!is_number(&out[k]))
-                    out[k] = finer(out[k]);
-                if (!is_number(&out[k - 1]))
-                    out[k - 1] = finer(out[k - 1]);
+            struct cagd_root *before = &out[k - 1].root, *behind = &out[k].root;
+            while (cagd_compare_q(before->hi, behind->lo) >= 0 && cagd_compare_q(behind->hi, before->lo) >= 0) {
+                if (!is_number(behind))
+                    *behind = finer(*behind);
+                if (!is_number(before))
+                    *before = finer(*before);
             }
-            if (cagd_compare_q(out[k - 1].hi, out[k].lo) < 0)
+            if (cagd_compare_q(before->hi, behind->lo) < 0)
                 break;
-            struct cagd_root kept = out[k];
+            struct cut kept = out[k];
             out[k] = out[k - 1], out[k - 1] = kept;
         }
     return count;
 }
 
-int cagd_cells_of(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
-                  cagd_cells *out)
+/* The cells that the roots of the polynomial c of the parameter make, without answers. */
+static int cut_into_cells(num_f c, const cagd_side_of_box *parameter, cagd_cells *out, num_f factor[])
 {
-    num_f lambda = parameter->variable, c = from_int_f(1);
-    *out = (cagd_cells){0};
-    for (int i = 0; i < constraints; i++) {
-        const cagd_constraint *one_of = &constraint[i];
-        if (one_of->demand == CAGD_ZERO)
-            c = times(c, some_coefficient(one_of->p, lambda), lambda);
-        else if (!critical(one_of->p, &one_of->t, lambda, &c))
-            return 0;
-    }
+    num_f lambda = parameter->variable;
     num_q low = cagd_inside(parameter), high = low;
+    *out = (cagd_cells){0};
     if (!is_point(parameter)) {
         poly cuts = degree_f(c, lambda) < 1 ? cagd_poly_variable() : in_one(c, lambda);
+        struct cut *cut = cagd_region_array(CAGD_MOST_CUTS, 1, sizeof *cut);
         ends_for(cuts, parameter, &low, &high);
-        out->count = degree_f(c, lambda) < 1 ? 0 : cuts_of(c, lambda, low, high, out->root);
+        out->count = degree_f(c, lambda) < 1 || cut == NULL ? 0 : cuts_of(c, lambda, low, high, cut);
+        for (int k = 0; k < out->count; k++)
+            out->root[k] = cut[k].root, factor[k] = cut[k].factor;
     }
     if (region_faults != 0 || out->count < 0)
         return 0;
     separate(out->count, out->root, low, high);
+    if (out->count > 0) { /* where the side has no end, a number near the cut will do */
+        num_q two = from_int_q(2);
+        low = parameter->has_low ? low : sub_q(out->root[0].lo, two);
+        high = parameter->has_high ? high : add_q(out->root[out->count - 1].hi, two);
+    }
     for (int k = 0; k <= out->count; k++) {
         out->sample[k] = low;
         out->empty[k] = !gap(out->count, out->root, k, low, high, &out->sample[k]) && !is_point(parameter);
-        for (int i = 0; i < constraints && !out->empty[k] && out->cell[k] == CAGD_HOLDS; i++) {
-            out->cell[k] = holds_for(&constraint[i], lambda, out->sample[k], &out->witness[k], &out->has_witness[k]);
-            out->broken[k] = i;
-        }
     }
+    return 1;
+}
+
+/* The first constraint that does not hold in a cell, and at a cut. */
+static void answer_cell(int constraints, const cagd_constraint constraint[], num_f lambda, int k, cagd_cells *out)
+{
+    for (int i = 0; i < constraints && !out->empty[k] && out->cell[k] == CAGD_HOLDS; i++) {
+        out->cell[k] = holds_for(&constraint[i], lambda, out->sample[k], &out->witness[k], &out->has_witness[k]);
+        out->broken[k] = i;
+    }
+}
+static void answer_cut(int constraints, const cagd_constraint constraint[], num_f lambda, int k, cagd_cells *out)
+{
+    const struct cagd_root *r = &out->root[k];
+    num_q witness, beside[2];
+    int rational, near = 0;
+    for (int side = k; side <= k + 1; side++)
+        if (!out->empty[side])
+            beside[near++] = out->sample[side];
+    for (int i = 0; i < constraints && out->at[k] != CAGD_FAILS; i++) {
+        cagd_answer answer = is_number(r) ? holds_for(&constraint[i], lambda, r->lo, &witness, &rational)
+                                          : holds_between(&constraint[i], lambda, r, near, beside);
+        out->at[k] = answer == CAGD_HOLDS ? out->at[k] : answer;
+    }
+}
+void cagd_answer_cells(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
+                       cagd_cells *out)
+{
+    num_f lambda = parameter->variable;
+    memset(out->cell, 0, sizeof out->cell); /* CAGD_HOLDS */
+    memset(out->at, 0, sizeof out->at);
+    for (int k = 0; k <= out->count; k++)
+        answer_cell(constraints, constraint, lambda, k, out);
     for (int k = 0; k < out->count; k++)
-        for (int i = 0; i < constraints && out->at[k] != CAGD_FAILS; i++) {
-            num_q witness;
-            int rational;
-            const struct cagd_root *r = &out->root[k];
-            num_q beside[2];
-            int near = 0;
-            for (int side = k; side <= k + 1; side++)
-                if (!out->empty[side])
-                    beside[near++] = out->sample[side];
-            cagd_answer answer = is_number(r) ? holds_for(&constraint[i], lambda, r->lo, &witness, &rational)
-                                              : holds_between(&constraint[i], lambda, r, near, beside);
-            out->at[k] = answer == CAGD_HOLDS ? out->at[k] : answer;
-        }
+        answer_cut(constraints, constraint, lambda, k, out);
+}
+
+/* *product times the polynomials of the parameter at whose roots the answer to the constraint does change. */
+static int changes_of(const cagd_constraint *one_of, const cagd_side_of_box *parameter, num_f *product)
+{
+    num_f lambda = parameter->variable, c = from_int_f(1), factor[CAGD_MOST_CUTS];
+    cagd_cells *cells = region_bytes(sizeof *cells);
+    if (one_of->demand == CAGD_ZERO)
+        c = times(c, some_coefficient(one_of->p, lambda), lambda);
+    else if (!critical(one_of->p, &one_of->t, lambda, &c))
+        return 0;
+    if (cells == NULL || !cut_into_cells(c, parameter, cells, factor))
+        return 0;
+    cagd_answer_cells(1, one_of, parameter, cells);
+    for (int k = 0; k < cells->count; k++) {
+        int same = (cells->empty[k] || cells->cell[k] == cells->at[k]) &&
+                   (cells->empty[k + 1] || cells->cell[k + 1] == cells->at[k]);
+        if (!same && degree_f(cagd_denominator_f(div_f(*product, factor[k])), lambda) > 0)
+            *product = mul_f(*product, factor[k]);
+    }
+    return region_faults == 0;
+}
+
+int cagd_cells_of(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
+                  cagd_cells *out)
+{
+    num_f c = from_int_f(1), factor[CAGD_MOST_CUTS];
+    *out = (cagd_cells){0};
+    for (int i = 0; i < constraints; i++)
+        if (!changes_of(&constraint[i], parameter, &c))
+            return 0;
+    if (!cut_into_cells(c, parameter, out, factor))
+        return 0;
+    cagd_answer_cells(constraints, constraint, parameter, out);
     return region_faults == 0;
 }
 

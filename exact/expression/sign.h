@@ -42,7 +42,7 @@ typedef struct cagd_constraint {
 /* For which values of the parameter all constraints hold: its side is cut by `count` numbers root[k]; cell[k] is the answer below
  * root[k], cell[count] the one above the last; at[k] the answer for root[k] itself, all in increasing order.  0 where there are too
  * many cuts. */
-enum { CAGD_MOST_CUTS = 60 };
+enum { CAGD_MOST_CUTS = 200 };
 typedef struct cagd_cells {
     int count;
     struct cagd_root root[CAGD_MOST_CUTS];
@@ -55,4 +55,10 @@ typedef struct cagd_cells {
 } cagd_cells;
 int cagd_cells_of(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
                   cagd_cells *out);
+/* The product of the irreducible factors of p that contain the parameter and nothing else; 1 where there are none, or too many. */
+cagd_num_f cagd_factor_of_parameter(cagd_num_f p, cagd_num_f parameter);
+
+/* The answers of some of these constraints for the same cells. */
+void cagd_answer_cells(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
+                       cagd_cells *cells);
 #endif
