@@ -253,7 +253,7 @@ static int whole_of(const cagd_scope *scope, const cagd_tree *t, long *out)
     return number_of(scope, t, &q) && cagd_value_is_whole(cagd_value_q(q), out);
 }
 
-/* The functions: a name with one lower index, a letter that runs over whole numbers, and one argument, a letter. */
+/* The functions: a name with one lower index, a letter that runs over whole numbers, and an argument, a letter; others may follow. */
 static void read_functions(struct document *d, struct sheet *s, int from, int to)
 {
     cagd_reading_error error;
@@ -263,9 +263,9 @@ static void read_functions(struct document *d, struct sheet *s, int from, int to
         return;
     }
     const cagd_tree *index = t->kind == CAGD_NAME && t->lower == 1 ? t->at[0] : NULL;
-    const cagd_tree *argument = t->kind == CAGD_NAME && t->arguments == 1 ? t->at[t->count - 1] : NULL;
+    const cagd_tree *argument = t->kind == CAGD_NAME && t->arguments > 0 ? t->at[t->lower + t->upper] : NULL;
     if (index == NULL || argument == NULL || index->kind != CAGD_NAME || argument->kind != CAGD_NAME || t->order > 0) {
-        complain(d, from, to, "expected functions with one index and one argument, such as b_i(t)");
+        complain(d, from, to, "expected functions with one index and an argument, such as b_i(t)");
         return;
     }
     const cagd_variable *v = cagd_declared(&s->scope, index->head);

@@ -159,8 +159,11 @@ static enum extent extent_of(const struct answer *a)
     for (int k = 0; k <= f->cells.count; k++)
         if (!f->cells.empty[k])
             good |= f->cells.cell[k] == CAGD_HOLDS, bad |= f->cells.cell[k] != CAGD_HOLDS;
-    for (int k = 0; k < f->cells.count; k++)
-        good |= f->cells.at[k] == CAGD_HOLDS, bad |= f->cells.at[k] != CAGD_HOLDS;
+    for (int k = 0; k < f->cells.count; k++) {
+        const struct cagd_root *r = &f->cells.root[k];
+        if (a->formula.find != NULL && (!cagd_equal_q(r->lo, r->hi) || cagd_is_inside(&f->domain, r->lo)))
+            good |= f->cells.at[k] == CAGD_HOLDS, bad |= f->cells.at[k] != CAGD_HOLDS;
+    }
     return good && bad ? FOR_SOME : good ? FOR_ALL : FOR_NONE;
 }
 
@@ -244,21 +247,6 @@ static const char *name_of_function(const struct sheet *s, int i, int order)
     return cagd_text_of(text, (int)strlen(text));
 }
 
-/* The bad cell whose sample is the simplest number; -1 where there is none. */
-static int simplest_failure(const cagd_found *f)
-{
-    int best = -1;
-    size_t least = 0;
-    for (int k = 0; f->known && k <= f->cells.count; k++) {
-        if (f->cells.empty[k] || f->cells.cell[k] != CAGD_FAILS)
-            continue;
-        size_t length = strlen(to_string_q(f->cells.sample[k]));
-        if (best < 0 || length < least)
-            best = k, least = length;
-    }
-    return best;
-}
-
 static const char *minor_text(const struct answer *a, const struct sheet *s)
 {
     const cagd_negative_minor *m = &a->minor;
@@ -279,7 +267,7 @@ static const char *minor_text(const struct answer *a, const struct sheet *s)
 static const char *example_text(const struct answer *a, const struct sheet *s)
 {
     const char *text = "";
-    int cell = simplest_failure(&a->found);
+    int cell = a->found.known ? cagd_telling_failure(&a->found.cells) : -1;
     if (a->minor.order > 0)
         return minor_text(a, s);
     for (int k = 0; a->was_checked && a->finding.has_example && k < a->finding.given; k++)

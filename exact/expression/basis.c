@@ -89,7 +89,7 @@ const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, 
     *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     *out = (cagd_basis){.count = (int)(last - first + 1), .has_parameter = parameter != NULL};
     field_open(FIELD_ROOM);
-    const char *index = function->at[0]->head, *argument = function->at[function->count - 1]->head;
+    const char *index = function->at[0]->head, *argument = function->at[function->lower + function->upper]->head;
     for (int k = 0; k < 2; k++) {
         cagd_tree name = {.kind = CAGD_NAME, .head = k == 0 ? argument : parameter};
         if (name.head != NULL)
@@ -325,15 +325,11 @@ void cagd_basis_totally_positive(const cagd_basis *b, double seconds, cagd_found
     cagd_answer_cells(blocks, one_of, &out->domain, weak);
     combine(c, weak);
     without_poles(&one_of[2 * blocks], &out->domain, c);
-    int simplest = -1;
-    for (int k = 0; k <= c->count; k++)
-        if (!c->empty[k] && c->cell[k] == CAGD_FAILS && c->has_witness[k] &&
-            (simplest < 0 || strlen(to_string_q(c->sample[k])) < strlen(to_string_q(c->sample[simplest]))))
-            simplest = k;
-    if (simplest >= 0) {
-        int which = first[c->broken[simplest]];
-        find_negative_minor(b, which / (CAGD_MOST_FUNCTIONS + 1), which % (CAGD_MOST_FUNCTIONS + 1),
-                            c->sample[simplest], c->witness[simplest], minor);
+    int telling = cagd_telling_failure(c);
+    if (telling >= 0 && c->has_witness[telling]) {
+        int which = first[c->broken[telling]];
+        find_negative_minor(b, which / (CAGD_MOST_FUNCTIONS + 1), which % (CAGD_MOST_FUNCTIONS + 1), c->sample[telling],
+                            c->witness[telling], minor);
     }
 }
 

@@ -409,6 +409,22 @@ int cagd_cells_of(int constraints, const cagd_constraint constraint[], const cag
     return region_faults == 0;
 }
 
+int cagd_telling_failure(const cagd_cells *c)
+{
+    int best = -1, best_is_near = 0;
+    size_t shortest = 0;
+    for (int k = 0; k <= c->count; k++) {
+        if (c->empty[k] || c->cell[k] != CAGD_FAILS)
+            continue;
+        int near = (k > 0 && !c->empty[k - 1] && c->cell[k - 1] == CAGD_HOLDS) ||
+                   (k < c->count && !c->empty[k + 1] && c->cell[k + 1] == CAGD_HOLDS);
+        size_t length = strlen(to_string_q(c->sample[k]));
+        if (best < 0 || near > best_is_near || (near == best_is_near && length < shortest))
+            best = k, best_is_near = near, shortest = length;
+    }
+    return best;
+}
+
 static cagd_answer positive_in_rectangle(num_f p, int strict, const cagd_side_of_box *t, const cagd_side_of_box *lambda,
                                          num_q *at_t, num_q *at_lambda, int *rational)
 {

@@ -61,4 +61,7 @@ cagd_num_f cagd_factor_of_parameter(cagd_num_f p, cagd_num_f parameter);
 /* The answers of some of these constraints for the same cells. */
 void cagd_answer_cells(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
                        cagd_cells *cells);
+/* A cell in which a constraint fails, the most telling one: beside a cell in which all hold, and of these the one with the shortest number.
+ * -1 where there is none. */
+int cagd_telling_failure(const cagd_cells *cells);
 #endif

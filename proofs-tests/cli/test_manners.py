@@ -518,7 +518,7 @@ class Schemas(Case):
         self.assertGreater(tried, 100)
 
     def test_what_commands_print(self):
-        for args in (["verify", "--json", "end_*"], ["list", "--json"], ["ledger", "--json", "wang-ch3:3.2.*"],
+        for args in (["check", "--json", ROOT / "proofs-tests/check/bases.md"], ["verify", "--json", "end_*"], ["list", "--json"], ["ledger", "--json", "wang-ch3:3.2.*"],
                      ["show", "--json", "wang-ch3:thm-3.3.2"], ["show", "--json", NAME], ["fit", ARCH, "--json"],
                      ["show", "--json", "slides-ch4:table-bezier"], ["fit", ARCH, "--json", "--no-verify"],
                      ["curve", CIRCLE, "--json"], ["curve", CIRCLE, "--json", "--at", "1/3", "--at", "2", "-d", "3"]):

@@ -1,0 +1,268 @@
+"""cagd check --basis: the sheets of published bases, against the same functions written in Python.
+
+    python3 test_basis.py CAGD
+
+What a sheet says is attacked from outside: at the ends of a range the property holds at many points, and a little beyond them points are
+found where it does not.
+"""
+import itertools
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction as F
+
+HERE = pathlib.Path(__file__).resolve().parent
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+UNIT = [F(k, 40) for k in range(41)]
+
+
+def binomial_product(n, i, t, a):
+    value = F(math.comb(n, i))
+    for k in range(i):
+        value *= t + k * a
+    for k in range(n - i):
+        value *= 1 - t + k * a
+    return value
+
+
+def deng(t, b, middle):
+    s = 1 - t
+    p3, p4 = (35 + 5 * b - 5 * b * t, 35 + 5 * b * t) if middle else (35 + 5 * b - 9 * b * t, 35 + b * t)
+    return [(1 - b * t) * s**7, (7 + b - 5 * b * t) * s**6 * t, (21 + 4 * b - 9 * b * t) * s**5 * t**2, p3 * s**4 * t**3,
+            p4 * s**3 * t**4, (21 - 5 * b + 9 * b * t) * s**2 * t**5, (7 - 4 * b + 5 * b * t) * s * t**6, (1 - b + b * t) * t**7]
+
+
+def said_ball(t, _):
+    left = [math.comb(2 + i, i) * t**i * (1 - t)**3 for i in range(3)]
+    return left + [math.comb(2 + i, i) * (1 - t)**i * t**3 for i in (2, 1, 0)]
+
+
+def quasi_quadratic(t, x):
+    common = 1 - x * t + x * t * t
+    return [(1 - t)**2 * common, 2 * t * (1 - t) * (x / 2 + common), t**2 * common]
+
+
+def rational(t, w):
+    d = (1 - t)**2 + 2 * w * t * (1 - t) + t * t
+    return [(1 - t)**2 / d, 2 * w * t * (1 - t) / d, t * t / d]
+
+
+FUNCTIONS = {
+    "bernstein": lambda t, _: [math.comb(8, i) * t**i * (1 - t)**(8 - i) for i in range(9)],
+    "deng-zhang-2022": lambda t, b: deng(t, b, False),
+    "deng-zhang-2022-corrected": lambda t, b: deng(t, b, True),
+    "said-ball": said_ball,
+    "ball": lambda t, _: [(1 - t)**2, 2 * t * (1 - t)**2, 2 * t**2 * (1 - t), t**2],
+    "quasi-cubic": lambda t, x: [(1 - x * t) * (1 - t)**2, (2 + x) * (1 - t)**2 * t, (2 + x) * (1 - t) * t**2, (1 - x + x * t) * t**2],
+    "quasi-quadratic": quasi_quadratic,
+    "q-bernstein": lambda t, q: [(1 - t) * (1 - q * t) * (1 - q * q * t), (1 + q + q * q) * t * (1 - t) * (1 - q * t),
+                                 (1 + q + q * q) * t * t * (1 - t), t**3],
+    "polya": lambda t, a: [binomial_product(3, i, t, a) / ((1 + a) * (1 + 2 * a)) for i in range(4)],
+    "rational": rational,
+    "pulled-to-the-chord": lambda t, c: [(1 - t)**2 + c * t * (1 - t), (2 - 2 * c) * t * (1 - t), t * t + c * t * (1 - t)],
+    "other-interval": lambda t, _: [math.comb(3, i) * t**i * (1 - t)**(3 - i) for i in range(4)],
+    "not-symmetric": lambda t, _: [(1 - t)**2 + (t - F(1, 2))**2, t * (1 - t), 1 - (1 - t)**2 - (t - F(1, 2))**2 - t * (1 - t)],
+    "negative": lambda t, _: [t + 1, t - 2],
+}
+# linearly independent, sum 1, nonnegative, symmetric, 1 and 0 at the ends, Bernstein, totally positive; a range is (low, high),
+# None being no end; True and False are for all and for no value, a list is one of single values.
+ORDER = ("linearly_independent", "partition_of_unity", "nonnegative", "symmetric", "interpolates_ends", "bernstein", "totally_positive")
+EXPECTED = {
+    "bernstein": (True,) * 7,
+    "deng-zhang-2022": ("β < −7, −7 < β < −21/4 and β > −21/4", [0], (F(-21, 4), 1), [0], True, [0], (F(-21, 4), 1)),
+    "deng-zhang-2022-corrected": ("β < −7, −7 < β < −21/4 and β > −21/4", True, (F(-21, 4), 1), True, True, [0], (F(-21, 4), 1)),
+    "said-ball": (True, True, True, True, True, False, True),
+    "ball": (True, True, True, True, True, False, True),
+    "quasi-cubic": ("λ < −2 and λ > −2", True, (-2, 1), True, True, [1], (-2, 1)),
+    "quasi-quadratic": (True, True, (-2, 4), True, True, [0], (-2, F(10, 3))),
+    "q-bernstein": (True, True, (-1, 1), [1], True, [1], (-1, 1)),
+    "polya": ("a < −1, −1 < a < −1/2 and a > −1/2", True, (0, None), True, True, [0], (0, None)),
+    "rational": (True, True, True, True, True, [1], True),
+    "pulled-to-the-chord": ("c < 1 and c > 1", True, (0, 1), True, True, [0], (0, 1)),
+    "other-interval": (True,) * 7,
+    "not-symmetric": (True, True, False, False, False, False, False),
+    "negative": (True, False, False, False, False, False, False),
+}
+
+
+def text_of(parameter, expected):
+    if isinstance(expected, str):
+        return expected
+    number = lambda x: str(F(x)).replace("-", "−")
+    if isinstance(expected, list):
+        return " and ".join(f"{parameter} = {number(x)}" for x in expected) if expected else f"no {parameter}"
+    low, high = expected
+    return f"{parameter} ≥ {number(low)}" if high is None else f"{number(low)} ≤ {parameter} ≤ {number(high)}"
+
+
+def determinant(rows):
+    rows, value = [list(r) for r in rows], F(1)
+    for k in range(len(rows)):
+        pivot = next((r for r in range(k, len(rows)) if rows[r][k] != 0), None)
+        if pivot is None:
+            return F(0)
+        if pivot != k:
+            rows[k], rows[pivot], value = rows[pivot], rows[k], -value
+        value *= rows[k][k]
+        for r in range(k + 1, len(rows)):
+            factor = rows[r][k] / rows[k][k]
+            rows[r] = [a - factor * b for a, b in zip(rows[r], rows[k])]
+    return value
+
+
+def some_minor_is_negative(functions, parameter, tries=200):
+    """Minors of neighbouring columns at points that lie closely together, everywhere in (0,1)."""
+    columns = len(functions(F(1, 3), parameter))
+    for order in range(1, min(columns, 4) + 1):
+        for first in range(columns - order + 1):
+            for t in UNIT[:-1]:
+                for h in (F(1, 100), F(1, 10000)):
+                    rows = [functions(t + (k + 1) * h, parameter)[first:first + order] for k in range(order)]
+                    if t + (order + 1) * h < 1 and determinant(rows) < 0:
+                        return True
+    return False
+
+
+class Sheets(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.result = subprocess.run([CAGD, "check", "--basis", "--json", HERE / "bases.md"], capture_output=True, text=True, timeout=300)
+        cls.json = json.loads(cls.result.stdout)
+        cls.sheets = {s["name"]: s for s in cls.json["bases"]}
+
+    def test_all_is_decided(self):
+        self.assertEqual(self.result.returncode, 0)
+        self.assertEqual(self.json["statements"], [])
+        self.assertEqual(set(self.sheets), set(FUNCTIONS))
+
+    def test_every_property_has_its_range(self):
+        for name, expected in EXPECTED.items():
+            sheet = self.sheets[name]
+            found = {p["property"]: p for p in sheet["properties"]}
+            for key, value in zip(ORDER, expected):
+                p = found[key]
+                with self.subTest(basis=name, property=key):
+                    self.assertTrue(p["complete"])
+                    if value is True or value is False:
+                        self.assertEqual(p["verdict"], "holds" if value else "fails", p)
+                    else:
+                        self.assertEqual(p["values"].replace("− ", "−"), text_of(sheet["parameter"].replace("\\beta", "β").replace("\\lambda", "λ").replace("\\omega", "ω"), value))
+                    if p["verdict"] != "holds":
+                        self.assertTrue(p.get("fails_for") or key == "linearly_independent", p)
+
+    def test_ranges_from_outside(self):
+        for name, expected in EXPECTED.items():
+            f, attempts = FUNCTIONS[name], dict(zip(ORDER, expected))
+            for key in ("nonnegative", "totally_positive"):
+                if not isinstance(attempts[key], tuple):
+                    continue
+                for end, outwards in zip(attempts[key], (-1, 1)):
+                    if end is None:
+                        continue
+                    beyond = F(end) + outwards * F(1, 20)
+                    with self.subTest(basis=name, property=key, end=end):
+                        if key == "nonnegative":
+                            self.assertTrue(all(y >= 0 for t in UNIT for y in f(t, F(end))))
+                            self.assertTrue(any(y < 0 for t in [F(k, 400) for k in range(401)] for y in f(t, beyond)))
+                        else:
+                            self.assertFalse(some_minor_is_negative(f, F(end)))
+                            self.assertTrue(some_minor_is_negative(f, beyond))
+
+    def test_minors_of_distant_points_are_nonnegative_where_it_says_so(self):
+        r = random.Random(2022)
+        for name, expected in EXPECTED.items():
+            value = expected[ORDER.index("totally_positive")]
+            if value is False:
+                continue
+            for _ in range(12):
+                low, high = value if isinstance(value, tuple) else (0, 1)
+                parameter = F(low) + F(r.randint(1, 99), 100) * ((F(high) if high is not None else F(low) + 3) - F(low))
+                t = sorted(F(k, 1000) for k in r.sample(range(1001), 5))
+                rows = [FUNCTIONS[name](x, parameter) for x in t]
+                for order in (1, 2, 3):
+                    for columns in itertools.combinations(range(len(rows[0])), order):
+                        for lines in itertools.combinations(rows, order):
+                            self.assertGreaterEqual(determinant([[line[c] for c in columns] for line in lines]), 0, (name, parameter, t))
+
+    def test_negative_minors_are_negative(self):
+        p = next(p for p in self.sheets["not-symmetric"]["properties"] if p["property"] == "totally_positive")
+        self.assertIn("G₂ at", p["fails_for"])
+
+    def test_coefficients_give_the_functions(self):
+        for name in ("bernstein", "said-ball", "ball", "other-interval", "not-symmetric", "negative"):
+            rows = [[F(c.replace("−", "-")) for c in row] for row in self.sheets[name]["bernstein_coefficients"]]
+            n = len(rows[0]) - 1
+            for t in UNIT:
+                B = [math.comb(n, j) * t**j * (1 - t)**(n - j) for j in range(n + 1)]
+                self.assertEqual([sum(c * b for c, b in zip(row, B)) for row in rows], FUNCTIONS[name](t, None), name)
+
+    def test_values_at_the_ends(self):
+        sheet = self.sheets["deng-zhang-2022-corrected"]
+        ends = {(e["at"], e["order"]): e["values"] for e in sheet["ends"]}
+        self.assertEqual(ends["0", 0], ["1"] + ["0"] * 7)
+        self.assertEqual(ends["0", 1][:2], ["−β − 7", "β + 7"])
+        self.assertEqual(ends["1", 1][6:], ["−β − 7", "β + 7"])
+
+    def test_monotony(self):
+        self.assertEqual(self.sheets["quasi-cubic"]["with_parameter"], ["decreasing", "increasing", "increasing", "decreasing"])
+        self.assertEqual(self.sheets["pulled-to-the-chord"]["with_parameter"], ["increasing", "decreasing", "increasing"])
+        self.assertEqual(self.sheets["deng-zhang-2022-corrected"]["with_parameter"][1], "neither")
+
+
+class Pages(unittest.TestCase):
+    def check(self, block, *options, let="b_i(t) = \\binom{2}{i} t^i (1-t)^{2-i}\n\\lambda \\in \\mathbb{R}"):
+        text = f":::{{let}}\n{let}\n:::\n:::{{basis}} mine\n{block}\n:::\n"
+        return subprocess.run([CAGD, "check", *options, "-"], input=text, capture_output=True, text=True, timeout=60)
+
+    def test_a_page(self):
+        r = self.check(":functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1")
+        self.assertEqual((r.returncode, r.stderr), (0, ""))
+        for words in ("bᵢ(t), i = 0 to 2, 0 ≤ t ≤ 1", "sum is 1                  yes (proved)", "totally positive          yes (decided)"):
+            self.assertIn(words, r.stdout)
+
+    def test_mistakes(self):
+        ranges = "\n:for: i = 0..2, 0 \\le t \\le 1"
+        for block, words in ((":functions: b_1(t)" + ranges, "one index and an argument"), (":functions: b_i(0)" + ranges, "one index and an argument"),
+                             (":functions: b_i(t)\n:for: 0 \\le t \\le 1", "i is not defined"), (":functions: b_i(t)\n:for: i = 0..99, 0 \\le t \\le 1", "2 to 33 functions"),
+                             (ranges[1:], "without functions"), (":functions: b_i(t)" + ranges + "\n:find: z", "not defined"),
+                             (":functions: b_i(t)" + ranges + "\n:at: 1, 2, 3, 4", "at most 3"), (":function: b_i(t)", ":functions:")):
+            r = self.check(block)
+            self.assertEqual((r.returncode, r.stdout), (2, ""), block)
+            self.assertIn(words, r.stderr)
+
+    def test_what_is_not_decided_is_told(self):
+        ranges = "\n:for: i = 0..2, 0 \\le t \\le 1"
+        r = self.check(":functions: b_i(t)\n:for: i = 0..2")
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("the interval of the argument is not known", r.stdout)
+        r = self.check(":functions: c_i(t)" + ranges, let="\\lambda, \\mu \\in \\mathbb{R}\nc_i(t) = t^i (\\lambda + \\mu t)")
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("there are other variables", r.stdout)
+
+    def test_dependent_functions_are_found(self):
+        r = self.check(":functions: c_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", "--json", let="c_0(t) = 1\nc_1(t) = t\nc_2(t) = 1 + t")
+        p = {p["property"]: p["verdict"] for p in json.loads(r.stdout)["bases"][0]["properties"]}
+        self.assertEqual(p["linearly_independent"], "fails")
+        self.assertEqual(p["nonnegative"], "holds")
+
+    def test_a_picture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "b.svg"
+            r = self.check(":functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", "--svg", str(path))
+            self.assertEqual(r.returncode, 0)
+            self.assertEqual(path.read_text().count("<path") >= 3, True)
+
+    def test_without_a_basis_there_is_no_sheet(self):
+        text = ":::{statement} s\n:printed: 1 = 1\n:::\n"
+        r = subprocess.run([CAGD, "check", "--basis", "-"], input=text, capture_output=True, text=True)
+        self.assertEqual(r.returncode, 2)
+        self.assertIn(":::{basis}", r.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
