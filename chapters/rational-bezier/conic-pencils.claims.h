@@ -15,12 +15,61 @@ $l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
 :::{statement} wang-ch3:3.1.1
 :title: A conic is a quadratic equation in affine coordinates
 :zh: 二次曲线的隐式方程
-:printed: S=S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0
-:definition: yes
-:checked-by: conic_value_and_gradient conic_invariants_are_determinants
+:printed: A conic section, also called a quadratic curve, can be given in an affine coordinate system of the plane by the
+  quadratic implicit equation $S=S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
+:holds-by: plane_sections_of_a_cone_are_quadratic
+:confirmed-by: conic_value_and_gradient conic_invariants_are_determinants
 
-A conic asks for $(A,B,C)\ne(0,0,0)$.  It may be two lines, one line counted twice, a point or nothing.
+A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said: such an equation may also be that of two parallel
+lines, or of nothing.
 :::
+
+:::{claim} plane_sections_of_a_cone_are_quadratic
+:title: A plane cuts a circular cone in a quadratic curve, in any affine coordinates of the plane
+:zh: 平面与圆锥的截线在任意仿射坐标下为二次曲线
+:given: the cone $X^2+Y^2=c^2Z^2$, $c>0$, and the points $O+xU+yV$ of a plane with any origin $O$ and any two directions $U$, $V$
+:let: $q(P,Q)=P_1Q_1+P_2Q_2-c^2P_3Q_3$ and $A=q(U,U)$, $B=q(U,V)$, $C=q(V,V)$, $D=q(O,U)$, $E=q(O,V)$, $F=q(O,O)$
+:then: $X^2+Y^2-c^2Z^2=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F$ at $O+xU+yV$; $(A+c^2U_3^2)(C+c^2V_3^2)=(B+c^2U_3V_3)^2+(U_1V_2-U_2V_1)^2$; and for
+  $V=(kU_1,kU_2,v)$ it is $B=kA+c^2U_3(kU_3-v)$
+:method: Identities in $c$, $O$, $U$, $V$, $x$, $y$, $k$ and $v$.  If $A$, $B$ and $C$ were 0, then $U_1V_2=U_2V_1$ by the second one; $(U_1,U_2)$ and
+  $(V_1,V_2)$ are not 0, as $U_1^2+U_2^2=c^2U_3^2$ and $U\ne0$, so that $V=(kU_1,kU_2,v)$, and by the third one $v=kU_3$: $U$ and $V$ would be
+  parallel, and span no plane.  So the equation is quadratic.
+:over: c O# U# V# k v: -; x# y#: points
+:scope: every plane and every circular cone
+:control: the term $xy$ counted once, not twice
+:::
+*/
+CLAIM(plane_sections_of_a_cone_are_quadratic)
+{
+    num c = positive(T, "c", 0), square = mul(c, c), x = unknown(T, "x", 0), y = unknown(T, "y", 0), frame[3][3], q[3][3], P[3];
+    static const char *const name[] = {"O", "U", "V"};
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            frame[k][j] = unknown(T, name[k], j);
+    const num *U = frame[1], *V = frame[2];
+    for (int k = 0; k < 3; k++)
+        for (int m = 0; m < 3; m++) {
+            const num *a = frame[k], *b = frame[m];
+            q[k][m] = sub(add(mul(a[0], b[0]), mul(a[1], b[1])), mul(square, mul(a[2], b[2])));
+        }
+    for (int j = 0; j < 3; j++)
+        P[j] = add(frame[0][j], add(mul(x, U[j]), mul(y, V[j])));
+    num S[6] = {q[1][1], fault(T, q[1][2], mul(from_ratio(1, 2), q[1][2])), q[2][2], q[0][1], q[0][2], q[0][0]};
+    about(T, "the cone in the points of the plane");
+    same(T, sub(add(mul(P[0], P[0]), mul(P[1], P[1])), mul(square, mul(P[2], P[2]))), G(form)(S, x, y));
+    about(T, "the quadratic part");
+    num first = add(q[1][1], mul(square, mul(U[2], U[2]))), last = add(q[2][2], mul(square, mul(V[2], V[2])));
+    num middle = add(q[1][2], mul(square, mul(U[2], V[2]))), turn = sub(mul(U[0], V[1]), mul(U[1], V[0]));
+    same(T, mul(first, last), add(mul(middle, middle), mul(turn, turn)));
+    about(T, "directions over one line");
+    num k = unknown(T, "k", 0), v = unknown(T, "v", 0);
+    num mixed = sub(add(mul(U[0], mul(k, U[0])), mul(U[1], mul(k, U[1]))), mul(square, mul(U[2], v)));
+    same(T, mixed, add(mul(k, q[1][1]), mul(mul(square, U[2]), sub(mul(k, U[2]), v))));
+}
+
+/*
+The kernels of the conics are these formulas.
+
 
 :::{claim} conic_value_and_gradient
 :title: The value of a conic and its gradient
@@ -94,12 +143,11 @@ as $S_1-S_2$, has no $\lambda$.
 :hypothesis: two_common_points_allow_other_conics | $S_1=0$ and $S_2=0$ have four common points, no three on a line;
   through fewer there are more conics than the members of the pencil.
 :hypothesis: dependent_conics_have_no_pencil | $S_2$ is no multiple of $S_1$.
-:reading: pencil_passes_through_common_points | Every member passes through the common points: true without more
+:meant: (3.1.3) and (3.1.5), where every conic that touches two lines at given points has its $\lambda$ | The members are all the
+  conics through the common points, which asks for the hypotheses.
+:reading: pencil_passes_through_common_points | Every member passes through the common points.  This needs none of the
   hypotheses.
-:reading: pencil_misses_its_difference | The members are all the conics through the common points: only with the
-  hypotheses above.
-:meant: the words: the pencil of the conics through the points of intersection | The second: the members are all the
-  conics through them.
+:reading: pencil_misses_its_difference | The members are all the conics through the common points, without the hypotheses.
 :figure: pencil_of_conics
 :::
 
@@ -445,8 +493,9 @@ common points is now a matter of how the four lines lie.
 :printed: $(1-\lambda)l_1l_2+\lambda l_3l_4=0$ represents the pencil of the conics through the four points where the
   lines of the pair $(l_1,l_2)$ meet those of the pair $(l_3,l_4)$.
 :holds-by: line_pairs_share_four_points conics_through_four_points_are_a_pencil
-:hypothesis: parallel_lines_meet_in_two_points | Each of $l_1,l_2$ meets each of $l_3,l_4$.
-:hypothesis: concurrent_lines_lose_a_point | The four points are different.
+:needs: parallel_lines_meet_in_two_points | the sentence itself, by which the pairs meet two by two in four points | Each of
+  $l_1,l_2$ meets each of $l_3,l_4$.
+:needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | The four points are different.
 :hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted, as in (3.1.2).
 :figure: pencil_of_conics
 :::

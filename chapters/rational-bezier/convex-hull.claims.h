@@ -15,24 +15,23 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 :zh: 凸包性
 :printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
-:confirmed-by: curve_points_are_convex_combinations
+:confirmed-by: curve_points_are_convex_combinations curve_points_have_hull_certificates
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
-:reading: curve_points_have_hull_certificates | Read without the shares: membership in the hull is a linear problem, decided with a certificate for
-  designed polygons, weights that are $0$ included.
 :reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
   given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs.
 :figure: convex_hull
 
-Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.
+Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.  The claim
+`curve_points_have_hull_certificates` decides the membership without the shares, as a linear problem, for some polygons.
 :::
 
 :::{statement} wang-ch3:prop-3.2.5-nonnegative
 :title: The shares are not negative
 :zh: 各系数非负
 :printed: B_i^n(t)\,\omega_i/\omega(t)\ge0
-:holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
+:holds-by: positive_terms_make_a_convex_mean
 :confirmed-by: curve_points_are_convex_combinations
 :needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_i>0$.

@@ -40,19 +40,18 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :::{statement} wang-ch3:prop-3.2.8
 :title: A convex polygon has a convex curve
 :zh: 保凸性
-:printed: a plane rational Bézier curve preserves convexity
-:holds-by: determinant_of_three_sums_goes_by_triples wronskian_of_three_bernstein_functions
-  curve_turns_like_its_triangles
-:confirmed-by: curvature_is_a_sum_over_triangles designed_convex_polygons_have_convex_curves
+:printed: A plane rational Bézier curve preserves convexity.
+:holds-by: determinant_of_three_sums_goes_by_triples means_of_powers_go_one_way three_powers_have_a_positive_determinant
+:confirmed-by: curve_turns_like_its_triangles wronskian_of_three_bernstein_functions curvature_is_a_sum_over_triangles
+  designed_convex_polygons_have_convex_curves
 :needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
   points need only be part of the boundary.
-:argued: | Three points of the curve turn left whenever their parameters are in order; so the curve, closed by its
-  chord, runs through the boundary of its hull once.
-:argued: every n | A minor $M_{ijk}$ is, up to positive factors, $\det(x_l^i,x_l^j,x_l^k)$ with
-  $x_l=\frac{t_l}{1-t_l}$ increasing; it cannot vanish, because $\alpha x^i+\beta x^j+\gamma x^k$ has at most two
-  positive roots by Descartes' rule, and so has the sign of the Wronskian, which is positive.
+:argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$; so three points of the curve turn left whenever
+  their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
+:meant: definition 4.2.1 of the next chapter, the only one at hand | The points of a convex polygon are part of the boundary of a convex
+  region; the second hypothesis asks for more.
 :reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex
   region; then all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
@@ -62,7 +61,7 @@ curve is.  The weights come in as products of three, so that positive ones canno
 
 If all $D_{ijk}\ge0$ and one is positive, any three points of the curve with parameters in $(0,1)$ turn left in their order, none are on one
 line, and the curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
-and Binet's for every $n$, and the Wronskian is computed for every $n$, so that the curvature has one sign in every degree.
+and Binet's, for every $n$, and so are the minors.  The Wronskian is computed for every $n$, too, so that the curvature has one sign in every degree.
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
 :::
 
@@ -514,19 +513,17 @@ CLAIM(mixed_weights_lose_convexity)
 :::{statement} wang-ch3:prop-3.2.8-route
 :title: The way of proof: subdivide, and cut corners
 :zh: 证明途径: 离散割角
-:printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
-:holds-by: subdivided_polygon_turns_like_its_triangles
-:confirmed-by: subdivided_convex_polygons_are_convex
+:printed: The property can be proved by (3.3.1), imitating the proof of theorem 1.4.2.
+:holds-by: one_cut_of_corners_has_no_negative_minor determinant_of_three_sums_goes_by_triples
+:confirmed-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
 :needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights
 :argued: | Repeated, the subdivided polygons converge to the curve, and a limit of convex polygons is convex.
-:argued: every n | One cut of corners is a matrix with two neighbouring entries that are not negative in each row,
-  which has no negative minor; by Cauchy and Binet neither has a product of such matrices, and subdivision is one.
 :figure: convex_halves
 
 The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,
 the polygons converge to the curve; a limit of convex polygons is convex.  The first of these is decided here, with the
-formulas (3.3.1) as they should read, the convergence in the section on subdivision.
+formulas (3.3.1) as they should read, the convergence in the section on subdivision.  Theorem 1.4.2 is not at hand.
 :::
 
 :::{claim} subdivided_polygon_turns_like_its_triangles

@@ -16,7 +16,7 @@ hypothesis: no weight is $0$.
 :::{statement} wang-ch3:prop-3.2.9
 :title: The vertices of a plane curve are coplanar
 :zh: 平面曲线的控制顶点共面
-:printed: if a rational Bézier curve is plane, its vertices are coplanar
+:printed: The vertices of a plane rational Bézier curve are coplanar.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor weight_can_be_divided_out
 :confirmed-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
 :needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
@@ -216,7 +216,7 @@ CLAIM(vertex_of_weight_zero_leaves_the_plane)
 :::{statement} wang-ch3:prop-3.2.9-converse
 :title: Coplanar vertices give a plane curve
 :zh: 顶点共面则曲线为平面曲线
-:printed: by property 3.2.5 the converse is true as well
+:printed: By property 3.2.5 the converse holds as well.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: coplanar_vertices_give_a_plane_curve
 
@@ -261,7 +261,7 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
 :::{statement} wang-ch3:prop-3.2.9-step-1
 :title: The plane may be taken as the xy-plane
 :zh: 可取曲线所在平面为 xy 平面
-:printed: without loss of generality the curve is in the $xy$-plane
+:printed: Without loss of generality the curve (3.2.2) is in the $xy$-plane.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: plane_form_of_the_curve
 :::
@@ -273,6 +273,8 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
   \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0,\quad 0\le t\le1
 :holds-by: mean_grows_by_one_term
 :confirmed-by: plane_form_of_the_curve
+
+The mean of the numbers $z_i$ is the quotient of the two sums; where it is 0, its numerator is.
 :::
 
 :::{statement} wang-ch3:prop-3.2.9-step-3
@@ -282,7 +284,8 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
 
-Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points of the curve in the plane bring all vertices there.
+Divided by $(1-t)^n$ the sum is $\sum\binom ni\omega_iz_is^i$ with $s=\frac t{1-t}$, by (2) of the first claim; a polynomial in $s$ that is 0 for all $s>0$ has
+no coefficient but 0.  Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points of the curve in the plane bring all vertices there.
 :::
 
 :::{claim} collocation_determinant_does_not_vanish

@@ -20,18 +20,52 @@ source defines it.
 :title: Rational Bézier curve, control points, control polygon, weights
 :zh: 有理 Bézier 曲线、控制顶点、控制多边形与权因子
 :definition: yes
-:printed: Given $n+1$ points in homogeneous coordinates
-  $\tilde{\mathbf R}_i=(X_i,Y_i,Z_i,\omega_i)=(\omega_ix_i,\omega_iy_i,\omega_iz_i,\omega_i)$, the curve (3.2.1) is a rational
-  Bézier curve of degree $n$; the $\tilde{\mathbf R}_i$ are its control points, $\tilde{\mathbf R}_0\dots\tilde{\mathbf R}_n$
-  its control polygon or B-net, the $\omega_i$ its weights.
-:checked-by: homogeneous_points_carry_their_weight common_factor_of_weights_is_free
+:printed: Given, in space $\mathfrak R^3$ and in homogeneous coordinates, $n+1$ points
+  $\tilde{\mathbf R}_i=(X_i,Y_i,Z_i,\omega_i)=(\omega_ix_i,\omega_iy_i,\omega_iz_i,\omega_i)$, $i=0,1,\dots,n$, the rational
+  parametric curve (3.2.1) of degree $n$ is called a rational Bézier curve of degree $n$, where $B_i^n(t)$ is the Bernstein basis of degree $n$; the
+  $\tilde{\mathbf R}_i$ are called its control points, $\tilde{\mathbf R}_0\tilde{\mathbf R}_1\cdots\tilde{\mathbf R}_n$ its control polygon or B-net,
+  the $\omega_i$ its weights.
+:checked-by: homogeneous_point_determines_point_and_weight mean_grows_by_one_term
+:confirmed-by: homogeneous_points_carry_their_weight common_factor_of_weights_is_free
 
 The pair $(R_i,\omega_i)$ and the homogeneous point determine each other as long as $\omega_i\ne0$.  For
 $\omega_i=0$ the printed equality leaves only $(0,0,0,0)$: a point of weight $0$ does not count, and control points at
 infinity, $(X_i,Y_i,Z_i,0)\ne0$, are not part of this definition.  The curve in space depends on the ratios of the
-weights alone.
+weights alone, since a common factor of the weights does not change a mean.
+:::
+
+:::{claim} homogeneous_point_determines_point_and_weight
+:title: A homogeneous point determines its point and its weight, and they determine it
+:zh: 齐次点与带权点一一对应
+:given: a point $(x,y,z)$ of space and a weight $\omega\ne0$; a homogeneous point $(X,Y,Z,W)$, $W\ne0$
+:then: $(\omega x,\omega y,\omega z,\omega)$ has the quotients $x,y,z$ by its last coordinate, and the point $(\frac XW,\frac YW,\frac ZW)$ with the weight $W$ has
+  the products $(X,Y,Z,W)$
+:method: The products and quotients that the program forms are undone by the other operation, written out here.  Each point of a polygon is treated by
+  itself, so that there may be any number.
+:degrees: all
+:over: h#: weights; H# x# y# z#: points
+:control: the last coordinate without the weight
 :::
 */
+CLAIM(homogeneous_point_determines_point_and_weight)
+{
+    num w = positive(T, "h", 0), W = positive(T, "h", 1), R[3], H[4], back[3], v;
+    G(free_points)(T, 0, 3, R);
+    G(rational_homogenize)(0, 3, R, &w, H);
+    num last = fault(T, H[3], from_int(1));
+    about(T, "the quotients");
+    same(T, last, w);
+    for (int c = 0; c < 3; c++)
+        same(T, div(H[c], last), R[c]);
+    for (int c = 0; c < 3; c++)
+        H[c] = unknown(T, "H", c);
+    H[3] = W;
+    G(rational_dehomogenize)(0, 3, H, back, &v);
+    about(T, "the products");
+    same(T, v, W);
+    for (int c = 0; c < 3; c++)
+        same(T, mul(v, back[c]), H[c]);
+}
 
 /* n+1 positive weights, all of them free. */
 static inline void G(free_weights)(trial *T, int n, num w[])
@@ -125,8 +159,12 @@ polynomials.
 :zh: 齐次坐标下的曲线
 :definition: yes
 :printed: \tilde{\mathbf R}(t)=(X(t),Y(t),Z(t),\omega(t))=\sum_{i=0}^nB_i^n(t)\tilde{\mathbf R}_i,\quad 0\le t\le1
-:checked-by: denominator_is_weighted_bernstein_sum rational_point_is_weighted_mean
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: denominator_is_weighted_bernstein_sum rational_point_is_weighted_mean
 :figure: homogeneous_line
+
+What is checked is that de Casteljau's recursion, by which the points are computed here, gives this sum in each of the four
+coordinates.
 :::
 */
 
@@ -225,13 +263,15 @@ CLAIM(rational_point_is_weighted_mean)
 :zh: 仿射坐标下的曲线
 :printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
-:holds-by: rational_point_is_weighted_mean
-:confirmed-by: rational_derivatives_are_formal_derivatives
+:holds-by: homogeneous_point_determines_point_and_weight mean_grows_by_one_term
+:confirmed-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
 :figure: homogeneous_line
 
-The derivatives of this quotient, which the next sections need, are computed here as well.
+With $W$ and $M$ for the weight and the quotient of some of the homogeneous points $B_i^n(t)\tilde{\mathbf R}_i$ together, one more,
+$c(\mathbf R_i,1)$ with $c=B_i^n(t)\omega_i$, makes the quotient $\frac{WM+c\mathbf R_i}{W+c}$; so the quotients of all $n+1$ together are those of
+the two sums.  The derivatives of this quotient, which the next sections need, are computed here as well.
 :::
 */
 
@@ -616,13 +656,17 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :printed: The rational Bézier curves $\mathbf R(t)$ have geometric properties similar to those of Bézier curves.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor positive_terms_make_a_convex_mean
   first_power_decides_the_end_derivative end_direction_has_a_positive_factor bernstein_function_in_the_next_degree
+:argued: | That two kinds of curves are similar is a judgement.  It rests here on the properties that both have: invariance, symmetry, the ends, the
+  convex hull, elevation, each as in the list that follows.
+:meant: the list that follows | The properties 3.2.1 to 3.2.9, as far as they are true.
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, the line before: one usually prescribes $\omega_i>0$ | positive weights, for the
+  convex hull
 :confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
   reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges
   curve_points_are_convex_combinations elevation_keeps_rational_curve
 
-The sentence announces the properties 3.2.1 to 3.2.9; each follows with its own entry.  Decided here are the first ones, and
-that with equal weights the curve is the Bézier curve of its points, so that the properties of Bézier curves are among those
-that follow.
+The sentence announces the properties 3.2.1 to 3.2.9, each of which has its own entry; there stands what is not true of them as printed.  With
+equal weights the curve is the Bézier curve of its points, so that the properties of Bézier curves are among those that follow.
 :::
 
 :::{claim} equal_weights_give_bezier_curve

@@ -13,6 +13,8 @@ one.  Repeated without end the polygons converge to the curve, but slowly, like 
 
 #include "chapters/rational-bezier/free-curve.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -28,9 +30,9 @@ the products $\omega_iR_i$.
 :::{statement} wang-ch3:prop-3.2.6
 :title: A rational Bézier curve of degree n is one of degree n+1 as well
 :zh: n 次有理 Bézier 曲线也是 n+1 次的
-:printed: the curve of degree $n$ with weights $\omega_i$ and vertices $\mathbf R_i$ is the curve of degree $n+1$
-  with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$
-:holds-by: bernstein_function_in_the_next_degree
+:printed: The formula of elevation: the curve of degree $n$ with weights $\omega_i$ and vertices $\mathbf R_i$ is the curve of degree $n+1$
+  with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$ of (3.2.7) to (3.2.9).
+:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners
 :confirmed-by: elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights; otherwise the new vertices need not exist, though the curve has no pole
@@ -42,8 +44,10 @@ the products $\omega_iR_i$.
 :zh: 升阶前后为同一曲线
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(t)\omega_i}
   =\frac{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i\hat{\mathbf R}_i}{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i}
-:holds-by: bernstein_function_in_the_next_degree
+:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners
 :confirmed-by: elevation_keeps_rational_curve
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
+  weights, so that all vertices $\hat{\mathbf R}_i$ exist
 :::
 
 :::{claim} bernstein_function_in_the_next_degree
@@ -170,7 +174,7 @@ and any other numbers would do.
 :printed: \hat{\mathbf R}_i=\frac{(1-\frac i{n+1})\omega_i}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_i
   +\frac{\frac i{n+1}\omega_{i-1}}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_{i-1},\quad
   i=0,1,\dots,n+1;\quad\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0
-:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
+:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter elevation_cuts_corners
 :confirmed-by: elevated_points_as_printed elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights, so that no denominator vanishes
@@ -180,7 +184,7 @@ and any other numbers would do.
 :::{statement} wang-ch3:prop-3.2.6-derivation
 :title: The formulas come from raising numerator and denominator apart
 :zh: 对分子分母分别升阶
-:printed: the formulas follow when the operator (1.3.9) is applied to the numerator and to the denominator of (3.2.2)
+:printed: The formulas can be obtained by applying the operator (1.3.9) to the numerator and to the denominator of (3.2.2).
 :holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
 :confirmed-by: elevation_through_the_power_basis elevated_points_as_printed
 
@@ -260,7 +264,7 @@ common linear factor.  If both are to stay as polynomials, the new coefficients 
   this is formula (3.2.8), and (3.2.9) multiplied by its denominator.
 :degrees: 1..10 sampled 12
 :over: b#: coefficients
-:control: the first of the $n+2$ numbers left out and the others moved up
+:control: the $n+2$ numbers moved up by one place, the first put last
 :::
 */
 CLAIM(elevation_through_the_power_basis)
@@ -276,10 +280,8 @@ CLAIM(elevation_through_the_power_basis)
     G(bernstein_to_power)(n, b, c);
     c[n + 1] = from_int(0);
     G(bernstein_from_power)(n + 1, c, again);
-    for (int i = 0; i <= n; i++)
-        same(T, e[fault(T, i, i + 1)], again[i]);
-    if (!T->faulty)
-        same(T, e[n + 1], again[n + 1]);
+    for (int i = 0; i <= n + 1; i++)
+        same(T, e[fault(T, i, (i + 1) % (n + 2))], again[i]);
 }
 
 /*
@@ -320,7 +322,7 @@ corner $R_i$.
 :::{statement} wang-ch3:prop-3.2.6-corner-cutting
 :title: Elevation cuts the corners of the polygon
 :zh: 升阶的几何意义是割角
-:printed: geometrically (3.2.9) again cuts the corners of the polygon
+:printed: Geometrically (3.2.9) again means that the corners of the B-net are cut.
 :holds-by: elevation_cuts_corners
 :needs: elevated_vertex_may_leave_the_edge | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights; otherwise the new vertex may lie outside the edge
@@ -402,8 +404,8 @@ CLAIM(elevated_vertex_may_leave_the_edge)
 :::{statement} wang-ch3:prop-3.2.6-ratios
 :title: The ratios depend on the number of the edge and on the weights
 :zh: 割角系数依赖于边序号与权因子
-:printed: this is more complicated than for polynomial curves: the ratios of cutting depend on the number of the edge and
-  on the weights $\omega_i$ as well
+:printed: It is only more complicated than the elevation of polynomial Bézier curves: the ratios of cutting depend not only on the number
+  of the edge but on the weights $\omega_i$, too.
 :holds-by: cutting_ratio_depends_on_edge_and_weights
 
 Of the weights only the quotient of the two at the ends of the edge matters.  The ratio is that of the polynomial case on
@@ -423,7 +425,7 @@ large weight $\omega_{i-1}$ draws the new vertex towards $R_{i-1}$; how far, the
 :method: Identities in the field with $i$, $k$, $\omega'$, $\omega$ and the increments variables; the differences have only
   positive coefficients.
 :degrees: all
-:over: i; k d: -; v#: weights
+:over: i k d: -; v# w#: weights
 :control: $\omega$ and $\omega'$ exchanged in the difference from $i/(n+1)$
 :::
 */
@@ -442,9 +444,9 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
     /* a - i/(n+1) = ik (ω' - ω)/((n+1)(iω' + kω)) */
     same(T, sub(a, div(i, count)), div(mul(mul(i, k), difference), mul(count, add(mul(i, v), mul(k, w)))));
     about(T, "a larger weight before");
-    nonnegative(T, sub(G(cutting_ratio)(i, k, add(v, d), w), a));
+    G(must_be_positive)(T, sub(G(cutting_ratio)(i, k, add(v, d), w), a));
     about(T, "the next edge: i+1 and k-1, here with k+1 and k");
-    nonnegative(T, sub(G(cutting_ratio)(add(i, one), k, v, w), G(cutting_ratio)(i, add(k, one), v, w)));
+    G(must_be_positive)(T, sub(G(cutting_ratio)(add(i, one), k, v, w), G(cutting_ratio)(i, add(k, one), v, w)));
     about(T, "both weights multiplied");
     same(T, G(cutting_ratio)(i, k, mul(d, v), mul(d, w)), a);
 }
@@ -453,7 +455,7 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
 :::{statement} wang-ch3:prop-3.2.6-for-ever
 :title: Elevation can be repeated for ever
 :zh: 升阶可无限次进行
-:printed: elevation can be repeated without end
+:printed: In the same way elevation can be repeated without end.
 :holds-by: elevation_cuts_corners repeated_elevation_in_one_formula
 :confirmed-by: repeated_elevation_computed
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
@@ -560,8 +562,8 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :::{statement} wang-ch3:prop-3.2.6-convergence
 :title: The elevated polygons converge to the curve
 :zh: 升阶多边形序列收敛到曲线
-:printed: the sequence of elevated polygons converges to $\mathbf R(t)$
-:holds-by: elevated_polygons_converge powers_in_every_degree
+:printed: The sequence of the elevated B-nets converges to $\mathbf R(t)$.
+:holds-by: elevated_polygons_converge powers_in_every_degree elevation_cuts_corners
 :argued: | The bounds (1) to (4) of `elevated_polygons_converge` are put together in words: a product of $k$ factors
   is estimated factor by factor, the sums over $k$ are formed, and between two vertices polygon and curve are as near,
   since $\mathbf R$ has a bounded derivative; the bound $\frac{\text{const}}{N-n+1}$ tends to 0.

@@ -22,7 +22,8 @@ derivatives of $R$ only.
 :::{statement} wang-ch3:prop-3.2.4-step-1
 :title: First derivative of the quotient
 :zh: 商的一阶导矢
-:printed: \mathbf P=\omega\mathbf R,\qquad\mathbf R'=(\mathbf P'-\omega'\mathbf R)/\omega
+:printed: Let the curve be $\mathbf R(t)=\mathbf P(t)/\omega(t)$, so that $\mathbf P=\omega\mathbf R$; differentiated and solved this gives
+  $\mathbf R'=(\mathbf P'-\omega'\mathbf R)/\omega$.
 :holds-by: derivatives_of_a_quotient
 :::
 
@@ -364,6 +365,8 @@ Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
 :printed: Put into the formulas of the curvature and torsion of a parametric curve, these three give $\kappa(0)$ and $\tau(0)$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive
   curvature_and_torsion_belong_to_arc_length
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
+  | $\omega_i>0$ for the curvature, as in (3.2.5).
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion, as in (3.2.6).
 
 Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
@@ -463,6 +466,8 @@ CLAIM(factor_of_the_curvature_is_positive)
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
   factor_of_the_curvature_is_positive
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
+  | $\omega_i>0$ for the curvature, as in (3.2.5).
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion, as in (3.2.6).
 
 The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it

@@ -253,7 +253,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :::{statement} wang-ch3:prop-3.2.4
 :title: Curvature and torsion at the ends, for control points without repetition
 :zh: 端点曲率与挠率（控制顶点无重点）
-:printed: Let no two control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,\dots,n$.  Then the curvatures and torsions at the ends are
+:printed: The curvature $\kappa$ and the torsion $\tau$ at the ends: let no control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,2,\dots,n$; then
   (3.2.5) and (3.2.6).
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
   factor_of_the_curvature_is_positive
@@ -261,6 +261,8 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide |
   $\mathbf a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$, which is all that the formulas of the curvature use of the
   hypothesis; other points may coincide.
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_i>0$ for (3.2.5); in general
+  its right sides need $|\omega_0\omega_2|$ and $|\omega_{n-2}\omega_n|$.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | For (3.2.6): $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ at $t=0$ and
   $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ at $t=1$, which distinct points do not ensure.
 :figure: end_formulas_undetermined
@@ -269,7 +271,8 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :::{statement} wang-ch3:3.2.5-left
 :title: Curvature at t = 0
 :zh: t=0 处的曲率
-:printed: \kappa(0)=\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\frac{\|\mathbf a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}
+:printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(0)=\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\frac{\|\mathbf
+  a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
   factor_of_the_curvature_is_positive
 :confirmed-by: end_curvature_at_zero
@@ -287,7 +290,8 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :::{statement} wang-ch3:3.2.5-right
 :title: Curvature at t = 1
 :zh: t=1 处的曲率
-:printed: \kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}
+:printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf
+  a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
   factor_of_the_curvature_is_positive
 :confirmed-by: end_curvature_at_one
@@ -301,7 +305,8 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :::{statement} wang-ch3:3.2.6-left
 :title: Torsion at t = 0
 :zh: t=0 处的挠率
-:printed: \tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}
+:printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(\mathbf a_1,\mathbf
+  a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
 :confirmed-by: end_torsion_at_zero
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$: the first three points are not on a line.
@@ -315,7 +320,8 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :::{statement} wang-ch3:3.2.6-right
 :title: Torsion at t = 1
 :zh: t=1 处的挠率
-:printed: \tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}
+:printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(\mathbf
+  a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
 :confirmed-by: end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
@@ -460,8 +466,7 @@ CLAIM(end_torsion_at_one)
 :title: The letter of the curvature
 :zh: 曲率的记号
 :definition: yes
-:printed: The curvature $\kappa$ is usually written $k$, too, and is written so from here on.
-:checked-by: curvature_and_torsion_belong_to_arc_length
+:printed: By the usual practice the curvature is also written $k$; in this book it is written $k$ from here on.
 
 The source remarks, at the end of its proof, that the curvature is also written $k$, as it is from there on.  In (3.2.3) and (3.2.4)
 $k$ is a number of points; here it stays that.

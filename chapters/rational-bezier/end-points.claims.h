@@ -211,15 +211,42 @@ CLAIM(zero_end_weight_loses_the_end_point)
 :definition: yes
 :printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf
   R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
-:checked-by: multiplicities_fit_into_the_polygon
+:checked-by: two_multiplicities_leave_an_edge
+:confirmed-by: multiplicities_fit_into_the_polygon
 
 The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality
 before this line and a quantifier over $t$ behind it; they are read as "when ..., then".
 :::
+
+:::{claim} two_multiplicities_leave_an_edge
+:title: With a first and a last change, k + h ≤ n + 1
+:zh: 有首末变化处时 k + h ≤ n + 1
+:given: a polygon $R_0,\dots,R_n$ of which not all points coincide; $R_k$ the first point that differs from the one before it, $R_l$ the last one, so that
+  $l=k+m$, $m\ge0$
+:then: the last $h=n+1-l$ points coincide, $R_{n-h}\ne R_{n-h+1}$, and $n+1-(k+h)=m\ge0$
+:method: Where not all points coincide there is a first and a last change, and the first one does not stand behind the last.  The numbers are variables.
+:degrees: all
+:over: k m r: -
+:control: one point counted at both ends
+:::
 */
+CLAIM(two_multiplicities_leave_an_edge)
+{
+    num one = from_int(1), k = whole(T, "k", 1, 6), m = whole(T, "m", 0, 6), behind = whole(T, "r", 0, 6);
+    num l = add(k, m), n = add(l, behind), h = sub(add(n, one), l);
+    num left = sub(add(n, one), add(k, fault(T, h, add(h, one))));
+    about(T, "what is left of n + 1");
+    same(T, left, m);
+    nonnegative(T, m);
+    about(T, "the last change is between the numbers n - h and n - h + 1");
+    same(T, sub(n, h), sub(l, one));
+}
+
 
 #if RATIONAL
 /*
+For the lower degrees all patterns can be visited.
+
 :::{claim} multiplicities_fit_into_the_polygon
 :title: Unless all points coincide, k and h exist and k + h ≤ n + 1
 :zh: 除非全部重合，k 与 h 存在且 k + h ≤ n + 1
@@ -532,7 +559,8 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
 :holds-by: mean_grows_by_one_term
 :confirmed-by: curve_expands_about_its_first_point
 
-With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left
+The differences $\mathbf R_i-\mathbf R_0$ have the same mean as the points, less $\mathbf R_0$: this is the claim with $f(X)=X-\mathbf R_0$, coordinate by
+coordinate.  Those with $i<k$ are 0, and $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$ is written out.  With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left
 half of (3.2.3) and (3.2.4).  The right half is left to the reader; by symmetry it comes with $(1-t)^h$, whose $h$-th
 derivative brings the factor $(-1)^h$; with $R_{n-h}-R_n$ turned round it is the $(-1)^{h+1}$ that the print lacks.
 :::

@@ -415,7 +415,7 @@ CLAIM(larger_numbers_have_larger_powers)
 :given: three terms $H_1,H_2,H_3$ of space and three rows of factors $m_{l1},m_{l2},m_{l3}$; three points $(x_i,y_i)$ of the plane with weights
   $\omega_i$
 :then: $\sum_\sigma m_{1\sigma(1)}m_{2\sigma(2)}m_{3\sigma(3)}\det(H_{\sigma(1)},H_{\sigma(2)},H_{\sigma(3)})=\det(m)\det(H)$; and
-  $\det(\omega_i(x_i,y_i,1))=\omega_1\omega_2\omega_3D$ with $D$ twice the signed area of the triangle
+  $\det(\omega_i(x_i,y_i,1))=\omega_1\omega_2\omega_3D$ with $D$ twice the signed area of the triangle, where $\omega_1\omega_2\omega_3>0$ for positive weights
 :method: The determinant of $\sum_im_{1i}H_i$, $\sum_jm_{2j}H_j$, $\sum_km_{3k}H_k$ is linear in every place; its terms with two equal indices are 0,
   and those with the indices $i<j<k$ in some order are the sum on the left.  So the formula of Cauchy and Binet for three rows holds for
   every number of terms.
@@ -453,7 +453,162 @@ CLAIM(determinant_of_three_sums_goes_by_triples)
     same(T, sum, mul(G(det3)(m[0], m[1], m[2]), volume));
     about(T, "homogeneous points");
     num a[2] = {sub(x[1], x[0]), sub(y[1], y[0])}, b[2] = {sub(x[2], x[0]), sub(y[2], y[0])};
-    same(T, G(det3)(P[0], P[1], P[2]), mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b)));
+    num weights = mul(w[0], mul(w[1], w[2]));
+    same(T, G(det3)(P[0], P[1], P[2]), mul(weights, G(cross2)(a, b)));
+    G(must_be_positive)(T, weights);
+}
+
+/*
+The minors in that sum have one sign.  Divided by $\binom ni\binom nj\binom nk$ and by powers of the $1-t_l$ they are determinants of three powers of
+$x_l=\frac{t_l}{1-t_l}$, and these grow in the right order because the means of $1,r,r^2,\dots$ do.
+
+:::{claim} means_of_powers_go_one_way
+:title: The mean of the first m powers falls with m for r < 1 and grows for r > 1
+:zh: 前 m 个幂的平均随 m 单调
+:given: $r>0$, $S_m=1+r+\dots+r^{m-1}$, $U=r^m$; two numbers $0<p<q$, $1\le a<b$
+:let: $D_m=S_m-mr^m$
+:then: $D_1=1-r$, $D_{m+1}-D_m=(m+1)U(1-r)$, and $mS_{m+1}-(m+1)S_m=-D_m$; with $r=\frac pq$ it is
+  $b\,q^{b-a}(q^a-p^a)-a(q^b-p^b)=q^b(1-r)(bS_a-aS_b)>0$, with $r=\frac qp$ it is $a(q^b-p^b)-b\,p^{b-a}(q^a-p^a)=p^b(r-1)(aS_b-bS_a)>0$
+:method: Induction on $m$, with $m$, $S_m$, $r$ and $U$ variables: all $D_m$ have the sign of $1-r$.  So $\frac{S_m}m$ falls with $m$ for $r<1$ and grows for $r>1$, for all
+  exponents, and $bS_a-aS_b$ has the sign of $1-r$.  In the two equations $r^a=1-(1-r)S_a$, $r^b=1-(1-r)S_b$.  Outside the field the sums are those of a random number of powers.
+:degrees: all
+:over: m a b S# U# r d Q: -
+:control: $m$ for $m+1$
+:::
+*/
+CLAIM(means_of_powers_go_one_way)
+{
+    num one = from_int(1), d = positive(T, "d", 0);
+    for (int side = 0; side < 2; side++) { /* r < 1, r > 1 */
+        num r = side == 0 ? div(one, add(one, d)) : add(one, d), rest = sub(one, r);
+#if FIELD
+        num m = whole(T, "m", 1, 6), S = unknown(T, "S", 0), U = positive(T, "U", 0);
+#else
+        int count = pick(T, 1, 6);
+        num m = from_int(count), S = from_int(0), U = G(power)(r, count);
+        for (int k = 0; k < count; k++)
+            S = add(S, G(power)(r, k));
+#endif
+        num next = add(S, U), D = sub(S, mul(m, U)), D_next = sub(next, mul(add(m, one), mul(U, r)));
+        about(T, "from one number of powers to the next");
+        same(T, sub(D_next, D), mul(mul(fault(T, add(m, one), m), U), rest));
+        about(T, "the means");
+        same(T, sub(mul(m, next), mul(add(m, one), S)), neg(D));
+        about(T, "one power");
+        same(T, sub(one, mul(one, r)), rest);
+        about(T, "the sign");
+        G(must_be_positive)(T, side == 0 ? rest : neg(rest));
+        G(must_be_positive)(T, mul(mul(add(m, one), U), side == 0 ? rest : neg(rest)));
+        /* r^a = 1 - (1-r) S_a, r^b = 1 - (1-r) S_b; Q = q^b for r < 1, p^b for r > 1 */
+        num a = whole(T, "a", 1, 3), b = add(a, whole(T, "b", 1, 3)), Q = positive(T, "Q", 0);
+        num of_a = unknown(T, "S", 1), of_b = unknown(T, "S", 2);
+        num power_a = sub(one, mul(rest, of_a)), power_b = sub(one, mul(rest, of_b));
+        num scaled = mul(b, mul(Q, sub(one, power_a))), whole_gap = mul(a, mul(Q, sub(one, power_b)));
+        about(T, "differences of powers");
+        same(T, sub(scaled, whole_gap), mul(mul(Q, rest), sub(mul(b, of_a), mul(a, of_b))));
+    }
+}
+
+/*
+:::{claim} three_powers_have_a_positive_determinant
+:title: Three Bernstein functions at three parameters have a positive determinant, in every degree
+:zh: 三个 Bernstein 基函数在三个参数处的行列式为正(任意次数)
+:given: $0\le i<j<k\le n$, $0<t_1<t_2<t_3<1$; numbers $u_1<u_2<u_3$ and $v_l$ with $v_2-v_1=c(u_2-u_1)-f$, $v_3-v_2=c(u_3-u_2)+e$, $c,e,f>0$
+:then: $\det(1,u_l,v_l)=e(u_2-u_1)+f(u_3-u_2)>0$; and the minor $M_{ijk}$ of $(B_m(t_l))$ is a positive number times such a determinant, with
+  $u_l=x_l^{j-i}$, $v_l=x_l^{k-i}$, $x_l=\frac{t_l}{1-t_l}$; so $M_{ijk}>0$
+:method: $B_m(t_l)=\binom nm(1-t_l)^nx_l^m$: the columns have the factors $\binom nm$, the rows $(1-t_l)^nx_l^i$.  The $x_l$ grow with $t_l$, and with $c=\frac{k-i}{j-i}x_2^{k-j}$
+  the inequalities $e,f>0$ are those of `means_of_powers_go_one_way` for the pairs $x_1<x_2$ and $x_2<x_3$, $a=j-i$, $b=k-i$.  Outside the field the minors of a random
+  degree are computed from the Bernstein functions and compared with this product.
+:degrees: all
+:scope: 0 < t_1 < t_2 < t_3 < 1
+:over: u v p q c e f s: -
+:control: the two differences of $v$ exchanged
+:::
+*/
+CLAIM(three_powers_have_a_positive_determinant)
+{
+    num one = from_int(1), u = unknown(T, "u", 0), v = unknown(T, "v", 0), p = positive(T, "p", 0), q = positive(T, "q", 0);
+    num c = positive(T, "c", 0), e = positive(T, "e", 0), f = positive(T, "f", 0);
+    num less = sub(mul(c, p), f), more = add(mul(c, q), e), row[3][3] = {{one, u, v}};
+    num first = fault(T, less, more), second = fault(T, more, less);
+    row[1][0] = one;
+    row[1][1] = add(u, p);
+    row[1][2] = add(v, first);
+    row[2][0] = one;
+    row[2][1] = add(row[1][1], q);
+    row[2][2] = add(row[1][2], second);
+    num determinant = add(mul(e, p), mul(f, q));
+    about(T, "the determinant");
+    same(T, G(det3)(row[0], row[1], row[2]), determinant);
+    G(must_be_positive)(T, determinant);
+    num s = inside(T, "s"); /* t_1 = s, t_2 = s + p (1 - s)/(1 + p), and so t_2 for t_1: x grows */
+    num later = add(s, mul(sub(one, s), div(p, add(one, p))));
+    about(T, "x grows with t");
+    G(must_be_positive)(T, sub(div(later, sub(one, later)), div(s, sub(one, s))));
+#if !FIELD
+    int i = pick(T, 0, 2), j = i + pick(T, 1, 2), k = j + pick(T, 1, 2), n = k + pick(T, 0, 2);
+    num basis[MAX_DEGREE + 1], M[3][3], powers[3][3], t = s, factor = from_int(1);
+    for (int l = 0; l < 3; l++) {
+        num rest = sub(one, t), x = div(t, rest);
+        G(bernstein_basis)(n, t, basis);
+        const int index[3] = {i, j, k};
+        for (int m = 0; m < 3; m++) {
+            M[l][m] = basis[index[m]];
+            powers[l][m] = G(power)(x, index[m] - i);
+            factor = l == 0 ? mul(factor, from_int(binomial(n, index[m]))) : factor;
+        }
+        factor = mul(factor, mul(G(power)(rest, n), G(power)(x, i)));
+        t = add(t, mul(rest, from_ratio(2, 5)));
+    }
+    about(T, "a minor of the Bernstein functions");
+    same(T, G(det3)(M[0], M[1], M[2]), mul(factor, G(det3)(powers[0], powers[1], powers[2])));
+    about(T, "its sign");
+    nonnegative(T, G(det3)(M[0], M[1], M[2]));
+#endif
+}
+
+/*
+A cut of corners makes new points of neighbouring old ones.  Its matrix has two numbers in each row, one place further to the right from row to row.
+
+:::{claim} one_cut_of_corners_has_no_negative_minor
+:title: A matrix that cuts corners once has no negative minor of three rows
+:zh: 一次割角矩阵的三阶子式非负
+:given: three rows of a matrix whose row $l$ has the entries $p_l\ge0$ and $q_l\ge0$ in the columns $l-1$ and $l$ and 0 elsewhere; rows that are neighbours or not
+:then: every $3\times3$ minor is $\ge0$
+:method: Rows that are not neighbours have no column in common, whatever their distance, so that distances of 1 and 2 are all; columns in which the three rows have nothing
+  make the minor 0.  All minors of the other columns are computed, with the entries variables.  De Casteljau's step from one level to the next, on the whole polygon $b_0^0,\dots,b_r^r,\dots,b_n^r,\dots,b_n^0$, is
+  such a matrix with $p_l=1-\lambda$, $q_l=\lambda$ or with one entry 1, and by `determinant_of_three_sums_goes_by_triples` the determinants of three new points are sums of such minors times those of three
+  old ones.  So, step after step, if no determinant of three of the points of a polygon is negative, then none of the two halves joined is, for every $n$.
+:degrees: all
+:scope: 0 ≤ λ ≤ 1
+:over: p# q#: -
+:control: one entry negative, as for $\lambda>1$
+:::
+*/
+CLAIM(one_cut_of_corners_has_no_negative_minor)
+{
+    enum { COLUMNS = 6 };
+    for (int gaps = 0; gaps < 4; gaps++) {
+        num row[3][COLUMNS];
+        for (int l = 0, at = 0; l < 3; l++, at += 1 + (l == 1 ? gaps & 1 : gaps >> 1)) {
+            for (int m = 0; m < COLUMNS; m++)
+                row[l][m] = from_int(0);
+            num p = positive(T, "p", l), q = positive(T, "q", l);
+            row[l][at] = fault(T, p, l == 0 ? neg(p) : p);
+            row[l][at + 1] = q;
+        }
+        for (int k = 2; k < COLUMNS; k++)
+            for (int j = 1; j < k; j++)
+                for (int i = 0; i < j; i++) {
+                    num minor[3][3];
+                    for (int l = 0; l < 3; l++) {
+                        minor[l][0] = row[l][i];
+                        minor[l][1] = row[l][j];
+                        minor[l][2] = row[l][k];
+                    }
+                    nonnegative(T, G(det3)(minor[0], minor[1], minor[2]));
+                }
+    }
 }
 
 /*

@@ -16,8 +16,8 @@ all triangles.
 :::{statement} wang-ch3:3.1.3
 :title: The conics that touch two lines at given points
 :zh: 与两直线切于定点的曲线束
-:printed: $(1-\lambda)l_1l_2+\lambda l_3^2=0$ represents the pencil of the conics through $R_0$ and $R_2$ that touch
-  $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
+:printed: In particular, when the line $l_3$ falls on $l_4$, $(1-\lambda)l_1l_2+\lambda l_3^2=0$ represents the pencil of the
+  conics through $R_0$ and $R_2$ that touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
 :hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$, so that $l_3$ joins two points;
@@ -304,7 +304,8 @@ CLAIM(three_lines_have_three_pencils)
 :::{statement} wang-ch3:3.1-affine-coordinates
 :title: Affine coordinates of a point in the frame of the triangle
 :zh: 仿射坐标
-:printed: \mathbf R=\mathbf R(x,y)=\mathbf R_1+x(\mathbf R_0-\mathbf R_1)+y(\mathbf R_2-\mathbf R_1)
+:printed: For every point $\mathbf R$ of the curve
+  $\mathbf R=\mathbf R(x,y)=\mathbf R_1+x(\mathbf R_0-\mathbf R_1)+y(\mathbf R_2-\mathbf R_1)$.
 :holds-by: affine_coordinates_exist
 :needs: collinear_points_are_no_frame | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not
   lie on a line: they form an affine frame.
@@ -375,7 +376,7 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
 :::{statement} wang-ch3:3.1.4
 :title: The pencil in the frame of the triangle
 :zh: 仿射标架下的曲线束
-:printed: $(1-\lambda)l_1l_2+\lambda l_3^2=0$ becomes $S(x,y)=(1-\lambda)xy\pm\lambda(x+y-1)^2=0$ in the affine frame
+:printed: Let $l_1=0$ and $l_2=0$ meet in $R_1$; then (3.1.3) can be brought to $S(x,y)=(1-\lambda)xy\pm\lambda(x+y-1)^2=0$ in the affine frame
   $\{R_1;R_1R_0,R_1R_2\}$.
 :holds-by: limings_pencil_in_the_frame every_scaling_takes_the_normal_form
 :meant: what follows, by which one point of the curve determines $\lambda$ of (3.1.4) | $\lambda$ of (3.1.4) is the parameter of the pencil in this form; it need not be the number

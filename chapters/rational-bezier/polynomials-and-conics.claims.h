@@ -16,7 +16,7 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :confirmed-by: ellipse_carries_no_polynomial_arc hyperbola_carries_no_polynomial_arc
 :meant: section 3.1, which calls a pair of lines a degenerate conic | A conic section is an ellipse, a
   parabola or a hyperbola.
-:reading: ellipse_carries_no_polynomial_arc | A conic section is an ellipse, a parabola or a hyperbola: true.
+:reading: highest_powers_along_a_conic | A conic section is an ellipse, a parabola or a hyperbola.
 :reading: line_pair_carries_a_segment | Every equation (3.1.1) is a conic section, as 3.1 has it, two lines among them:
   these carry segments.
 :figure: polynomial_on_conics
@@ -225,12 +225,14 @@ CLAIM(line_pair_carries_a_segment)
 :::{statement} wang-ch3:opening-rational-conics
 :title: Rational Bézier curves represent polynomial curves and conics
 :zh: 有理形式统一表示多项式曲线与圆锥曲线
-:printed: A rational Bézier curve can represent polynomial curves and can represent conic sections.
+:printed: A rational Bézier curve can represent polynomial curves, such as the longitudinal curves of a fuselage, and can represent conic
+  sections, such as its cross sections; the two can be programmed in one way.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor tangent_conics_are_rational_quadratics
 :confirmed-by: rational_form_contains_the_polynomial_one
 :figure: polynomial_on_conics
 
-To represent means again to run through an arc.  A conic without real points, $x^2+y^2+1=0$, has none.
+To represent means again to run through an arc.  A conic without real points, $x^2+y^2+1=0$, has none.  The fuselage is an
+example of the source; that both kinds are one formula, and so one program, is what is decided.
 :::
 
 A denominator takes the obstacle away, since now it is a quotient of polynomials that has to satisfy the equation.  That
@@ -275,7 +277,8 @@ CLAIM(rational_form_contains_the_polynomial_one)
 :method: In the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, at a variable $t$, with $\mu$ and $\nu$ variables.  By
   `conics_touching_two_lines_are_limings` these are all conics that touch $R_1R_0$ in $R_0$ and $R_1R_2$ in
   $R_2$, apart from the two lines and the double line; and about any point of an ellipse, parabola or
-  hyperbola there are two such tangents that meet.
+  hyperbola there are two such tangents that meet.  The short arc between them is inside their triangle, where $xy>0$; so
+  $\nu/\mu<0$, and the three weights are positive.
 :over: m: μ; k: ν
 :control: the last weight $-2\nu/\mu$
 :::

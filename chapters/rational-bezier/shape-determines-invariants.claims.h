@@ -23,15 +23,15 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :zh: n=2,3,4,5 时形状相同当且仅当不变量相同
 :printed: Let $n=2,3,4,5$, let neither the first nor the last three control points be collinear, and for $n\ge3$
   neither the first nor the last three edge vectors be coplanar.  Then (3.2.2) and (3.2.13) have the same shape if
-  and only if $I_i=I_i^*$, $i=1,\dots,n-1$
-:holds-by: backward_run_flattens_the_first_edges end_curvature_contains_one_invariant
-  end_torsion_contains_two_invariants equal_invariants_mean_geometric_ratios fractional_change_term_by_term
-  larger_numbers_have_larger_powers
-:confirmed-by: equal_invariants_give_same_curve
+  and only if (3.2.12) holds: $I_i=I_i^*$, $i=1,\dots,n-1$.
+:holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
+  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+  equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers fractional_change_runs_once
+:confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants equal_invariants_give_same_curve
 :meant: property 3.2.10, which the theorem turns round, and the sentence before it, by which only the distribution of
   the parameter differs | The same shape is the same point set.
 :reading: backward_run_flattens_the_first_edges | same point set, the reading of property 3.2.10: holds
-:reading: end_torsion_contains_two_invariants | same point set in the same direction: holds
+:reading: end_curvature_and_torsion_follow_in_every_degree | same point set in the same direction: holds
 :reading: plane_cubic_cannot_run_backwards | same point set, and for $n=3$ nothing asked of the edges: holds as
   well; three points not collinear at each end suffice, as the curvatures give $I_1$ and $I_2$
 :reading: equal_invariants_other_speed | same map of the parameter: "if" fails, as the parameter is distributed
@@ -48,26 +48,15 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: for $n\ge6$ the point set, run backwards, can
   have other invariants
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
-  linear change of the parameter | Step (1), by which the two curves, run once, correspond to each other; steps (2)
-  and (3) lead from there to the claims.
-:argued: n = 2 to 5 | The torsions are needed, and computed, from $n=3$ on; for $n=2$ the curvature gives the only
-  invariant.
+  linear change of the parameter | It is used in step (1).
+:argued: | (1) Two curves with one point set $T$ are proper and correspond to each other.  For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, since its points $R_i$ would be in
+  that plane, too (property 3.2.9); so its algebraic curve has at least the degree 3.  When common factors are removed, each parametrization has a degree of at most 5 that is a
+  multiple of it, hence equal to it: the curve is run once.  By the cited theorem the two differ by a projective map $\varphi$ of the parameter line, which maps $[0,1]$ onto itself.
+:argued: | (2) They have one direction.  If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for $n=5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would
+  be one; by the first claim the first edges would then be dependent, against the hypothesis.
+:argued: | (3) Only if: curvature and torsion agree at corresponding ends.  By the claims they determine $I_1$, $I_1I_2$, $I_{n-1}$, $I_{n-2}I_{n-1}$, as $a_1\times a_2$ and, for $n\ge3$,
+  $(a_1,a_2,a_3)$ are not 0: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by the last four claims, and needs nothing but positive weights.
 :figure: shape_and_invariants
-
-The direction "if" is property 3.2.10 and needs nothing but positive weights.  For "only if" let the two curves have
-one point set $T$.
-
-(1) *They are proper.* For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, as its points
-$R_i$ are in none, so its algebraic curve has degree at least $3$; after removal of common factors each
-parametrization has a degree of at most $5$ that is a multiple of it, hence equal to it: it is run once, and the two
-differ by a projective map $\varphi$ of the parameter line that maps $[0,1]$ onto itself.
-
-(2) *They have one direction.* If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for
-$n\ge5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would be one; each time the first edges are then dependent,
-against the hypothesis.
-
-(3) So curvature and torsion agree at corresponding ends, and they determine $I_1$, $I_1I_2$, $I_{n-1}$,
-$I_{n-2}I_{n-1}$: for $n\le5$ these give every invariant.
 
 For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=4$ one of the two
 torsions suffices.  What is true in every degree stands after definition 3.2.2.
@@ -539,7 +528,7 @@ the other end to symmetry.
 :::{statement} wang-ch3:thm-3.2.1-sufficiency
 :title: One direction is property 3.2.10
 :zh: 充分性即性质 3.2.10
-:printed: That (3.2.12) gives the same shape is property 3.2.10
+:printed: The sufficiency is property 3.2.10.
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
@@ -620,7 +609,10 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
   \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-
   \frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)
   \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}=0
-:corrected-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
+:corrected-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
+  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive
+:confirmed-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
+:argued: | That both differences are 0: curves of one shape correspond to each other, start to start, by steps (1) and (2) of theorem 3.2.1.
 :figure: torsion_misprint
 
 One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The counterexample
@@ -672,10 +664,13 @@ CLAIM(printed_torsion_denominator_is_wrong)
 :zh: 几何因子非零故权因子之差为零
 :printed: As $R_0,R_1,R_2$ are not collinear and $a_1,a_2,a_3$ not coplanar, $a_1\times a_2\ne0$ and
   $(a_1,a_2,a_3)\ne0$; hence $I_1=I_1^*$ and
-  $\omega_0\omega_3/(\omega_1\omega_2)=\omega_0^*\omega_3^{*}/(\omega_1^*\omega_2^*)$
-:holds-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+  $\omega_0\omega_3/(\omega_1\omega_2)=\omega_0^*\omega_3^{*}/(\omega_1^*\omega_2^*)$.
+:holds-by: end_derivative_vectors_in_every_degree end_curvature_and_torsion_follow_in_every_degree
+  factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+:confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 
-The quotient of the second equation is $1/(I_1I_2)$.
+In the two differences, of the curvatures and of the torsions, which are 0, the geometric factors are not 0, so that the factors of the weights are.  The
+quotient of the second equation is $1/(I_1I_2)$.
 :::
 
 :::{statement} wang-ch3:thm-3.2.1-proof-product
@@ -687,6 +682,30 @@ The quotient of the second equation is $1/(I_1I_2)$.
 
 The product is $1/I_2$, which does as well.
 :::
+
+:::{claim} end_factors_are_reciprocals_of_invariants
+:title: The weights in the end curvature and torsion are 1/I_1 and 1/(I_1 I_2), in every degree
+:zh: 端点曲率与挠率中的权因子之比即不变量的倒数(任意次数)
+:given: weights $\omega_0,\dots,\omega_3$, none of them 0; or $\omega_n,\dots,\omega_{n-3}$ in their places
+:then: $I_1\frac{\omega_0\omega_2}{\omega_1^2}=1$ and $I_1I_2\frac{\omega_0\omega_3}{\omega_1\omega_2}=1$; at the other end with $I_{n-1}$ and $I_{n-2}$
+:method: Identities of rational functions of the four weights; the degree of the curve does not matter.  For $n=2$ only the first one has a meaning.
+:degrees: all
+:control: $I_1$ for $I_1I_2$
+:::
+*/
+CLAIM(end_factors_are_reciprocals_of_invariants)
+{
+    num w[4], I[3], one = from_int(1);
+    for (int i = 0; i < 4; i++)
+        w[i] = unknown(T, "w", i);
+    G(rational_invariants)(3, w, I);
+    about(T, "curvature");
+    same(T, mul(I[0], div(mul(w[0], w[2]), mul(w[1], w[1]))), one);
+    about(T, "torsion");
+    same(T, mul(mul(I[0], fault(T, I[1], one)), div(mul(w[0], w[3]), mul(w[1], w[2]))), one);
+}
+
+/*
 
 :::{claim} product_is_the_inverse_second_invariant
 :title: The product of the two quotients is the reciprocal of the second invariant
@@ -715,21 +734,25 @@ CLAIM(product_is_the_inverse_second_invariant)
 :title: The other end gives the other two invariants
 :zh: 由对称性得另两个不变量
 :printed: By the symmetry of the curve also $I_4=I_4^*$, $I_3=I_3^*$
-:holds-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+:holds-by: change_of_parameter_acts_on_one_factor end_derivative_vectors_in_every_degree
+  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+:confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 
 Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and the hypotheses with each other.
 :::
 
 :::{statement} wang-ch3:thm-3.2.1-proof-other-degrees
-:title: The proof for n = 5 contains those for n = 2, 3, 4
+:title: The necessity is proved for n = 5 only
 :zh: 仅就 n=5 证明必要性
 :printed: Now the necessity is proved for $n=5$ only.
-:holds-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
-  backward_run_flattens_the_first_edges
+:holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
+  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+:confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+:meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
 :argued: | Steps (1) and (2) of theorem 3.2.1: curves of one shape correspond to each other, start to start, so that their
   curvatures and torsions there agree.
 
-The theorem is stated for $n=2$ to 5, so that this proof has to contain the others, and it does.  $n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
+$n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
 $\tau(0)$ gives $I_2$.
 :::
 */

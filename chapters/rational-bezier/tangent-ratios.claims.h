@@ -19,7 +19,7 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 :::{statement} wang-ch3:3.1-tangent
 :title: The equation of the tangent
 :zh: 切线方程
-:printed: $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$ is the tangent of the curve at $R$.
+:printed: The tangent of the curve at the point $R$ has the equation $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$.
 :holds-by: tangent_meets_the_conic_doubly
 :confirmed-by: slope_exists_inside_the_triangle
 :hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as at every point of the curve inside the triangle when
@@ -138,7 +138,8 @@ $(1-\lambda)xy=\lambda(x+y-1)^2$, and this lets $\lambda$ in or out of a formula
 :::{statement} wang-ch3:3.1-A
 :title: The point A where the tangent cuts the first side
 :zh: 切线与 l_1 的交点 A
-:printed: A=\left(\frac{-2\lambda(x+y-1)}{(1-\lambda)y-2\lambda(x+y-1)},0\right)
+:printed: The tangent of the curve at $R$ cuts $l_1=0$ in
+  $A=\left(\frac{-2\lambda(x+y-1)}{(1-\lambda)y-2\lambda(x+y-1)},0\right)$.
 :holds-by: tangent_cuts_the_sides
 :hypothesis: plus_sign_moves_the_cut | The minus sign in (3.1.4); with the plus sign both terms $-2\lambda(x+y-1)$
   change sign.
@@ -296,7 +297,7 @@ CLAIM(end_has_but_one_ratio)
   intersected with the sides there, and the squared distances are taken; all six coordinates and $a$, $b$ are
   variables.  $\|R_1A\|$ and $\|R_0A\|$ are measured on one line, so their ratio is that of the frame.
 :scope: points inside the triangle
-:over: a b: -
+:over: R#: triangles; a b: -
 :control: the tangent of the conic with half the $\lambda$
 :::
 */

@@ -21,7 +21,7 @@ rule fit: it speaks of powers and of positive $s$, while the curve is written in
 :::{statement} wang-ch3:prop-3.2.7-step-1
 :title: The line may be taken as the axis
 :zh: 可取直线为 x 轴
-:printed: with $L$ as the $x$-axis of a rectangular system it suffices, by property 3.2.1, to prove the property there
+:printed: With $L$ as the $x$-axis a rectangular coordinate system is set up; by property 3.2.1 it suffices to prove the property there.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: line_form_of_the_curve
 
@@ -73,7 +73,8 @@ CLAIM(line_form_of_the_curve)
 :reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
   clause of the property
 
-Where $y(t)$ changes its sign the numerator does, and a polynomial that does so has a root between.
+Where $y(t)$ changes its sign the numerator does, and a polynomial that does so has a root between.  In the place of $Z_{0<t<1}$ the text at hand has a sign of
+summation with $0<t<l$; this has an entry of its own.
 :::
 
 The first inequality loses something: at a root where $y(t)$ keeps its sign the line is touched and not crossed.  It also needs the
@@ -232,7 +233,8 @@ CLAIM(numerator_in_powers_of_the_ratio)
 :reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
 :figure: roots_and_the_substitution
 
-A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
+In the place of $Z_{0<t<1}$ and $Z_{0<s<+\infty}$ the text at hand has signs of summation, the first with $0<t<l$; this has an entry of its own.  A root keeps its
+multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
 
 The new variable $s$ runs through the positive numbers while $t$ runs from $0$ to $1$, once and without turning.  So
@@ -369,7 +371,7 @@ CLAIM(roots_must_be_counted_up_to_one)
 :confirmed-by: descartes_rule_by_sign_patterns
 :hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$, that is, the curve is not contained in $L$
 
-The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
+In the place of $Z_{0<s<+\infty}$ the text at hand has a sign of summation, as in the whole chain.  The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
 The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by
 multiplying one factor $s-\rho$ after the other, and a second time, with a theorem of Rolle, by taking away one change of sign after the other.
 :::

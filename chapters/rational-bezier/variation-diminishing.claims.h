@@ -17,8 +17,8 @@ computed, and a third time from the cutting of corners for every degree.
 :::{statement} wang-ch3:prop-3.2.7
 :title: A line crosses the curve no more often than the polygon
 :zh: 变差缩减性
-:printed: for a plane rational Bézier curve and every line $L$ of its plane, $I(\mathbf R,L)\le I(\mathbf B,L)$, where the
-  number $I$ of intersections is how often $L$ is crossed
+:printed: For a plane rational Bézier curve and any line $L$ of its plane the number $I(\mathbf R,L)$ of intersections of the curve with $L$ is
+  at most the number $I(\mathbf B,L)$ of intersections of the B-net with $L$; here the number of intersections is how often $L$ is crossed.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term ratio_is_an_increasing_bijection
   change_of_parameter_acts_on_one_factor factor_of_a_positive_root_adds_a_sign_change
   averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one
@@ -51,7 +51,7 @@ $(B_j(t_i)\omega_j/\omega(t_i))$ is a minor of $(B_j(t_i))$ times positive numbe
 :title: What is counted is how often the line is crossed
 :zh: 交点个数指跨越次数
 :definition: yes
-:printed: $I$, the number of intersections, is the number of times that $L$ is crossed
+:printed: Here the number of intersections is the number of times that $L$ is crossed.
 :checked-by: sign_changes_are_counted_one_by_one
 :confirmed-by: sign_changes_are_polygon_crossings designed_curves_cross_no_more
 :figure: line_crossings
@@ -288,11 +288,13 @@ CLAIM(mixed_weights_cross_more)
 :title: Roots of a function and changes of sign of a sequence
 :zh: 根数 Z 与变号数 V
 :definition: yes
-:printed: $Z[f(t)]$ is the number of roots of $f$ in $(a,b)$, $V[a_i]$ the number of changes of sign in the sequence $a_i$
-  when its zeros are removed
-:checked-by: designed_curves_cross_no_more designed_curves_meet_no_more
+:printed: $Z[f(t)]$ denotes the number of roots of $f(t)$ in $(a,b)$, $V[a_i]$ the number of changes of sign in the sequence $a_i$
+  when its zeros are removed.
+:checked-by: sign_changes_are_counted_one_by_one factor_of_a_positive_root_adds_a_sign_change
+:confirmed-by: designed_curves_cross_no_more designed_curves_meet_no_more
 
-Different roots, or roots counted as often as their multiplicity: the chain is right with either.
+The symbol $Z$ has no place for the interval $(a,b)$ in the text at hand.  Different roots, or roots counted as often as their multiplicity: the chain is right with
+either, as the claims count with multiplicity.
 :::
 */
 
