@@ -9,6 +9,7 @@ edges, and on what the ratio depends.
 */
 #include "exact/record/roots.h"
 
+#include "chapters/judge/elementary.h"
 #include "chapters/rational-bezier/free-curve.h"
 
 #include "chapters/judge/claims_on.h"
@@ -19,12 +20,36 @@ edges, and on what the ratio depends.
 :::{statement} wang-ch3:rem-3.3.1-generalises
 :title: The theorem generalises the polynomial one
 :zh: 多项式情形的推广
-:printed: The theorem is a generalisation of theorem 1.4.1
-:holds-by: triangle_of_powers_consists_of_powers
+:printed: This theorem is a generalisation of theorem 1.4.1.
+:holds-by: equal_weights_stay_equal triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: equal_weights_give_polynomial_triangle
 
-Theorem 1.4.1 is taken as in the entry on the proof.
+Theorem 1.4.1 is taken as in the entry on the proof: the triangle of de Casteljau gives the two parts of a polynomial curve.  It is the case of equal weights.
 :::
+
+:::{claim} equal_weights_stay_equal
+:title: Equal weights stay equal on every level, and the points are then cut as in de Casteljau's triangle
+:zh: 权相等时各层权仍相等, 割角与多项式情形相同
+:given: two neighbouring weights $\omega\ne0$ of any level, their points $R$ and $S$, and $\lambda$
+:then: $(1-\lambda)\omega+\lambda\omega=\omega$ and $\frac{(1-\lambda)\omega}\omega R+\frac{\lambda\omega}\omega S=(1-\lambda)R+\lambda S$
+:method: The step of an induction on the level, for (3.3.2) and (3.3.3) with all weights equal; $\omega$, $\lambda$ and one coordinate of the points are variables.
+:degrees: all
+:over: w#: weights; R# S#: points; lambda
+:control: the second weight doubled
+:::
+*/
+CLAIM(equal_weights_stay_equal)
+{
+    num w = positive(T, "w", 0), other = fault(T, w, add(w, w)), lambda = parameter(T, "lambda"), mu = sub(from_int(1), lambda);
+    num R = unknown(T, "R", 0), S = unknown(T, "S", 0), left = mul(mu, w), right = mul(lambda, other), v = add(left, right);
+    about(T, "the weight");
+    same(T, v, w);
+    about(T, "the point");
+    same(T, add(mul(div(left, v), R), mul(div(right, v), S)), add(mul(mu, R), mul(lambda, S)));
+}
+
+/*
+The same for whole triangles of low degree:
 
 :::{claim} equal_weights_give_polynomial_triangle
 :title: For equal weights the triangle is de Casteljau's
@@ -63,8 +88,8 @@ CLAIM(equal_weights_give_polynomial_triangle)
 :::{statement} wang-ch3:rem-3.3.1-evaluation
 :title: Evaluation by recursion, and the construction of a point
 :zh: 递归求值与作图
-:printed: From the theorem follow the recursive evaluation of a rational Bézier curve and its geometric construction
-:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:printed: From it one can also derive the recursive formula of evaluation of rational Bézier curves and the theorem of their geometric construction.
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :confirmed-by: triangle_ends_on_the_curve triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights: otherwise a point of the construction may be missing
@@ -111,8 +136,8 @@ have a pole for that.
 :::{statement} wang-ch3:rem-3.3.1-convex
 :title: Each new point is a convex combination of two old ones
 :zh: 凸线性组合
-:printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf
-  R_i^{r-1}(c)$
+:printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex linear combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf
+  R_i^{r-1}(c)$.
 :holds-by: cut_coefficients_are_convex
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights: otherwise, on a perfectly regular curve, a coefficient is negative
@@ -122,7 +147,7 @@ have a pole for that.
 :::{statement} wang-ch3:rem-3.3.1-cutting
 :title: Geometrically the theorem cuts corners, level after level
 :zh: 几何意义:递归割角
-:printed: The geometric meaning of the theorem is again recursive corner cutting
+:printed: Hence the geometric meaning of the theorem is again recursive corner cutting.
 :holds-by: cut_coefficients_are_convex triangle_of_powers_consists_of_powers
 :confirmed-by: triangle_level_by_level
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
@@ -132,13 +157,13 @@ have a pole for that.
 :::{claim} cut_coefficients_are_convex
 :title: Between positive weights the coefficients are positive with sum 1
 :zh: 割角系数为正且和为一
-:given: two neighbouring weights $p,q>0$ of any level, $0<\lambda<1$
+:given: two neighbouring weights $p,q>0$ of any level, $0\le\lambda\le1$
 :let: $v=(1-\lambda)p+\lambda q$
-:then: $v>0$; $(1-\lambda)p/v>0$, $\lambda q/v>0$, with sum $1$; and $(v-p)(q-v)=\lambda(1-\lambda)(q-p)^2\ge0$, so
+:then: $v>0$; $(1-\lambda)p/v>0$, $\lambda q/v>0$ for $0<\lambda<1$, with sum $1$; and $(v-p)(q-v)=\lambda(1-\lambda)(q-p)^2\ge0$, so
   that $v$ lies between $p$ and $q$
-:method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive.  By induction on the level all $\omega_i^r$
-  are positive, and none is less than the least or more than the largest $\omega_i$.
-:scope: any two neighbouring weights of any level; 0 < λ < 1
+:method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive; for $\lambda=0$ and $\lambda=1$ it is $v=p$ and $v=q$.  By induction on the level all $\omega_i^r$
+  are positive, for every $n$, and none is less than the least or more than the largest $\omega_i$.
+:scope: 0 ≤ λ ≤ 1
 :over: p# q#: weights; s: -
 :control: the second coefficient with $1-\lambda$ for $\lambda$
 :degrees: all
@@ -149,10 +174,15 @@ CLAIM(cut_coefficients_are_convex)
     num p = positive(T, "p", 0), q = positive(T, "q", 0), lambda = inside(T, "s"), mu = sub(from_int(1), lambda);
     num left = mul(mu, p), right = mul(lambda, q), v = add(left, right), gap = sub(q, p);
     num first = div(left, v), second = div(fault(T, right, mul(mu, q)), v);
-    nonnegative(T, v);
-    nonnegative(T, first);
-    nonnegative(T, second);
+    G(must_be_positive)(T, v);
+    G(must_be_positive)(T, first);
+    G(must_be_positive)(T, second);
     same(T, add(first, second), from_int(1));
+    about(T, "λ = 0 and λ = 1");
+    num none = from_int(0), whole_share = from_int(1);
+    same(T, add(mul(whole_share, p), mul(none, q)), p);
+    same(T, add(mul(none, p), mul(whole_share, q)), q);
+    about(T, "between the two");
     /* (v - p)(q - v) = λ (1-λ) (q - p)² */
     same(T, mul(sub(v, p), sub(q, v)), mul(mul(lambda, mu), mul(gap, gap)));
 }
@@ -201,13 +231,13 @@ strip still serves, and they are found by asking when two neighbouring edges are
 :::{statement} wang-ch3:rem-3.3.1-coefficients
 :title: The cut depends on level, edge and weights, not on the parameter alone
 :zh: 割角系数的依赖关系
-:printed: The cut coefficients depend not only on the parameter $\lambda$ but on the level of cutting, the number
-  $i$ of the edge and the weights $\omega_i$
+:printed: But it should be noted that the cut coefficients depend here not only on the parameter $\lambda$ of the point of division, but also on the level of cutting of the
+  polygon, the number $i$ of the edge and the weights $\omega_i$.
 :holds-by: cut_depends_on_level_edge_and_weights
-:example: one curve shows of each of the three that the ratio depends on it.
-:reading: cut_depends_on_level_edge_and_weights | as "in general": holds, each of the three by itself
 :reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among
   them, it is as for polynomials: one ratio on all edges of all levels
+
+That a number depends on something is shown by one instance in which it changes with that alone; here there is one for each of level, edge and weights.
 :::
 
 :::{claim} cut_depends_on_level_edge_and_weights

@@ -12,7 +12,8 @@ projection to points of space, which divides by weights; it does no harm as long
 :::{statement} wang-ch3:rem-3.3.1-uniform
 :title: The polygons of repeated cutting converge uniformly to the curve
 :zh: 离散割角多边形序列一致收敛到原曲线
-:printed: The sequence of polygons of the cut rational Bézier curve converges uniformly to the curve
+:printed: In the same way it can be proved that the sequence of the cut polygons of a subdivided rational Bézier curve converges uniformly to the
+  curve.
 :holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord near_homogeneous_points_are_near
   cut_coefficients_are_convex
 :confirmed-by: second_differences_shrink_quadratically

@@ -13,12 +13,11 @@ arise so.
 :::{statement} wang-ch3:prop-3.2.11
 :title: Equal weights give a Bézier curve
 :zh: 可退化性:权相等时为 Bézier 曲线
-:printed: For $\omega_i=\omega$, $i=0,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2)
+:printed: When the weights are $\omega_i=\omega$, $i=0,1,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2).
 :holds-by: change_of_parameter_acts_on_one_factor mean_grows_by_one_term
 :confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
-:reading: polynomial_line_with_unequal_weights | read as "exactly when": the converse, which is not claimed, fails;
-  one polynomial map has other points with unequal weights
+:reading: polynomial_line_with_unequal_weights | read as "exactly when", which is not claimed
 :reading: unit_invariants_give_polynomial_curve | up to a change of parameter the condition is $I_i=1$ for all $i$,
   not equal weights
 :figure: equal_weights
@@ -145,7 +144,8 @@ CLAIM(unit_invariants_give_polynomial_curve)
 :title: A change of parameter gives a Bézier curve geometric weights
 :zh: 被还原性:参数变换使 Bézier 曲线带上等比权
 :printed: With $t=\alpha u/(1-u+\alpha u)$, $0\le u\le1$, the Bézier curve (1.3.2) becomes the rational Bézier curve
-  $\sum_{i=0}^nB_i^n(u)\alpha^i\mathbf P_i\Big/\sum_{i=0}^nB_i^n(u)\alpha^i$
+  $\sum_{i=0}^nB_i^n(u)\alpha^i\mathbf P_i\Big/\sum_{i=0}^nB_i^n(u)\alpha^i$ with the control points $\mathbf P_i$ and the weights
+  $\omega_i=\alpha^i$.
 :holds-by: geometric_weights_term_by_term alpha_runs_the_interval_once
 :confirmed-by: geometric_weights_reparametrize_bezier
 :needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$, which
@@ -314,15 +314,14 @@ CLAIM(zero_alpha_collapses)
 :::{statement} wang-ch3:prop-3.2.12-restored
 :title: A Bézier curve can be restored to a rational one
 :zh: Bézier 曲线可还原为有理形式
-:printed: Regarded as a degenerate case of (3.2.2), the Bézier curve can also be restored to (3.2.2)
+:printed: That is, regarded as a degenerate case of the curve (3.2.2), the Bézier curve (1.3.2) can also be restored to (3.2.2).
 :holds-by: geometric_weights_term_by_term
 :confirmed-by: geometric_weights_reparametrize_bezier
 :meant: the curve that the property displays | To a curve of the form (3.2.2).
-:reading: geometric_weights_reparametrize_bezier | to a curve of the form (3.2.2), the one displayed: holds
+:reading: geometric_weights_term_by_term | to a curve of the form (3.2.2), the one displayed
 :reading: unit_invariants_give_polynomial_curve | to which curves (3.2.2) with the same points: exactly to those with
   $I_1=\dots=I_{n-1}=1$
-:reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter: fails
-  for $n\ge2$
+:reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter, for $n\ge2$
 :::
 */
 

@@ -22,7 +22,8 @@ binomial coefficients.
 :::{statement} wang-ch3:thm-3.3.2-contact
 :title: The curve and the member have contact of order n-r
 :zh: 曲线与族曲线在接触点 n-r 阶切触
-:printed: $\mathbf R(t)$ and $\mathbf R^{[n-r]}(t,c)$ have contact of order $n-r$ at the point of contact $c=t$
+:printed: The curve $\mathbf R(t)$ and the above family curve have contact of order $n-r$ at the point of contact $c=t$.
+:meant: the usual sense of contact of order $m$ | After a change of parameter the derivatives up to the order $m$ agree.
 :class: false
 :refuted-by: cubic_member_has_other_curvature
 :reading: member_runs_slower_than_the_curve | equal derivatives in $t$: fails from the first on, the ratio is $(n-r)/n$

@@ -13,6 +13,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 #include "exact/record/resultant.h"
 #include "exact/record/sign.h"
 
+#include "chapters/judge/elementary.h"
 #include "chapters/rational-bezier/free-curve.h"
 #include "chapters/rational-bezier/polar-form.h"
 
@@ -23,19 +24,23 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :::{statement} wang-ch3:thm-3.3.2
 :title: The curve is the envelope of the family
 :zh: 曲线是族的包络
-:printed: \mathbf R(t)=\operatorname{env}\{\mathbf R^{[n-r]}(t,c)\mid a\le c\le b\},\quad r=1,\dots,n-1,\ n\ge2
-:reading: member_touches_curve | "an envelope", a curve that in each of its points is touched by a member: true,
+:printed: The rational Bézier curve $\mathbf R(t)$ of degree $n$ ($n\ge2$) on the left of (3.3.1) is the envelope of the family of rational Bézier curves of degree
+  $n-r$ ($r=1,2,\dots,n-1$) that (3.3.2), (3.3.3) determine, that is
+  $\mathbf R(t)=\operatorname{env}\{\mathbf R^{[n-r]}(t,c),\ a\le t\le b\mid a\le c\le b\}$ with the curves of (3.3.4).
+:reading: members_are_flatter_powers | "an envelope", a curve that in each of its points is touched by a member,
   wherever $\mathbf R'\ne0$
 :reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the
-  equality sign says: false, already for the cubic $(\tau,\tau^3)$
-:reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections: false from
+  equality sign says; already the cubic $(\tau,\tau^3)$ has another one
+:reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections, from
   $n=4$ on
-:corrected: the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
+:corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
+  $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
   $\mathbf R$ alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$
   and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
-  convex_polygon_has_one_envelope inflections_give_the_other_envelopes triangle_has_one_envelope
-:confirmed-by: polar_derivatives
+  convex_polygon_has_one_envelope_in_every_degree determinant_of_three_sums_goes_by_triples
+  wronskian_decides_the_outer_levels triangle_has_one_envelope
+:confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
 :figure: envelope_extra
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
@@ -414,6 +419,58 @@ CLAIM(triangle_has_one_envelope)
 }
 
 /*
+:::{claim} wronskian_decides_the_outer_levels
+:title: For r = 1 and r = n-1 the second factor is the Wronskian of the curve, in every degree
+:zh: r=1 与 r=n-1 时另一因子即曲线的 Wronski 行列式(任意次数)
+:given: $b_i=Z^i$, whose polar form is the product of the $D(x)=1-x+xZ$ of its arguments, with $D(\delta)=Z-1$; $n\ge2$, any $t$; $U=D(t)^{n-2}$, so $q(x,y)=UD(x)D(y)$; three vectors
+  $a=q(0,0)$, $b=q(0,\delta)$, $d=q(\delta,\delta)$ of space, the third coordinate the weight
+:then: $P=D^2U=q(t,t)$, $P'=n(Z-1)DU=n\,q(t,\delta)$, $P''=n(n-1)(Z-1)^2U=n(n-1)\,q(\delta,\delta)$; $\det(q(t,t),q(t,\delta),q(\delta,\delta))=\det(a,b,d)$; and
+  $\det(P,P',P'')=\omega^3\,\mathbf R'\times\mathbf R''$ for any $P=(\omega\mathbf R,\omega)$
+:method: An equation that is linear in the $b_i$ holds for all of them when it holds for $b_i=Z^i$ with a variable $Z$.  The derivatives are taken by the rule
+  $(D^m)'=mD^{m-1}D'$, with $U$ a variable.  Together $n^2(n-1)\,w_1(t)=\omega(t)^3\,(\mathbf R'\times\mathbf R'')(t)$, so that for $\omega>0$ the zeros of $w_1$ are the points where
+  $\mathbf R'\times\mathbf R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
+:degrees: all
+:over: Z#: points; U#: weights; n a# b# d# w#: -
+:control: the factor $n^2$ in the place of $n(n-1)$
+:::
+*/
+CLAIM(wronskian_decides_the_outer_levels)
+{
+    num one = from_int(1), Z = unknown(T, "Z", 0), U = positive(T, "U", 0), t = parameter(T, "t"), n = whole(T, "n", 2, 8);
+    num D = add(sub(one, t), mul(t, Z)), slope = sub(Z, one), n1 = sub(n, one);
+#if FIELD
+    num by_t = derivative_f(D, t);
+#else
+    num by_t = slope;
+#endif
+    about(T, "P, P', P'' by the polar form");
+    num at_t = D, first = mul(mul(n, by_t), mul(D, U)), second = mul(mul(mul(n, n1), mul(by_t, by_t)), U);
+    same(T, first, mul(n, mul(U, mul(at_t, slope))));
+    same(T, second, mul(mul(n, fault(T, n1, n)), mul(U, mul(slope, slope))));
+    num a[3], b[3], d[3], P[3], P1[3], R1[2], R2[2];
+    for (int k = 0; k < 3; k++) {
+        a[k] = k < 2 ? unknown(T, "a", k) : positive(T, "w", 0);
+        b[k] = unknown(T, "b", k);
+        d[k] = unknown(T, "d", k);
+        P1[k] = add(b[k], mul(t, d[k]));
+        P[k] = add(add(a[k], mul(mul(from_int(2), t), b[k])), mul(mul(t, t), d[k]));
+    }
+    about(T, "the determinant of q(t,t), q(t,δ), q(δ,δ)");
+    same(T, G(det3)(P, P1, d), G(det3)(a, b, d));
+    num w = a[2];
+    for (int k = 0; k < 2; k++) { /* (a, b, d) = (wR, w), (wR, w)', (wR, w)'' */
+        num R = div(a[k], w);
+        R1[k] = div(sub(b[k], mul(b[2], R)), w);
+        R2[k] = div(sub(sub(d[k], mul(d[2], R)), mul(mul(from_int(2), b[2]), R1[k])), w);
+    }
+    about(T, "the determinant of P, P', P''");
+    /* det(P, P', P'') = ω³ R' × R'' */
+    same(T, G(det3)(a, b, d), mul(mul(w, mul(w, w)), G(cross2)(R1, R2)));
+}
+
+/*
+The same for curves of low degree, computed by the polar form of their points:
+
 :::{claim} inflections_give_the_other_envelopes
 :title: For r = 1 and r = n-1 the second factor is the Wronskian of the curve
 :zh: r=1 与 r=n-1 时另一因子即曲线的 Wronski 行列式
@@ -476,12 +533,64 @@ CLAIM(inflections_give_the_other_envelopes)
 }
 
 /*
+:::{claim} convex_polygon_has_one_envelope_in_every_degree
+:title: A strictly convex polygon with positive weights has the curve as its only envelope, in every degree and for every level
+:zh: 严格凸控制多边形且权为正时包络只有曲线本身(任意次数、任意层)
+:given: the coefficients $\beta_i$ of $\beta(z)=(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$, $0\le c,t\le1$, and the columns $B_i=(\beta_i,\beta_{i-1},\beta_{i-2})$; one more factor $1-x+xz$; $i<j<k$
+:then: (1) with the factor, column $i$ becomes $(1-x)B_i+xB_{i-1}$, and the determinant of the new columns $i,j,k$ is the sum of eight determinants of old ones, each with a factor
+  $(1-x)^{3-m}x^m\ge0$; (2) $w_r=\det(\sum\beta_iP_i,\sum\beta_{i-1}P_i,\sum\beta_{i-2}P_i)$
+:method: (1) The eight have columns in the same order, or two equal ones, when $j-1=i$ or $k-1=j$.  So no determinant $\det(B_i,B_j,B_k)$, $i<j<k$, is negative: there is none for $\beta=1$, whose only one
+  that is not 0 is $\det(B_0,B_1,B_2)=1$, and so on factor by factor; and $\det(B_0,B_1,B_2)=(1-c)^{3(r-1)}(1-t)^{3(n-r-1)}>0$.  (2) The polar form of $b_i=Z^i$ is the product of the $D(x)=1-x+xZ$; so
+  $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ are $\beta(Z)$ times $1$, $Z-1$, $(Z-1)^2$, and the determinant with these columns is the one with $1$, $Z$, $Z^2$.  By
+  `determinant_of_three_sums_goes_by_triples` $w_r$ is the sum of the $\det(B_i,B_j,B_k)\,\omega_i\omega_j\omega_kD_{ijk}$, and for the corners of a strictly convex polygon, in their order, all $D_{ijk}$ have one strict
+  sign; so $w_r\ne0$ for $c,t<1$, and by symmetry for $c,t>0$; for $c=0$, $t=1$ and the like $\beta$ is a power of $z$ and one determinant is 1.
+:degrees: all
+:over: A# B# C# L# M# N# a# b# d# s: -
+:scope: 0 ≤ c ≤ 1; 0 ≤ t ≤ 1
+:control: one of the eight determinants left out
+:::
+*/
+CLAIM(convex_polygon_has_one_envelope_in_every_degree)
+{
+    static const char *const name[2][3] = {{"A", "B", "C"}, {"L", "M", "N"}};
+    num column[2][3][3], new[3][3], x = inside(T, "s"), rest = sub(from_int(1), x), sum = from_int(0);
+    for (int l = 0; l < 3; l++)
+        for (int m = 0; m < 3; m++) {
+            for (int before = 0; before < 2; before++)
+                column[before][l][m] = unknown(T, name[before][l], m);
+            new[l][m] = add(mul(rest, column[0][l][m]), mul(x, column[1][l][m]));
+        }
+    for (int code = 0; code < fault(T, 8, 7); code++) {
+        int i = code & 1, j = code >> 1 & 1, k = code >> 2;
+        num factor = mul(i ? x : rest, mul(j ? x : rest, k ? x : rest));
+        about(T, "the factor of one of the eight");
+        G(must_be_positive)(T, factor);
+        sum = add(sum, mul(factor, G(det3)(column[i][0], column[j][1], column[k][2])));
+    }
+    about(T, "the eight together");
+    same(T, G(det3)(new[0], new[1], new[2]), sum);
+    num a[3], b[3], d[3], slope[3], bend[3];
+    for (int m = 0; m < 3; m++) { /* β, Zβ, Z²β */
+        a[m] = unknown(T, "a", m);
+        b[m] = unknown(T, "b", m);
+        d[m] = unknown(T, "d", m);
+        slope[m] = sub(b[m], a[m]);
+        bend[m] = add(sub(d[m], add(b[m], b[m])), a[m]);
+    }
+    about(T, "the determinant w_r");
+    same(T, G(det3)(a, slope, bend), G(det3)(a, b, d));
+}
+
+/*
+For low degrees all minors are computed:
+
 :::{claim} convex_polygon_has_one_envelope
 :title: A convex polygon with positive weights has the curve as its only envelope, for every r
 :zh: 凸控制多边形且权为正时包络只有曲线本身
 :given: homogeneous points $P_i$, $n\ge2$, every $r=1,\dots,n-1$; $c,t$ of $(0,1)$ for the signs
-:let: $\beta$ as above
-:then: the displayed sum for $w_r$, and every $3\times3$ minor in it is nonnegative
+:let: $\beta_i$ be the coefficients of $(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$
+:then: $w_r(c,t)=\sum_{i<j<k}\begin{vmatrix}\beta_i&\beta_j&\beta_k\\\beta_{i-1}&\beta_{j-1}&\beta_{k-1}\\
+  \beta_{i-2}&\beta_{j-2}&\beta_{k-2}\end{vmatrix}\det(P_i,P_j,P_k)$, and every $3\times3$ minor in it is nonnegative
 :method: The sum is Cauchy-Binet; it is computed in the field.  With $c=s/(1+s)$, $t=v/(1+v)$ the minors have no
   negative coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$.  There $\beta\ne0$, its three
   shifted rows are independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon

@@ -29,11 +29,13 @@ numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
 :printed: \mathbf R^{[n-r]}(t,c)=\frac{\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)\,\mathbf
   R_{i+r}^r(c)} {\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)},\quad a\le t\le b,\ a\le c\le b
 :definition: yes
-:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :confirmed-by: member_is_a_polar_curve
+:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
 :figure: envelope_families
 
-The indices are in range: level $r$ has the indices $r,\dots,n$.
+In the source this is the member of the set of which $\mathbf R(t)$ is said to be the envelope.  The indices are in range: level $r$ has the indices $r,\dots,n$.
 :::
 */
 
@@ -75,13 +77,16 @@ control polygon, and the polar form says of which curve.
 :::{statement} wang-ch3:thm-3.3.2-vertices
 :title: What the points of an intermediate level mean
 :zh: 离散中间层顶点的几何意义
-:printed: the points of level $r$ of the recursion, with their weights, are the control polygon of a rational curve
-  of degree $n-r$ that belongs to the parameter $c$
-:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:printed: The geometric meaning of the vertices of an intermediate step of cutting: (3.3.2) and (3.3.3) determine a family of rational Bézier curves of degree
+  $n-r$, $r=1,2,\dots,n-1$, (3.3.4), one for each $c$, $a\le c\le b$.
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :confirmed-by: member_is_a_polar_curve
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
 :figure: triangle_point_at_infinity
+
+The vertices $\mathbf R_{r+i}^r(c)$, $i=0,\dots,n-r$, with the weights $\omega_{r+i}^r(c)$ are the control polygon of the curve of the parameter $c$.  That the family has
+the curve for its envelope is an entry of its own.
 :::
 */
 
@@ -125,16 +130,16 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :::{statement} wang-ch3:thm-3.3.2-touch
 :title: The curve and the member of parameter c touch at t = c
 :zh: 曲线与族曲线在 t=c 处相切
-:printed: for $n\ge2$ and $r=1,\dots,n-1$ the curve $\mathbf R(t)$ and the member $\mathbf R^{[n-r]}(t,c)$ are in
-  contact at $t=c$, for every $c$ of $[a,b]$
-:holds-by: members_are_flatter_powers triangle_of_powers_consists_of_powers
+:printed: The point of contact of the curve $\mathbf R(t)$, of degree $n\ge2$, and the curve $\mathbf R^{[n-r]}(t,c)$ of the family, $r=1,2,\dots,n-1$, $a\le c\le b$, is at
+  $c=t$.
+:holds-by: members_are_flatter_powers triangle_of_powers_consists_of_powers cut_coefficients_are_convex
 :confirmed-by: member_touches_curve
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
 :figure: envelope_cusp
 
-The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
+To be in contact means here to have a common point and a common tangent there.  The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
 :::
 
 :::{claim} member_touches_curve
@@ -206,7 +211,7 @@ CLAIM(member_shrinks_at_a_cusp)
 :::{statement} wang-ch3:thm-3.3.2-range
 :title: The levels 1, ..., n-1 of a curve of degree at least 2
 :zh: r 与 n 的取值范围
-:printed: the family is considered for $n\ge2$ and $r=1,2,\dots,n-1$
+:printed: The theorem is about degree $n\ge2$ and the levels $r=1,2,\dots,n-1$.
 :holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: extreme_levels_are_curve_and_point
 

@@ -119,7 +119,7 @@ CLAIM(change_of_parameter_acts_on_one_factor)
   $\sum_iB_i^{n-r}(t)b_{i+r}^r=D(t)^{n-r}D(\lambda)^r$.  Outside the field the triangle of a random degree is computed
   by the kernel that cuts.
 :degrees: all
-:over: Z#: points; U#: weights; lambda; a h: interval; x: t
+:over: Z#: points; U#: weights; lambda: -; a h: interval; x: t
 :control: $D(\lambda)$ for $D(\lambda x)$ in (2)
 :::
 */

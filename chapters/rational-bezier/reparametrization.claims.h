@@ -103,8 +103,8 @@ CLAIM(projective_change_of_unit_interval_is_fractional)
 :::{statement} wang-ch3:3.2.14
 :title: The curve in the new parameter
 :zh: 新参数下的曲线
-:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i\mathbf
-  R_i}{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i}
+:printed: (3.2.10) put into (3.2.2) gives $\mathbf R^*(u)=\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i\mathbf
+  R_i\Big/\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i$, $0\le u\le1$.
 :holds-by: fractional_change_term_by_term
 :confirmed-by: fractional_change_keeps_curve
 
@@ -200,9 +200,10 @@ CLAIM(fractional_change_term_by_term)
 :printed: I_i=I_i^*,\quad I_i=\frac{\omega_i^2}{\omega_{i-1}\omega_{i+1}},\quad
   I_i^*=\frac{\omega_i^{*2}}{\omega_{i-1}^*\omega_{i+1}^*},\quad i=1,\dots,n-1
 :definition: yes
-:checked-by: invariants_by_definition
+:checked-by: equal_invariants_mean_geometric_ratios
+:confirmed-by: invariants_by_definition
 
-For $n=1$ there is no condition.
+Each condition is about three neighbouring weights: the claim says what it means for them.  For $n=1$ there is no condition.
 :::
 
 The weight $\omega_i$ is multiplied by $a^ib^{n-i}$, a geometric sequence.  A square divided by the product of its two
@@ -236,9 +237,13 @@ CLAIM(invariants_by_definition)
 :zh: 由首末权确定 a 与 b
 :printed: a=\sqrt[n]{\omega_n^{*}/\omega_n},\quad b=\sqrt[n]{\omega_0^{*}/\omega_0}
 :definition: yes
-:checked-by: end_weights_give_the_factors
+:checked-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
+:confirmed-by: end_weights_give_the_factors
 :needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights, for even $n$: otherwise the roots need not be real
+
+The two numbers are to give $a^ib^{n-i}\omega_i=\omega_i^*$ under (3.2.12).  For $i=0$ and $i=n$ this is the definition; for the others it follows because the ratios
+$\omega_i^{*}/\omega_i$ are geometric and positive numbers have one positive $n$-th root.
 :::
 */
 
@@ -290,9 +295,9 @@ CLAIM(negated_weights_have_no_real_factors)
 :::{statement} wang-ch3:prop-3.2.10
 :title: Equal quotients: the weights can be exchanged without moving points or curve
 :zh: 分式线性参数变换下的形状不变性
-:printed: If $I_i=I_i^*$, $i=1,\dots,n-1$, then (3.2.10) with (3.2.11) carries the curve of $(\mathbf R_i,\omega_i)$
-  into the rational Bézier curve of the same degree with the same points and shape, in the parameter $u$ and with
-  the weights $\omega_i^*$
+:printed: As soon as $I_i=I_i^*$, $i=1,2,\dots,n-1$, (3.2.12), the curve (3.2.2) can be carried by (3.2.10) with (3.2.11)
+  into the rational Bézier curve (3.2.13) of the same degree with the parameter $u$ and the weights $\omega_i^*$, whose control points and shape
+  are the same.
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve end_weights_give_the_factors
@@ -306,10 +311,13 @@ CLAIM(negated_weights_have_no_real_factors)
 :::{statement} wang-ch3:3.2.13
 :title: The curve that results
 :zh: 变换所得曲线
-:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i}{\sum_{i=0}^nB_i^n(u)\omega_i^*},\quad 0\le
-  u\le1
+:printed: The resulting curve is $\mathbf R^*(u)=\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i\Big/\sum_{i=0}^nB_i^n(u)\omega_i^*$, $0\le
+  u\le1$.
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
+  fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
+  weights: with a negative one the result may be the curve of other weights, the other arc of the conic
 :::
 
 There are $n+1$ weights and $n-1$ quotients; the two missing numbers are $a$ and $b$.  So weights with given quotients
@@ -435,7 +443,8 @@ CLAIM(linear_curve_with_opposite_ratios_has_a_pole)
 :::{statement} wang-ch3:prop-3.2.10-geometric
 :title: Equal quotients mean that the ratios of the weights are a geometric sequence
 :zh: 不变量相等等价于权之比成等比数列
-:printed: (3.2.12) is equivalent to $\omega_i^{*}/\omega_i=(\omega_0^{*}/\omega_0)q^i$, $i=1,\dots,n$
+:printed: (3.2.12) is equivalent to this, that $\{\omega_0^{*}/\omega_0,\omega_1^{*}/\omega_1,\dots,\omega_n^{*}/\omega_n\}$ is a geometric sequence, that is
+  $\omega_i^{*}/\omega_i=(\omega_0^{*}/\omega_0)q^i$, $i=1,2,\dots,n$, with the common quotient $q$.
 :holds-by: equal_invariants_mean_geometric_ratios
 
 True for all weights but $0$, of any sign.
@@ -548,7 +557,7 @@ CLAIM(quotient_is_lost_up_to_sign)
 :::{statement} wang-ch3:prop-3.2.10-weights
 :title: The factors carry the old weights into the new ones
 :zh: 因子把旧权变为新权
-:printed: a^ib^{n-i}\omega_i=\omega_i^*, so that (3.2.14) is (3.2.13)
+:printed: Hence $a^ib^{n-i}\omega_i=\omega_i^*$, which shows that (3.2.14) is (3.2.13).
 :holds-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
@@ -627,7 +636,8 @@ CLAIM(standard_form_has_unit_ends)
 :::{statement} wang-ch3:def-3.2.2
 :title: The quotients are invariants of the fractional linear change of parameter
 :zh: 分式线性变换下的不变量
-:printed: $I_i=\omega_i^2/(\omega_{i-1}\omega_{i+1})$, $i=1,\dots,n-1$, are the invariants of the curve under (3.2.10)
+:printed: The quantities $I_i$, $i=1,2,\dots,n-1$, of (3.2.12) are called the invariants of the rational Bézier curve (3.2.2) of degree $n$ under the
+  shape-preserving fractional linear transformation (3.2.10).
 :definition: yes
 :checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
@@ -667,7 +677,9 @@ CLAIM(invariants_survive_fractional_change)
 :::{statement} wang-ch3:def-3.2.2-intrinsic
 :title: The invariants belong to the curve
 :zh: 不变量是曲线的内在几何量
-:printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2)
+:printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2).
+:meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points, and not only to the points and weights that
+  describe it; this asks for the two hypotheses.
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
   fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve
@@ -676,8 +688,8 @@ CLAIM(invariants_survive_fractional_change)
 :hypothesis: segment_has_two_invariants | the parametrization is proper, a general point of the algebraic curve
   coming from one parameter, complex ones included: otherwise two curves with one point set, the same points and no
   common factor differ in $I_i$
-:reading: invariants_survive_fractional_change | belonging to the points and weights, up to (3.2.10): holds always
-:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set: fails, even for
+:reading: invariants_survive_fractional_change | belonging to the points and weights, up to (3.2.10)
+:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set, without the two hypotheses; the example is
   a regular arc of a parabola written as a cubic
 :reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve
   has $I_{n-i}$ for $I_i$
@@ -810,7 +822,7 @@ CLAIM(reversal_exchanges_invariants)
 :::{statement} wang-ch3:def-3.2.2-first-invariant
 :title: For n = 2 the invariant has the geometric meaning of section 3.1
 :zh: n=2 时不变量的几何意义
-:printed: For $n=2$ the geometric meaning of $I_1$ was given in section 3.1
+:printed: For $n=2$ the geometric meaning of $I_1$ has been discussed in section 3.1.
 :holds-by: first_invariant_is_the_tangent_ratio
 
 What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $1/I_1$.
@@ -848,8 +860,8 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :::{statement} wang-ch3:prop-3.2.10-same-shape
 :title: Equal invariants: the same shape, another distribution of the parameter
 :zh: 不变量相等时形状相同而参数分布不同
-:printed: When $I_i=I_i^*$, $i=1,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape and only the
-  parameter is distributed differently along them
+:printed: When $I_i=I_i^*$, $i=1,2,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape, and only the
+  parameter is distributed differently along the curve.
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
