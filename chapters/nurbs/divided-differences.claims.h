@@ -93,9 +93,8 @@ CLAIM(osculation_is_divisibility)
             for (int j = 0; j < l[i] + fault(T, 0, i == d - 1); j++, D = derivative_f(D, t))
                 vanishes(T, substitute_f(D, t, tau[i]));
             about(T, "the first that does not");
-            if (!T->faulty)
-                /* l_i! (s_0 + s_1 τ_i) times the product of (τ_i - τ_m)^l_m over m ≠ i */
-                same(T, substitute_f(D, t, tau[i]), mul(G(factorial)(l[i]), first));
+            /* l_i! (s_0 + s_1 τ_i) times the product of (τ_i - τ_m)^l_m over m ≠ i */
+            same(T, substitute_f(D, t, tau[i]), mul(G(factorial)(l[i]), first));
         }
     }
 }

@@ -14,8 +14,8 @@ the printed definition the words and the formula disagree.
 :::{statement} wang-ch3:def-3.4.1
 :title: A plane algebraic curve of degree n
 :zh: 平面 n 次代数曲线的定义
-:printed: the points whose coordinates satisfy the algebraic equation of degree $n$,
-  $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane algebraic curve of degree $n$
+:printed: Let $\alpha_{ij}$ be constants; the plane curve whose points $(x,y)$ satisfy the algebraic equation of degree $n$
+  $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$ is called a plane algebraic curve of degree $n$.
 :class: misprint
 :refuted-by: hyperbola_has_the_printed_form_for_degree_one
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
@@ -107,18 +107,17 @@ the equation.
 :::{statement} wang-ch3:sec-3.4.2-algebraic
 :title: A rational Bézier curve of degree n is an algebraic curve of degree n
 :zh: n 次有理曲线是 n 次代数曲线
-:printed: theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$
+:printed: Theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$.
+:meant: theorem 3.4.2, whose $F$ has a degree | The points of the curve satisfy an equation of degree $n$, repeated factors counted.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant
 :confirmed-by: equation_vanishes_on_the_curve
 :hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less
   than $n$
-:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors: false, as
+:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors, though
   $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
   for a proper parametrisation
-:reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve: false, it is an arc of it
-:meant: theorem 3.4.2, from which it is drawn | Neither: the degree is that of $F$, and the Bézier curve is on the
-  curve $F=0$.
+:reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it
 :argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
   p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: arc_of_a_line
@@ -162,8 +161,8 @@ For the converse one curve suffices that no rational curve can follow.
 :::{statement} wang-ch3:sec-3.4.2-converse
 :title: Not every algebraic curve of degree n is a rational Bézier curve
 :zh: 反之未必成立
-:printed: the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
-  need not hold
+:printed: But the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
+  need not hold.
 :holds-by: smooth_cubic_has_two_separate_parts
 :example: that it need not hold is shown by one curve.
 :cites: Lüroth's theorem: a curve with a rational parametrization has one that runs through it once | A rational cubic

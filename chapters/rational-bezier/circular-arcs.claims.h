@@ -16,12 +16,13 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :::{statement} wang-ch3:3.5-circle-coefficients
 :title: When the curve is an arc of a circle
 :zh: 曲线为圆弧的系数条件
-:printed: For $I_1<1$ the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$ and
+:printed: By theorem 3.5.1, when $I_1<1$, it is easily seen that the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$,
   $A=C$.
+:meant: the next formula, $\frac{l^2}{l^2+y_1^2}=\cos^2\theta$ | $\theta$ is the base angle of the triangle.
 :holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
 :needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive; otherwise the central angle may be $2\pi-2\theta$.
-:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle: true.
+:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle.
 :figure: circular_arc
 
 That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2$ is a circle needs right angles and
@@ -231,6 +232,8 @@ CLAIM(base_angle_of_the_triangle)
 :printed: If the curve (3.1.5) is an arc of a circle with the central angle $2\theta$, $0<\theta<\frac\pi2$, and the radius
   $l\csc\theta$, then $\|R_0R_1\|=\|R_2R_1\|$, $\|R_0R_2\|=2l$.
 :holds-by: arcs_satisfy_the_three_equations
+
+This is what the theorem says of (3.5.5) as a necessary condition.
 :::
 
 :::{statement} wang-ch3:3.5.6
@@ -239,6 +242,8 @@ CLAIM(base_angle_of_the_triangle)
 :printed: If the curve (3.1.5) is an arc of a circle with the central angle $2\theta$, $0<\theta<\frac\pi2$, and the radius
   $l\csc\theta$, then $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
 :holds-by: arcs_satisfy_the_three_equations
+
+This is what the theorem says of (3.5.6) as a necessary condition.
 :::
 
 :::{claim} arcs_satisfy_the_three_equations
@@ -298,11 +303,10 @@ a quantity has been lost: none of them says how high the triangle is.
 :corrected-by: arc_and_its_central_angle arcs_satisfy_the_three_equations
 :needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive.
+:meant: the theorem itself, which names $\theta$ and $l$ as given numbers and says that three equations suffice | $\theta$ is any angle between 0 and $\frac\pi2$.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
-  has it, or $\arccos\sqrt{I_1}$: nothing ties the height of the triangle to it.
-:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation: true.
-:meant: the theorem, which introduces $\theta$ by its three equations alone | The first: any angle that satisfies
-  them.
+  has it, or $\arccos\sqrt{I_1}$; nothing ties the height of the triangle to it
+:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation
 :striking: 2
 :figure: circular_arc_extra
 

@@ -121,7 +121,7 @@ polynomial behind the sign of equality are not the same, though both are 0 on th
 :zh: 标准形的隐式行列式
 :printed: $\begin{vmatrix}-l-x&2\omega(x_1-x)&l-x&0\\0&-l-x&2\omega(x_1-x)&l-x\\-y&2\omega(y_1-y)&-y&0\\
   0&-y&2\omega(y_1-y)&-y\end{vmatrix}=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$ with the coefficients (3.5.4)
-:reading: determinant_is_four_times_the_form | An equation for $(x,y)$, as the 0 at its end and its use suggest: true, for
+:reading: determinant_is_four_times_the_form | An equation for $(x,y)$, as the 0 at its end and its use suggest;
   the determinant is 0 exactly where the polynomial is.
 :reading: determinant_is_not_the_printed_form | The first sign of equality by itself, for all $(x,y)$: a factor 4 is
   missing.
@@ -129,7 +129,8 @@ polynomial behind the sign of equality are not the same, though both are 0 on th
 :corrected-by: determinant_is_four_times_the_form
 :figure: determinant_factor
 
-The rows are those of (3.4.1), shifted.  At the points of the curve all three members of the chain are 0, so nothing
+In the text at hand the second and the fourth row stand below the first and the third without a shift, and the zeros are lost; the rows are read as those of
+(3.4.1).  At the points of the curve all three members of the chain are 0, so nothing
 that follows is touched by the factor; only who takes the coefficients (3.5.4) for those of the determinant errs.
 :::
 */
@@ -290,7 +291,7 @@ CLAIM(discriminant_in_special_coordinates)
 :::{statement} wang-ch3:3.5-classification-omega
 :title: Classification by the standard weight
 :zh: 按 ω 分类
-:printed: By analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
+:printed: By what is known from analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
   $\omega>1$.
 :holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
@@ -456,7 +457,7 @@ its hypotheses is needed, and an example without it stands beside.
   $\omega_0\omega_2>0$, as for positive weights.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$, as for
   positive weights.
-:reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity: true,
+:reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity,
   also where these are counted on the curve itself.
 :figure: classification_by_weight
 

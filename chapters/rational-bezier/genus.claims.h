@@ -32,20 +32,21 @@ order on its line decide whether it is an ordinary cusp.
 :::{statement} wang-ch3:thm-3.4.3
 :title: A curve of degree n is a rational Bézier curve if and only if its genus is 0
 :zh: 亏格判据
-:printed: a plane algebraic curve of degree $n$ can be written as a rational Bézier curve if and only if its genus
-  $g=\frac{(n-1)(n-2)}2-d-s$ is 0, where $d$ and $s$ are the numbers of its double points and its cusps, imaginary ones
-  included
+:printed: A plane algebraic curve of degree $n$ can be written as a rational Bézier curve if and only if its genus
+  $g=\frac{(n-1)(n-2)}2-d-s$ is 0, where $d$ and $s$ are the numbers of the double points and of the cusps that it contains, imaginary points
+  included.
+:meant: the usual formula of the genus | The points are counted in the complex projective plane, a double point with two tangents in $d$, a cusp in $s$; $n$ is the
+  degree of the curve; short arcs of the curve are rational Bézier curves.  With this the counterexamples stand.
 :class: missing-hypothesis
 :refuted-by: reducible_curve_with_count_zero conic_without_real_points rational_quartic_with_a_triple_point
   rational_quartic_with_a_higher_cusp
-:reading: cuspidal_cubic_at_infinity | only finite points are counted: false already for $y=x^3$; the projective
-  plane has to be meant
-:reading: cusp_counted_twice | a cusp, being a double point, is counted in $d$ and in $s$: false already for
-  $y^2=x^3$; $d$ has to mean nodes
-:reading: printed_degree_spoils_the_genus | $n$ is the range of the sum printed in definition 3.4.1: false for
-  $x^2y+xy^2+1=0$
-:reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve: false, an
-  isolated point is on no arc; and with positive weights a Bézier curve is bounded, so that already a line is not
+:reading: cuspidal_cubic_at_infinity | only finite points are counted; already $y=x^3$ is against it
+:reading: cusp_counted_twice | a cusp, being a double point, is counted in $d$ and in $s$; already $y^2=x^3$ is
+  against it
+:reading: printed_degree_spoils_the_genus | $n$ is the range of the sum printed in definition 3.4.1; $x^2y+xy^2+1=0$ is
+  against it
+:reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve; but an
+  isolated point is on no arc, and with positive weights a Bézier curve is bounded, so that already a line is not
   one
 :meant: the words: imaginary ones included | Singular points of the complex projective plane, those in $d$ no cusps,
   $n$ the degree; the Bézier curve is an arc.
@@ -677,7 +678,7 @@ CLAIM(printed_degree_spoils_the_genus)
 :::{statement} wang-ch3:thm-3.4.3-genus
 :title: The genus as the count (n-1)(n-2)/2 - d - s
 :zh: 亏格的计数公式
-:printed: g=\frac{(n-1)(n-2)}2-d-s
+:printed: The genus of the curve is $g=\frac{(n-1)(n-2)}2-d-s$.
 :definition: yes
 :checked-by: large_point_takes_all_double_points
 :confirmed-by: curves_that_fit_the_theorem

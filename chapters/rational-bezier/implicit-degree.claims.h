@@ -15,13 +15,15 @@ entries of degree one; the source takes another way, by operations on columns, a
 :::{statement} wang-ch3:thm-3.4.2
 :title: F is a polynomial of degree at most n
 :zh: F 的次数不高于 n
-:printed: the polynomial $F(x,y)$ of (3.4.1) has degree at most $n$ in the two variables
-:holds-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks
-:confirmed-by: sylvester_and_bezout_give_one_equation
+:printed: $F(x,y)$ in (3.4.1) is a polynomial in two variables of degree at most $n$.
+:holds-by: column_operations_free_all_entries_but_the_first
+:confirmed-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
+  variables_stay_in_the_first_columns
 :figure: implicit_degree
 
-The source's own proof divides by $\omega_0$; for
-$\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by `top_form_is_a_resultant`: the degree
+The claim is the proof of the source, with the recursion corrected: after its column operations $x$ and $y$ stand in $n$ columns only, in degree one, and a product of one
+entry from every column has degree at most $n$.  It divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  A second proof is by Bézout's
+matrix.  Sharper, and decided by `top_form_is_a_resultant`: the degree
 is exactly $n$, or $F$ is 0 everywhere.
 :::
 
@@ -127,11 +129,50 @@ then as the resulting determinant.  Words and recursion do not agree.
 :zh: 初始元素
 :printed: f_i^{[0]}=f_i\ (i=0,\dots,n),\qquad f_i^{[0]}=0\ (i\ge n+1)
 :definition: yes
-:checked-by: column_operations_give_the_corrected_recursion
+:checked-by: column_operations_free_all_entries_but_the_first
+:confirmed-by: column_operations_give_the_corrected_recursion
 
 In the text at hand the line is printed twice, the second time with the recursion (3.4.7).
 :::
+
+A row of the matrix is best read as a polynomial in a letter $z$ that marks the columns.  An operation is then the same for all rows, and needs no $n$.
+
+:::{claim} column_operations_free_all_entries_but_the_first
+:title: The column operations leave x only in the first entry of each row, in every degree
+:zh: 列变换后各行仅首元素含 x(任意次数)
+:given: $n\ge1$, $\omega_0\ne0$; row $k$ of the $a$ as the polynomial $z^{k-1}f(z)$, where $z^{j-1}$ marks column $j$ and $f(z)=\sum a_iz^i=X(z)-x\,\omega_0\Omega(z)$ with
+  $X(z)=\sum\binom ni\omega_ix_iz^i$, $\Omega(z)=1+\Omega_1z+\dots+\Omega_nz^n$; step $r$ takes a row $g(z)$ to $g(z)-g_rz^{r-1}(\Omega(z)-1)$, $g_r$ being its entry in column $r$
+:then: (1) step $r=k$ takes $f$ to $a_0+X(z)-x_0\omega_0\Omega(z)$, in which $x$ is only in $a_0$; (2) where the entry $g_r$ and the others do not contain $x$, neither do the new
+  ones; (3) in row $k$, with $\rho=r-k+1$, column $r+i$ has the entry with the index $j=r+i-k$, and $j-\rho+1=i$, so that step $r$ is
+  $f_j^{[\rho]}=f_j^{[\rho-1]}-\Omega_{j-\rho+1}f_{\rho-1}^{[\rho-1]}$
+:method: $z^{r-1}\Omega_iz^i$ marks column $r+i$, so that these are the operations in the words of the source; the steps $r<k$ do not change row $k$, as its entry in column $r$ is 0.
+  $X$, $\Omega$, $\omega_0$, $x_0$, $x$ and another value $x'$ are variables, and so are the indices.  So after the $n$ steps $x$ stands in the entries $(k,k)$, and $y$, by the same for the $b$, in
+  the entries $(n+k,k)$, $k=1,\dots,n$: in $n$ columns, as $a_0$ and $b_0$.  An operation of this kind does not change a determinant.
+:degrees: all
+:over: x#: points; c#: weights; X O r k i x x' : -
+:control: $\Omega$ for $\Omega-1$ in step $k$
+:::
 */
+CLAIM(column_operations_free_all_entries_but_the_first)
+{
+    num one = from_int(1), X = unknown(T, "X", 0), O = unknown(T, "O", 0), c = positive(T, "c", 0), x0 = unknown(T, "x", 0);
+    num at[2] = {parameter(T, "x"), parameter(T, "x'")}, changed[2];
+    for (int k = 0; k < 2; k++) {
+        num first = mul(c, sub(x0, at[k])), f = sub(X, mul(at[k], mul(c, O)));
+        num step = sub(f, mul(first, fault(T, sub(O, one), O)));
+        about(T, "step k in row k");
+        same(T, step, add(first, sub(X, mul(x0, mul(c, O)))));
+        changed[k] = sub(step, first);
+    }
+    about(T, "what it leaves behind the first entry, for two values of x");
+    same(T, changed[0], changed[1]);
+    about(T, "an index");
+    num k = whole(T, "k", 1, 5), r = add(k, whole(T, "r", 0, 4)), i = whole(T, "i", 1, 5);
+    num j = sub(add(r, i), k), rho = add(sub(r, k), one);
+    same(T, add(sub(j, rho), one), i);
+    about(T, "the column of the entry j of row k");
+    same(T, add(k, j), add(r, i));
+}
 
 /* Omega_i, i = 0, ..., n. */
 static void G(omegas)(int n, const num w[], num O[])
@@ -209,7 +250,8 @@ CLAIM(column_operations_give_the_corrected_recursion)
 :refuted-by: printed_recursion_is_not_the_operations
 :corrected: f_i^{[r]}=f_i^{[r-1]}-\Omega_{i-r+1}\,f_{r-1}^{[r-1]},\ i=r,\dots,r+n-1;\qquad f_i^{[r]}=f_i^{[r-1]},\
   i\ge r+n
-:corrected-by: column_operations_give_the_corrected_recursion
+:corrected-by: column_operations_free_all_entries_but_the_first
+:confirmed-by: column_operations_give_the_corrected_recursion
 :figure: implicit_recursion
 
 For $r=1$ the two agree.  From $r=2$ on the printed index runs beyond $n$, where there is no $\omega_i$; even with
@@ -273,13 +315,14 @@ CLAIM(printed_recursion_is_not_the_operations)
 :::{statement} wang-ch3:thm-3.4.2-step-columns
 :title: Step r subtracts Ω_i times column r from column i+r
 :zh: 列初等变换
-:printed: from column $i+1$ subtract $\Omega_i$ times column 1, $i=1,\dots,n$; then from column $i+2$ subtract
-  $\Omega_i$ times column 2; at last from column $i+n$ subtract $\Omega_i$ times column $n$
-:holds-by: column_operations_give_the_corrected_recursion
+:printed: Elementary operations are carried out on the determinant in (3.4.1): from column $i+1$ subtract $\Omega_i$ times column 1, $i=1,2,\dots,n$; then from column
+  $i+2$ subtract $\Omega_i$ times column 2, $i=1,2,\dots,n$; at last from column $i+n$ subtract $\Omega_i$ times column $n$, $i=1,2,\dots,n$.
+:holds-by: column_operations_free_all_entries_but_the_first
+:confirmed-by: column_operations_give_the_corrected_recursion
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\ne0$, for $\Omega_i$ divides by it; with $\omega_0=0$ the determinant is 0 anyway
 
-The columns $i+r\le2n$ exist, and the determinant does not change.
+The columns $i+r\le2n$ exist, and the determinant does not change.  The text at hand has the sentence twice, the second time with gaps.
 :::
 
 :::{statement} wang-ch3:3.4.8
@@ -288,7 +331,7 @@ The columns $i+r\le2n$ exist, and the determinant does not change.
 :printed: a staircase of the entries $a_j^{[r]}$ over one of the $b_j^{[r]}$ whose first row begins
   $a_0,\ a_1^{[1]},\ \cdots$; the upper indices of the later entries are not legible in the text at hand, which gives
   among others $a_{n-1}^{[n]}$, $a_n^{[n-1]}$ and $a_n^{[n]}$
-:reading: column_operations_give_the_corrected_recursion | what the operations give: row $k$, beginning in column
+:reading: column_operations_free_all_entries_but_the_first | what the operations give: row $k$, beginning in column
   $k$, is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$; so the first row is
   $a_0,a_1^{[1]},\dots,a_n^{[n]},a_{n+1}^{[n]},\dots,a_{2n-1}^{[n]}$ and the last of the $a$ is
   $a_0,a_1^{[1]},\dots,a_n^{[1]}$
@@ -302,16 +345,21 @@ $a_0$ and $b_0$; and of these there is one pair in each of the first $n$ columns
 :::{statement} wang-ch3:thm-3.4.2-step-constants
 :title: All entries changed at least once are constants; only a_0 and b_0 contain x and y
 :zh: 变换后的元素为常数
-:printed: $a_i^{[r]},b_i^{[r]}$ ($r=1,\dots,n$, $i\ge r$) are constants, hence in (3.4.8) only $a_0$ contains $x$
-  and only $b_0$ contains $y$
-:holds-by: changed_entries_are_constants variables_stay_in_the_first_columns
+:printed: By (3.4.7) all $a_i^{[r]}$, $b_i^{[r]}$ ($r=1,2,\dots,n$; $i\ge r$) are constants, hence in the determinant (3.4.8) only $a_0$ contains $x$
+  and only $b_0$ contains $y$.
+:holds-by: column_operations_free_all_entries_but_the_first
+:confirmed-by: changed_entries_are_constants variables_stay_in_the_first_columns
+
+The first row of the $a$ is the one of the recursion; the entry $j$ of row $k$ is $a_j^{[r]}$ with $r=\min(j,n-k+1)$.  It is so with the printed recursion, too
+(`changed_entries_are_constants`), although that is not the one of the operations.
 :::
 
 :::{statement} wang-ch3:thm-3.4.2-step-same-columns
 :title: a_0 and b_0 stand in the same columns, hence the degree is at most n
 :zh: a_0 与 b_0 同列
-:printed: $a_0$ and $b_0$ stand in the same columns of (3.4.8), hence the conclusion
-:holds-by: variables_stay_in_the_first_columns
+:printed: And because $a_0$ and $b_0$ stand in the same columns, the conclusion of the theorem holds.
+:holds-by: column_operations_free_all_entries_but_the_first
+:confirmed-by: variables_stay_in_the_first_columns
 
 The variables stand in $n$ columns, in degree one: a product of one entry from every column has degree at most $n$.
 :::

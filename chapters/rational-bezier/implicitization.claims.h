@@ -25,17 +25,23 @@ recognises.
 :printed: F(x,y)=\begin{vmatrix}a_0&a_1&\cdots&a_n\\&\ddots&&&\ddots\\b_0&b_1&\cdots&b_n\\&\ddots&&&\ddots
   \end{vmatrix}_{(2n)\times(2n)}
 :definition: yes
-:checked-by: implicit_value_is_the_printed_determinant
+:checked-by: rows_of_the_determinant_are_shifted_equations
+:confirmed-by: implicit_value_is_the_printed_determinant
 
-The implicit equation that the theorem speaks of is $F(x,y)=0$; the display gives $F$.
+There are $n$ rows of the $a$ and $n$ of the $b$, each shifted by one place against the one above it.  What is checked is that such a row is one of the two
+equations (3.4.5) times a power of $u$.  The implicit equation that the theorem speaks of is $F(x,y)=0$; the display gives $F$.
 :::
 
 :::{statement} wang-ch3:3.4.2
 :title: The entries of the determinant
 :zh: 行列式元素 a_i, b_i
-:printed: a_i=\binom ni\omega_i(x_i-x),\quad b_i=\binom ni\omega_i(y_i-y),\quad i=0,\dots,n
+:printed: a_i=\binom ni\omega_i(x_i-x),\quad b_i=\binom ni\omega_i(y_i-y),\quad i=0,1,\dots,n
 :definition: yes
-:checked-by: implicit_value_is_the_printed_determinant
+:checked-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:confirmed-by: implicit_value_is_the_printed_determinant
+
+What is checked is what they are for: with $t=(au+b)/(u+1)$ the sums $\sum a_iu^{n-i}$ and $\sum b_iu^{n-i}$ are $(1+u)^n\omega(t)$ times the differences of the
+coordinates of $\mathbf R(t)$ and of $(x,y)$.
 :::
 
 :::{claim} implicit_value_is_the_printed_determinant
@@ -155,8 +161,8 @@ CLAIM(parameter_change_needs_two_ends)
 :::{statement} wang-ch3:3.4.4
 :title: The curve in the new parameter
 :zh: 新参数下的曲线
-:printed: \mathbf R(t)=(x,y)=\Bigl(\frac{\sum\binom ni\omega_ix_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}},
-  \frac{\sum\binom ni\omega_iy_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}}\Bigr),\quad 0\le u\le+\infty
+:printed: (3.4.3) gives $\mathbf R(t)=(x,y)=\Bigl(\frac{\sum_{i=0}^n\binom ni\omega_ix_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}},
+  \frac{\sum_{i=0}^n\binom ni\omega_iy_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}}\Bigr)$, $0\le u\le+\infty$.
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: curve_in_the_new_parameter
 
@@ -212,7 +218,7 @@ CLAIM(curve_in_the_new_parameter)
 :::{statement} wang-ch3:3.4.5
 :title: The two polynomial equations of a point of the curve
 :zh: 曲线上点所满足的两个方程
-:printed: \sum_{i=0}^na_iu^{n-i}=0,\quad\sum_{i=0}^nb_iu^{n-i}=0
+:printed: That is, for a point $(x,y)$ of the curve: $\sum_{i=0}^na_iu^{n-i}=0$, $\sum_{i=0}^nb_iu^{n-i}=0$.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
 :confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
@@ -299,7 +305,9 @@ elsewhere gives a point off the arc, or no point at all.
 :title: A point is on the curve if and only if the equations have a common root, or a_0 = b_0 = 0
 :zh: 点在曲线上当且仅当两式有公根
 :printed: $(x,y)$ is a point of the curve if and only if the two polynomials of (3.4.5) have a common root or
-  $a_0=b_0=0$ ($x=x_0$, $y=y_0$)
+  $a_0=b_0=0$ ($x=x_0$, $y=y_0$).
+:meant: the conclusion drawn from it by the theory of resultants, for which any common root counts, and the second case, which is that of $u=\infty$ | A
+  common root of the two polynomials, real or complex.
 :class: missing-hypothesis
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :reading: common_root_of_a_point_off_the_arc | a common root, real or complex
@@ -545,7 +553,8 @@ determinant is identically 0.
 :::{statement} wang-ch3:thm-3.4.1
 :title: A plane rational Bézier curve has the implicit equation F = 0
 :zh: 平面有理曲线可化为隐式方程
-:printed: the curve of degree $n$ with $\mathbf R_i=(x_i,y_i)$ can be turned into the implicit equation (3.4.1)
+:printed: The rational Bézier curve of degree $n$ on the left of (3.3.1), $a\le t\le b$, can be turned into the implicit equation (3.4.1) when the
+  $\mathbf R_i=(x_i,y_i)$, $i=0,1,\dots,n$, are coplanar.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant
 :confirmed-by: equation_vanishes_on_the_curve
@@ -553,13 +562,12 @@ determinant is identically 0.
   included); else $F$ is 0 for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; with $\omega_0=0$ the first column vanishes
-:needs: space_curve_and_its_shadow | theorem 3.4.1, which is about a curve $F(x,y)=0$ | the curve is plane; for a curve of
+:needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
   space $F=0$ is only the cylinder over its projection
-:reading: equation_vanishes_on_the_curve | every point of the curve satisfies $F=0$: true without any hypothesis
-:reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve: false; there are the
-  points of the other parameters, and isolated points
-:meant: its proof, which goes from a point of the curve to a common root and no way back | The first: every point of
-  the curve satisfies $F=0$.
+:meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation.
+:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs no hypothesis
+:reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve, and there are no other ones, of parameters outside of the interval or
+  isolated
 :argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
   p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: implicit_elevation
@@ -738,7 +746,7 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 :::{statement} wang-ch3:thm-3.4.1-step-vanishing
 :title: By the theory of resultants F must be 0 at the points of the curve
 :zh: 由结式理论 F 必为零
-:printed: at the points of the curve the resultant $F(x,y)$ of (3.4.5) is 0
+:printed: By the theory of the resultant of polynomials the resultant $F(x,y)$ of (3.4.5) must be 0, at the points of the curve.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
 :confirmed-by: equation_vanishes_on_the_curve
 

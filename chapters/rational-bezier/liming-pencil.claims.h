@@ -383,7 +383,7 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
   of (3.1.3).
 :needs: half_circle_has_no_frame | the line before: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
   With parallel tangents, as of a half circle, (3.1.3) is right and there is no $R_1$.
-:reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter: always true, with one of the two
+:reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter; then it is always so, with one of the two
   signs, mostly with both.
 :reading: scaled_lines_change_lambda | $\lambda$ is the same number in both.  This is so, with the minus sign, when
   the lines are written as determinants of their points (`limings_pencil_in_the_frame`), and not for other factors of

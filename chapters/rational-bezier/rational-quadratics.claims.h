@@ -213,8 +213,8 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 :needs: complementary_arc_leaves_the_triangle | § 3.1, which introduces $g_1$, $g_2$ as
   quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
   lengths.
-:reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant: true.
-:reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc: false, every constant has
+:reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant.
+:reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc; but every constant has
   its own.
 :figure: tangent_ratios
 

@@ -12,8 +12,8 @@ A designer sees $\omega$: it is the ratio in which the curve divides the median 
 :::{statement} wang-ch3:3.5-shoulder
 :title: The shoulder point
 :zh: 肩点公式
-:printed: \mathbf R_s=\mathbf R^*(u)\big|_{u=1/2}=\frac1{1+\omega}\left(\frac{\mathbf R_0}2+\frac{\mathbf R_2}2\right)
-  +\frac\omega{1+\omega}\mathbf R_1
+:printed: By the proof of theorem 3.5.1 $\mathbf R_s=\mathbf R^*(u)_{u=1/2}=\frac1{1+\omega}\left(\frac{\mathbf R_0}2+\frac{\mathbf R_2}2\right)
+  +\frac\omega{1+\omega}\mathbf R_1$.
 :holds-by: shoulder_point_of_the_curve
 :needs: shoulder_point_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are
   positive, so $\omega\ne-1$.
@@ -94,14 +94,14 @@ $\omega$ has to be said, and a print that does not say it can be read either way
 :::{statement} wang-ch3:3.5-median
 :title: The curve divides the median in the ratio 1 to omega
 :zh: 曲线将中线分成 1:ω
-:printed: $R_s$ lies on the median of $\triangle R_1R_0R_2$ to its base, and the curve divides this median into two parts
+:printed: The point $R_s$ lies just on the median of the base of $\triangle R_1R_0R_2$, and this median is divided by the curve into two parts
   in the ratio $1:\omega$.
 :holds-by: curve_divides_the_median
 :needs: negative_weight_leaves_the_median | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive, so $\omega>0$.
 :meant: corollary 3.5.1, which names the parts | The parts are taken from the vertex.
 :reading: curve_divides_the_median | The parts are taken from the vertex, $\|R_1R_s\|:\|R_sM\|=1:\omega$, as in corollary
-  3.5.1: true.
+  3.5.1.
 :reading: median_from_the_base_is_the_other_way | The parts are taken from the base.
 :figure: shoulder_point
 :::

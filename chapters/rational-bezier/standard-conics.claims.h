@@ -14,7 +14,7 @@ and gives them simple weights, by a change of the parameter.
 :title: Special coordinates of the triangle
 :zh: 特殊坐标系
 :printed: A special coordinate system is taken in which $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$; by the geometric
-  invariance it suffices to classify the curve there.
+  invariance it suffices to determine the class of the curve there.
 :holds-by: special_coordinates_exist kind_in_any_coordinates
 :::
 
@@ -76,7 +76,9 @@ of $u$, and $u$ can stand under no root.
 :corrected: $t=\frac{\sqrt{\omega_0}\,u}{\sqrt{\omega_0}\,u+\sqrt{\omega_2}\,(1-u)}$, $0\le u\le1$, turns the curve into
   the rational Bézier curve $R^*(u)$ with the same control points and the weights $\left(1,\omega,1\right)$,
   $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$.
-:corrected-by: standard_form_by_a_change_of_parameter
+:corrected-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
+:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
+  are positive.
 :figure: standard_parameter
 
 The roots belong over the weights alone; in the text at hand they cover $u$ and $1-u$ too.  With the printed roots the
@@ -160,8 +162,9 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :::{statement} wang-ch3:3.5.2
 :title: The standard weights
 :zh: 标准形的权
-:printed: (\omega_0^*,\omega_1^*,\omega_2^*)=\left(1,\ \omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}},\ 1\right)
-:holds-by: standard_form_by_a_change_of_parameter
+:printed: The curve then becomes the rational Bézier curve $R^*(u)$ with the same control points and the weights
+  $(\omega_0^*,\omega_1^*,\omega_2^*)=\left(1,\ \omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}},\ 1\right)$.
+:holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
 :needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
   are positive.
 :::
@@ -204,8 +207,10 @@ are to be changed first.
 :::{statement} wang-ch3:3.5-same-shape
 :title: The standard form has the same shape
 :zh: 标准形的形状不变
-:printed: By theorem 3.2.1 the curve $R^*(u)$ has the same shape as (3.1.5).
+:printed: By theorem 3.2.1 the shape of this curve is the same as that of (3.1.5).
 :holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
+:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
+  are positive.
 
 What is used of theorem 3.2.1 is that equal invariants suffice, property 3.2.10.  That direction asks nothing of the
 points, so it also serves where they lie on a line and the theorem says nothing.
