@@ -50,8 +50,6 @@ curve is.  The weights come in as products of three, so that positive ones canno
   points need only be part of the boundary.
 :argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$; so three points of the curve turn left whenever
   their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
-:meant: definition 4.2.1 of the next chapter, the only one at hand | The points of a convex polygon are part of the boundary of a convex
-  region; the second hypothesis asks for more.
 :reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex
   region; then all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side

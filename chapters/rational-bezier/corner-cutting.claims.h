@@ -234,10 +234,9 @@ strip still serves, and they are found by asking when two neighbouring edges are
 :printed: But it should be noted that the cut coefficients depend here not only on the parameter $\lambda$ of the point of division, but also on the level of cutting of the
   polygon, the number $i$ of the edge and the weights $\omega_i$.
 :holds-by: cut_depends_on_level_edge_and_weights
+:example: that a number depends on something is shown by one instance in which it changes with that alone; here there is one for each of level, edge and weights.
 :reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among
   them, it is as for polynomials: one ratio on all edges of all levels
-
-That a number depends on something is shown by one instance in which it changes with that alone; here there is one for each of level, edge and weights.
 :::
 
 :::{claim} cut_depends_on_level_edge_and_weights

@@ -36,8 +36,6 @@ binomial coefficients.
   (`unweighted_derivatives_are_parallel`), false for others
 :reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$: true for all weights,
   and in the plane empty from dimension 2 on
-:meant: the usual meaning of a contact of order $m$ | The second: equal derivatives up to that order after a change of
-  parameter.
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$
   with its tangent: it is 1 where $\kappa\ne0$, and there
   $\frac{\kappa^{[n-r]}}{\kappa}=\frac{n(n-r-1)}{(n-r)(n-1)}<1$

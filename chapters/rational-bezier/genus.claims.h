@@ -48,8 +48,6 @@ order on its line decide whether it is an ordinary cusp.
 :reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve; but an
   isolated point is on no arc, and with positive weights a Bézier curve is bounded, so that already a line is not
   one
-:meant: the words: imaginary ones included | Singular points of the complex projective plane, those in $d$ no cusps,
-  $n$ the degree; the Bézier curve is an arc.
 :corrected: let a real plane curve of degree $n$ be irreducible over $\mathbb C$ and have a simple real point. For
   $n\le3$ its short regular arcs are rational Bézier curves of degree $n$ if and only if it has $\frac{(n-1)(n-2)}2$
   singular points in the complex projective plane; for $n\ge4$ they are if it has a point of multiplicity $n-1$, and

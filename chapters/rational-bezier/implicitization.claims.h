@@ -306,14 +306,13 @@ elsewhere gives a point off the arc, or no point at all.
 :zh: 点在曲线上当且仅当两式有公根
 :printed: $(x,y)$ is a point of the curve if and only if the two polynomials of (3.4.5) have a common root or
   $a_0=b_0=0$ ($x=x_0$, $y=y_0$).
-:meant: the conclusion drawn from it by the theory of resultants, for which any common root counts, and the second case, which is that of $u=\infty$ | A
+:meant: (3.4.5), which is printed without a range, and the conclusion drawn by the theory of resultants, for which any common root counts | A
   common root of the two polynomials, real or complex.
 :class: missing-hypothesis
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :reading: common_root_of_a_point_off_the_arc | a common root, real or complex
 :reading: nonnegative_common_roots_are_the_points | a common root in the range $0\le u\le+\infty$ of (3.4.4), if that is
   carried over
-:meant: (3.4.5), which is printed without a range | The first: a common root, real or complex.
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
 :corrected-by: parameter_change_and_its_inverse mean_grows_by_one_term positive_terms_make_a_convex_mean

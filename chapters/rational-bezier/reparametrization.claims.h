@@ -693,8 +693,6 @@ CLAIM(invariants_survive_fractional_change)
   a regular arc of a parabola written as a cubic
 :reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve
   has $I_{n-i}$ for $I_i$
-:meant: the words: geometric quantities of the curve | The second: they belong to the curve, and not to its points and
-  weights alone.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | Two parametrizations of degree $n$ of one arc in the same direction, proper and
   without a common factor, so differ by (3.2.10), and their points and weights by the claims.
