@@ -41,7 +41,8 @@ lines, or of nothing.
 */
 CLAIM(plane_sections_of_a_cone_are_quadratic)
 {
-    num c = positive(T, "c", 0), square = mul(c, c), x = unknown(T, "x", 0), y = unknown(T, "y", 0), frame[3][3], q[3][3], P[3];
+    num c = positive(T, "c", 0), square = mul(c, c), x = unknown(T, "x", 0), y = unknown(T, "y", 0), frame[3][3],
+        q[3][3], P[3];
     static const char *const name[] = {"O", "U", "V"};
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++)

@@ -40,8 +40,10 @@ Theorem 1.4.1 is taken as in the entry on the proof: the triangle of de Castelja
 */
 CLAIM(equal_weights_stay_equal)
 {
-    num w = positive(T, "w", 0), other = fault(T, w, add(w, w)), lambda = parameter(T, "lambda"), mu = sub(from_int(1), lambda);
-    num R = unknown(T, "R", 0), S = unknown(T, "S", 0), left = mul(mu, w), right = mul(lambda, other), v = add(left, right);
+    num w = positive(T, "w", 0), other = fault(T, w, add(w, w)), lambda = parameter(T, "lambda"),
+        mu = sub(from_int(1), lambda);
+    num R = unknown(T, "R", 0), S = unknown(T, "S", 0), left = mul(mu, w), right = mul(lambda, other),
+        v = add(left, right);
     about(T, "the weight");
     same(T, v, w);
     about(T, "the point");

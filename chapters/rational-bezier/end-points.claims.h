@@ -242,7 +242,6 @@ CLAIM(two_multiplicities_leave_an_edge)
     same(T, sub(n, h), sub(l, one));
 }
 
-
 #if RATIONAL
 /*
 For the lower degrees all patterns can be visited.

@@ -436,7 +436,8 @@ CLAIM(triangle_has_one_envelope)
 */
 CLAIM(wronskian_decides_the_outer_levels)
 {
-    num one = from_int(1), Z = unknown(T, "Z", 0), U = positive(T, "U", 0), t = parameter(T, "t"), n = whole(T, "n", 2, 8);
+    num one = from_int(1), Z = unknown(T, "Z", 0), U = positive(T, "U", 0), t = parameter(T, "t"),
+        n = whole(T, "n", 2, 8);
     num D = add(sub(one, t), mul(t, Z)), slope = sub(Z, one), n1 = sub(n, one);
 #if FIELD
     num by_t = derivative_f(D, t);

@@ -527,7 +527,8 @@ CLAIM(means_of_powers_go_one_way)
 */
 CLAIM(three_powers_have_a_positive_determinant)
 {
-    num one = from_int(1), u = unknown(T, "u", 0), v = unknown(T, "v", 0), p = positive(T, "p", 0), q = positive(T, "q", 0);
+    num one = from_int(1), u = unknown(T, "u", 0), v = unknown(T, "v", 0), p = positive(T, "p", 0),
+        q = positive(T, "q", 0);
     num c = positive(T, "c", 0), e = positive(T, "e", 0), f = positive(T, "f", 0);
     num less = sub(mul(c, p), f), more = add(mul(c, q), e), row[3][3] = {{one, u, v}};
     num first = fault(T, less, more), second = fault(T, more, less);

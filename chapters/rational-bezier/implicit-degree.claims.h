@@ -155,7 +155,8 @@ A row of the matrix is best read as a polynomial in a letter $z$ that marks the 
 */
 CLAIM(column_operations_free_all_entries_but_the_first)
 {
-    num one = from_int(1), X = unknown(T, "X", 0), O = unknown(T, "O", 0), c = positive(T, "c", 0), x0 = unknown(T, "x", 0);
+    num one = from_int(1), X = unknown(T, "X", 0), O = unknown(T, "O", 0), c = positive(T, "c", 0),
+        x0 = unknown(T, "x", 0);
     num at[2] = {parameter(T, "x"), parameter(T, "x'")}, changed[2];
     for (int k = 0; k < 2; k++) {
         num first = mul(c, sub(x0, at[k])), f = sub(X, mul(at[k], mul(c, O)));
