@@ -89,11 +89,11 @@ static int check_sheets(const struct arguments *a, const struct document *d, int
     return good;
 }
 
-static int check(const struct arguments *a)
+static int check(const cagd_register *reg, const struct arguments *a)
 {
     struct document d;
     int good = 1, code = EXIT_AS_EXPECTED;
-    if (read_document(a->asked.path, &d) != 0)
+    if (read_document(reg, a->asked.path, &d) != 0)
         return EXIT_USAGE;
     if ((a->basis || a->picture != NULL) && d.sheets == 0) {
         fprintf(stderr, "cagd: %s: has no block :::{basis} NAME\n", name_of_input(a->asked.path));
@@ -121,7 +121,7 @@ static int run(const struct call *call)
     struct arguments a = {.basis = 0};
     region_mark mark = region_open();
     parse_arguments(call, &a.asked);
-    int code = check(&a);
+    int code = check(call->reg, &a);
     region_drop(mark);
     cagd_thread_end();
     return code;

@@ -1,5 +1,6 @@
 #include "cli/check/document.h"
 
+#include "chapters/judge/register.h"
 #include "cli/input.h"
 #include "cli/terminal.h"
 #include "exact/expression/evaluate.h"
@@ -39,7 +40,10 @@ static void complain(struct document *d, int from, int to, const char *format, .
     if (++d->complaints > MOST_COMPLAINTS)
         return;
     place_of(d, from, &line, &column);
-    fprintf(stderr, "cagd: %s:%d:%d: ", name_of_input(d->path), line, column);
+    if (from >= d->size && d->size > 0)
+        fprintf(stderr, "cagd: %s: %s, column %d: ", name_of_input(d->path), d->entry, column);
+    else
+        fprintf(stderr, "cagd: %s:%d:%d: ", name_of_input(d->path), line, column);
     va_list list;
     va_start(list, format);
     vfprintf(stderr, format, list);
@@ -47,7 +51,7 @@ static void complain(struct document *d, int from, int to, const char *format, .
     fputc('\n', stderr);
     while (begin > 0 && d->text[begin - 1] != '\n')
         begin--;
-    while (end < d->size && d->text[end] != '\n')
+    while (end < d->used && d->text[end] != '\n')
         end++;
     if (end - begin > WIDEST || memchr(d->text + begin, '\t', (size_t)(end - begin)) != NULL)
         return;
@@ -183,12 +187,107 @@ static const char *parameter_named(struct document *d, const cagd_scope *scope, 
     return t->head;
 }
 
-static void read_statement(struct document *d, int head, int at, int stop)
+/* ---- what the ledger has as printed -------------------------------------------------------------------- */
+
+/* Text behind the text of the file, where formulas of the ledger are read; 0 where there is no room. */
+static int put(struct document *d, const char *text, int length)
 {
+    if (d->used + length > 2 * LARGEST)
+        return 0;
+    memcpy(d->room + d->used, text, (size_t)length);
+    d->used += length;
+    return 1;
+}
+
+/* The formulas of an entry: all of it, or the k-th between dollar signs; its length, or -1. */
+static int formula_of(const char *printed, int k, const char **begin)
+{
+    const char *dollar = strchr(printed, '$');
+    if (dollar == NULL) {
+        *begin = printed;
+        return k == 1 ? (int)strlen(printed) : -1;
+    }
+    for (int count = 1; dollar != NULL; count++) {
+        const char *end = strchr(dollar + 1, '$');
+        if (end == NULL)
+            return -1;
+        if (count == k) {
+            *begin = dollar + 1;
+            return (int)(end - dollar - 1);
+        }
+        dollar = strchr(end + 1, '$');
+    }
+    return -1;
+}
+
+/* The formulas whose numbers stand in text[from..to), with commas between. */
+static int put_parts(struct document *d, const char *printed, int from, int to)
+{
+    int first = 1;
+    while (from < to || first) {
+        const char *begin;
+        char *end;
+        long k = from < to ? strtol(d->text + from, &end, 10) : 1;
+        int length = k > 0 ? formula_of(printed, (int)k, &begin) : -1;
+        if (length < 0 || (!first && !put(d, ", \\quad ", 8)) || !put(d, begin, length))
+            return 0;
+        first = 0;
+        from = from < to ? (int)(end - d->text) : to;
+        while (from < to && (d->text[from] == ',' || isspace((unsigned char)d->text[from])))
+            from++;
+    }
+    return 1;
+}
+
+/* The piece text[from..to) is taken out of what was put since `start`; 0 where it is not there. */
+static int take_out(struct document *d, int start, int from, int to)
+{
+    int length = to - from;
+    for (int k = start; k + length <= d->used; k++)
+        if (memcmp(d->room + k, d->text + from, (size_t)length) == 0) {
+            memmove(d->room + k, d->room + k + length, (size_t)(d->used - k - length));
+            d->used -= length;
+            return 1;
+        }
+    return 0;
+}
+
+/* In the block of an entry the lines that say how its print is read; where the formula is that comes out. */
+static void read_print(struct document *d, struct formula *f, int head, int at, int stop, int *printed,
+                       int *printed_end)
+{
+    int from = 0, to = 0, part = 0, part_end = 0, first = at;
+    for (int k = 0; d->reg != NULL && d->reg->statements[k].id != NULL; k++)
+        if (strcmp(d->reg->statements[k].id, f->name) == 0)
+            f->entry = &d->reg->statements[k];
+    if (f->entry == NULL) {
+        complain(d, head, end_of_line(d, head), "no entry of the ledger has the name %s", f->name);
+        return;
+    }
+    *printed = d->used;
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end))
+        if (field(d, at, end, "part", &from, &to))
+            part = from, part_end = to;
+        else if (field(d, at, end, "before", &from, &to))
+            put(d, d->text + from, to - from);
+    int start = d->used;
+    if (!put_parts(d, f->entry->printed, part, part_end))
+        complain(d, head, end_of_line(d, head), "%s has no formula of that number", f->name);
+    at = first;
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end))
+        if (field(d, at, end, "without", &from, &to) && !take_out(d, start, from, to))
+            complain(d, from, to, "that does not stand in %s", f->name);
+    *printed_end = d->used;
+    put(d, "\n", 1);
+}
+
+static void read_statement(struct document *d, const char *kind, int head, int at, int stop)
+{
+    int is_printed = strcmp(kind, ":::{printed}") == 0;
     struct formula *f = &d->formula[d->count];
     int column, from = 0, to = 0, printed = 0, printed_end = 0, ranges = 0, ranges_end = 0, complaints = d->complaints;
     int find = 0, find_end = 0;
-    int name = head + (int)strlen(":::{statement}"), name_end = end_of_entry(d, head, next_line(d, head));
+    int name = head + (int)strlen(kind), name_end = end_of_entry(d, head, next_line(d, head)), inside = at;
     *f = (struct formula){.expected = EXPECT_NOTHING, .seconds = usual_seconds};
     if (d->count == MOST_STATEMENTS) {
         complain(d, head, head + 1, "more than %d statements", MOST_STATEMENTS);
@@ -199,8 +298,13 @@ static void read_statement(struct document *d, int head, int at, int stop)
     f->name = cagd_text_of(d->text + name, name_end - name);
     if (name == name_end)
         complain(d, head, end_of_line(d, head), "a statement without a name");
+    if (is_printed)
+        read_print(d, f, head, inside, stop, &printed, &printed_end);
     for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
-        if (field(d, at, end, "printed", &from, &to))
+        if (is_printed && (field(d, at, end, "part", &from, &to) || field(d, at, end, "before", &from, &to) ||
+                           field(d, at, end, "without", &from, &to)))
+            continue;
+        if (!is_printed && field(d, at, end, "printed", &from, &to))
             printed = from, printed_end = to;
         else if (field(d, at, end, "for", &from, &to))
             ranges = from, ranges_end = to;
@@ -226,6 +330,11 @@ static void read_statement(struct document *d, int head, int at, int stop)
         return;
     f->at = printed;
     f->printed = cagd_text_of(d->text + printed, printed_end - printed);
+    for (const statement_link *l = f->entry != NULL && f->expected == EXPECT_NOTHING ? f->entry->links : NULL;
+         l != NULL && (l->claim != NULL || l->text != NULL); l++)
+        if (l->role == REFUTED_BY)
+            f->expected = EXPECT_FAILS;
+    d->entry = f->name;
     f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
     if (f->tree == NULL)
         complain_of_reading(d, &error);
@@ -358,7 +467,9 @@ static void read_blocks(struct document *d)
         if (begins(d, at, ":::{let}"))
             read_let(d, inside, stop);
         else if (begins(d, at, ":::{statement}"))
-            read_statement(d, at, inside, stop);
+            read_statement(d, ":::{statement}", at, inside, stop);
+        else if (begins(d, at, ":::{printed}"))
+            read_statement(d, ":::{printed}", at, inside, stop);
         else if (begins(d, at, ":::{basis}"))
             read_sheet(d, at, inside, stop);
         else
@@ -375,13 +486,13 @@ static int refuse_file(const struct document *d, const char *why)
     return 1;
 }
 
-int read_document(const char *path, struct document *d)
+int read_document(const cagd_register *reg, const char *path, struct document *d)
 {
-    *d = (struct document){.path = path};
+    *d = (struct document){.reg = reg, .path = path};
     FILE *in = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
     if (in == NULL)
         return refuse_file(d, "cannot be read");
-    char *text = region_bytes(LARGEST + 1);
+    char *text = region_bytes(2 * LARGEST);
     size_t size = text != NULL ? fread(text, 1, LARGEST + 1, in) : 0;
     int bad = ferror(in);
     if (in != stdin)
@@ -394,7 +505,8 @@ int read_document(const char *path, struct document *d)
         return refuse_file(d, "is larger than 4 MB");
     if (memchr(text, '\0', size) != NULL)
         return refuse_file(d, "is no text");
-    d->text = text, d->size = (int)size;
+    d->text = d->room = text, d->size = d->used = (int)size;
+    put(d, "\n", 1);
     read_blocks(d);
     if (d->complaints == 0 && d->count == 0 && d->sheets == 0)
         return refuse_file(d, "has no statement: expected a block :::{statement} NAME or :::{basis} NAME");

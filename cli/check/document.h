@@ -12,6 +12,8 @@
 #include "exact/expression/basis.h"
 #include "exact/expression/read.h"
 
+struct cagd_register;
+struct statement;
 enum { MOST_STATEMENTS = 1000, MOST_SHEETS = 100, MOST_SHOWN = 3 };
 
 /* What a file says is to come out, where it says so. */
@@ -19,8 +21,9 @@ enum expected { EXPECT_HOLDS, EXPECT_FAILS, EXPECT_UNDECIDED, EXPECT_NOTHING };
 extern const char *const expected_name[];
 
 struct formula {
-    const char *name, *printed; /* as it is written, TeX                             */
-    int line, at;               /* of the block; the byte where the formula begins   */
+    const char *name, *printed;    /* as it is written, TeX                             */
+    const struct statement *entry; /* of the ledger, whose print it is; or NULL         */
+    int line, at;                  /* of the block; the byte where the formula begins   */
     enum expected expected;
     const char *find; /* the name for whose values the statement is asked, or NULL */
     double seconds;
@@ -48,9 +51,21 @@ struct sheet {
     int shown_count;
 };
 
+/* A formula of the ledger, read from what the ledger has as printed; it is expected to fail where the ledger refutes it:
+ *
+ *     :::{printed} wang-ch4:formula-4.4.22
+ *     :for: k = 1..5, r = k, j = 0..k-1
+ *     :part: 2                             of several formulas between dollar signs the second; "1, 3": both
+ *     :without: \text{all }x               a piece that is left out, which has to be there
+ *     :before: f =                         what is put before it
+ *     ::: */
+
 struct document {
+    const struct cagd_register *reg; /* NULL: no ledger */
     const char *path, *text;
-    int size, complaints;
+    char *room; /* the text, and behind it formulas of the ledger */
+    int size, used, complaints;
+    const char *entry; /* of the ledger, that is being read */
     cagd_scope scope;
     struct formula *formula;
     struct sheet *sheet;
@@ -59,7 +74,7 @@ struct document {
 
 /* Reads the file; "-" is standard input.  Whatever is wrong goes to stderr, each with file, line, column and a caret below it:
  * their number.  All is in the region. */
-int read_document(const char *path, struct document *d);
+int read_document(const struct cagd_register *reg, const char *path, struct document *d);
 
 /* Line and column of a byte, from 1; columns count characters. */
 void place_of(const struct document *d, int at, int *line, int *column);

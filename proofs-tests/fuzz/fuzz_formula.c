@@ -37,7 +37,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     region_faults = 0;
     region_mark mark = region_open();
     field_open(12);
-    int complaints = read_document(file_of(data, size), &d);
+    int complaints = read_document(NULL, file_of(data, size), &d);
     if (complaints != 0 && d.complaints > complaints)
         abort();
     for (int k = 0; complaints == 0 && k < d.count && k < 4; k++) {
