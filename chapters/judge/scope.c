@@ -49,7 +49,7 @@ static int is_text(const char *at, size_t n, const char *text)
     return strlen(text) == n && strncmp(at, text, n) == 0;
 }
 
-/* Whether the table has the row "narrow | wide". */
+/* Whether the table has the row "narrow | wide", or "* | wide": a phrase that leaves nothing out. */
 static int is_declared(const char *table, const char *narrow, const char *wide)
 {
     for (const char *row = table; row != NULL && *row != '\0'; row += strspn(row, "; ")) {
@@ -59,7 +59,8 @@ static int is_declared(const char *table, const char *narrow, const char *wide)
             right += strspn(right, " ");
             while (n > 0 && row[n - 1] == ' ')
                 n--;
-            if (is_text(row, n, narrow) && is_text(right, (size_t)(row + end - right), wide))
+            int is_left = is_text(row, n, narrow) || is_text(row, n, "*");
+            if (is_left && is_text(right, (size_t)(row + end - right), wide))
                 return 1;
         }
         row += end;

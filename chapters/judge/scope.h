@@ -5,7 +5,7 @@
  * decided for the cases that all of them were decided for: for the intersection of their scopes.
  *
  * Of two phrases one may be the narrower: the option `within` of a chapter's letters says of which, "simple knots | every
- * pattern of the knots".  The narrower one is left.  Where each of two claims has a phrase with which the other one's cannot
+ * pattern of the knots", or "* | all coefficients" of one that leaves nothing out.  The narrower one is left.  Where each of two claims has a phrase with which the other one's cannot
  * be compared, they are about different things, steps of a proof for instance, and their scopes are apart: the degree
  * alone is common to them, and every step is told with its own.  So are one instance and a range of cases.
  *

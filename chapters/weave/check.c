@@ -221,11 +221,12 @@ static int is_phrase(const struct book *book, const char *text, size_t n)
     return 0;
 }
 
-/* "narrow | wide": two phrases of scopes. */
+/* "narrow | wide": two phrases of scopes; "* | wide": any phrase is narrower. */
 static void check_within(const struct book *book, const struct block *b, const struct option *o)
 {
     struct link row = read_link(o->value, PLACE_TEXT);
-    if (row.place == NULL || !is_phrase(book, row.place, strlen(row.place)) ||
+    int any = row.place != NULL && strcmp(row.place, "*") == 0;
+    if (row.place == NULL || (!any && !is_phrase(book, row.place, strlen(row.place))) ||
         !is_phrase(book, row.text, strlen(row.text)))
         complain(b->file, o->line, "what is within is written as narrow | wide, two phrases of scopes: '%s'", o->value);
 }

@@ -92,14 +92,14 @@ static const char *letter_of(const struct book *book, const struct block *b, con
     return d->letter[0] != '\0' ? d->letter : letter;
 }
 
-/* Which phrases of scopes are narrower than which: what the letters of the chapter declare, a row each. */
-static char *within_of(const struct book *book, const struct block *b)
+/* Which phrases of scopes are narrower than which: what the letters of all chapters declare, a row each. */
+static char *within_of(const struct book *book)
 {
-    const struct block *letters = block_named(book, b->chapter, LETTERS_BLOCK);
     char *rows = whole_copy("");
-    for (int k = 0; letters != NULL && k < letters->options; k++)
-        if (strcmp(letters->option[k].key, "within") == 0)
-            rows = joined(rows, ';', letters->option[k].value);
+    for (int k = 0; k < book->blocks; k++)
+        for (int j = 0; book->block[k].kind == LETTERS_BLOCK && j < book->block[k].options; j++)
+            if (strcmp(book->block[k].option[j].key, "within") == 0)
+                rows = joined(rows, ';', book->block[k].option[j].value);
     return rows;
 }
 
@@ -127,7 +127,7 @@ static void put_claim(FILE *out, const struct book *book, const struct block *b,
     put_option(out, "defines", b, "defines");
     put_field(out, "over", over_of(book, b));
     put_field(out, "letter", letter_of(book, b, &d));
-    put_field(out, "within", within_of(book, b));
+    put_field(out, "within", within_of(book));
     put_argument(out, value_of(b, "argued"));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);

@@ -84,16 +84,16 @@ class Words(unittest.TestCase):
 
     def test_steps_are_told_with_evidence_of_their_own(self):
         """Where it is not that of the verdict; the verdict has what is common to them."""
-        page = show("wang-ch4:thm-4.2.2-step-contradiction").split("\nVerdict\n")[1]
+        page = show("wang-ch4:lemma-4.2.1-step-alpha").split("\nVerdict\n")[1]
         self.assertIn("each step for its own cases", " ".join(page.split("\n\n")[0].split()))
-        steps = re.split(r"(?m)^    \d+ (?:identity|decision|argument|cited) ", page.split("\nWhy\n")[1])[1:]
-        computed = [" ".join(step.split()) for step in steps if "\n    given " in step]
+        steps = re.split(r"(?m)^    \d+   ", page.split("\nWhy\n")[1])[1:]
+        computed = [" ".join(step.split()) for step in steps if "\n        given " in step]
         self.assertGreater(len(computed), 1)
         for step in computed:
-            self.assertRegex(step, r"(Proved|Decided) for .* given ")
+            self.assertRegex(step, r"(An identity, proved for|A decision for) .*\. given ")
         alone = next(s["id"] for s in REGISTER["statements"] if "meant" not in s["has"] and "needs" not in s["has"] and
                      "hypothesis" not in s["has"] and len(" ".join(s["has"].get("holds-by", [])).split()) == 1)
-        self.assertNotRegex(show(alone).split("\nWhy\n")[1], r"(?m)^    Proved for ")
+        self.assertNotRegex(show(alone).split("\nWhy\n")[1], r"(?m)^    (An identity|A decision)(,|\.| for)")
 
     def test_a_comparison_is_a_sentence(self):
         page = show("hu-1987:1-4-torsion-first-determinant")
@@ -105,8 +105,10 @@ class Words(unittest.TestCase):
         named = {s["id"]: [w for key, text in s["options"] if key == "holds-by" for w in text.split()] for s in REGISTER["statements"]}
         several = next(s for s in sorted(named) if len(named[s]) > 2)
         page = show(several).split("\nWhy\n")[1]
-        numbers = re.findall(r"(?m)^    (\d+) (?:identity|decision|counterexample) ", page)
-        self.assertEqual(numbers, [str(k + 1) for k in range(len(named[several]))])
+        steps = re.split(r"(?m)^    (\d+)   (?=\S)", page.split("\nCorrected\n")[0].split("\nRemarks\n")[0])
+        self.assertEqual(steps[1::2][:len(named[several])], [str(k + 1) for k in range(len(named[several]))])
+        for step in steps[2::2]:
+            self.assertRegex(step, r"(?m)^        (An identity|A decision)[,. ]|^(An argument|Cited)")
         self.assertIn(" decide it together.", page.split("\n\n")[0])
 
 

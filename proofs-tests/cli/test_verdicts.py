@@ -29,8 +29,8 @@ def is_one_instance(finding):
 
 
 def is_worked_number(text):
-    """What is printed are numbers: an equation one side of which has no letter."""
-    return re.search(r"=\s*(?:\\frac|\[)?\s*[-(\[{]*\s*\d", text) is not None
+    """What is printed are numbers: an equation one side of which is a number other than 0, or begins with one."""
+    return re.search(r"=\s*(?:\\frac|\[)?\s*[-(\[{]*\s*[\d.,]*[1-9]", text) is not None
 
 
 class Scopes(unittest.TestCase):

@@ -20,6 +20,7 @@ INDEX = """# A chapter (一章)
 :over: t
 :degree: p
 :within: the interval | all intervals
+:within: * | the interval
 :::
 
 ```{toctree}
@@ -207,7 +208,7 @@ class Good(Weaving):
         self.assertIn(".kind = IDENTITY, .degree_low = 1, .degree_high = 6, .degree_sampled = 12, .all_degrees = 0", c)
         self.assertIn('.defines = "kernel", .over = "h#: lengths;t", .letter = "k"', c)
         self.assertIn('.argued_for = "every k", .argued = "by words"', c)
-        self.assertIn('.over = "t", .letter = "p", .within = "the interval | all intervals"', self.claim(text, "every_degree"))
+        self.assertIn('.over = "t", .letter = "p", .within = "the interval | all intervals;* | the interval"', self.claim(text, "every_degree"))
         self.assertIn(f'.file = "chapter/first.claims.h", .line = {line_of(FIRST, ":::{claim} sum_is_zero")},', c)
         self.assertIn("[FIELD_TYPE] = claim_sum_is_zero_f, [RATIONAL_TYPE] = claim_sum_is_zero_q, }}", c)
         self.assertIn(".kind = COUNTEREXAMPLE", self.claim(text, "ratio_fails"))
@@ -322,7 +323,7 @@ class BadWords(Weaving):
 
     def test_what_is_within_are_two_phrases_of_scopes(self):
         row = ":within: the interval | all intervals"
-        for bad in "the interval", "the interval | every interval", "interval | all intervals", " | all intervals", "the interval |":
+        for bad in "the interval", "* | *", "the interval | every interval", "interval | all intervals", " | all intervals", "the interval |":
             self.spoiled("index.md", row, f":within: {bad}", "narrow | wide")
 
 

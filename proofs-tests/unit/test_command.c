@@ -460,7 +460,7 @@ static void pages_say(void **state)
     } list[] = {
         {"book:1",
          {"It holds as printed: argued, each step for its own cases.",
-          "Proved for all points, all other positive data.", "Argued for the stated instance.",
+          "An identity, proved for all points, all other positive data.", "A decision, argued for the stated instance.",
           "An identity, a decision and an argument in words decide it together."}},
         {"book:2",
          {"It fails as printed: a misprint (decided).",

@@ -870,7 +870,7 @@ static void test_result_of(void **state)
 
 static char weighted_names[] = "x0 w1 t", weighted_positive[] = "w1", plain_names[] = "x3 w0 beta0", odd_names[] = "h7",
             no_names[] = "", one_weight[] = "w0 t";
-static const char order[] = "simple knots | every pattern of knots; 0 < t < 1 | 0 ≤ t ≤ 1";
+static const char order[] = "simple knots | every pattern of knots; 0 < t < 1 | 0 ≤ t ≤ 1;* | all maps";
 static const claim weighted = {.name = "weighted",
                                .scope = "simple knots",
                                .over = "x#: points; w#: weights;t",
@@ -884,6 +884,7 @@ static const claim weighted = {.name = "weighted",
                    inside = {.name = "inside", .scope = "0 < t < 1", .over = "w#: weights; t", .within = order},
                    closed = {.name = "closed", .scope = "0 ≤ t ≤ 1", .over = "w#: weights; t", .within = order},
                    patterns = {.name = "patterns", .scope = "every pattern of knots", .within = order},
+                   maps = {.name = "maps", .scope = "all maps", .within = order},
                    stated = {.name = "stated", .scope = "the stated curves"};
 #define RUN_IN_FIELD(c, low, high_, names, positive_names)                                                             \
     {                                                                                                                  \
@@ -903,6 +904,7 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(inside, 0, 0, one_weight, no_names),
     RUN_IN_FIELD(closed, 1, 4, one_weight, no_names),
     RUN_IN_FIELD(patterns, 1, 3, no_names, no_names),
+    RUN_IN_FIELD(maps, 0, 0, no_names, no_names),
     {.claim = &stated,
      .as_expected = 1,
      .evidence = DECIDED,
@@ -968,6 +970,9 @@ static void test_a_narrower_phrase_is_left(void **state)
                    LINKS(BY("patterns"), BY("weighted")));
     assert_finding("n", PROVED, "n = 2 to 3; every pattern of knots; all points and weights, every β", "",
                    LINKS(BY("patterns"), BY("plain"))); /* a phrase of one alone asks it of both */
+    assert_finding("n", PROVED, "all maps", "", LINKS(BY("maps")));
+    assert_finding("n", PROVED, "n = 1 to 3; every pattern of knots", "", LINKS(BY("maps"), BY("patterns")));
+    assert_finding("n", PROVED, "n = 1 to 3; every pattern of knots", "", LINKS(BY("patterns"), BY("maps")));
 }
 
 /* Phrases that nobody compares are about different things: the degree is what is common. */

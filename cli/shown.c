@@ -1,0 +1,75 @@
+/* shown.c -- what a claim shows: numbers under their names, and what was compared. */
+#include "cli/shown.h"
+
+#include "cli/layout.h"
+#include "cli/prose.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
+#include "cli/tex.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The value shown under a name; NULL where none is. */
+static const char *value_of(const type_result *b, const char *name)
+{
+    for (int k = 0; k < b->exhibits; k++)
+        if (strcmp(b->shown[k].name, name) == 0)
+            return b->shown[k].value;
+    return NULL;
+}
+
+/* What was compared is told as a sentence, not in the list of the numbers. */
+static int is_of_comparison(const char *name)
+{
+    return strcmp(name, "compared") == 0 || strcmp(name, "left") == 0 || strcmp(name, "right") == 0 ||
+           strcmp(name, "negative") == 0;
+}
+
+/* "Compared: y and x³ of the point: -4/625 and 8/15625 are not equal."; of a condition: "What fails: the point is in the hull." */
+static void print_comparison(const type_result *b)
+{
+    const char *what = value_of(b, "compared"), *left = value_of(b, "left"), *right = value_of(b, "right"),
+               *negative = value_of(b, "negative");
+    char *sentence = NULL;
+    size_t room;
+    FILE *out = open_memstream(&sentence, &room);
+    if (out == NULL)
+        abort();
+    int found = (left != NULL && right != NULL) || negative != NULL;
+    if (what != NULL)
+        fprintf(out, "%s: %s", found ? "Compared" : "What fails", what);
+    if (left != NULL && right != NULL)
+        fprintf(out, "%s%s and %s are not equal", what != NULL ? ": " : "", left, right);
+    else if (negative != NULL)
+        fprintf(out, "%s%s is negative", what != NULL ? ": " : "", negative);
+    fclose(out);
+    if (sentence[0] != '\0') {
+        char *plain = tex_to_layout(sentence, 1), *whole = malloc(strlen(plain) + 2);
+        if (whole == NULL)
+            abort();
+        sprintf(whole, "%s.", plain);
+        paragraph(whole, INDENT);
+        free(plain), free(whole);
+    }
+    free(sentence);
+}
+
+void print_exhibits(const claim_result *r)
+{
+    const type_result *b = speaking_type(r);
+    int width = 0;
+    for (int k = 0; b != NULL && k < b->exhibits; k++) {
+        int columns = columns_of(b->shown[k].name);
+        if (!is_of_comparison(b->shown[k].name) && columns > width && columns <= page_width(WIDEST) / 3)
+            width = columns;
+    }
+    for (int k = 0; b != NULL && k < b->exhibits; k++) {
+        if (is_of_comparison(b->shown[k].name))
+            continue;
+        put_value(stdout, b->shown[k].name, b->shown[k].value, INDENT, width, page_width(WIDEST));
+    }
+    if (b != NULL)
+        print_comparison(b);
+}

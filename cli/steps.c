@@ -1,0 +1,141 @@
+/* steps.c -- the steps that decide a statement: claims, arguments in words, cited theorems. */
+#include "cli/steps.h"
+
+#include "cli/prose.h"
+#include "cli/terminal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The steps that lead to a finding: of how many, which one is told, and where its text stands. */
+struct steps {
+    const statement *statement;
+    role role; /* of the claims among them */
+    const finding *together;
+    int all, told, indent;
+};
+
+enum { OF_NUMBER = 4, OF_LABEL = 7 };
+
+static int is_step(const struct steps *at, const statement_link *l)
+{
+    return (l->role == at->role && l->claim != NULL) || l->role == ARGUED || l->role == CITES;
+}
+
+/* "2   The derivative of the product": a step has a number where there are more. */
+static void begin_step(struct steps *at, const char *title)
+{
+    char number[16];
+    putchar('\n');
+    snprintf(number, sizeof number, "%d", ++at->told);
+    fputs(style(stdout, BOLD), stdout);
+    hanging(at->all > 1 ? number : "", title, at->indent - INDENT, INDENT);
+    fputs(style(stdout, PLAIN), stdout);
+}
+
+/* "An identity, proved for n = 1 to 6."; "A decision for n = 3."; nothing of a step that is the only one, and so was told. */
+static void print_kind(const struct steps *at, claim_kind kind, const char *known)
+{
+    static const char *const kinds[KINDS] = {"an identity", "a decision", "a counterexample"};
+    const char *decided = evidence_name[DECIDED];
+    size_t n = strlen(decided);
+    char *text = NULL;
+    if (at->all == 1 && known[0] == '\0')
+        return;
+    int is_told = kind == DECISION && strncmp(known, decided, n) == 0;
+    if (asprintf(&text, "%s%s%s", kinds[kind], known[0] == '\0' || is_told ? "" : ", ", known + (is_told ? n : 0)) < 0)
+        abort();
+    clause(text, at->indent);
+    free(text);
+}
+
+/* What the claim computes, and why that suffices; how it is known, where that is not what is said of all steps together. */
+static void print_computed_step(struct steps *at, const claim_result *c)
+{
+    finding alone = finding_of(c, at->statement->letter);
+    char *words = finding_words(&alone), *all = finding_words(at->together);
+    begin_step(at, c->claim->title);
+    print_kind(at, c->claim->kind, strcmp(words, all) != 0 ? words : "");
+    hanging("given", c->claim->given, OF_LABEL, at->indent);
+    hanging("let", c->claim->let, OF_LABEL, at->indent);
+    hanging("then", c->claim->then, OF_LABEL, at->indent);
+    prose(c->claim->method, at->indent);
+    labelled("An argument:", c->claim->argued, at->indent);
+    free(words), free(all), free_finding(&alone);
+}
+
+/* An argument, with the cases that it adds, or a cited theorem, with its place. */
+static void print_step_in_words(struct steps *at, const statement_link *l)
+{
+    char *title = NULL;
+    const char *what = l->role == CITES ? "Cited" : l->place[0] != '\0' ? "An argument for" : "An argument";
+    if (asprintf(&title, "%s%s%s", what, l->place[0] == '\0' ? "" : l->role == CITES ? ": " : " ", l->place) < 0)
+        abort();
+    begin_step(at, title);
+    prose(l->text, at->indent);
+    free(title);
+}
+
+/* First what was computed, then words. */
+void print_steps(const statement *s, role wanted, const finding *together, int with_words, const claim_result *results,
+                 int count)
+{
+    struct steps at = {.statement = s, .role = wanted, .together = together};
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
+        at.all += is_step(&at, l) && (l->role == wanted || with_words);
+    at.indent = at.all > 1 ? INDENT + OF_NUMBER : INDENT;
+    for (int words = 0; words <= with_words; words++)
+        for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+            const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+            if (!words && c != NULL)
+                print_computed_step(&at, c);
+            else if (words && (l->role == ARGUED || l->role == CITES))
+                print_step_in_words(&at, l);
+        }
+}
+
+void print_deciders(const statement *s, role wanted, const claim_result *results, int count)
+{
+    static const char *const one[] = {"an identity", "a decision", "a counterexample", "an argument in words",
+                                      "a cited theorem"};
+    static const char *const more[] = {"identities", "decisions", "counterexamples", "arguments in words",
+                                       "cited theorems"};
+    static const char *const number[] = {"two", "three", "four", "five", "six", "seven", "eight", "nine"};
+    enum { PARTS = KINDS + 2 };
+    int of[PARTS] = {0}, parts = 0, all = 0, put = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (c != NULL) {
+            of[c->claim->kind]++;
+            of[KINDS] += c->claim->argued[0] != '\0';
+        }
+        of[KINDS] += l->role == ARGUED;
+        of[KINDS + 1] += l->role == CITES;
+    }
+    for (int k = 0; k < PARTS; k++)
+        parts += of[k] > 0, all += of[k];
+    if (all == 0)
+        return;
+    char *text = NULL;
+    size_t room;
+    FILE *out = open_memstream(&text, &room);
+    if (out == NULL)
+        abort();
+    for (int k = 0; k < PARTS; k++) {
+        if (of[k] == 0)
+            continue;
+        fputs(put == 0 ? "" : put + 1 == parts ? " and " : ", ", out);
+        if (of[k] == 1)
+            fputs(one[k], out);
+        else if (of[k] <= 9)
+            fprintf(out, "%s %s", number[of[k] - 2], more[k]);
+        else
+            fprintf(out, "%d %s", of[k], more[k]);
+        put++;
+    }
+    fputs(all == 1 ? " decides it" : " decide it together", out);
+    fclose(out);
+    clause(text, INDENT);
+    free(text);
+}
