@@ -198,7 +198,7 @@ static void print_counterexamples(const statement *s, const claim_result *result
         const claim_result *c = l->role == REFUTED_BY ? result_of(l->claim, results, count) : NULL;
         if (c == NULL)
             continue;
-        heading(number++ == 0 ? "Counterexample" : "Another");
+        heading(number++ == 0 ? "Counterexample" : "Another counterexample");
         prose(c->claim->then, INDENT);
         print_exhibits(c);
     }
@@ -228,6 +228,8 @@ static void print_verdict(const statement_result *r, const claim_result *results
                evidence_name[r->as_printed.evidence]);
     else if (r->verdict == VERDICT_UNDECIDED)
         print_undecided(r->statement, results, count);
+    else if (r->verdict == VERDICT_DEFINITION && r->as_printed.evidence != NO_EVIDENCE)
+        print_finding("A definition, with what is checked of it", &r->as_printed);
     else
         print_finding(words[r->verdict], &r->as_printed);
     labelled("An example:", r->statement->example, INDENT);
@@ -252,7 +254,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
     print_failing_readings(s, results, count);
     print_counterexamples(s, results, count);
     if (r->verdict != VERDICT_FAILS && r->as_printed.evidence != NO_EVIDENCE) {
-        heading("Why");
+        heading(s->is_definition ? "What is checked" : "Why");
         print_deciders(s, deciding, results, count);
         print_steps(s, deciding, &r->as_printed, 1, results, count);
     }

@@ -112,12 +112,14 @@ void print_undecided(const statement *s, const claim_result *results, int count)
     else
         fprintf(out, "%d ways", all);
     const char *between = ": ";
-    for (enum reading_state k = 0; k < READING_STATES; k++)
+    for (enum reading_state k = 0; k < READING_STATES && all > 1; k++)
         if (of[k] > 0) {
             fputs(between, out);
             put_readings_in(out, s, k, results, count);
             between = ", ";
         }
+    if (all == 1)
+        fprintf(out, ", which is %s", of[READING_TRUE] ? "true" : of[READING_FALSE] ? "false" : "not decided");
     fputs(".", out);
     fclose(out);
     paragraph(text, INDENT);

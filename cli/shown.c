@@ -27,6 +27,20 @@ static int is_of_comparison(const char *name)
            strcmp(name, "negative") == 0;
 }
 
+/* "What fails: the point is in the hull", also of "whether the point is in the hull". */
+static void put_condition(FILE *out, const char *what)
+{
+    static const char whether[] = "whether ";
+    fputs("What fails: ", out);
+    for (const char *at = what; *at != '\0';) {
+        int is_word = (at == what || at[-1] == ' ') && strncmp(at, whether, sizeof whether - 1) == 0;
+        if (is_word)
+            at += sizeof whether - 1;
+        else
+            fputc(*at++, out);
+    }
+}
+
 /* "Compared: y and x³ of the point: -4/625 and 8/15625 are not equal."; of a condition: "What fails: the point is in the hull." */
 static void print_comparison(const type_result *b)
 {
@@ -38,8 +52,10 @@ static void print_comparison(const type_result *b)
     if (out == NULL)
         abort();
     int found = (left != NULL && right != NULL) || negative != NULL;
-    if (what != NULL)
-        fprintf(out, "%s: %s", found ? "Compared" : "What fails", what);
+    if (what != NULL && found)
+        fprintf(out, "Compared: %s", what);
+    else if (what != NULL)
+        put_condition(out, what);
     if (left != NULL && right != NULL)
         fprintf(out, "%s%s and %s are not equal", what != NULL ? ": " : "", left, right);
     else if (negative != NULL)

@@ -50,13 +50,22 @@ static void print_kind(const struct steps *at, claim_kind kind, const char *know
     free(text);
 }
 
+/* Whether a step is known in the same words as all together, which may be told with " that the hypotheses allow". */
+static int is_the_same(const char *words, const char *all)
+{
+    size_t n = 0;
+    while (words[n] != '\0' && words[n] == all[n])
+        n++;
+    return words[n] == '\0' && (all[n] == '\0' || strcmp(all + n, " that the hypotheses allow") == 0);
+}
+
 /* What the claim computes, and why that suffices; how it is known, where that is not what is said of all steps together. */
 static void print_computed_step(struct steps *at, const claim_result *c)
 {
     finding alone = finding_of(c, at->statement->letter);
     char *words = finding_words(&alone), *all = finding_words(at->together);
     begin_step(at, c->claim->title);
-    print_kind(at, c->claim->kind, strcmp(words, all) != 0 ? words : "");
+    print_kind(at, c->claim->kind, is_the_same(words, all) ? "" : words);
     hanging("given", c->claim->given, OF_LABEL, at->indent);
     hanging("let", c->claim->let, OF_LABEL, at->indent);
     hanging("then", c->claim->then, OF_LABEL, at->indent);
@@ -134,7 +143,8 @@ void print_deciders(const statement *s, role wanted, const claim_result *results
             fprintf(out, "%d %s", of[k], more[k]);
         put++;
     }
-    fputs(all == 1 ? " decides it" : " decide it together", out);
+    const char *verb = wanted == CHECKED_BY ? "check" : "decide";
+    fprintf(out, " %s%s", verb, all == 1 ? "s it" : " it together");
     fclose(out);
     clause(text, INDENT);
     free(text);

@@ -10,9 +10,10 @@
 /* A growing string. */
 struct text {
     char *at;
-    size_t used, room;
-    int tight; /* inside an index or an exponent                        */
-    int big;   /* a sum or product sign was the last symbol: room after it */
+    size_t used, room, begun; /* begun: where the formula begins                                 */
+    int tight;                /* inside an index or an exponent                                  */
+    int big;                  /* a sum or product sign was the last symbol: room after it        */
+    int low;                  /* an index or exponent in the letters of the line was the last symbol */
 };
 
 static void put(struct text *t, const char *s, size_t n)
@@ -64,7 +65,7 @@ static const struct {
     {"nabla", "∇"}, {"cdot", "·"}, {"times", "×"}, {"pm", "±"}, {"mp", "∓"}, {"le", "≤"}, {"leq", "≤"},
     {"ge", "≥"}, {"geq", "≥"}, {"ne", "≠"}, {"neq", "≠"}, {"equiv", "≡"}, {"approx", "≈"}, {"sim", "∼"},
     {"in", "∈"}, {"notin", "∉"}, {"subset", "⊂"}, {"subseteq", "⊆"}, {"supseteq", "⊇"}, {"cup", "∪"},
-    {"cap", "∩"}, {"to", "→"}, {"mapsto", "↦"}, {"Rightarrow", "⇒"}, {"Leftrightarrow", "⇔"}, {"iff", "⇔"},
+    {"cap", "∩"}, {"bigcap", "⋂"}, {"bigcup", "⋃"}, {"to", "→"}, {"mapsto", "↦"}, {"Rightarrow", "⇒"}, {"Leftrightarrow", "⇔"}, {"iff", "⇔"},
     {"forall", "∀"}, {"exists", "∃"}, {"dots", "…"}, {"ldots", "…"}, {"cdots", "⋯"}, {"vdots", "⋮"},
     {"ddots", "⋱"}, {"sum", "∑"}, {"prod", "∏"}, {"int", "∫"}, {"parallel", "∥"}, {"perp", "⊥"},
     {"angle", "∠"}, {"triangle", "△"}, {"circ", "∘"}, {"oplus", "⊕"}, {"emptyset", "∅"}, {"mid", "|"},
@@ -72,7 +73,7 @@ static const struct {
     {"langle", "⟨"}, {"rangle", "⟩"}, {"lfloor", "⌊"}, {"rfloor", "⌋"}, {"lceil", "⌈"}, {"rceil", "⌉"},
     {"prime", "′"}, {"quad", "  "}, {"qquad", "    "}, {"setminus", "∖"}, {"colon", ":"}, {"land", "∧"},
     {"lor", "∨"}, {"neg", "¬"}, {"ll", "≪"}, {"gg", "≫"}, {"max", "max"}, {"min", "min"}, {"sin", "sin"},
-    {"cos", "cos"}, {"tan", "tan"}, {"csc", "csc"}, {"det", "det"}, {"lim", "lim"}, {"deg", "deg"}, {"ln", "ln"},
+    {"cos", "cos"}, {"tan", "tan"}, {"sec", "sec"}, {"arctan", "arctan"}, {"iota", "ι"}, {"csc", "csc"}, {"det", "det"}, {"lim", "lim"}, {"deg", "deg"}, {"ln", "ln"},
     {"log", "log"}, {"exp", "exp"}, {"sup", "sup"}, {"inf", "inf"}, {"arcsin", "arcsin"}, {"arccos", "arccos"},
     {"left", ""}, {"right", ""}, {"big", ""}, {"Big", ""}, {"bigl", ""}, {"bigr", ""}, {"Bigl", ""}, {"Bigr", ""},
     {"bigm", " "}, {"Bigm", " "},
@@ -217,6 +218,15 @@ static int is_one_factor(const char *s)
     return factors == 1;
 }
 
+/* Whether ^ or _ is to reach over all of the text: one letter, a Latin word, and what has parentheses stand for themselves. */
+static int is_one_script(const char *s)
+{
+    const char *p = s;
+    while (isalpha((unsigned char)*p))
+        p++;
+    return *p == '\0' || s[character(s)] == '\0' || !is_simple(s) || s[0] == '(';
+}
+
 /* Raised or lowered letters where Unicode has all of them; otherwise ^(...) or _(...). */
 static void put_script(struct text *out, const char *s, int up)
 {
@@ -245,8 +255,12 @@ static void put_script(struct text *out, const char *s, int up)
     if (*p == '\0') {
         puts_(out, t.at);
     } else {
+        int one = is_one_script(s);
         puts_(out, up ? "^" : "_");
-        put_wrapped(out, s);
+        puts_(out, one ? "" : "(");
+        one ? put_wrapped(out, s) : puts_(out, s);
+        puts_(out, one ? "" : ")");
+        out->low = out->at[out->used - 1] != ')';
     }
     free(t.at);
 }
@@ -284,6 +298,17 @@ static int is_one_symbol(const char *s)
     return 1;
 }
 
+static int is_sum(const char *word)
+{
+    return strcmp(word, "sum") == 0 || strcmp(word, "prod") == 0 || strncmp(word, "bigc", 4) == 0;
+}
+
+/* Whether what stands below and above a sign is to be kept apart from what follows. */
+static int has_limits(const char *word)
+{
+    return is_sum(word) || strcmp(word, "lim") == 0 || strcmp(word, "max") == 0 || strcmp(word, "min") == 0;
+}
+
 /* \word at s (behind the backslash). */
 static const char *command(const char *s, struct text *out)
 {
@@ -302,7 +327,7 @@ static const char *command(const char *s, struct text *out)
     }
     while (*e == ' ')
         e++;
-    if (n == 4 && strncmp(s, "frac", 4) == 0) {
+    if ((n == 4 && strncmp(s, "frac", 4) == 0) || (n == 5 && strncmp(s, "tfrac", 5) == 0)) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         put_wrapped(out, a.at);
         puts_(out, is_one_factor(b.at) ? "/" : "/(");
@@ -352,7 +377,7 @@ static const char *command(const char *s, struct text *out)
         }
     for (size_t k = 0; k < sizeof symbols / sizeof *symbols; k++)
         if (strlen(symbols[k].word) == n && strncmp(symbols[k].word, s, n) == 0) {
-            out->big = strcmp(symbols[k].word, "sum") == 0 || strcmp(symbols[k].word, "prod") == 0;
+            out->big = has_limits(symbols[k].word) && (*e == '_' || *e == '^' || is_sum(symbols[k].word));
             int is_sign = strcmp(symbols[k].word, "pm") == 0 || strcmp(symbols[k].word, "mp") == 0;
             if (is_relation(symbols[k].text) && (!is_sign || is_binary(out))) {
                 put_relation(out, symbols[k].text);
@@ -369,18 +394,36 @@ static const char *command(const char *s, struct text *out)
     return e;
 }
 
-/* A sign is binary behind an operand. */
+/* A sign is binary behind an operand of its formula. */
 static int is_binary(const struct text *t)
 {
     size_t n = t->used;
-    while (n > 0 && t->at[n - 1] == ' ')
+    while (n > t->begun && t->at[n - 1] == ' ')
         n--;
-    return n > 0 && strchr("([{=<>,|;/\2\3", t->at[n - 1]) == NULL && !(n >= 3 && is_relation(copied(t->at + n - 3)));
+    return n > t->begun && strchr("([{=<>,|;/\2\3", t->at[n - 1]) == NULL &&
+           !(n >= 3 && is_relation(copied(t->at + n - 3)));
+}
+
+/* Whether s goes on with a letter or a number: Latin, Greek, or in another type face. */
+static int begins_letter(const char *s)
+{
+    if (*s != '\\')
+        return isalnum((unsigned char)*s);
+    size_t n = 0;
+    while (isalpha((unsigned char)s[1 + n]))
+        n++;
+    for (size_t k = 0; k < sizeof symbols / sizeof *symbols; k++)
+        if (strlen(symbols[k].word) == n && strncmp(symbols[k].word, s + 1, n) == 0)
+            return ((unsigned char)symbols[k].text[0] & 0xFE) == 0xCE; /* the Greek letters of Unicode */
+    return begins_factor(s);
 }
 
 static const char *formula(const char *s, struct text *out, char stop)
 {
     while (*s != '\0' && *s != stop) {
+        if (out->low && !out->tight && begins_letter(s))
+            puts_(out, " ");
+        out->low = 0;
         if (out->big && *s != '_' && *s != '^') {
             puts_(out, " ");
             out->big = 0;
@@ -446,7 +489,9 @@ char *tex_to_layout(const char *tex, int mixed)
             struct text inner = {0};
             puts_(&inner, "");
             put(&inner, s + 1, close != NULL ? (size_t)(close - s - 1) : strlen(s + 1));
+            out.begun = out.used;
             formula(inner.at, &out, '\0');
+            out.low = 0;
             free(inner.at);
             s = close != NULL ? close + 1 : s + strlen(s);
         } else {

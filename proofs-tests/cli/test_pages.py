@@ -60,6 +60,23 @@ class Matrices(unittest.TestCase):
         self.assertNotIn("│", narrow)
         self.assertIn("|−l − x, 2ω(x₁ − x), l − x, 0;", " ".join(narrow.split()))
 
+    def test_every_command_of_tex_is_known_to_a_terminal(self):
+        """What is not known is printed by its name."""
+        source = (Path(__file__).resolve().parents[2] / "cli/tex.c").read_text(encoding="utf-8")
+        known = set(re.findall(r'{"([A-Za-z]+)", "', source)) | {"frac", "tfrac", "binom", "sqrt", "begin", "end"}
+        for entry in REGISTER["statements"] + REGISTER["claims"]:
+            texts = [entry.get("note", "")] + [text for key, text in entry["options"] if key not in ("data", "instead", "result")]
+            for text in texts:
+                used = set(re.findall(r"\\([A-Za-z]+)", text.replace("\\\\", " ")))
+                self.assertLessEqual(used, known, entry.get("id", entry.get("name")))
+
+    def test_an_index_is_told_from_what_follows(self):
+        """Greek indices have no small letters: parentheses and blanks stand for them; a sign that begins a formula is not binary."""
+        page = show("wang-ch4:formula-4.4.19", "wang-ch4:thm-4.4.3-step-inverse", "wang-ch4:formula-4.4.22-sym", "wang-ch3:3.1-A")
+        for text in "g_(μi) = ((−1)^μ μ!)/(k − 1)!", "g*_(μi)t^μ/det G_(r,k,T)", "t_(i₁)⋯t_(iⱼ)", "both terms −2λ(x + y − 1)":
+            self.assertIn(text, page)
+        self.assertIn("lim_(m→∞) A(Γₖ^(T)(Tₘ′)) = ⋂ᵢ₌₁^(+∞) A(", show("wang-ch4:thm-4.2.1-step-limit"))
+
     def test_no_mark_of_the_layout_is_printed(self):
         everything = show("hu-1987:1-3-5", "slides-ch4:3-bicubic", "wang-ch3:3.4.1", "slides-ch4:table-bezier", width=60)
         self.assertEqual(re.findall(r"[\x00-\x09\x0b-\x1f]", everything), [])
@@ -94,6 +111,19 @@ class Words(unittest.TestCase):
         alone = next(s["id"] for s in REGISTER["statements"] if "meant" not in s["has"] and "needs" not in s["has"] and
                      "hypothesis" not in s["has"] and len(" ".join(s["has"].get("holds-by", [])).split()) == 1)
         self.assertNotRegex(show(alone).split("\nWhy\n")[1], r"(?m)^    (An identity|A decision)(,|\.| for)")
+
+    def test_what_fails_is_said_as_a_condition(self):
+        page = show("wang-ch3:3.1.2-line-pairs")
+        self.assertIn("    What fails: they are four.\n", page)
+        self.assertIn("    Without it: only two of the four points exist\n", page)
+
+    def test_of_one_reading_no_number_is_said(self):
+        self.assertIn("It can be read in one way, which is true.", show("deng-zhang-2022:fig-2"))
+
+    def test_a_definition_is_checked(self):
+        page = show("wang-ch4:formula-4.4.19")
+        self.assertIn("A definition, with what is checked of it: proved for k = 1 to 7; all knots.", page)
+        self.assertIn("\nWhat is checked\n    An identity checks it.\n", page)
 
     def test_a_comparison_is_a_sentence(self):
         page = show("hu-1987:1-4-torsion-first-determinant")
