@@ -3,6 +3,7 @@
 #include "cli/output.h"
 #include "cli/terminal.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -161,7 +162,10 @@ void parse_arguments(const struct call *call, struct asked *a)
     a->jobs = processors();
     fit_help_to_screen();
     argp_err_exit_status = EXIT_USAGE;
-    if (argp_parse(&whole, call->argc, call->argv, 0, NULL, a) != 0)
+    int refused = argp_parse(&whole, call->argc, call->argv, 0, NULL, a);
+    if (refused == ENOMEM)
+        abort();
+    if (refused != 0)
         exit(EXIT_USAGE);
     promise_files(a);
 }

@@ -1,4 +1,5 @@
 /* curve.c -- cagd curve: computes with a curve in exact arithmetic. */
+#include "chapters/judge/memory_text.h"
 #include "cli/commands.h"
 #include "cli/curve_json.h"
 #include "cli/input.h"
@@ -467,16 +468,14 @@ static int compute(const struct arguments *a)
         describe(&c);
     char *text = NULL; /* all or nothing is printed */
     size_t room;
-    FILE *out = open_memstream(&text, &room);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &room);
     if (a->csv)
         print_csv_names(out, a, c.dim);
     for (int k = 0; k < a->parameters && code == EXIT_AS_EXPECTED; k++)
         code = tell_at(a, &c, a->at[k], values, out);
     if (a->file != NULL && code == EXIT_AS_EXPECTED)
         code = tell_at_file(a, &c, values, out);
-    fclose(out);
+    text_close(out, &text);
     if (code == EXIT_AS_EXPECTED)
         fputs(text, stdout);
     free(text);

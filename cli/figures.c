@@ -53,9 +53,10 @@ static void draw(void *context, int k)
     struct svg *s = w->list[k]->draw();
     char path[4096];
     snprintf(path, sizeof path, "%s/%s.svg", w->folder, w->list[k]->name);
-    if (svg_text(s) == NULL)
+    const char *text = svg_text(s);
+    if (text == NULL)
         fprintf(stderr, "cagd: figure '%s' cannot be drawn: %s\n", w->list[k]->name, svg_failed(s));
-    w->failed += svg_text(s) == NULL || write_text_file(path, svg_text(s)) != 0;
+    w->failed += text == NULL || write_text_file(path, text) != 0;
     svg_free(s);
     region_drop(mark);
 }

@@ -1,5 +1,6 @@
 /* layout.c -- paragraphs of text and formulas. */
 #include "cli/layout.h"
+#include "chapters/judge/memory_text.h"
 
 #include "cli/terminal.h"
 
@@ -27,7 +28,7 @@ char *in_one_line(const char *text)
     char *line = NULL, open[MOST + 1] = {0};
     size_t room;
     int depth = 0;
-    FILE *out = must(open_memstream(&line, &room));
+    FILE *out = text_open(&line, &room);
     for (const char *s = text; *s != '\0'; s++) {
         if (*s == MATRIX && s[1] != '\0' && depth < MOST)
             open[++depth] = *++s, fputc(*s, out);
@@ -38,7 +39,7 @@ char *in_one_line(const char *text)
         else
             fputc(*s == TIE ? ' ' : *s, out);
     }
-    fclose(out);
+    text_close(out, &line);
     return line;
 }
 

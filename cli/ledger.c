@@ -1,4 +1,5 @@
 /* ledger.c -- cagd ledger: every statement of the sources with its verdict. */
+#include "chapters/judge/memory_text.h"
 #include "cli/commands.h"
 #include "cli/layout.h"
 #include "cli/output.h"
@@ -122,11 +123,9 @@ static void print_striking(FILE *out, const statement_result *list, int count, i
                 const claim *c = list[k].refuted_by->claim;
                 char *then = tex_to_text(c->then, 1), *numbers = NULL;
                 size_t size;
-                FILE *text = open_memstream(&numbers, &size);
-                if (text == NULL)
-                    abort();
+                FILE *text = text_open(&numbers, &size);
                 put_data(text, c);
-                fclose(text);
+                text_close(text, &numbers);
                 fprintf(out, "  %s  %s\n", list[k].statement->id, list[k].statement->title);
                 put_paragraph(out, numbers, 6, page_width(92));
                 put_paragraph(out, then, 6, page_width(92));

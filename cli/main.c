@@ -1,6 +1,7 @@
 /* main.c -- finds the command that is called, and runs it. */
 #include "chapters/chapters.h"
 #include "cli/commands.h"
+#include "cli/memory.h"
 #include "cli/screen.h"
 
 #include <locale.h>
@@ -64,6 +65,7 @@ static int help(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    memory_begin();
     setlocale(LC_CTYPE, "");
     screen_begin();
     if (argc < 2) {

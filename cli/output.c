@@ -1,5 +1,6 @@
 /* output.c -- files that are written: whole or not at all, and in place of nothing that was not meant. */
 #include "cli/output.h"
+#include "chapters/judge/memory_text.h"
 #include "cli/command.h"
 
 #include <errno.h>
@@ -134,6 +135,33 @@ struct output {
     size_t size;
 };
 
+/* The files that are being written, for whoever ends the program in between. */
+enum { MOST_OPEN = 64 };
+static _Atomic(struct output *) being_written[MOST_OPEN];
+
+static void begin_writing(struct output *o)
+{
+    struct output *none = NULL;
+    for (int k = 0; k < MOST_OPEN && !atomic_compare_exchange_strong(&being_written[k], &none, o); k++)
+        none = NULL;
+}
+
+static void end_writing(const struct output *o)
+{
+    for (int k = 0; k < MOST_OPEN; k++)
+        if (being_written[k] == o)
+            being_written[k] = NULL;
+}
+
+void output_forget(void)
+{
+    for (int k = 0; k < MOST_OPEN; k++) {
+        const struct output *o = being_written[k];
+        if (o != NULL && o->temporary[0] != '\0')
+            unlink(o->temporary);
+    }
+}
+
 /* A file under a name that nobody uses, in the folder of the place, with the mode and the owner of what is there: its
  * descriptor, or -1. */
 static int open_temporary(struct output *o)
@@ -172,6 +200,7 @@ struct output *output_open(const char *path)
         free(o);
         return NULL;
     }
+    begin_writing(o);
     if (!o->place.in_place)
         o->file = open_temporary(o);
     if (o->file < 0 && o->place.exists) {
@@ -180,10 +209,11 @@ struct output *output_open(const char *path)
     }
     if (o->file < 0) {
         failed(path, "%s", strerror(errno));
+        end_writing(o);
         free(o);
         return NULL;
     }
-    o->stream = must(open_memstream(&o->text, &o->size));
+    o->stream = text_open(&o->text, &o->size);
     return o;
 }
 
@@ -205,8 +235,7 @@ static int write_whole(const struct output *o)
 
 int output_close(struct output *o)
 {
-    if (fclose(o->stream) != 0)
-        abort();
+    text_close(o->stream, &o->text);
     int bad = write_whole(o), cause = errno;
     if (close(o->file) != 0 && bad == 0)
         bad = -1, cause = errno;
@@ -220,6 +249,7 @@ int output_close(struct output *o)
         if (o->temporary[0] != '\0')
             unlink(o->temporary);
     }
+    end_writing(o);
     free(o->text);
     free(o);
     return bad;

@@ -14,6 +14,7 @@ struct output *output_open(const char *path);
 FILE *output_stream(struct output *o);
 /* Puts the file in its place and frees `o`.  This and the next two: 0, or -1 and a line on stderr. */
 int output_close(struct output *o);
+void output_forget(void); /* what is not whole is taken away: in a handler, before the process ends */
 int write_text_file(const char *path, const char *text);
 int make_folder(const char *path); /* with its parents */
 

@@ -1,5 +1,6 @@
 /* page.c -- one statement or one claim as a page. */
 #include "cli/page.h"
+#include "chapters/judge/memory_text.h"
 
 #include "cli/layout.h"
 #include "cli/prose.h"
@@ -90,9 +91,7 @@ static void print_type_line(const claim_result *r, number_type t)
     const type_result *b = &r->by[t];
     char *text = NULL;
     size_t room;
-    FILE *out = open_memstream(&text, &room);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &room);
     fprintf(out, "%s in %d case%s, %d comparison%s",
             t == INTERVAL_TYPE && b->outcome == UNDECIDED ? "not refuted" : outcome_name[b->outcome], b->cases,
             b->cases == 1 ? "" : "s", b->compared, b->compared == 1 ? "" : "s");
@@ -101,7 +100,7 @@ static void print_type_line(const claim_result *r, number_type t)
     if (t == INTERVAL_TYPE)
         fprintf(out, "; widest enclosure %.1e", b->worst);
     fprintf(out, "; control %s", b->control_caught ? "caught" : "NOT CAUGHT");
-    fclose(out);
+    text_close(out, &text);
     enum { TYPE_WIDTH = 10 };
     printf("%*s", INDENT + 2, "");
     put_padded(stdout, number_type_name[t], TYPE_WIDTH);
@@ -208,11 +207,9 @@ static void print_finding(const char *before, const finding *f)
 {
     char *words = finding_words(f), *plain = tex_to_text(words, 1), *whole = NULL;
     size_t room;
-    FILE *out = open_memstream(&whole, &room);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&whole, &room);
     fprintf(out, "%s%s%s.", before, words[0] != '\0' ? ": " : "", plain);
-    fclose(out);
+    text_close(out, &whole);
     paragraph(whole, INDENT);
     free(words), free(plain), free(whole);
 }

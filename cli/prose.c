@@ -18,7 +18,10 @@ void prose(const char *text, int indent)
     for (const char *p = text; *p != '\0';) {
         const char *end = strstr(p, "\n\n");
         size_t n = end != NULL ? (size_t)(end - p) : strlen(p);
-        char *raw = strndup(p, n), *plain = tex_to_layout(raw, 1);
+        char *raw = strndup(p, n);
+        if (raw == NULL)
+            abort();
+        char *plain = tex_to_layout(raw, 1);
         paragraph(plain, indent);
         free(plain), free(raw);
         p += n;

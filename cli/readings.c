@@ -1,5 +1,6 @@
 /* readings.c -- the ways to read a statement, what is known of each, and which one is meant. */
 #include "cli/readings.h"
+#include "chapters/judge/memory_text.h"
 
 #include "cli/layout.h"
 #include "cli/prose.h"
@@ -103,9 +104,7 @@ void print_undecided(const statement *s, const claim_result *results, int count)
         }
     char *text = NULL;
     size_t room;
-    FILE *out = open_memstream(&text, &room);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &room);
     fputs("It can be read in ", out);
     if (all >= 1 && all <= 6)
         fputs(number[all - 1], out);
@@ -121,7 +120,7 @@ void print_undecided(const statement *s, const claim_result *results, int count)
     if (all == 1)
         fprintf(out, ", which is %s", of[READING_TRUE] ? "true" : of[READING_FALSE] ? "false" : "not decided");
     fputs(".", out);
-    fclose(out);
+    text_close(out, &text);
     paragraph(text, INDENT);
     free(text);
 }

@@ -1,5 +1,6 @@
 /* report.c -- results as JSON and as texts of one line. */
 #include "cli/report.h"
+#include "chapters/judge/memory_text.h"
 #include "cli/screen.h"
 
 #include <stdio.h>
@@ -22,11 +23,11 @@ char *exhibits_line(const claim_result *r)
 {
     char *text = NULL;
     size_t room = 0;
-    FILE *out = open_memstream(&text, &room);
+    FILE *out = text_open(&text, &room);
     const type_result *b = speaking_type(r);
     for (int k = 0; b != NULL && k < b->exhibits; k++)
         fprintf(out, "%s%s = %s", k > 0 ? "; " : "", b->shown[k].name, b->shown[k].value);
-    fclose(out);
+    text_close(out, &text);
     return text;
 }
 

@@ -1,5 +1,6 @@
 /* screen.c -- what is printed on a terminal. */
 #include "cli/screen.h"
+#include "chapters/judge/memory_text.h"
 #include "cli/command.h"
 #include "cli/terminal.h"
 
@@ -124,11 +125,9 @@ static void end(void)
     if (dup2(terminal, STDOUT_FILENO) < 0)
         fail();
     ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
-    FILE *out = open_memstream(&page, &room);
-    if (out == NULL)
-        fail();
+    FILE *out = text_open(&page, &room);
     int lines = put_lines(out, text, page_width(size.ws_col > 0 ? size.ws_col : INT_MAX));
-    fclose(out);
+    text_close(out, &page);
     if ((size.ws_row == 0 || lines < size.ws_row || !is_paged(page)) &&
         (fputs(page, stdout) < 0 || fflush(stdout) != 0))
         fail();

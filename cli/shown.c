@@ -1,5 +1,6 @@
 /* shown.c -- what a claim shows: numbers under their names, and what was compared. */
 #include "cli/shown.h"
+#include "chapters/judge/memory_text.h"
 
 #include "cli/layout.h"
 #include "cli/prose.h"
@@ -48,9 +49,7 @@ static void print_comparison(const type_result *b)
                *negative = value_of(b, "negative");
     char *sentence = NULL;
     size_t room;
-    FILE *out = open_memstream(&sentence, &room);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&sentence, &room);
     int found = (left != NULL && right != NULL) || negative != NULL;
     if (what != NULL && found)
         fprintf(out, "Compared: %s", what);
@@ -60,7 +59,7 @@ static void print_comparison(const type_result *b)
         fprintf(out, "%s%s and %s are not equal", what != NULL ? ": " : "", left, right);
     else if (negative != NULL)
         fprintf(out, "%s%s is negative", what != NULL ? ": " : "", negative);
-    fclose(out);
+    text_close(out, &sentence);
     if (sentence[0] != '\0') {
         char *plain = tex_to_layout(sentence, 1), *whole = malloc(strlen(plain) + 2);
         if (whole == NULL)

@@ -1,5 +1,6 @@
 /* steps.c -- the steps that decide a statement: claims, arguments in words, cited theorems. */
 #include "cli/steps.h"
+#include "chapters/judge/memory_text.h"
 
 #include "cli/prose.h"
 #include "cli/terminal.h"
@@ -128,9 +129,7 @@ void print_deciders(const statement *s, role wanted, const claim_result *results
         return;
     char *text = NULL;
     size_t room;
-    FILE *out = open_memstream(&text, &room);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &room);
     for (int k = 0; k < PARTS; k++) {
         if (of[k] == 0)
             continue;
@@ -145,7 +144,7 @@ void print_deciders(const statement *s, role wanted, const claim_result *results
     }
     const char *verb = wanted == CHECKED_BY ? "check" : "decide";
     fprintf(out, " %s%s", verb, all == 1 ? "s it" : " it together");
-    fclose(out);
+    text_close(out, &text);
     clause(text, INDENT);
     free(text);
 }

@@ -32,9 +32,9 @@
  * Limits.  Degrees and counts are ints, and all that they imply has to fit in memory, or MEMORY is set: a matrix has fewer than
  * 2^31 entries.  A field has at most CAGD_FIELD_MAX_VARIABLES variables with names of at most CAGD_FIELD_MAX_NAME bytes;
  * numbers are read from at most 100 000 digits and with exponents of at most 99 999; precision is at most 2^24 bits; the exact
- * curve has the limits of cagd.h, CAGD_MAX_DEGREE and CAGD_MAX_DIM.  No input ends the process.  What does end it, as in GMP,
- * MPFR and FLINT, is an allocation of theirs that fails, unless the program gives them functions of its own
- * (mp_set_memory_functions, __flint_set_memory_functions), and in this library a number for which there is no place.
+ * curve has the limits of cagd.h, CAGD_MAX_DEGREE and CAGD_MAX_DIM.  No input ends the process.  What does end it is an
+ * allocation of GMP, MPFR or FLINT that fails, and in this library a number for which there is no place; cagd_without_memory names
+ * what is called then.
  *
  * Names end in the type of number: _q, _i, _f. */
 #ifndef CAGD_EXACT_H

@@ -1,6 +1,7 @@
 #include "chapters/judge/certificate.h"
 
 #include "chapters/judge/case.h"
+#include "chapters/judge/memory_text.h"
 #include "exact/record/trace.h"
 
 #include <stdio.h>
@@ -84,9 +85,7 @@ char *certificate_of_claim(const claim_result *r, int *count, struct recorded_ca
     const claim *c = r->claim;
     char *text = NULL;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &size);
     fprintf(out,
             "{\"schema\":\"cagd-certificate-1\",\n\"claim\":\"%s\",\n\"kind\":\"%s\",\n\"outcome\":\"%s\","
             "\n\"evidence\":\"%s\",\n\"argued\":%s,\n"
@@ -106,7 +105,7 @@ char *certificate_of_claim(const claim_result *r, int *count, struct recorded_ca
             *count += record(out, k > 0 ? ",\n" : "", c, type, 0, k < 0 ? MOST_AT_ALL : MOST_NODES, recorded + *count);
     }
     fputs("]}\n", out);
-    fclose(out);
+    text_close(out, &text);
     return text;
 }
 
@@ -114,9 +113,7 @@ char *certificate_of_statement(const statement_result *r)
 {
     char *text = NULL;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &size);
     fprintf(out,
             "{\"schema\":\"cagd-certificate-1\",\n\"statement\":\"%s\",\n\"definition\":%s,\n\"verdict\":\"%s\",\n"
             "\"evidence\":\"%s\",\n\"links\":[",
@@ -133,6 +130,6 @@ char *certificate_of_statement(const statement_result *r)
         first = 0;
     }
     fputs("]}\n", out);
-    fclose(out);
+    text_close(out, &text);
     return text;
 }

@@ -1,5 +1,6 @@
 /* exhibits.c -- what a case shows: named values, as people read them. */
 #include "chapters/judge/exhibits.h"
+#include "chapters/judge/memory_text.h"
 
 #include "chapters/judge/words.h"
 
@@ -63,16 +64,14 @@ void show_written(trial *T, const char *name, int count, int dim, const char *co
 {
     char *text = NULL;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &size);
     for (int k = 0; k < count * dim; k++)
         if (dim == 1)
             fprintf(out, "%s%s", k > 0 ? ", " : "", number[k]);
         else
             fprintf(out, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", number[k],
                     k % dim == dim - 1 ? ")" : "");
-    fclose(out);
+    text_close(out, &text);
     show_text(T, name, "%s", text);
     free(text);
 }

@@ -73,6 +73,8 @@ trial run_case(const struct plan *p, int k, int planted, char **variables, char 
         if (variables != NULL && !again) {
             *variables = strdup(p->type == FIELD_TYPE ? field_variables() : "");
             *positive = strdup(T.positive != NULL ? T.positive : "");
+            if (*variables == NULL || *positive == NULL)
+                abort();
         }
         T.positive = NULL;
         region_drop(mark);

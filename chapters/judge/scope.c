@@ -1,5 +1,6 @@
 /* scope.c -- for which cases something was decided, as a set and in words. */
 #include "chapters/judge/scope.h"
+#include "chapters/judge/memory_text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -384,11 +385,9 @@ char *scope_words(const scope *s, const char *letter)
 {
     char *text = NULL, *data = NULL;
     size_t room = 0, of_data = 0;
-    FILE *out = open_memstream(&text, &room), *all = open_memstream(&data, &of_data);
-    if (out == NULL || all == NULL)
-        abort();
+    FILE *out = text_open(&text, &room), *all = text_open(&data, &of_data);
     int any_data = put_data(all, s);
-    fclose(all);
+    text_close(all, &data);
     for (int k = 0; k < s->ranges; k++) {
         if (s->apart && s->range[k].letter[0] != '\0')
             continue;
@@ -411,7 +410,7 @@ char *scope_words(const scope *s, const char *letter)
         put_between(out);
         fprintf(out, "%d random instances", s->instances);
     }
-    fclose(out);
+    text_close(out, &text);
     free(data);
     return text;
 }

@@ -1,5 +1,6 @@
 /* verdict.c -- the verdict of a statement follows from what its claims did; it is never typed in. */
 #include "chapters/judge/scope.h"
+#include "chapters/judge/memory_text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -104,9 +105,7 @@ char *finding_words(const finding *f)
 {
     char *text = NULL;
     size_t room = 0;
-    FILE *out = open_memstream(&text, &room);
-    if (out == NULL)
-        abort();
+    FILE *out = text_open(&text, &room);
     const char *how = evidence_name[f->evidence], *argued = evidence_name[BY_ARGUMENT];
     if (f->evidence == BY_ARGUMENT && is_given(f->argued_for)) {
         put_known(out, how, f->argued_for);
@@ -121,7 +120,7 @@ char *finding_words(const finding *f)
             put_known(out, argued, f->argued_for);
         }
     }
-    fclose(out);
+    text_close(out, &text);
     return text;
 }
 
@@ -206,6 +205,8 @@ statement_result derive(const statement *s, const claim_result *results, int cou
         free(r.as_printed.scope);
         r.as_printed.evidence = against.weakest;
         r.as_printed.scope = strdup(r.refuted_by->scope);
+        if (r.as_printed.scope == NULL)
+            abort();
     } else {
         r.refuted_by = NULL;
     }

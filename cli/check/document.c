@@ -499,7 +499,9 @@ int read_document(const cagd_register *reg, const char *path, struct document *d
         fclose(in);
     d->formula = cagd_region_array(MOST_STATEMENTS + 1, 1, sizeof *d->formula);
     d->sheet = cagd_region_array(MOST_SHEETS + 1, 1, sizeof *d->sheet);
-    if (text == NULL || d->formula == NULL || d->sheet == NULL || bad)
+    if (text == NULL || d->formula == NULL || d->sheet == NULL)
+        abort();
+    if (bad)
         return refuse_file(d, "cannot be read");
     if (size > LARGEST)
         return refuse_file(d, "is larger than 4 MB");

@@ -1,4 +1,5 @@
 /* numbers.c -- names of unknowns, and numbers as they are written. */
+#include "chapters/judge/memory_text.h"
 #include "cli/fit/fit.h"
 
 #include <math.h>
@@ -83,12 +84,12 @@ json_t *text_json(const char *text)
 {
     char *whole;
     size_t size;
-    FILE *out = open_memstream(&whole, &size);
+    FILE *out = text_open(&whole, &size);
     for (size_t length; *text != '\0'; text += length > 0 ? length : 1) {
         length = character(text);
         fprintf(out, "%.*s", length > 0 ? (int)length : 3, length > 0 ? text : "\xEF\xBF\xBD");
     }
-    fclose(out);
+    text_close(out, &whole);
     json_t *json = json_string(whole);
     free(whole);
     return json;

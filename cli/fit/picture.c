@@ -1,4 +1,5 @@
 /* picture.c -- the picture of a fit: points, curve, control polygon; below, the distances over the parameter. */
+#include "chapters/judge/memory_text.h"
 #include "cli/fit/fit.h"
 #include "figures/svg.h"
 
@@ -215,7 +216,7 @@ static void label_control_point(svg *s, const struct view *v, int j)
     int dim = r->curve.dim;
     char *text;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
+    FILE *out = text_open(&text, &size);
     fprintf(out, "P_{%d}", j);
     if (dim == 2 && r->curve.count <= MOST_WEIGHTS && j > 0 && j < r->curve.count - 1 && r->curve.weights[j] != 1) {
         cagd_fit_estimate e = {r->curve.weights[j], NAN, NAN, NAN, 0, CAGD_FIT_INTERVAL_NONE};
@@ -230,7 +231,7 @@ static void label_control_point(svg *s, const struct view *v, int j)
         } else
             fprintf(out, "%.4g", e.value);
     }
-    fclose(out);
+    text_close(out, &text);
     svg_label(s, control_point(v, j), away(v, j), SVG_POLYGON, text);
     free(text);
 }
@@ -305,7 +306,7 @@ static char *caption_of(const struct view *v, const char *what, const char *cons
 {
     char *text;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
+    FILE *out = text_open(&text, &size);
     fputs(what, out);
     const char *before = *what != '\0' ? "; " : "";
     for (int k = 0; k < 2; k++)
@@ -313,7 +314,7 @@ static char *caption_of(const struct view *v, const char *what, const char *cons
             fprintf(out, "%s$%s$ from $%.15g$", before, coordinate[k == 0 ? v->a : v->b], v->base[k]);
             before = ", ";
         }
-    fclose(out);
+    text_close(out, &text);
     return text;
 }
 
@@ -438,9 +439,9 @@ int write_picture(const struct fit *f, const char *path)
 {
     char *description;
     size_t size;
-    FILE *out = open_memstream(&description, &size);
+    FILE *out = text_open(&description, &size);
     describe(f, out);
-    fclose(out);
+    text_close(out, &description);
     svg *s = svg_new("fit",
                      nothing_is_free(f) ? "Measured points and a given rational curve"
                                         : "A rational curve fitted to measured points",
@@ -455,10 +456,11 @@ int write_picture(const struct fit *f, const char *path)
     draw_distances(s, f);
     legend(s, f);
     int code = -1;
-    if (svg_text(s) == NULL)
+    const char *text = svg_text(s);
+    if (text == NULL)
         fprintf(stderr, "cagd: %s: the picture cannot be drawn: %s\n", path, svg_failed(s));
     else
-        code = write_text_file(path, svg_text(s));
+        code = write_text_file(path, text);
     svg_free(s);
     return code;
 }

@@ -406,7 +406,7 @@ static int heading_fields(const struct table *r, const struct lead *lead, char s
     here.separator = separator == GAP ? '\t' : separator;
     *copy = strdup(lead->text);
     if (*copy == NULL)
-        return -1;
+        abort();
     for (char *s = *copy; separator == GAP && *s != '\0'; s++)
         if (is_blank(s[0]) && is_blank(s[1]))
             s[0] = s[1] = '\t';

@@ -1,4 +1,5 @@
 /* text.c -- a fit in words. */
+#include "chapters/judge/memory_text.h"
 #include "cli/fit/fit.h"
 #include "cli/input.h"
 #include "cli/layout.h"
@@ -21,9 +22,9 @@ static void put_column(double origin, double value, double error, int width)
 {
     char *text;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
+    FILE *out = text_open(&text, &size);
     put_rounded(out, origin, value, error);
-    fclose(out);
+    text_close(out, &text);
     printf("%*s", width, text);
     free(text);
 }
@@ -51,17 +52,17 @@ struct cagd_line {
     size_t size;
 };
 
-static FILE *begin(struct cagd_line *l) { return l->out = open_memstream(&l->text, &l->size); }
+static FILE *begin(struct cagd_line *l) { return l->out = text_open(&l->text, &l->size); }
 
 static void end(struct cagd_line *l, const char *name)
 {
     enum { INDENT = 20 };
     char *filled;
     size_t size;
-    fclose(l->out);
-    FILE *out = open_memstream(&filled, &size);
+    text_close(l->out, &l->text);
+    FILE *out = text_open(&filled, &size);
     put_paragraph(out, l->text, INDENT, WIDTH);
-    fclose(out);
+    text_close(out, &filled);
     printf("%-*s%s", INDENT, name, filled + INDENT);
     free(filled);
     free(l->text);

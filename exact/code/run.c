@@ -213,6 +213,7 @@ _Noreturn static void run_here(const struct cagd_code_program *p, const struct c
     if (!job->print)
         dup2(STDERR_FILENO, STDOUT_FILENO);
     bound_process(job);
+    cagd_without_memory(abort);
     cagd_region_set_precision(FIELD_BITS);
     if (job->numbers == CAGD_CODE_FIELD) {
         int variables = 0;

@@ -106,14 +106,14 @@ static int complement(int n, int rows, double row[], const int allowed[], double
 int cagd_stationary_directions(const struct box *b, double W[], double inverse[], int sign[])
 {
     const cagd_stationary_problem *problem = b->problem;
-    int n = b->n, start, k = 0, f = problem->free_count;
+    int n = b->n, start, k = -1, f = problem->free_count;
     size_t nn = (size_t)n * (size_t)n;
     double *H = malloc(nn * sizeof(double)), *V = malloc(nn * sizeof(double)), *U = malloc(nn * sizeof(double));
     double *scale = malloc((size_t)n * sizeof(double)), *value = malloc((size_t)n * sizeof(double));
     double *row = malloc(((size_t)f * (size_t)n + 1) * sizeof(double));
     int *allowed = malloc((size_t)n * sizeof(int));
     if (H == NULL || V == NULL || U == NULL || scale == NULL || value == NULL || row == NULL || allowed == NULL)
-        goto done;
+        goto done; /* without memory */
     for (int m = 0; m < n * n; m++)
         H[m] = (mpfr_get_d(b->hessian[m].lo, MPFR_RNDN) + mpfr_get_d(b->hessian[m].hi, MPFR_RNDN)) / 2;
     for (int a = 0; a < n; a++) { /* unit diagonal, by powers of 2 */

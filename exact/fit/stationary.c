@@ -340,6 +340,11 @@ cagd_stationary_verdict cagd_stationary_check(const cagd_stationary_problem *pro
             break;
         }
         verdict.dimension = cagd_stationary_directions(&b, s.W, s.inverse, s.sign);
+        if (verdict.dimension < 0) {
+            verdict.dimension = 0;
+            verdict.reason = no_memory;
+            break;
+        }
         if (verdict.dimension == 0) {
             int free_ones = 0;
             for (int a = 0; a < b.n; a++)

@@ -1,11 +1,11 @@
 #include "exact/number/region.h"
 
+#include "exact/number/memory.h"
 #include "exact/number/slots.h"
 #include "exact/words.h"
 
 #include <limits.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 enum { CHUNK = 1024, PAGE = 1 << 16, USUAL_PRECISION = 128, MOST_PRECISION = 1 << 24 };
@@ -40,6 +40,7 @@ static char *one_more_chunk(struct pool *pool, size_t bytes)
     pool->chunk = longer != NULL ? longer : pool->chunk;
     char *chunk = longer != NULL ? malloc(bytes) : NULL;
     if (chunk == NULL) {
+        cagd_memory_is_refused();
         region_faults |= FAULT_MEMORY;
         return NULL;
     }
@@ -51,19 +52,12 @@ static void *slot_at(enum cagd_slot_kind kind, size_t k)
     return pools[kind].chunk[k / CHUNK] + k % CHUNK * cagd_slot_ops[kind].size;
 }
 
-/* A number without a place has no value to go on with: here the region does what GMP does for its digits. */
-static void no_memory_for_a_value(void)
-{
-    fputs("cagd: no memory for a number\n", stderr);
-    abort();
-}
-
 void *cagd_region_slot(enum cagd_slot_kind kind)
 {
     struct pool *pool = &pools[kind];
     if (pool->used == pool->made) {
         if (pool->made == pool->chunks * CHUNK && one_more_chunk(pool, CHUNK * cagd_slot_ops[kind].size) == NULL)
-            no_memory_for_a_value();
+            cagd_no_memory(); /* a number without a place has no value to go on with */
         cagd_slot_ops[kind].init(slot_at(kind, pool->made++));
     }
     return slot_at(kind, pool->used++);

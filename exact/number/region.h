@@ -22,6 +22,10 @@ void cagd_region_free_all(void);           /* drops everything and gives the reg
 void cagd_thread_end(void);                /* the same, the field closed and the caches of MPFR and FLINT freed:
                                               a thread that used this library calls it as its last act      */
 
+/* What GMP, MPFR, FLINT and the region call where memory is refused.  It must not return.  To be named before the first number is
+ * made.  Where nothing is named, room that is refused is the fault MEMORY, and a number without a place ends with abort(). */
+void cagd_without_memory(void (*end)(void));
+
 /* Intervals that are made from now on in this region have ends of so many bits: 128 at first, and from 2 to 2^24 as one
  * likes; for another number UNABLE, and the precision stays. */
 void cagd_region_set_precision(long bits);

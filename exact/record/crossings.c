@@ -11,9 +11,6 @@ struct cagd_curve_meets_line cagd_testify_curve_meets_line(int n, const num_q R[
     cagd_trace_resume();
     if (cagd_trace_noting()) {
         num_q l[3] = {line.a, line.b, line.c};
-        cagd_trace_name_numbers(2 * n + 2, R);
-        cagd_trace_name_numbers(n + 1, w);
-        cagd_trace_name_numbers(3, l);
         cagd_trace_fact("curve_and_line");
         cagd_trace_put_numbers("R", 2 * n + 2, R);
         cagd_trace_put_numbers("w", n + 1, w);
@@ -33,8 +30,6 @@ struct cagd_polygon_meets_line cagd_testify_polygon_meets_line(int n, const num_
     cagd_trace_resume();
     if (cagd_trace_noting()) {
         num_q l[3] = {line.a, line.b, line.c};
-        cagd_trace_name_numbers(2 * n + 2, R);
-        cagd_trace_name_numbers(3, l);
         cagd_trace_fact("polygon_and_line");
         cagd_trace_put_numbers("R", 2 * n + 2, R);
         cagd_trace_put_numbers("line", 3, l);

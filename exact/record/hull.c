@@ -12,11 +12,6 @@ struct cagd_hull_certificate cagd_testify_hull_membership(int d, int count, cons
     struct cagd_hull_certificate answer = cagd_hull_membership(d, count, points, x);
     cagd_trace_resume();
     if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(d * count, points);
-        cagd_trace_name_numbers(d, x);
-        cagd_trace_name_numbers(answer.inside ? count : d, answer.inside ? answer.coefficient : answer.normal);
-        if (!answer.inside)
-            cagd_trace_name_numbers(1, &answer.offset);
         cagd_trace_fact("hull");
         cagd_trace_put("dim", d);
         cagd_trace_put_numbers("points", d * count, points);
@@ -50,7 +45,6 @@ int cagd_testify_polygon_is_convex(int n, const num_q points[], int closed, int 
     int answer = cagd_polygon_is_convex(n, points, closed, orientation);
     cagd_trace_resume();
     if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(2 * n + 2, points);
         cagd_trace_fact("convex_polygon");
         cagd_trace_put_numbers("points", 2 * n + 2, points);
         cagd_trace_put("closed", closed != 0);
@@ -66,7 +60,6 @@ int cagd_testify_convex_hull_2d(int count, const num_q points[], int vertex[])
     int answer = cagd_convex_hull_2d(count, points, vertex);
     cagd_trace_resume();
     if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(2 * count, points);
         cagd_trace_fact("hull_vertices");
         cagd_trace_put_numbers("points", 2 * count, points);
         cagd_trace_put_list("vertices", answer, vertex);

@@ -47,7 +47,6 @@ void cagd_testify_operations(int count, const num_q out[], int additions, int mu
 {
     if (!cagd_trace_noting())
         return;
-    cagd_trace_name_numbers(count, out);
     cagd_trace_fact("operations");
     cagd_trace_put_numbers("out", count, out);
     cagd_trace_put("additions", additions);

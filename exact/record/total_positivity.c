@@ -7,7 +7,6 @@
 static int noted(int rows, int columns, const num_q A[], int strict, int is)
 {
     if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(rows * columns, A);
         cagd_trace_fact("minors");
         cagd_trace_put("rows", rows);
         cagd_trace_put("columns", columns);

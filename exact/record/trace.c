@@ -368,11 +368,6 @@ void cagd_trace_put_list(const char *field, int count, const int x[])
 }
 void cagd_trace_fact_end(void) { put(&tracing->steps, "}"); }
 
-void cagd_trace_name_numbers(int count, const num_q x[])
-{
-    for (int k = 0; x != NULL && k < count; k++)
-        cagd_node_of_q(x[k]);
-}
 void cagd_trace_put_numbers(const char *field, int count, const num_q x[])
 {
     int *node = x != NULL ? cagd_region_array(1, count, sizeof *node) : NULL;

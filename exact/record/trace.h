@@ -54,13 +54,12 @@ void cagd_trace_nonnegative(int i, int good, const char *text, int sign); /* tex
 void cagd_trace_relation(const char *kind, int i, int j, int is);
 
 /* A fact of another kind: opened, its fields put one by one, closed.  cagd_trace_fact returns 0, and then the rest is left
- * out, when nothing is to be noted.  Nodes that fields name must exist before it is opened. */
+ * out, when nothing is to be noted. */
 int cagd_trace_fact(const char *kind);
 void cagd_trace_put(const char *field, int x);
 void cagd_trace_put_list(const char *field, int count, const int x[]);
 void cagd_trace_fact_end(void);
 
-/* The numbers get nodes; their nodes are a field of the fact that is open. */
-void cagd_trace_name_numbers(int count, const cagd_num_q x[]);
+/* The nodes of the numbers, which get some where they have none, are a field of the fact that is open. */
 void cagd_trace_put_numbers(const char *field, int count, const cagd_num_q x[]);
 #endif

@@ -121,6 +121,22 @@ static void nearest_points(void **state)
                 }
 }
 
+/* The ends of T have more bits than the result: that goes outward, whichever end is taken twice. */
+static void nearest_points_of_finer_ends(void **state)
+{
+    (void)state;
+    cagd_region_set_precision(300);
+    num_i T = from_ratio_i(1, 3);
+    cagd_region_set_precision(60);
+    for (int far = -1; far <= 1; far++) {
+        num_i r = cagd_nearest_in_i(T, from_int_i(far));
+        if (far < 1)
+            assert_true(mpfr_cmp(r.at->lo, T.at->lo) <= 0 && mpfr_cmp(T.at->lo, r.at->hi) <= 0);
+        else
+            assert_true(mpfr_cmp(r.at->lo, T.at->hi) <= 0 && mpfr_cmp(T.at->hi, r.at->hi) <= 0);
+    }
+}
+
 static void operations_of_one(void **state)
 {
     (void)state;
@@ -330,7 +346,8 @@ static void others(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(operations_of_two), unit(nearest_points), unit(operations_of_one), unit(roots), unit(what_is_asked),
+        unit(operations_of_two), unit(nearest_points), unit(nearest_points_of_finer_ends),
+        unit(operations_of_one), unit(roots),          unit(what_is_asked),
         unit(infinite_ends),     unit(others)};
     return run_unit_tests(tests);
 }

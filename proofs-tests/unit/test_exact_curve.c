@@ -156,6 +156,13 @@ static void a_circle_has_one_curvature_and_no_pole(void **state)
     assert_int_equal(cagd_spline_derivatives_q(&s, two, CAGD_RIGHT, 0, D), CAGD_OUTSIDE_DOMAIN);
     assert_int_equal(cagd_spline_derivatives_q(&s, one, CAGD_RIGHT, -1, D), CAGD_ORDER);
     assert_false(cagd_spline_has_poles_q(&s));
+    int turn;
+    for (int k = 0; k <= 8; k++) {
+        assert_int_equal(cagd_spline_turn_q(&s, from_ratio_q(k, 8), CAGD_RIGHT, &turn), CAGD_OK);
+        assert_int_equal(turn, 1);
+    }
+    assert_int_equal(cagd_spline_turn_q(&s, two, CAGD_RIGHT, &turn), CAGD_OUTSIDE_DOMAIN);
+    assert_int_equal(cagd_spline_derivatives_q(&s, one, CAGD_RIGHT, CAGD_MAX_DEGREE + 1, D), CAGD_ORDER);
     s.weights = turned; /* (1-t)^2 - 2t(1-t) + t^2 = (1-2t)^2 */
     assert_true(cagd_spline_has_poles_q(&s));
     assert_int_equal(cagd_spline_derivatives_q(&s, from_ratio_q(1, 2), CAGD_LEFT, 0, D), CAGD_UNDEFINED);
@@ -188,6 +195,13 @@ static void what_is_refused(void **state)
         assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_DIMENSION);
         assert_int_equal(where, -1);
     }
+    num_q curvature;
+    s.dim = 1; /* a curve on a line has no curvature */
+    assert_int_equal(cagd_spline_curvature_squared_q(&s, zero, CAGD_RIGHT, &curvature), CAGD_DIMENSION);
+    s.dim = 3, s.degree = CAGD_MAX_DEGREE, where = 7;
+    assert_int_equal(cagd_spline_elevate_q(&s, &left, &where), CAGD_DEGREE);
+    assert_int_equal(where, -1);
+    s.degree = 0;
     s.dim = CAGD_MAX_DIM, where = 7;
     assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_OK);
     assert_int_equal(where, -1);

@@ -108,9 +108,10 @@ static int resultants(void)
 }
 static int texts(void) { return (int)(poly_to_string(many_roots(60), "t")[0] + to_string_q(from_ratio_q(1, 3))[0]); }
 
-/* NO_MEMORY, and only then, when an array was refused since; nothing is written then. */
-static int answered(cagd_status status, const cagd_spline_q *result, long before)
+/* NO_MEMORY, and only then, when an array was refused since; nothing is written then, and no place is named. */
+static int answered(cagd_status status, const cagd_spline_q *result, long before, int where)
 {
+    assert_true(status == CAGD_OK || where == -1);
     assert_int_equal(status, refused > before ? CAGD_NO_MEMORY : CAGD_OK);
     assert_int_equal(result->count == -1, status != CAGD_OK);
     return status == CAGD_OK;
@@ -134,11 +135,11 @@ static int curves(void)
     assert_int_equal(cagd_spline_insert_q(&s, from_ratio_q(5, 2), &finer, &where), CAGD_OK);
     fail_at = fail;
     asked = refused = before = 0;
-    good += answered(cagd_spline_remove_q(&finer, from_ratio_q(5, 2), &back, &where), &back, before);
+    good += answered(cagd_spline_remove_q(&finer, from_ratio_q(5, 2), &back, &where), &back, before, where);
     back = none, before = refused;
-    good += answered(cagd_spline_insert_q(&s, from_ratio_q(7, 2), &back, &where), &back, before);
+    good += answered(cagd_spline_insert_q(&s, from_ratio_q(7, 2), &back, &where), &back, before, where);
     before = refused;
-    good += answered(cagd_spline_split_q(&s, from_int_q(N / 2), &left, &right, &where), &left, before);
+    good += answered(cagd_spline_split_q(&s, from_int_q(N / 2), &left, &right, &where), &left, before, where);
     assert_int_equal(left.count, right.count == -1 ? -1 : left.count);
     return good;
 }

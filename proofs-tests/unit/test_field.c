@@ -4,6 +4,7 @@
 #include "exact/number/field.h"
 #include "exact/words.h"
 
+#include <pthread.h>
 #include <stdio.h>
 
 /* sum s_i v^i with coefficients of these signs, and over (v + 1)^2 and over v - 1: the sign is read off all coefficients. */
@@ -104,12 +105,56 @@ static void as_many_variables_as_there_can_be(void **state)
     field_close();
 }
 
+/* A thread that opened no field has one for one variable. */
+static void *work_without_a_field(void *state)
+{
+    int *good = state;
+    num_f three = from_int_f(3), a = variable_f("a");
+    *good = region_faults == 0 && equal_f(div_f(mul_f(three, a), a), three);
+    variable_f("b");
+    *good &= region_faults == FAULT_CROWDED;
+    cagd_thread_end();
+    return NULL;
+}
+static void a_field_that_nobody_opened(void **state)
+{
+    (void)state;
+    int good = 0;
+    pthread_t thread;
+    assert_int_equal(pthread_create(&thread, NULL, work_without_a_field, &good), 0);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    assert_true(good);
+}
+
+/* A word has 64 bits: of the largest coefficient for each term, above and below; and of 0 over anything nothing is left. */
+static void sizes(void **state)
+{
+    (void)state;
+    cagd_field_open(2);
+    num_f t = variable_f("t"), s = variable_f("s"), one = from_int_f(1), large = one;
+    for (int k = 0; k < 100; k++)
+        large = add_f(large, large);
+    num_f q = add_f(t, one), p = add_f(add_f(mul_f(large, t), s), one), a = div_f(p, q); /* 101 bits */
+    assert_int_equal(cagd_words_f(p), 3 * 2 + 1);
+    assert_int_equal(cagd_words_f(a), 3 * 2 + 2);
+    assert_int_equal(cagd_words_f(div_f(one, p)), 1 + 3 * 2);
+    assert_int_equal(cagd_words_f(div_f(one, neg_f(p))), 1 + 3 * 2);
+    num_f nothing = sub_f(a, a);
+    assert_true(equal_f(cagd_denominator_f(nothing), one));
+    assert_string_equal(to_string_f(nothing), "0");
+    nothing = sub_f(add_f(a, s), add_f(s, a));
+    assert_true(equal_f(cagd_denominator_f(nothing), one));
+    field_close();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         unit(signs_of_all_coefficients),
         unit(degrees_and_answers_without_a_variable),
         unit(as_many_variables_as_there_can_be),
+        unit(a_field_that_nobody_opened),
+        unit(sizes),
     };
     return run_unit_tests(tests);
 }

@@ -361,6 +361,26 @@ static void slots_that_are_used_again(void **state)
     cagd_testify_operations(0, NULL, 0, 0, 0);
 }
 
+/* Numbers and polynomials that were made while nothing was noted are literals where a fact first names them: in the order in which it
+ * does. */
+static void values_made_before(void **state)
+{
+    (void)state;
+    num_q a[4], c[3] = {from_int_q(1), from_int_q(0), from_ratio_q(2, 3)};
+    for (int m = 0; m < 4; m++)
+        a[m] = from_int_q(m + 2);
+    poly p = poly_from_q(3, c);
+    cagd_trace_open(PLENTY);
+    assert_int_equal(cagd_testify_poly_degree(p), 2);
+    assert_int_equal(cagd_testify_is_totally_nonnegative(2, 2, a), 0);
+    struct cagd_line line = {a[0], a[1], neg_q(a[3])};
+    assert_int_equal(cagd_testify_polygon_crossings(1, a, line), 0);
+    noted("", "[\"opoly\",\"1\",\"0\",\"2/3\"],[\"o\",\"2\"],[\"o\",\"3\"],[\"o\",\"4\"],[\"o\",\"5\"],[\"neg\",4]",
+          "{\"fact\":\"degree\",\"of\":[0,-1],\"is\":2},"
+          "{\"fact\":\"minors\",\"rows\":2,\"columns\":2,\"A\":[1,2,3,4],\"strict\":0,\"is\":0},"
+          "{\"fact\":\"polygon_and_line\",\"R\":[1,2,3,4],\"line\":[1,2,5],\"is\":[0,0,0,0]}");
+}
+
 /* The last node that there is room for, and one more. */
 static void too_many_nodes(void **state)
 {
@@ -370,8 +390,9 @@ static void too_many_nodes(void **state)
         from_int_q(k);
     assert_int_equal(region_faults, 0);
     assert_true(cagd_trace_noting());
+    region_faults = FAULT_UNDEFINED; /* another one stays */
     from_int_q(3);
-    expect_fault(FAULT_UNABLE);
+    expect_fault(FAULT_UNABLE | FAULT_UNDEFINED);
     assert_false(cagd_trace_noting());
     assert_null(cagd_trace_nodes());
     assert_null(cagd_trace_inputs());
@@ -415,8 +436,8 @@ static void names_of_variables(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(arithmetic),     unit(functions_and_polynomials), unit(decisions),   unit(planar),
-        unit(in_the_field),   unit(made_of_smaller_decisions), unit(many_values), unit(slots_that_are_used_again),
-        unit(too_many_nodes), unit(names_of_variables)};
+        unit(arithmetic),     unit(functions_and_polynomials), unit(decisions),         unit(planar),
+        unit(in_the_field),   unit(made_of_smaller_decisions), unit(many_values),       unit(slots_that_are_used_again),
+        unit(too_many_nodes), unit(names_of_variables),        unit(values_made_before)};
     return run_unit_tests(tests);
 }

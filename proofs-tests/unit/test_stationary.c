@@ -97,6 +97,46 @@ static void a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radiu
         }
 }
 
+/* One unknown alone: the box has one direction. */
+static void one_unknown_is_enough(void **state)
+{
+    (void)state;
+    for (int a = 0; a < 3; a++) {
+        circle(1);
+        problem.unknown = unknown + a;
+        problem.unknowns = 1;
+        cagd_stationary_verdict v = cagd_stationary_check(&problem);
+        assert_true(v.verified && v.minimum && v.dimension == 1);
+        assert_true(v.weight_radius < 0x1p-80 && v.point_radius < 0x1p-70);
+    }
+}
+
+/* So far off that the centre has to move first; x, y and the weights are of different sizes. */
+static void a_circle_elsewhere_is_found_from_farther_away(void **state)
+{
+    (void)state;
+    for (int e = -20; e <= -12; e += 2)
+        for (int a = 0; a < 3; a++) {
+            circle(1);
+            for (int i = 0; i < data.count; i++)
+                points[2 * i] += 1024, points[2 * i + 1] -= 4096;
+            for (int i = 0; i < curve.count; i++)
+                control[2 * i] += 1024, control[2 * i + 1] -= 4096;
+            double shift = ldexp(1, e);
+            if (a == 0)
+                weights[1] = exp(shift);
+            else
+                control[1 + a] += shift;
+            cagd_stationary_verdict v = cagd_stationary_check(&problem);
+            if (!v.verified || !v.minimum)
+                print_error("shift 2^%d of unknown %d: %s\n", e, a, v.reason);
+            assert_true(v.verified && v.minimum);
+            double radius = a == 0 ? v.weight_radius : v.point_radius;
+            assert_true(radius >= shift * (1 - DBL_EPSILON) && radius < 8 * shift);
+            assert_true((a == 0 ? v.point_radius / 65 : v.weight_radius) < shift);
+        }
+}
+
 static void what_is_not_near_is_refused(void **state)
 {
     (void)state;
@@ -318,7 +358,12 @@ static void the_enclosures_hold_the_differences(void **state)
     for (int round = 0; round < 12; round++) {
         spline(2 + round % 2, losses[round % 3]);
         int n = problem.unknowns, a = random_int(0, n - 1);
-        double before = cost();
+        double before = cost(), Q[3], s = 0;
+        cagd_spline_point(&curve, feet[3], CAGD_RIGHT, Q);
+        for (int c = 0; c < curve.dim; c++)
+            s += (Q[c] - points[3 * curve.dim + c]) * (Q[c] - points[3 * curve.dim + c]) / (sigma[3] * sigma[3]);
+        problem.loss_scale = sqrt(s); /* where the loss of Huber is bent, inside the box */
+        before = cost();
         assert_true(cagd_stationary_enclosures(&problem, zero, low, high, H[0], H[1], &where));
         for (int b = 0; b < n; b++)
             radius[b] = b == a ? h : 0;
@@ -367,6 +412,38 @@ static void what_a_bound_forbids_alone(void **state)
                                        : grows < 0 ? CAGD_STATIONARY_FALLS
                                                    : CAGD_STATIONARY_OPEN);
         }
+}
+
+/* The points (63,16) and (16,63) moved along their normals by 16 e and -63 e: by symmetry they pull P1 in x by as much as each
+ * other, in opposite ways, and not the weight.  A multiplier that is not known, 0, does not hide one that falls; an unknown that is
+ * merely held is asked for nothing. */
+static void several_bounds_at_once(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side += 2)
+        for (int first_low = 0; first_low < 2; first_low++)
+            for (int swapped = 0; swapped < 2; swapped++) {
+                circle(0);
+                data.count = 2;
+                double by[2] = {1 + side * 16 * 0x1p-12, 1 - side * 63 * 0x1p-12};
+                for (int i = 0; i < 2; i++) {
+                    const int *on = pythagorean[i == 0 ? 0 : PYTHAGOREAN - 1];
+                    for (int c = 0; c < 2; c++)
+                        points[2 * i + c] = by[i] * on[c];
+                    feet[i] = on[1] / (65.0 + on[0]);
+                }
+                unknown[0] = (cagd_fit_unknown){0, 1, 1};
+                unknown[1 + swapped] = (cagd_fit_unknown){1, 1, 0};
+                unknown[2 - swapped] = (cagd_fit_unknown){0, 1, 0};
+                int held[3] = {CAGD_STATIONARY_HELD, CAGD_STATIONARY_AT_LOW, CAGD_STATIONARY_AT_LOW};
+                held[1 + swapped] = first_low ? CAGD_STATIONARY_AT_LOW : CAGD_STATIONARY_AT_HIGH;
+                problem.held = held;
+                cagd_stationary_verdict v = cagd_stationary_check(&problem);
+                int falls = (side < 0) != (first_low == 0); /* on the whole the points are farther out for side < 0 */
+                assert_true(v.verified && !v.minimum);
+                assert_int_equal(v.bounds, falls ? CAGD_STATIONARY_FALLS : CAGD_STATIONARY_OPEN);
+                assert_int_equal(v.bound, falls ? 1 + swapped : 2 - swapped);
+            }
 }
 
 /* Newton's method for the middle point, the weight being what it is. */
@@ -455,6 +532,69 @@ static void the_nearest_points_of_a_circle(void **state)
     assert_true(!v.verified && !v.refuted && v.where == 0 && v.reason != NULL);
 }
 
+/* What is allowed is a share of the widest side of the box of all points and of the curve: not of how far away they are, nor of the
+ * points alone. */
+static void how_much_farther_a_foot_may_be(void **state)
+{
+    (void)state;
+    circle(1);
+    data.count = 1;
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).verified);
+    circle(0);
+    for (int i = 0; i < data.count; i++)
+        points[2 * i] += 0x1p20;
+    for (int i = 0; i < curve.count; i++)
+        control[2 * i] += 0x1p20;
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).verified);
+    feet[2] += 0x1p-40;
+    cagd_nearest_verdict v = cagd_stationary_nearest(&data, &curve, feet);
+    assert_true(v.refuted && v.where == 2);
+}
+
+/* Knots 0, 1, ..., 6: the curve begins in (P0 + P1)/2 and ends in (P2 + P3)/2.  A point at P0 has its foot at the beginning, and pulls:
+ * the gradient for P1 is (P1 - P0)/4. */
+static void curves_that_do_not_begin_in_their_first_point(void **state)
+{
+    (void)state;
+    static const double P[] = {0, 0, 2, 1, 5, 1, 8, -3}, none[2] = {0, 0};
+    for (int i = 0; i < 7; i++)
+        knots[i] = i;
+    memcpy(control, P, sizeof P);
+    curve = (cagd_spline){2, 4, 2, knots, control, NULL};
+    data = (cagd_fit_data){1, 2, points, NULL};
+    points[0] = P[0], points[1] = P[1], feet[0] = 2;
+    unknown[0] = (cagd_fit_unknown){0, 1, 0}, unknown[1] = (cagd_fit_unknown){0, 1, 1};
+    problem =
+        (cagd_stationary_problem){.data = &data, .curve = &curve, .feet = feet, .unknowns = 2, .unknown = unknown};
+    double low[2], high[2], H[4], H_above[4];
+    int where;
+    assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_above, &where));
+    assert_true(low[0] <= 0.5 && 0.5 <= high[0] && low[1] <= 0.25 && 0.25 <= high[1] && high[0] - low[0] < 0x1p-60);
+    points[0] = 6.5 + 9, points[1] = -1 - 12, feet[0] = 4;
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).verified);
+    feet[0] = 3.75;
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).refuted);
+}
+
+/* The nearest point of a polygon is its corner: there the foot has no derivative, and the check says so. */
+static void a_foot_at_a_corner_is_refused(void **state)
+{
+    (void)state;
+    static const double k[] = {0, 0, 0.5, 1, 1}, P[] = {0, 0, 1, 1, 2, 0}, Q[] = {1, 5, 0.25, 0.5, 1.75, 0.5};
+    memcpy(knots, k, sizeof k);
+    memcpy(control, P, sizeof P);
+    memcpy(points, Q, sizeof Q);
+    curve = (cagd_spline){1, 3, 2, knots, control, NULL};
+    data = (cagd_fit_data){3, 2, points, NULL};
+    feet[0] = 0.5, feet[1] = 0.1875, feet[2] = 0.8125;
+    unknown[0] = (cagd_fit_unknown){0, 1, 0}, unknown[1] = (cagd_fit_unknown){0, 1, 1};
+    problem =
+        (cagd_stationary_problem){.data = &data, .curve = &curve, .feet = feet, .unknowns = 2, .unknown = unknown};
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
+    assert_true(!v.verified && v.where == 0);
+    assert_non_null(strstr(v.reason, "corner"));
+}
+
 /* A polygon with corners, and a curve that crosses itself: the nearest point may be a corner, an end, or on the other branch. */
 static void the_nearest_points_at_corners_and_crossings(void **state)
 {
@@ -491,6 +631,8 @@ int main(void)
         cmocka_unit_test(the_circle_is_found_at_its_place),
         cmocka_unit_test(what_is_no_minimum_is_not_called_one),
         cmocka_unit_test(a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius),
+        cmocka_unit_test(one_unknown_is_enough),
+        cmocka_unit_test(a_circle_elsewhere_is_found_from_farther_away),
         cmocka_unit_test(what_is_not_near_is_refused),
         cmocka_unit_test(wrong_feet_are_refused),
         cmocka_unit_test(feet_at_the_ends),
@@ -499,6 +641,10 @@ int main(void)
         cmocka_unit_test(the_enclosures_hold_the_differences),
         cmocka_unit_test(what_a_bound_forbids_alone),
         cmocka_unit_test(what_a_bound_forbids_beside_free_points),
+        cmocka_unit_test(several_bounds_at_once),
+        cmocka_unit_test(how_much_farther_a_foot_may_be),
+        cmocka_unit_test(curves_that_do_not_begin_in_their_first_point),
+        cmocka_unit_test(a_foot_at_a_corner_is_refused),
         cmocka_unit_test(the_nearest_points_of_a_circle),
         cmocka_unit_test(the_nearest_points_at_corners_and_crossings),
         cmocka_unit_test(many_points_take_seconds)};

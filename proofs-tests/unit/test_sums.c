@@ -167,13 +167,13 @@ static void choose(mpq_t out, int m, int j)
         mpz_bin_uiui(mpq_numref(out), (unsigned long)m, (unsigned long)j);
 }
 
-/* The ratios of binomial(2 n + k + 5, n + k + 1) 3^(n + 2 k) (n + 4)/(k + 2) at small numbers, by the values themselves. */
+/* The ratios of binomial(2 n + 3 k + 5, n + 2 k + 1) 3^(n + 2 k) (n + 4)/(k + 2) at small numbers, by the values themselves. */
 static void value_of_term(mpq_t out, int m, int j)
 {
     mpq_t x;
     mpz_t power;
     mpq_init(x), mpz_init(power);
-    choose(out, 2 * m + j + 5, m + j + 1);
+    choose(out, 2 * m + 3 * j + 5, m + 2 * j + 1);
     mpz_ui_pow_ui(power, 3, (unsigned long)(m + 2 * j));
     mpq_set_z(x, power), mpq_mul(out, out, x);
     mpq_set_si(x, m + 4, (unsigned long)(j + 2)), mpq_canonicalize(x), mpq_mul(out, out, x);
@@ -183,7 +183,7 @@ static void test_terms_by_their_values(void **state)
 {
     (void)state;
     open_field();
-    cagd_term F = cagd_term_times_binomial(cagd_term_one(), n, k, 2, 1, whole(5), 1, 1, whole(1));
+    cagd_term F = cagd_term_times_binomial(cagd_term_one(), n, k, 2, 3, whole(5), 1, 2, whole(1));
     F = cagd_term_times_power(F, whole(3), 1, 2);
     F = cagd_term_times_rational(F, n, k, div_f(add_f(n, whole(4)), add_f(k, whole(2))));
     for (int m = 0; m < 5; m++)
@@ -251,6 +251,55 @@ static void test_sums_from_a_number_on(void **state)
     field_close();
 }
 
+/* The value of a + b k + c k^2. */
+static num_f quadratic(long a, long b, long c)
+{
+    return add_f(whole(a), mul_f(k, add_f(whole(b), mul_f(whole(c), k))));
+}
+
+/* 1/(k^2+1) - 1/((k+1)^2+1) = (2k+1)/((k^2+1) ((k+1)^2+1)): factors of two degrees, with a leading coefficient that is not 1.  And
+ * with a = k^2+k+1, b = k^2+4k+7, c = a(k) (k+1)^3 - b(k) k^3 the solution of a x(k+1) - b x = c is x = k^3, of higher degree than
+ * the degrees of a, b and c say. */
+static void test_shifts_and_degrees(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T;
+    num_f next = substitute_f(quadratic(1, 0, 1), k, add_f(k, whole(1)));
+    cagd_term F =
+        cagd_term_times_rational(cagd_term_one(), n, k, div_f(quadratic(1, 2, 0), mul_f(quadratic(1, 0, 1), next)));
+    assert_true(cagd_telescope(F, n, k, 0, &T));
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    num_f k1 = add_f(k, whole(1)), a = quadratic(1, 1, 1), b = quadratic(7, 4, 1);
+    num_f c = sub_f(mul_f(a, mul_f(k1, mul_f(k1, k1))), mul_f(b, mul_f(k, mul_f(k, k))));
+    F = cagd_term_times_rational(cagd_term_one(), n, k, c);
+    F.by_k = mul_f(F.by_k, div_f(a, substitute_f(b, k, k1)));
+    assert_true(cagd_telescope(F, n, k, 0, &T));
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    field_close();
+}
+
+/* A denominator whose sign is not read off its coefficients, (n-30)^2 + 1, is no proof, though it is nowhere 0; nor is one that is 0
+ * where only numbers beyond the first rows lie, n - 30. */
+static void test_denominators_that_are_not_told(void **state)
+{
+    (void)state;
+    open_field();
+    num_f n1 = add_f(n, whole(1)), far = sub_f(n, whole(30)), square = add_f(mul_f(far, far), whole(1));
+    for (int with_zero = 0; with_zero < 2; with_zero++) {
+        num_f q = with_zero ? far : square, first = div_f(whole(1), substitute_f(q, n, whole(0)));
+        cagd_sum s = {cagd_term_times_rational(binomials(1), n, k, div_f(whole(1), q)),
+                      first,
+                      div_f(mul_f(whole(2), q), substitute_f(q, n, n1)),
+                      first,
+                      0,
+                      0};
+        cagd_telescoper T;
+        assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
+    }
+    field_close();
+}
+
 /* A telescoper whose last coefficients are 0 is one as long as some coefficient is not. */
 static void test_coefficients_that_are_zero(void **state)
 {
@@ -277,6 +326,8 @@ int main(void)
                                        unit(test_terms_by_their_values),
                                        unit(test_poles_in_a_term),
                                        unit(test_coefficients_that_are_zero),
-                                       unit(test_sums_from_a_number_on)};
+                                       unit(test_sums_from_a_number_on),
+                                       unit(test_shifts_and_degrees),
+                                       unit(test_denominators_that_are_not_told)};
     return run_unit_tests(tests);
 }
