@@ -317,6 +317,16 @@ static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f
     return region_faults != 0 ? F : derived(c, t, F, x, order, at);
 }
 
+static cagd_value at_a_place(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_value place = evaluate(c, t->at[1], f);
+    int known = c->count;
+    num_f x = fresh(c, place);
+    cagd_value F = with_letter(c, t->at[0], t->head, x, f);
+    forget(c, known);
+    return region_faults != 0 ? F : derived(c, t, F, x, 0, place);
+}
+
 static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_value low = evaluate(c, t->at[0], f), high = evaluate(c, t->at[1], f), sum = cagd_value_int(0);
@@ -647,6 +657,8 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return derivative(c, t, f);
     case CAGD_INTEGRAL:
         return integral(c, t, f);
+    case CAGD_AT:
+        return at_a_place(c, t, f);
     case CAGD_CASES:
         return cases(c, t, f);
     default:

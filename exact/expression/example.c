@@ -3,7 +3,7 @@
 #include "exact/expression/sign.h"
 #include "exact/words.h"
 
-enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500 };
+enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500, MOST_ROUNDS = 12 };
 
 static cagd_side_of_box side_of(const cagd_binding *b)
 {
@@ -110,6 +110,55 @@ static int choose(struct search *s, int m, int total)
     return 0;
 }
 
+static int is_prime(long n)
+{
+    for (long d = 2; d * d <= n; d++)
+        if (n % d == 0)
+            return 0;
+    return n > 1;
+}
+
+/* Different numbers for different names, another choice in every round: knots must not coincide, nor denominators vanish. */
+static num_q different(const cagd_binding *b, int m, int unknowns, int round)
+{
+    cagd_side_of_box s = side_of(b);
+    long prime = 2 * unknowns + 3;
+    while (!is_prime(prime))
+        prime++;
+    long place = (m * (round % (prime - 1) + 1) + round) % prime;
+    num_q x = from_int_q(place - prime / 2);
+    if (cagd_is_inside(&s, x))
+        return x;
+    num_q part = from_ratio_q(place + 1, prime + 1);
+    if (s.has_low && s.has_high)
+        return add_q(s.low, mul_q(sub_q(s.high, s.low), part));
+    x = from_int_q(place + 1);
+    return s.has_low ? add_q(s.low, x) : s.has_high ? sub_q(s.high, x) : x;
+}
+
+/* An example with different numbers, which become simpler one by one as long as it remains one. */
+static int find_among_different(struct search *s)
+{
+    const cagd_context *c = s->c;
+    int found = 0;
+    for (int round = 0; round < MOST_ROUNDS && !found; round++) {
+        for (int m = 0; m < s->unknowns; m++)
+            s->value[s->of[m]] = different(&c->binding[s->of[m]], m, s->unknowns, round);
+        found = cagd_is_example(c, s->t, s->k, s->value, s->left, s->right);
+    }
+    for (int m = 0; m < s->unknowns && found; m++) {
+        num_q kept = s->value[s->of[m]];
+        int simpler = 0;
+        for (int i = 0; i < s->count[m] && !simpler; i++) {
+            s->value[s->of[m]] = s->list[m][i];
+            simpler = cagd_is_example(c, s->t, s->k, s->value, s->left, s->right);
+        }
+        if (!simpler)
+            s->value[s->of[m]] = kept;
+    }
+    return found && cagd_is_example(c, s->t, s->k, s->value, s->left, s->right);
+}
+
 int cagd_find_example(const cagd_context *c, const cagd_tree *t, int k, num_q value[], num_q *left, num_q *right)
 {
     struct search s = {.c = c, .t = t, .k = k, .value = value, .left = left, .right = right};
@@ -126,5 +175,5 @@ int cagd_find_example(const cagd_context *c, const cagd_tree *t, int k, num_q va
     for (int total = 0; total <= most && s.tries <= MOST_TRIES; total++)
         if (choose(&s, 0, total))
             return 1;
-    return 0;
+    return find_among_different(&s);
 }

@@ -162,16 +162,16 @@ static int differential(const cagd_reader *r, const cagd_token *t)
     return strcmp(t[1].word, "{") == 0 && strcmp(t[2].word, "d") == 0 && strcmp(t[3].word, "}") == 0 ? 4 : 0;
 }
 
-/* d^k f / d t^k, the brace of the numerator being passed; the body f may follow the fraction. */
-static const cagd_tree *derivative(cagd_reader *r, int from)
+/* d^k f / d t^k, the brace of the numerator being passed, if it has braces; the body f may follow the fraction. */
+static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
 {
     r->token += differential(r, r->token);
     const cagd_tree *order = NULL, *body = NULL;
     if (cagd_pass(r, "^") && (order = cagd_read_argument(r, 1)) == NULL)
         return NULL;
-    if (!cagd_next_is(r, "}") && (body = cagd_read_sum(r)) == NULL)
+    if (braces && !cagd_next_is(r, "}") && (body = cagd_read_sum(r)) == NULL)
         return NULL;
-    if (!cagd_expect(r, "}", "the numerator") || !cagd_expect(r, "{", "the numerator"))
+    if ((braces && !cagd_expect(r, "}", "the numerator")) || !cagd_expect(r, "{", "the numerator"))
         return NULL;
     int sign = differential(r, r->token);
     if (sign == 0)
@@ -213,9 +213,11 @@ static const cagd_tree *fraction(cagd_reader *r, int from)
         }
         if (second->kind != CAGD_TOKEN_END && strcmp(second[1].word, "{") == 0 && differential(r, second + 2) > 0) {
             r->token++;
-            return derivative(r, from);
+            return derivative(r, from, 1);
         }
     }
+    if (cagd_next_is(r, "\\partial") && strcmp(r->token[1].word, "{") == 0 && differential(r, r->token + 2) > 0)
+        return derivative(r, from, 0); /* \frac\partial{\partial t} */
     if (r->token->kind == CAGD_TOKEN_NUMBER && strlen(r->token->word) == 2) { /* \frac12 */
         const char *digits = (r->token++)->word;
         const cagd_tree *half[2];
@@ -524,6 +526,28 @@ static const cagd_tree *base(cagd_reader *r)
     return cagd_refuse_token(r, "expected a number, a name or a bracket, not %s", cagd_name_of_next(r));
 }
 
+/* The value of t at a place, f|_{x=a}, the bar being passed. */
+static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
+{
+    if (!cagd_expect(r, "_", "the bar") || !cagd_expect(r, "{", "the bar"))
+        return NULL;
+    const cagd_token *letter = r->token;
+    const char *head = cagd_read_head(r);
+    if (head != NULL && !cagd_is_known(r, head)) {
+        r->token = letter;
+        return cagd_refuse_token(r, "%s is not defined", head);
+    }
+    if (head == NULL || !cagd_expect(r, "=", "the letter"))
+        return NULL;
+    const cagd_tree *place = cagd_read_sum(r);
+    if (place == NULL || !cagd_expect(r, "}", "the place"))
+        return NULL;
+    cagd_tree *value = cagd_new_of(r, CAGD_AT, from, 2, (const cagd_tree *[]){t, place});
+    if (value != NULL)
+        value->head = head;
+    return value;
+}
+
 static const cagd_tree *factor(cagd_reader *r)
 {
     int from = r->token->from;
@@ -538,6 +562,9 @@ static const cagd_tree *factor(cagd_reader *r)
         } else if (cagd_pass(r, "^")) {
             const cagd_tree *power = cagd_read_argument(r, 1);
             t = cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+        } else if (cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") == 0) {
+            r->token++;
+            t = at_a_place(r, t, from);
         } else {
             break;
         }
@@ -666,6 +693,19 @@ static void pass_alignment(cagd_reader *r)
         r->token = t;
 }
 
+/* What is left out of a chain, "\dots =": between equal relations, or before the first. */
+static void pass_dots(cagd_reader *r, int count, const cagd_relation before[])
+{
+    cagd_relation next;
+    const cagd_token *t = r->token;
+    if (!cagd_pass(r, "\\dots"))
+        return;
+    if (cagd_relation_next(r, &next) && (count == 0 || next == before[count - 1]))
+        r->token++;
+    else
+        r->token = t;
+}
+
 const cagd_tree *cagd_read_relations(cagd_reader *r)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
@@ -675,6 +715,7 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_CHILDREN - 1);
         cagd_pass(r, "&");
+        pass_dots(r, count, relation);
         list[count] = cagd_read_sum(r);
         if (list[count] == NULL)
             return NULL;

@@ -176,6 +176,15 @@ static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, 
     return (close == NULL || cagd_expect(r, close, "the index")) && cagd_expect(r, "}", "the index");
 }
 
+/* w_i and w_i^{[r]} are different names where w_i was made known without an upper index. */
+static int with_brackets(cagd_reader *r, struct parts *p)
+{
+    const char *with = known_upper(r, p->head) == 0 ? joined(r, "", p->head, "^[]") : p->head;
+    if (with != NULL && with != p->head && (r->declaring || cagd_is_known(r, with)))
+        p->head = with;
+    return with != NULL;
+}
+
 /* What follows ^: a star, primes, an index, the order of a derivative, or a power. */
 static int superscript(cagd_reader *r, struct parts *p)
 {
@@ -197,6 +206,8 @@ static int superscript(cagd_reader *r, struct parts *p)
         p->primes += primes;
         return 1;
     }
+    if (braces && strcmp(t->word, "[") == 0 && p->upper == 0 && !with_brackets(r, p))
+        return 0;
     int upper = known_upper(r, p->head), arguments = known_arguments(r, p->head);
     if (p->upper == 0 && (upper > 0 || (r->declaring && upper < 0)))
         return list(r, &p->upper, p->of_upper, upper, &p->primes);

@@ -129,6 +129,8 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
             }
         }
         at = t.to;
+        if (at < to && text[at] == '.' && is(s, t.to - t.from, "\\left")) /* a bracket that is none */
+            at++;
         if (t.word[0] == '\0')
             continue;
         if (count == room - 1) {

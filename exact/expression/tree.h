@@ -28,6 +28,7 @@ typedef enum cagd_tree_kind {
     CAGD_PRODUCT_OVER,
     CAGD_DERIVATIVE, /* [a]: `order` times by the variable `head`                                                 */
     CAGD_INTEGRAL,   /* [low, high, a] by the variable `head`                                                     */
+    CAGD_AT,         /* [a, b]: a with b in the place of the variable `head`                                      */
     CAGD_CASES,      /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
     CAGD_RELATION,   /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
     CAGD_ALL         /* [conditions ...]: each of them                                                            */
