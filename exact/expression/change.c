@@ -67,6 +67,7 @@ static int is_index(const cagd_tree *t, int k)
     case CAGD_PRODUCT_OVER:
         return k < 2;
     case CAGD_POWER:
+    case CAGD_AT:
         return k == 1;
     case CAGD_BINOMIAL:
         return 1;

@@ -217,7 +217,7 @@ static const cagd_tree *fraction(cagd_reader *r, int from)
         }
     }
     if (cagd_next_is(r, "\\partial") && strcmp(r->token[1].word, "{") == 0 && differential(r, r->token + 2) > 0)
-        return derivative(r, from, 0); /* \frac\partial{\partial t} */
+        return derivative(r, from, 0);                                        /* \frac\partial{\partial t} */
     if (r->token->kind == CAGD_TOKEN_NUMBER && strlen(r->token->word) == 2) { /* \frac12 */
         const char *digits = (r->token++)->word;
         const cagd_tree *half[2];

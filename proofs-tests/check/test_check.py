@@ -48,6 +48,29 @@ class Literature(unittest.TestCase):
         self.assertEqual(r.returncode, 0)
 
 
+class Language(unittest.TestCase):
+    """What is written in several ways means what it should: each with the same, changed in one place."""
+
+    def test_true_and_false(self):
+        let = "x_i^{[r]} = x_i + r\n"
+        for true, false in (("F'(t)|_{t=x} = 2 x", "F'(t)|_{t=x} = 2 t"), ("\\left. F(t) \\right|_{t=x+1} = (x+1)^2", "\\left. F(t) \\right|_{t=x+1} = x^2"),
+                            ("\\frac\\partial{\\partial t} t^3 = 3 t^2", "\\frac\\partial{\\partial t} t^3 = 3 t"),
+                            ("\\frac{\\partial (t^2 x)}{\\partial t}\\Big|_{t=u} = 2 u x", "\\frac{\\partial (t^2 x)}{\\partial t}\\Big|_{t=u} = 2 t x"),
+                            ("x_1^{[2]} = x_1 + 2", "x_1^{[2]} = x_1 + 1"), ("F(t) = \\dots = t^2", "F(t) = \\dots = t"),
+                            ("\\dots = t^2 = F(t)", "\\dots = t^2 = F(x)")):
+            for printed, expected in ((true, "holds"), (false, "fails")):
+                with self.subTest(printed=printed):
+                    self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
+
+    def test_counterexamples_with_many_names_are_found(self):
+        """Knots that are equal, as the simplest numbers are, make the denominators 0."""
+        terms = " + ".join(f"\\frac{{1}}{{x_{i}-x_{i + 1}}}" for i in range(6))
+        s = verdict(f"{terms} = 0", "n = 1")
+        self.assertEqual(s["verdict"], "fails")
+        x = {v["name"]: fractions.Fraction(v["value"]) for v in s["counterexample"]["values"]}
+        self.assertNotEqual(sum(1 / (x[f"x_{i}"] - x[f"x_{i + 1}"]) for i in range(6)), 0)
+
+
 class Ranges(unittest.TestCase):
     """For which values of a parameter: exactly those."""
 
