@@ -224,7 +224,7 @@ static int is_one_script(const char *s)
     const char *p = s;
     while (isalpha((unsigned char)*p))
         p++;
-    return *p == '\0' || s[character(s)] == '\0' || !is_simple(s) || s[0] == '(';
+    return *p == '\0' || s[character(s)] == '\0' || !is_simple(s) || s[0] == '(' || s[0] == '[';
 }
 
 /* Raised or lowered letters where Unicode has all of them; otherwise ^(...) or _(...). */

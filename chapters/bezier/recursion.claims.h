@@ -23,7 +23,7 @@ enum { dim = 2 };
 :argued: | The distance of a piece from its chord is at most a number that does not depend on the piece times the square of
   the step, and so tends to 0 with the step.
 :meant: the word "can" (可以) | More and more points can be chosen so that the polyline comes near: with steps that tend to 0.
-:reading: second_differences_of_a_piece | they can be so chosen: true
+:reading: second_differences_of_a_piece | they can be so chosen
 :reading: many_points_may_crowd | however they are chosen: false, many points are not enough
 :figure: crowded_points
 

@@ -236,7 +236,7 @@ CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 0, 0); }
 :class: false
 :corrected: x(0.35)=2.246
 :corrected-by: exact_values_of_the_table
-:reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row: true
+:reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row
 :figure: worked_table
 
 It is what the rounded factors of the row give, whose sum is 1.001; three digits after the point are more than they carry.
@@ -402,7 +402,7 @@ CLAIM(table_row_of_sixty_five_hundredths) { right_numbers(T, 0, 1); }
 :class: false
 :corrected: x(0.65)=3.119
 :corrected-by: exact_values_of_the_table
-:reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row: true
+:reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row
 :figure: worked_table
 
 It is what the rounded factors of the row give.

@@ -241,8 +241,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :holds-by: end_data_determine_the_cubic
 :meant: the dot over it, which is the derivative everywhere in section 1-4 | $\dot Q_0$ is the tangent vector at
   $t=0$.
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector: true
-:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$: false
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector
+:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$
 :figure: ends_with_lost_letters
 :::
 
@@ -254,8 +254,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :class: misprint
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
-:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before: false
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too: true
+:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too
 :meant: the sentence above, in which the first $\dot Q_0$ is called the position vector | The second; the dot is a slip.
 :figure: ends_with_lost_letters
 :::

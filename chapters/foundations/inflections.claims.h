@@ -98,8 +98,8 @@ CLAIM(second_derivative_is_not_constant)
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed
 :corrected-by: curvature_and_torsion_belong_to_arc_length
-:reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else: false
-:reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say: true
+:reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else
+:reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say
 :meant: the formulas beside it, in which $s$ is the length of the arc | The first: $s$ is the length of the arc.
 :figure: curvature_and_the_speed
 

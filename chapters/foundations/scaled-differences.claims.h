@@ -25,7 +25,7 @@ step, which makes them as large as the coefficients, and begins the table with t
   not lost | Against the coefficients of the curve the differences are small.
 :reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0, for every $\delta$
 :reading: third_difference_loses_three_bytes | from the third on, against the coefficients: true, $6A/2^{24}$
-:reading: third_difference_exceeds_the_first | from the third on, against the differences before it: false
+:reading: third_difference_exceeds_the_first | from the third on, against the differences before it
 :figure: forward_differences
 :::
 

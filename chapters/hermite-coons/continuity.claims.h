@@ -153,10 +153,10 @@ is no way in either direction: the figure does not know how fast it is run throu
 :argued: | Slope and curvature are formed from $f'$ and $f''$ by sums, products and a root, divided by numbers that are not
   0, and so are continuous where $f'$ and $f''$ are.
 :hypothesis: tangent_turns_back_at_a_smooth_parameter | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
-:reading: curvature_of_a_graph | from the class to the figure, for graphs: true
-:reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs: false
+:reading: curvature_of_a_graph | from the class to the figure, for graphs
+:reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs
 :reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
-:reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter: false
+:reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter
 :meant: the words: the graph of the function | The first: from the class to the figure, for graphs.
 :figure: upright_cube_root
 
@@ -329,7 +329,7 @@ provided that both have a direction.
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
 :needs: negative_ratio_turns_back | the words: the tangents have one direction | equal in direction: proportional with
   a negative factor is a curve that turns back
-:reading: equal_unit_tangents_fix_the_ratio | the sizes may differ: true
+:reading: equal_unit_tangents_fix_the_ratio | the sizes may differ
 :reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
 :meant: the definition of $G^1$, which asks for proportional derivatives | The first: the sizes may differ.
 :figure: joints_of_order

@@ -149,7 +149,7 @@ CLAIM(overlapping_intervals_miss_the_data)
 :argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
 :meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
-:reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$: true
+:reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$
 :reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval: false for other lengths than 1
 :figure: piecewise_base_functions
 

@@ -425,7 +425,7 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
   copies being zero; such $r_j$ do not count and are points of the curve
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, as there; otherwise a term of the sum is
   $0\cdot\frac00$
-:reading: knots_outside_the_domain_cut_corners | $T'$ outside the domain, in $(t_1,t_{n+k})$: true
+:reading: knots_outside_the_domain_cut_corners | $T'$ outside the domain, in $(t_1,t_{n+k})$
 :figure: insertions_commute
 :::
 

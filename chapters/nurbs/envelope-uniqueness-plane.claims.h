@@ -18,7 +18,7 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
   r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$
 :class: invalid-proof
 :refuted-by: osculating_plane_meets_the_origin_once
-:reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises: false
+:reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises
 :reading: points_are_polar_values_of_the_segment | for all $t$ of the span: true, but not for this reason, the
   coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants
 :meant: the proof, in which (4.3.12) is the alternative to $\tau=t$ | The first: at one $t$.
@@ -289,7 +289,7 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :refuted-by: inflected_cubic_is_not_straight
 :reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: false, every
   inflection is a counterexample
-:reading: slope_is_constant_where_nothing_turns | for all $t$: true
+:reading: slope_is_constant_where_nothing_turns | for all $t$
 :meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns

@@ -82,8 +82,7 @@ CLAIM(superscript_of_the_order_gives_another_product)
   $t_j\le t,\tau<t_{j+1}$
 :class: invalid-proof
 :refuted-by: member_osculates_a_plane_through_the_origin
-:reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, as the alternative to $\tau=t$ arises:
-  false
+:reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, as the alternative to $\tau=t$ arises
 :reading: points_are_polar_values_of_the_segment | for all pairs of the square: true, as in theorem 4.3.2, each member
   being in a plane through the origin and its points with it, but not by linear independence
 :meant: the proof, in which the sum is the alternative to $\tau=t$ | The first: at one pair $(t,\tau)$.
@@ -211,7 +210,7 @@ CLAIM(weighted_points_follow_the_recursion)
   $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
 :class: invalid-proof
 :refuted-by: level_one_in_a_plane_and_the_points_not
-:reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$: false
+:reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$
 :reading: span_derivatives_are_parallel | for all pairs of the square: true, because on the diagonal it says that the
   curve is in a plane through the origin; not by solving for the terms
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.

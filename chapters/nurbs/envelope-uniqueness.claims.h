@@ -33,7 +33,7 @@ inflection: it is touched by every member.
 :reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as
   (4.3.10) may be meant: then a line $t=t_0$ is left out, and true if $\mathbf r'\times\mathbf r''$ is not 0
   identically
-:reading: folded_line_has_another_solution | the same when it is 0 identically, a case which the proof includes: false
+:reading: folded_line_has_another_solution | the same when it is 0 identically, a case which the proof includes
 :meant: (4.3.3) and (4.3.9), by which the section determines the envelope | The first: all joint solutions.
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
   points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless

@@ -325,7 +325,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 :printed: since the envelope exists and is unique, NURBS curves can be defined as envelopes
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope extrapolated_weight_vanishes
-:reading: convex_quartic_of_span_has_second_envelope | unique on every span for every $r$: false
+:reading: convex_quartic_of_span_has_second_envelope | unique on every span for every $r$
 :reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: false, a leg
   of one of the polygons is another
 :reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition,

@@ -150,7 +150,7 @@ CLAIM(divisors_contain_the_span)
 :zh: 递推的最后一点即曲线上的点
 :printed: r(t)=r_i^{[k-1]}(t)
 :holds-by: rational_triangle_gives_the_point
-:reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$: true
+:reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$
 :figure: deboor_triangle
 
 Better with $j$ in the place of $i$, as $i$ has been running up to here.
@@ -209,7 +209,7 @@ this sentence has the wrong letter.
 :class: misprint
 :corrected: For any fixed $t\in[t_j,t_{j+1})$, $k\le j\le n$
 :corrected-by: rational_triangle_gives_the_point divisors_contain_the_span
-:reading: rational_triangle_gives_the_point | the index of the interval is the $j$ of the ranges: true
+:reading: rational_triangle_gives_the_point | the index of the interval is the $j$ of the ranges
 :figure: wrong_interval
 
 As printed nothing ties $j$ to the interval that contains $t$.
@@ -259,7 +259,7 @@ CLAIM(other_interval_gives_other_point)
   $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
 :meant: the intervals are printed | The parameters of the printed intervals.
-:reading: rational_triangle_gives_the_point | for the printed intervals: true
+:reading: rational_triangle_gives_the_point | for the printed intervals
 :reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
 :figure: missing_end
 

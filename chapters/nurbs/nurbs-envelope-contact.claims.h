@@ -68,7 +68,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :title: Between (k-1)-fold knots the theorem on rational Bézier curves results
 :zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
 :printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
-:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2: true
+:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2
 :reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches:
   true, wherever $\mathbf r'\ne0$
 :reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2, with contact of order $n-r$, $n=k-1$: false,

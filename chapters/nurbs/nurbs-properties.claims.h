@@ -21,15 +21,15 @@ the curve itself rather than about its homogeneous form has to be carried throug
 :reading: moved_point_changes_its_support | local control: true; moving $r_i$, or changing $w_i$, changes the curve on
   $[t_i,t_{i+k})$ only
 :reading: point_is_in_the_hull_of_k_points | convex hull, span by span: true for positive weights
-:reading: negative_weight_leaves_the_hull | the same for weights of both signs: false
-:reading: sides_agree_up_to_order_less_multiplicity | continuity of order $k-1-m$ at a knot of multiplicity $m$: true
-:reading: one_order_more_jumps | continuity of one order more: false
-:reading: nurbs_moves_with_its_points | affine invariance: true
+:reading: negative_weight_leaves_the_hull | the same for weights of both signs
+:reading: sides_agree_up_to_order_less_multiplicity | continuity of order $k-1-m$ at a knot of multiplicity $m$
+:reading: one_order_more_jumps | continuity of one order more
+:reading: nurbs_moves_with_its_points | affine invariance
 :reading: clamped_end_is_the_first_point | the ends of the polygon are the ends of the curve: true for $k$-fold and
   $(k-1)$-fold ends
-:reading: simple_knots_need_other_points | the same for simple knots: false
-:reading: reversed_data_reverse_the_nurbs | symmetry: true
-:reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere: true
+:reading: simple_knots_need_other_points | the same for simple knots
+:reading: reversed_data_reverse_the_nurbs | symmetry
+:reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere
 :figure: knot_vectors
 
 Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one; each of the

@@ -45,7 +45,7 @@ this can be computed is decided here.
   convexity is kept and variation diminished is obvious
 :reading: every_level_divides_its_edges | that the discrete curves cut corners, in the space of the curve: true, and both properties
   follow, with the hypotheses of `thm-4.2.1` and `thm-4.2.2`
-:reading: polygon_that_turns_back_loses_convexity | that they are obvious, without hypotheses: false
+:reading: polygon_that_turns_back_loses_convexity | that they are obvious, without hypotheses
 :reading: insertion_turns_like_its_triangles | that homogeneous coordinates hide them: the shortest proof of the first, by determinants,
   is one in homogeneous coordinates
 :figure: cutting_corners
@@ -68,7 +68,7 @@ Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
 :holds-by: sides_agree_up_to_order_less_multiplicity
 :meant: the opening speaks of what B-splines are used for: an order that is guaranteed | An order of continuity that
   every such curve has.
-:reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion: true
+:reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion
 :reading: one_order_more_jumps | as the exact order: one order more is not continuous in general
 :argued: the quotient | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
   power of $w>0$.
@@ -446,7 +446,7 @@ and references.
 :printed: De Boor [14] and Schumaker [15] gave numerical algorithms for the matrix, Cohen and Riesenfeld [16] the matrix for uniform knots,
   Ding and Davies [17] for nonuniform ones in the cubic case, Choi [12] and Grabowski [13] recursive forms for any degree after
   Boehm and de Boor, none of them explicit; here two explicit forms are given for the most general case
-:reading: both_explicit_matrices_agree | that the two forms of this chapter are explicit and are the matrix, whatever knots coincide: true
+:reading: both_explicit_matrices_agree | that the two forms of this chapter are explicit and are the matrix, whatever knots coincide
 :reading: as history: no computation decides it; the works are cited with these numbers.
 :figure: both_matrices
 :::

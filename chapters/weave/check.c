@@ -135,9 +135,19 @@ static void check_links(const struct book *book, const struct block *b)
     }
 }
 
-/* The words of a reading do not say otherwise than its claim. */
+/* Whether a text ends with these words, or with them and a full stop. */
+static int ends_with(const char *text, const char *words)
+{
+    size_t n = strlen(text), m = strlen(words);
+    n -= n > 0 && text[n - 1] == '.';
+    return n >= m && strncmp(text + n - m, words, m) == 0;
+}
+
+/* Whether a reading is true is derived from its claim, and not typed in; where words explain it they do not say otherwise. */
 static void check_words_of_reading(const struct block *b, int line, int fails, const char *text)
 {
+    if (ends_with(text, ": true") || ends_with(text, ": false"))
+        complain(b->file, line, "'%s': whether a reading is true is derived from its claim", b->name);
     int says_true = strstr(text, ": true") != NULL && strstr(text, "false") == NULL;
     int says_false = strstr(text, ": false") != NULL && strstr(text, "true") == NULL;
     if (fails ? says_true : says_false)

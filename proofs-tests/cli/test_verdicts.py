@@ -60,6 +60,24 @@ class Scopes(unittest.TestCase):
                         self.assertNotRegex(phrases[-1], rf"every (?:\w+(?:,| and) )*{letter}\b")
                     self.assertEqual(len(phrases), len(set(phrases)), finding["scope"])
 
+    def test_data_are_those_that_the_hypotheses_allow(self):
+        """"All weights" does not stand beside "positive weights are needed"."""
+        for row in LEDGER:
+            printed = row["as_printed"]
+            data = decided(row)[1]["scope"].split("; ")[-1]
+            if (printed["hypotheses"] or printed["stated_hypotheses_needed"]) and data.startswith("all "):
+                with self.subTest(row["id"]):
+                    self.assertTrue(data.endswith(" that the hypotheses allow") or "all patterns" in data or "all multi" in data, data)
+
+    def test_an_argument_is_told_once(self):
+        """What is argued for more cases was computed for some: "argued for n = 2 to 6; argued for every n" is never told."""
+        for row in LEDGER:
+            for finding in [row["as_printed"], row["corrected"]]:
+                if finding and finding["argued_for"]:
+                    with self.subTest(row["id"]):
+                        phrases = finding["argued_for"].split("; ")
+                        self.assertEqual(len(phrases), len(set(phrases)))
+
     def test_steps_that_are_apart_are_told_with_their_scopes(self):
         for row in LEDGER:
             for finding in [row["as_printed"], row["corrected"]]:
