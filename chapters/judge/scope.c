@@ -127,7 +127,7 @@ static void meet_phrases(scope *s, const scope *other)
 }
 
 /* What one claim takes to be positive and another one takes as it comes is positive. */
-static void meet_quantity(scope *s, const char *noun, size_t n, int many, int positive)
+static void meet_quantity(scope *s, const char *noun, size_t n, int many, int positive, int claims)
 {
     for (int k = 0; k < s->kinds; k++) {
         quantity *q = &s->data[k];
@@ -135,16 +135,36 @@ static void meet_quantity(scope *s, const char *noun, size_t n, int many, int po
             noun == NULL || q->noun == NULL ? noun == q->noun : strlen(q->noun) == n && strncmp(q->noun, noun, n) == 0;
         if (same) {
             q->positive |= positive;
+            q->claims += claims;
             return;
         }
     }
     s->data = one_more(s->data, s->kinds, sizeof *s->data);
-    s->data[s->kinds++] = (quantity){noun != NULL ? copy_of(noun, n) : NULL, many, positive};
+    s->data[s->kinds++] = (quantity){noun != NULL ? copy_of(noun, n) : NULL, many, positive, claims};
+}
+
+static int is_same_noun(const quantity *a, const quantity *b)
+{
+    return a->noun == NULL || b->noun == NULL ? a->noun == b->noun : strcmp(a->noun, b->noun) == 0;
+}
+
+/* Whether s has data that the other scope, which has some, does not have. */
+static int has_data_alone(const scope *s, const scope *other)
+{
+    for (int k = 0; k < s->kinds && other->kinds > 0; k++) {
+        int known = 0;
+        for (int m = 0; m < other->kinds && !known; m++)
+            known = is_same_noun(&s->data[k], &other->data[m]);
+        if (!known)
+            return 1;
+    }
+    return 0;
 }
 
 void meet_scope(scope *s, const scope *other)
 {
     s->apart |= other->apart || are_apart(s, other);
+    s->mixed |= other->mixed || (has_data_alone(s, other) && has_data_alone(other, s));
     meet_phrases(s, other);
     if (s->within == NULL)
         s->within = other->within;
@@ -152,7 +172,7 @@ void meet_scope(scope *s, const scope *other)
         meet_range(s, other->range[k]);
     for (int k = 0; k < other->kinds; k++) {
         const quantity *q = &other->data[k];
-        meet_quantity(s, q->noun, q->noun != NULL ? strlen(q->noun) : 0, q->many, q->positive);
+        meet_quantity(s, q->noun, q->noun != NULL ? strlen(q->noun) : 0, q->many, q->positive, q->claims);
     }
     if (other->instances > 0 && (s->instances == 0 || other->instances < s->instances))
         s->instances = other->instances;
@@ -241,8 +261,10 @@ static void add_variables(scope *s, const claim *c, const type_result *b)
         if (!find_noun(c->over, name, n, &noun, &length, &many))
             noun = NULL;
         if (noun == NULL || length != 1 || *noun != '-') /* "s: -": the phrases of the scope say it already */
-            meet_quantity(s, noun, length, many, positive);
+            meet_quantity(s, noun, length, many, positive, 0);
     }
+    for (int k = 0; k < s->kinds; k++)
+        s->data[k].claims = 1;
 }
 
 /* ---- the scope of a claim --------------------------------------------------------------------------- */
@@ -337,11 +359,28 @@ static int has_relation_of(const scope *s, const char *letter)
     return 0;
 }
 
-/* Whether data are put among those that are many or single, positive or not: a letter is not of which a phrase speaks. */
+/* Whether a phrase says already for which values of it. */
+static int is_told(const scope *s, const quantity *q)
+{
+    return q->noun != NULL && !q->many && has_relation_of(s, letter_in_print(q->noun));
+}
+
+/* Whether there are so many kinds of data, of which no claim has all, that no reader knows what a list is about. */
+static int are_too_many(const scope *s)
+{
+    enum { READABLE = 4 };
+    int count = 0;
+    for (int k = 0; k < s->kinds; k++)
+        count += !is_told(s, &s->data[k]);
+    return s->mixed && count > READABLE;
+}
+
+/* Whether data are put among those that are many or single, positive or not: a letter is not of which a phrase speaks; and of
+ * too many those are that several claims have. */
 static int is_put_among(const scope *s, const quantity *q, int many, int positive)
 {
-    return q->noun != NULL && q->many == many && q->positive == positive &&
-           (many || !has_relation_of(s, letter_in_print(q->noun)));
+    return q->noun != NULL && q->many == many && q->positive == positive && !is_told(s, q) &&
+           (!are_too_many(s) || q->claims > 1);
 }
 
 /* "all points and weights": the named data that are many or single, positive or not. */
@@ -368,14 +407,16 @@ static int put_data(FILE *out, const scope *s)
     first = put_nouns(out, s, 0, 0, first);
     first = put_nouns(out, s, 0, 1, first);
     for (int k = 0; k < s->kinds; k++)
-        if (s->data[k].noun == NULL) {
+        if (s->data[k].noun == NULL && (!are_too_many(s) || s->data[k].claims > 1)) {
             fprintf(out, "%sall %s%sdata", first ? "" : ", ", first ? "" : "other ",
                     s->data[k].positive ? "positive " : "");
             first = 0;
         }
     if (!first && s->hypothetical)
         fputs(" that the hypotheses allow", out);
-    return !first;
+    if (are_too_many(s))
+        fprintf(out, "%seach step for its own %sdata", first ? "" : "; ", first ? "" : "other ");
+    return !first || are_too_many(s);
 }
 
 /* What follows is behind "; " unless it is the first. */

@@ -7,7 +7,9 @@
  * Of two phrases one may be the narrower: the option `within` of a chapter's letters says of which, "simple knots | every
  * pattern of the knots", or "* | all coefficients" of one that leaves nothing out.  The narrower one is left.  Where each of two claims has a phrase with which the other one's cannot
  * be compared, they are about different things, steps of a proof for instance, and their scopes are apart: the degree
- * alone is common to them, and every step is told with its own.  So are one instance and a range of cases.
+ * alone is common to them, and every step is told with its own.  So are one
+ * instance and a range of cases; and more than four kinds of data of which no claim has all are told as far as several
+ * claims have them.
  *
  * The degree has one range, whatever letter it has: a source of letter k counts orders, which are one more.  Another letter
  * of the option `degrees` is a number of its own. */
@@ -27,6 +29,7 @@ typedef struct whole_range {
 typedef struct quantity {
     char *noun;         /* "points", "t"; NULL: those that the claim does not name */
     int many, positive; /* many: "all points", else "every t"                      */
+    int claims;         /* how many claims have it                                 */
 } quantity;
 
 typedef struct scope {
@@ -36,6 +39,7 @@ typedef struct scope {
     int ranges, phrases, kinds;
     int instances;    /* random instances; 0 where nothing was sampled                          */
     int apart;        /* of several claims, about different things                                 */
+    int mixed;        /* of several claims, each of which has data that another one has not        */
     int hypothetical; /* 1 where hypotheses say which data are meant                               */
     const char
         *within; /* "narrow | wide; narrow | wide": which phrases are narrower, as the chapters declare; or NULL */

@@ -869,23 +869,24 @@ static void test_result_of(void **state)
 /* ---- Scopes ------------------------------------------------------------------------------------------ */
 
 static char weighted_names[] = "x0 w1 t", weighted_positive[] = "w1", plain_names[] = "x3 w0 beta0", odd_names[] = "h7",
-            no_names[] = "", one_weight[] = "w0 t";
+            no_names[] = "", one_weight[] = "w0 t", shift_names[] = "x1 h1 gamma";
 static const char order[] = "simple knots | every pattern of knots; 0 < t < 1 | 0 ≤ t ≤ 1;* | all maps";
-static const claim weighted = {.name = "weighted",
-                               .scope = "simple knots",
-                               .over = "x#: points; w#: weights;t",
-                               .degree_high = 6},
-                   plain = {.name = "plain", .scope = "", .over = "x#: points; w#: weights; beta", .letter = "k"},
-                   odd = {.name = "odd", .scope = "simple knots", .letter = "m", .all_degrees = 1, .degree_low = 2},
-                   stretched = {.name = "stretched", .scope = "", .argued_for = "every n", .argued = "by induction"},
-                   worded = {.name = "worded", .scope = "", .argued_for = "", .argued = "by continuity"},
-                   said = {.name = "said", .scope = "0 < t < 1", .over = "x#: points; w: -"},
-                   high = {.name = "high", .scope = ""}, instances = {.name = "instances", .scope = ""},
-                   inside = {.name = "inside", .scope = "0 < t < 1", .over = "w#: weights; t", .within = order},
-                   closed = {.name = "closed", .scope = "0 ≤ t ≤ 1", .over = "w#: weights; t", .within = order},
-                   patterns = {.name = "patterns", .scope = "every pattern of knots", .within = order},
-                   maps = {.name = "maps", .scope = "all maps", .within = order},
-                   stated = {.name = "stated", .scope = "the stated curves"};
+static const claim
+    weighted = {.name = "weighted", .scope = "simple knots", .over = "x#: points; w#: weights;t", .degree_high = 6},
+    plain = {.name = "plain", .scope = "", .over = "x#: points; w#: weights; beta", .letter = "k"},
+    odd = {.name = "odd", .scope = "simple knots", .letter = "m", .all_degrees = 1, .degree_low = 2},
+    stretched = {.name = "stretched", .scope = "", .argued_for = "every n", .argued = "by induction"},
+    worded = {.name = "worded", .scope = "", .argued_for = "", .argued = "by continuity"},
+    said = {.name = "said", .scope = "0 < t < 1", .over = "x#: points; w: -"}, high = {.name = "high", .scope = ""},
+    instances = {.name = "instances", .scope = ""},
+    inside = {.name = "inside", .scope = "0 < t < 1", .over = "w#: weights; t", .within = order},
+    closed = {.name = "closed", .scope = "0 ≤ t ≤ 1", .over = "w#: weights; t", .within = order},
+    patterns = {.name = "patterns", .scope = "every pattern of knots", .within = order},
+    letters = {.name = "letters", .scope = "", .over = "x#: points; h#: shifts; gamma"},
+    others = {.name = "others", .scope = "", .over = "x#: nodes; h#: shifts; gamma"},
+    shifts = {.name = "shifts", .scope = "simple knots", .over = "x#: points; h#: shifts; gamma", .degree_high = 9},
+    maps = {.name = "maps", .scope = "all maps", .within = order},
+    stated = {.name = "stated", .scope = "the stated curves"};
 #define RUN_IN_FIELD(c, low, high_, names, positive_names)                                                             \
     {                                                                                                                  \
         .claim = &c, .as_expected = 1, .evidence = PROVED, .computed = PROVED,                                         \
@@ -905,6 +906,9 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(closed, 1, 4, one_weight, no_names),
     RUN_IN_FIELD(patterns, 1, 3, no_names, no_names),
     RUN_IN_FIELD(maps, 0, 0, no_names, no_names),
+    RUN_IN_FIELD(shifts, 1, 9, shift_names, no_names),
+    RUN_IN_FIELD(letters, 1, 9, shift_names, no_names),
+    RUN_IN_FIELD(others, 1, 9, shift_names, no_names),
     {.claim = &stated,
      .as_expected = 1,
      .evidence = DECIDED,
@@ -990,6 +994,23 @@ static void test_claims_about_different_things_are_apart(void **state)
     assert_finding("n", DECIDED, "the stated curves", "", LINKS(BY("stated")));
     assert_finding("n", SAMPLED, "n = 1 to 3; each step for its own cases; 24 random instances", "",
                    LINKS(BY("patterns"), BY("said"), BY("instances")));
+}
+
+/* Data are told as long as a reader knows what they are about: those of one claim however many, of several up to four. */
+static void test_data_that_nobody_has_together_are_told_by_step(void **state)
+{
+    (void)state;
+    assert_finding("n", PROVED, "n = 1 to 9; simple knots; all points and shifts, every γ", "", LINKS(BY("shifts")));
+    assert_finding("n", PROVED, "n = 1 to 6; simple knots; all points; each step for its own other data", "",
+                   LINKS(BY("shifts"), BY("weighted")));
+    assert_finding("n", PROVED,
+                   "n = 1 to 6; simple knots; all points that the hypotheses allow; each step for its own other data",
+                   "", LINKS(BY("weighted"), BY("shifts"), {NEEDS, NULL, "", ""}));
+    assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights, points and shifts, every γ", "",
+                   LINKS(BY("closed"), BY("letters"))); /* of t a phrase speaks */
+    assert_finding("n", PROVED, "n = 2 to 8; each step for its own data", "", LINKS(BY("plain"), BY("others")));
+    assert_finding("n", PROVED, "n = 2 to 6; simple knots; all points, all positive weights, every t and β", "",
+                   LINKS(BY("weighted"), BY("plain"))); /* four kinds, no claim has all */
 }
 
 /* What hypotheses ask of the data is not everything that the claims were computed for. */
@@ -1122,6 +1143,7 @@ int main(void)
         unit(test_the_scope_is_what_all_claims_have_in_common),
         unit(test_a_narrower_phrase_is_left),
         unit(test_claims_about_different_things_are_apart),
+        unit(test_data_that_nobody_has_together_are_told_by_step),
         unit(test_data_within_hypotheses),
         unit(test_the_finding_of_one_claim),
         unit(test_claims_without_a_common_case),
