@@ -364,8 +364,8 @@ curve.
 :then: $V(\dots,p,a,c,b,s,\dots)=V(\dots,p,a,b,s,\dots)\ge V(\dots,p,a,s,\dots)$
 :method: $V$ depends on signs only, and of what stands before $a$ and after $b$ only on the nearest sign that is not $0$, or
   on there being none: $81$ cases for $p$, $a$, $b$, $s\in\{-1,0,1\}$.  For given signs of $a$ and $b$ the values
-  $\lambda=0,\frac14,\frac12,\frac34,1$ give $c$ every sign it can have.
-:scope: sequences of every length, averages with every λ from 0 to 1
+  $\lambda=0,\frac14,\frac12,\frac34,1$ give $c$ every sign it can have.  So it holds for sequences of every length and all $\lambda$ of $[0,1]$.
+:degrees: all
 :control: the average extrapolated, $\lambda=2$ as well
 :::
 */

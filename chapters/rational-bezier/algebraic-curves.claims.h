@@ -19,11 +19,13 @@ the printed definition the words and the formula disagree.
 :class: misprint
 :refuted-by: hyperbola_has_the_printed_form_for_degree_one
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
-:corrected-by: total_degree_survives_affine_maps
+:corrected-by: highest_terms_go_along_with_an_affine_map
+:confirmed-by: total_degree_survives_affine_maps
+:meant: the words, equation of degree $n$, and theorem 3.4.2 | The total degree.
 :figure: degree_of_a_hyperbola
 
-The printed words and the printed sum disagree, so that the definition cannot be met by its letter: the sum has terms up to $x^ny^n$, of degree $2n$.  The words, which have their usual meaning, decide;
-the degree of theorem 3.4.2 is the total degree, and every polynomial of total degree $n$ is such a sum.  Taken by the
+The printed words and the printed sum disagree: the sum has terms up to $x^ny^n$, of degree $2n$, and an equation of this form need not be of degree $n$.  The words, which have their usual meaning,
+decide; the degree of theorem 3.4.2 is the total degree, and every polynomial of total degree $n$ is such a sum.  Taken by the
 sum alone a hyperbola would have degree 1 in one system of coordinates and not in another, and theorem 3.4.3, whose $n$
 this is, would be false at once (`printed_degree_spoils_the_genus`).  Better is the sum over $i+j\le n$.
 :::
@@ -59,7 +61,47 @@ CLAIM(hyperbola_has_the_printed_form_for_degree_one)
         agree(T, degree <= 1);
 }
 
+#endif
+
 /*
+:::{claim} highest_terms_go_along_with_an_affine_map
+:title: The highest terms of a polynomial go along with an affine map, and do not vanish, in every degree
+:zh: 仿射变换下最高次项仍为最高次项(任意次数)
+:given: a polynomial whose part of highest degree $d$ is $p$, as $S^dp+q$ with $S^{-d}q$ of lower degree in a letter $S$ that counts the degree; one more factor $S(a_0x+b_0y)+e$; an affine map
+  $u=a_0x+b_0y+e_0$, $v=a_1x+b_1y+e_1$, $D=a_0b_1-a_1b_0\ne0$
+:then: the product has the part $p\,(a_0x+b_0y)$ of degree $d+1$, and the rest is of lower degree; and $x=\frac{b_1(u-e_0)-b_0(v-e_1)}D$, $y=\frac{a_0(v-e_1)-a_1(u-e_0)}D$
+:method: The first is the step of an induction on the factors: the image of $x^iy^j$ has the highest part $(a_0x+b_0y)^i(a_1x+b_1y)^j$, of degree $i+j$.  So the sum of the terms with $i+j=n$, $f_n(x,y)$, has
+  the image $f_n(a_0x+b_0y,a_1x+b_1y)$, and all other terms are of lower degree.  The second is the inverse map; it takes that image back to $f_n\ne0$, so it is not 0.
+:degrees: all
+:over: S U p q x y: -; a# b# e#: affine maps
+:control: $b_0$ and $b_1$ exchanged in the inverse
+:::
+*/
+CLAIM(highest_terms_go_along_with_an_affine_map)
+{
+    num S = positive(T, "S", 0), U = positive(T, "U", 0), p = unknown(T, "p", 0), q = unknown(T, "q", 0); /* U = S^d */
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), a[2], b[2], e[2], image[2];
+    for (int k = 0; k < 2; k++) {
+        a[k] = unknown(T, "a", k);
+        b[k] = unknown(T, "b", k);
+        e[k] = unknown(T, "e", k);
+        image[k] = add(add(mul(a[k], x), mul(b[k], y)), e[k]);
+    }
+    num line = add(mul(a[0], x), mul(b[0], y));
+    about(T, "one more factor");
+    num top = mul(mul(U, S), mul(p, line)), rest = add(mul(mul(U, p), e[0]), add(mul(mul(S, q), line), mul(q, e[0])));
+    same(T, mul(add(mul(U, p), q), add(mul(S, line), e[0])), add(top, rest));
+    about(T, "the inverse map");
+    num D = sub(mul(a[0], b[1]), mul(a[1], b[0])), u = sub(image[0], e[0]), v = sub(image[1], e[1]);
+    num first = fault(T, b[1], b[0]), second = fault(T, b[0], b[1]);
+    same(T, sub(mul(first, u), mul(second, v)), mul(D, x));
+    same(T, sub(mul(a[0], v), mul(a[1], u)), mul(D, y));
+}
+
+#if FIELD
+/*
+For low degrees, with the general polynomial:
+
 :::{claim} total_degree_survives_affine_maps
 :title: The total degree does not depend on the affine coordinates
 :zh: 总次数是仿射不变的
@@ -110,16 +152,14 @@ the equation.
 :printed: Theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$.
 :meant: theorem 3.4.2, whose $F$ has a degree | The points of the curve satisfy an equation of degree $n$, repeated factors counted.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
-  top_form_is_a_resultant
-:confirmed-by: equation_vanishes_on_the_curve
+  top_form_is_a_resultant_row_by_row
+:confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less
   than $n$
 :reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors, though
   $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
   for a proper parametrisation
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it
-:argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
-  p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: arc_of_a_line
 
 Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is proved.  That $F$ is

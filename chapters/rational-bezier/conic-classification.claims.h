@@ -451,17 +451,17 @@ its hypotheses is needed, and an example without it stands beside.
   $I_1=\frac{\omega_1^2}{\omega_0\omega_2}$ of definition 3.2.2: it is an ellipse, a parabola or a hyperbola for $I_1<1$,
   $I_1=1$ or $I_1>1$.
 :holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
+:confirmed-by: points_at_infinity_tell_the_kind
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
   on a line, as in the frame of (3.1.5).
 :needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\omega_2>0$, as for positive weights.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$, as for
   positive weights.
-:reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity,
-  also where these are counted on the curve itself.
 :figure: classification_by_weight
 
-A circle is an ellipse here.  The theorem is better than its proof: it holds for either sign of $\omega_1$, since
+A circle is an ellipse here.  That an ellipse, a parabola, a hyperbola has no, one, two points at infinity is counted on curves themselves, too
+(`points_at_infinity_tell_the_kind`).  The theorem is better than its proof: it holds for either sign of $\omega_1$, since
 $I_1=\omega^2$, while the proof compares $\omega$ with 1.  In any coordinates
 $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\left(\frac d2\right)^2$ with $d$ twice the area of the triangle, so neither
 special coordinates nor the standard form are needed, and weights of any signs are covered by the sign of

@@ -43,18 +43,16 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :printed: A plane rational Bézier curve preserves convexity.
 :holds-by: determinant_of_three_sums_goes_by_triples means_of_powers_go_one_way three_powers_have_a_positive_determinant
 :confirmed-by: curve_turns_like_its_triangles wronskian_of_three_bernstein_functions curvature_is_a_sum_over_triangles
-  designed_convex_polygons_have_convex_curves
+  designed_convex_polygons_have_convex_curves convex_polygons_have_triangles_of_one_sign
 :needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
   points need only be part of the boundary.
 :argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$; so three points of the curve turn left whenever
   their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
-:reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex
-  region; then all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
-:meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | The
-  first, with the hypothesis; a polygon that only turns to one side is not meant.
+:meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | A polygon is convex if with its chord it
+  bounds a convex region, the second hypothesis; one that only turns to one side is not meant.
 :figure: convex_polygon_convex_curve
 
 If all $D_{ijk}\ge0$ and one is positive, any three points of the curve with parameters in $(0,1)$ turn left in their order, none are on one

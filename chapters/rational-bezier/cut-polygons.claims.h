@@ -16,22 +16,19 @@ projection to points of space, which divides by weights; it does no harm as long
   curve.
 :holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord near_homogeneous_points_are_near
   cut_coefficients_are_convex
-:confirmed-by: second_differences_shrink_quadratically
-:reading: quarter_circle_error_is_quartered | each piece cut at one fixed ratio, or at ratios kept away from $0$ and
-  $1$: holds, with the order $h^2$ in the length $h$ of the longest piece; cut in the middle, the error is divided
-  by 4 each time
+:confirmed-by: second_differences_shrink_quadratically quarter_circle_error_is_quartered
 :hypothesis: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step
   a piece may stay long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   positive weights
-:argued: | The bounds of the claims are put together in words, as below; they tend to 0 with the length of the longest
-  piece.
-:figure: cut_polygons_converge
-
-Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
+:argued: | Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
 largest of the curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as
 no weight falls below the least $\omega_i$, the projection to points of space multiplies this by a constant.  At a
-fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$.
+fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$, which tends to 0.
+:figure: cut_polygons_converge
+
+The same holds for ratios that are kept away from 0 and 1.  The order is $h^2$ in the length $h$ of the longest piece: cut in the middle, the error of a quarter circle is
+divided by 4 each time (`quarter_circle_error_is_quartered`).
 :::
 
 :::{claim} second_differences_shrink_quadratically

@@ -18,11 +18,9 @@ arise so.
 :confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
 :reading: polynomial_line_with_unequal_weights | read as "exactly when", which is not claimed
-:reading: unit_invariants_give_polynomial_curve | up to a change of parameter the condition is $I_i=1$ for all $i$,
-  not equal weights
 :figure: equal_weights
 
-Besides $\omega>0$ any $\omega\ne0$ will do.
+Besides $\omega>0$ any $\omega\ne0$ will do.  Up to a change of the parameter the condition is $I_i=1$ for all $i$ (`unit_invariants_give_polynomial_curve`).
 :::
 
 :::{claim} equal_weights_give_polynomial_curve
@@ -319,9 +317,9 @@ CLAIM(zero_alpha_collapses)
 :confirmed-by: geometric_weights_reparametrize_bezier
 :meant: the curve that the property displays | To a curve of the form (3.2.2).
 :reading: geometric_weights_term_by_term | to a curve of the form (3.2.2), the one displayed
-:reading: unit_invariants_give_polynomial_curve | to which curves (3.2.2) with the same points: exactly to those with
-  $I_1=\dots=I_{n-1}=1$
 :reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter, for $n\ge2$
+
+The curves (3.2.2) with the same points that are reached are exactly those with $I_1=\dots=I_{n-1}=1$ (`unit_invariants_give_polynomial_curve`).
 :::
 */
 

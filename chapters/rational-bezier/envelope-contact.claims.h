@@ -26,15 +26,15 @@ binomial coefficients.
 :meant: the usual sense of contact of order $m$ | After a change of parameter the derivatives up to the order $m$ agree.
 :class: false
 :refuted-by: cubic_member_has_other_curvature
-:reading: member_runs_slower_than_the_curve | equal derivatives in $t$: fails from the first on, the ratio is $(n-r)/n$
-:reading: cubic_member_has_other_curvature | equal derivatives after a change of parameter, the usual meaning: fails
+:reading: member_runs_slower_than_the_curve | equal derivatives in $t$; already of the first ones the ratio is $(n-r)/n$
+:reading: cubic_member_has_other_curvature | equal derivatives after a change of parameter, the usual meaning; they are not,
   whenever $n-r\ge2$ and $\kappa\ne0$
-:reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections: fails, there are two
-:reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count: fails, there are two
+:reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections; there are two
+:reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count; there are two
   for $n-r=3$ and for $n-r=1$ as well
-:reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$: true for equal weights
-  (`unweighted_derivatives_are_parallel`), false for others
-:reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$: true for all weights,
+:reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights
+  (`unweighted_derivatives_are_parallel`), but not for others
+:reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
   and in the plane empty from dimension 2 on
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$
   with its tangent: it is 1 where $\kappa\ne0$, and there
@@ -86,7 +86,7 @@ CLAIM(expansion_about_the_contact)
 :::{claim} member_is_flatter_by_a_fixed_ratio
 :title: The curvatures of member and curve have the ratio n(n-r-1)/((n-r)(n-1)), in any dimension
 :zh: 曲率比为 n(n-r-1)/((n-r)(n-1))
-:given: the expansion above to second order with weights $w_0\ne0$, $w_1$, $w_2$ and one coordinate of
+:given: the homogeneous curve $\sum\binom nkh^kp_k$ and the member $\sum\binom mkh^kp_k$ about the contact, to second order, with weights $w_0\ne0$, $w_1$, $w_2$ and one coordinate of
   $p_0,p_1,p_2$; any $n$ and $m=n-r$; two vectors $X,Y$ of space
 :then: $R_m'=\frac mnR'$ and $R_m''=\frac{m(m-1)}{n(n-1)}R''+\mu R'$ with one $\mu$ for all coordinates; and
   $\kappa^2$ of $(aX,bY+\mu X)$ is $(b/a^2)^2$ times that of $(X,Y)$, which for these $a,b$ gives the ratio

@@ -52,7 +52,7 @@ order on its line decide whether it is an ordinary cusp.
   $n\le3$ its short regular arcs are rational Bézier curves of degree $n$ if and only if it has $\frac{(n-1)(n-2)}2$
   singular points in the complex projective plane; for $n\ge4$ they are if it has a point of multiplicity $n-1$, and
   for $n=4$ also if it has three double points
-:corrected-by: curve_with_a_large_point_is_rational rational_cubic_has_one_double_point
+:corrected-by: lines_through_a_large_point_parametrize_the_curve rational_cubic_has_one_double_point
   quartic_with_three_double_points_is_rational
 :argued: | From the identities to the statement on arcs the methods of the claims argue: a map brings the singular
   points to their places, a conic has a quadratic parametrization, a line and a conic have no singular point.
@@ -70,6 +70,32 @@ That a curve is rational is shown by giving the parametrisation.  A line through
 the curve in one further point, which is therefore a rational function of the slope.  This settles conics and singular
 cubics.  For a quartic with three double points lines do not suffice; the quadratic map $(x:y:z)\mapsto(yz:zx:xy)$
 makes a conic of it.  For cubics the other direction is within reach as well.
+
+:::{claim} lines_through_a_large_point_parametrize_the_curve
+:title: The lines through a point of multiplicity n-1 parametrize a curve of degree n, for every n
+:zh: 过 n-1 重点的直线束给出 n 次曲线的有理参数化(任意次数)
+:given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$; $a=f_{n-1}(1,t)$, $b=f_n(1,t)\ne0$; a term $cx^{m-k}y^k$ of a form of degree $m$, with $V=x^k$ and $x^{m-k}=U/V$
+:then: at $y=tx$ the term is $Uct^k$ with $U=x^m$; so $F(x,tx)=x^{n-1}(a+xb)$, which is 0 for $x=-\frac ab$
+:method: Identities in $x$, $t^k$, $V$, $U$, $c$, $a$ and $b$, in every degree.  Where $F$ is irreducible neither form is 0 and all its points but those at the origin
+  and on the line $x=0$ have such a $t=y/x$.  With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a double point.
+:degrees: all from 2
+:over: U V P x: -; a# b# c#: coefficients
+:control: the sign of $x$
+:::
+*/
+CLAIM(lines_through_a_large_point_parametrize_the_curve)
+{
+    num a = unknown(T, "a", 0), b = positive(T, "b", 0), c = unknown(T, "c", 0), U = positive(T, "U", 0);
+    num V = positive(T, "V", 0), P = unknown(T, "P", 0); /* P = t^k */
+    about(T, "one term");
+    same(T, mul(c, mul(div(U, V), mul(P, V))), mul(U, mul(c, P)));
+    num x = div(fault(T, neg(a), a), b);
+    about(T, "F on the curve");
+    vanishes(T, mul(U, add(a, mul(x, b))));
+}
+
+/*
+The same by the coefficients of forms of low degree:
 
 :::{claim} curve_with_a_large_point_is_rational
 :title: A curve of degree n with a point of multiplicity n-1 is rational
@@ -127,7 +153,7 @@ CLAIM(curve_with_a_large_point_is_rational)
   which would meet it six times, so a projective map brings them to these places.  If two of them are conjugate, that
   map is not real; the conics through the three points and a simple real point still meet the quartic in
   $8-6-1=1$ further point each, and these run through it.
-:scope: for n = 4 every quartic with three double points
+:scope: every quartic with three double points (n = 4)
 :over: c#: coefficients
 :control: a term $x^4$ added, with which $(1:0:0)$ is no point of the curve
 :::
@@ -166,7 +192,7 @@ CLAIM(quartic_with_three_double_points_is_rational)
   factor the only such polynomial when the vectors $(a,b,c)$ and $(b,c,-1)$ are independent.  They are dependent
   exactly for $q=0$, when $1+ct$ divides $A$, $B$ and $W$ and the curve is a conic.  For $s=s'$ the divided minors
   say that $P$ and $P'$ are parallel there: a cusp.  So $d+s=1$, $g=0$, for $n=3$.
-:scope: for n = 3 every rational cubic
+:scope: every rational cubic (n = 3)
 :over: a# b# c#: coefficients
 :control: the sign of the middle coefficient of $q$
 :::
@@ -678,10 +704,7 @@ CLAIM(printed_degree_spoils_the_genus)
 :zh: 亏格的计数公式
 :printed: The genus of the curve is $g=\frac{(n-1)(n-2)}2-d-s$.
 :definition: yes
-:checked-by: large_point_takes_all_double_points
-:confirmed-by: curves_that_fit_the_theorem
-:cites: [milnor-1968]: the order of the resultant at a point with different tangents is twice its number $\delta$ of
-  double points | This is how many double points a point of multiplicity $n-1$ counts for.
+:confirmed-by: large_point_takes_all_double_points curves_that_fit_the_theorem
 :figure: genus_zero
 
 $\frac{(n-1)(n-2)}2$ is the number of double points that an irreducible curve of degree $n$ can have; the genus says

@@ -165,6 +165,8 @@ CLAIM(parameter_change_needs_two_ends)
   \frac{\sum_{i=0}^n\binom ni\omega_iy_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}}\Bigr)$, $0\le u\le+\infty$.
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: curve_in_the_new_parameter
+:needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive, so that the denominator does not vanish for $u\ge0$
 
 At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
 :::
@@ -310,9 +312,6 @@ elsewhere gives a point off the arc, or no point at all.
   common root of the two polynomials, real or complex.
 :class: missing-hypothesis
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
-:reading: common_root_of_a_point_off_the_arc | a common root, real or complex
-:reading: nonnegative_common_roots_are_the_points | a common root in the range $0\le u\le+\infty$ of (3.4.4), if that is
-  carried over
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
 :corrected-by: parameter_change_and_its_inverse mean_grows_by_one_term positive_terms_make_a_convex_mean
@@ -320,7 +319,8 @@ elsewhere gives a point off the arc, or no point at all.
 :confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
-By the claims $\sum a_iu^{n-i}=W(u)(X(u)-x)$ with $W(u)>0$ for $u\ge0$, and $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$.  Only the direction from the curve to the common root is used in the proof, and that one is right.
+By the claims $\sum a_iu^{n-i}=W(u)(X(u)-x)$ with $W(u)>0$ for $u\ge0$, and $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$.  With the range $0\le u\le+\infty$ of (3.4.4) carried over to (3.4.5), the sentence is the corrected one.  Only the direction from the curve to the common root is
+used in the proof, and that one is right.
 :::
 
 The direction that the theorem needs asks nothing of the weights: at a point of the curve the powers of its parameter
@@ -555,8 +555,8 @@ determinant is identically 0.
 :printed: The rational Bézier curve of degree $n$ on the left of (3.3.1), $a\le t\le b$, can be turned into the implicit equation (3.4.1) when the
   $\mathbf R_i=(x_i,y_i)$, $i=0,1,\dots,n$, are coplanar.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
-  top_form_is_a_resultant
-:confirmed-by: equation_vanishes_on_the_curve
+  top_form_is_a_resultant_row_by_row
+:confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :hypothesis: elevated_curve_has_no_equation | $A$, $B$, $W$ have no common zero (no base point, $u=\infty$
   included); else $F$ is 0 for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
@@ -567,8 +567,6 @@ determinant is identically 0.
 :reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs no hypothesis
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve, and there are no other ones, of parameters outside of the interval or
   isolated
-:argued: every n | The identities of `top_form_is_a_resultant` are the rules $\operatorname{Res}(p,q+\lambda
-  p)=\operatorname{Res}(p,q)$ and $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :figure: implicit_elevation
 
 That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
@@ -576,6 +574,39 @@ That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevat
 determinant is then a power of the equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.  The curve of space
 is drawn in `implicit_shadow`.
 :::
+
+:::{claim} top_form_is_a_resultant_row_by_row
+:title: The terms of degree n of F are Res(W, yA - xB), in every degree
+:zh: F 的最高次部分(任意次数)
+:given: polynomials $A$, $B$, $W$ of degree $n$ in $u$, any $x,y,z$; $p=zA-xW$, $q=zB-yW$, $s=xB-yA$
+:then: $xq=zs+yp$, and $p=-xW$ for $z=0$; so $x^n\operatorname{Res}(p,q)=z^n\operatorname{Res}(p,s)$, and
+  $\operatorname{Res}(-xW,s)=x^n\operatorname{Res}(W,yA-xB)$
+:method: Identities for each coefficient.  In the determinant of the $n$ shifted rows of $p$ over the $n$ shifted rows of $q$ each row of $q$ times $x$ is the same row of $s$ times $z$ plus the same row of
+  $p$ times $y$; rows of $p$ added to it do not change a determinant, and a factor of $n$ rows is a factor to the power $n$, for every $n$.  Now $z^{-n}\operatorname{Res}(p,q)=x^{-n}\operatorname{Res}(p,s)$ is $F$ made
+  homogeneous, as $F(x/z,y/z)$ is the resultant of $A-\frac xzW$ and $B-\frac yzW$; at $z=0$ it is $\operatorname{Res}(W,yA-xB)$, the part of degree $n$ of $F$.  If this were 0 for all $x,y$, its rows would be
+  dependent, $gW+h(yA-xB)=0$ with polynomials $g,h$ of degree less than $n$, not both 0; as $h$ has fewer zeros than $W$, one of the $n$ zeros of $W$, $u=\infty$ included, is one of $yA-xB$, and one zero is so for
+  infinitely many $x:y$: it is a zero of $A$, $B$ and $W$.
+:degrees: all
+:over: A# B# W#: coefficients; x; y; z
+:control: $xA-yB$ for $s$
+:::
+*/
+CLAIM(top_form_is_a_resultant_row_by_row)
+{
+    num A = unknown(T, "A", 0), B = unknown(T, "B", 0), W = unknown(T, "W", 0);
+    num x = parameter(T, "x"), y = parameter(T, "y"), z = parameter(T, "z"), none = from_int(0);
+    num p = sub(mul(z, A), mul(x, W)), q = sub(mul(z, B), mul(y, W));
+    num s = fault(T, sub(mul(x, B), mul(y, A)), sub(mul(x, A), mul(y, B)));
+    about(T, "a row of q, times x");
+    same(T, mul(x, q), add(mul(z, s), mul(y, p)));
+    about(T, "a row of p for z = 0");
+    same(T, sub(mul(none, A), mul(x, W)), neg(mul(x, W)));
+    about(T, "the two signs of the part of degree n");
+    same(T, mul(neg(x), s), mul(x, sub(mul(y, A), mul(x, B))));
+}
+
+/*
+For low degrees the resultants are computed:
 
 :::{claim} top_form_is_a_resultant
 :title: The terms of degree n of F are Res(W, yA - xB)

@@ -16,7 +16,8 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :printed: x=\frac{g_1}{g_1+2+g_2},\quad y=\frac{g_2}{g_1+2+g_2}
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
-:hypothesis: end_has_but_one_ratio | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no side.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no
+  side.
 :::
 
 :::{statement} wang-ch3:3.1-R-from-g
@@ -25,7 +26,8 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :printed: \mathbf R=\frac{g_1\mathbf R_0+2\mathbf R_1+g_2\mathbf R_2}{g_1+2+g_2}
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
-:hypothesis: end_has_but_one_ratio | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no side.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no
+  side.
 :::
 
 :::{claim} signed_ratios_give_the_point
@@ -213,6 +215,7 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 :needs: complementary_arc_leaves_the_triangle | § 3.1, which introduces $g_1$, $g_2$ as
   quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
   lengths.
+:needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ form a triangle.
 :reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant.
 :reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc; but every constant has
   its own.

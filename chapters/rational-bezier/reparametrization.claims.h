@@ -23,7 +23,8 @@ proof line by line, and the definition of the $I_i$.
 :zh: 参数变换把单位区间映到自身
 :printed: t=au/[au+b(1-u)],\quad 0\le u\le1
 :definition: yes
-:checked-by: fractional_change_runs_once projective_change_of_unit_interval_is_fractional
+:checked-by: fractional_change_runs_once
+:confirmed-by: projective_change_of_unit_interval_is_fractional
 :needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $a$ and $b$ of one sign, which positive weights give; with $a/b<0$ the denominator vanishes inside $[0,1]$
 :figure: reparametrization
@@ -682,17 +683,15 @@ CLAIM(invariants_survive_fractional_change)
   describe it; this asks for the two hypotheses.
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
   fractional_change_term_by_term
-:confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve
+:confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve reversal_exchanges_invariants
 :hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
   otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
 :hypothesis: segment_has_two_invariants | the parametrization is proper, a general point of the algebraic curve
   coming from one parameter, complex ones included: otherwise two curves with one point set, the same points and no
   common factor differ in $I_i$
-:reading: invariants_survive_fractional_change | belonging to the points and weights, up to (3.2.10)
+:reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set, without the two hypotheses; the example is
   a regular arc of a parabola written as a cubic
-:reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve
-  has $I_{n-i}$ for $I_i$
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | Two parametrizations of degree $n$ of one arc in the same direction, proper and
   without a common factor, so differ by (3.2.10), and their points and weights by the claims.
@@ -702,7 +701,7 @@ With the two hypotheses: two parametrizations of degree $n$ of the same arc, in 
 projective change of the parameter (a proper one is birational, so that the change is birational from line to line),
 which maps the unit interval onto itself, hence is (3.2.10); without a common factor the homogeneous coordinates are
 then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.  This holds
-in every degree.
+in every degree.  Run backwards, a curve has $I_{n-i}$ for $I_i$: without a direction the point set has its invariants up to this order.
 :::
 */
 

@@ -30,14 +30,10 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants equal_invariants_give_same_curve
 :meant: property 3.2.10, which the theorem turns round, and the sentence before it, by which only the distribution of
   the parameter differs | The same shape is the same point set.
-:reading: backward_run_flattens_the_first_edges | same point set, the reading of property 3.2.10: holds
-:reading: end_curvature_and_torsion_follow_in_every_degree | same point set in the same direction: holds
-:reading: plane_cubic_cannot_run_backwards | same point set, and for $n=3$ nothing asked of the edges: holds as
-  well; three points not collinear at each end suffice, as the curvatures give $I_1$ and $I_2$
-:reading: equal_invariants_other_speed | same map of the parameter: "if" fails, as the parameter is distributed
+:reading: equal_invariants_other_speed | same map of the parameter; then "if" fails, as the parameter is distributed
   differently; the source excludes this reading
-:reading: congruent_cubics_with_other_invariants | congruent curves: "only if" fails; the motion may exchange the
-  ends, and with them the weights (so for $n=4,5$ as well: congruent_curves_beyond_cubics)
+:reading: congruent_cubics_with_other_invariants | congruent curves; then "only if" fails, as the motion may exchange the
+  ends, and with them the weights (so for $n=4,5$ as well: `congruent_curves_beyond_cubics`)
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
   weights, for "if"
 :needs: segment_has_two_invariants | the theorem | $n=2$: the three points not collinear
@@ -58,8 +54,9 @@ set run in the same direction; the same map of the parameter; or congruent curve
   $(a_1,a_2,a_3)$ are not 0: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by the last four claims, and needs nothing but positive weights.
 :figure: shape_and_invariants
 
-For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=4$ one of the two
-torsions suffices.  What is true in every degree stands after definition 3.2.2.
+For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=3$ the condition on the edges can go: three points not collinear at
+each end suffice, as the curvatures give $I_1$ and $I_2$ (`plane_cubic_cannot_run_backwards`).  For $n=4$ one of the two torsions suffices.  When the same shape is to have the same
+direction, step (2) is not needed.  What is true in every degree stands after definition 3.2.2.
 :::
 */
 
@@ -540,14 +537,12 @@ the other end to symmetry.
 :title: Curvature and torsion agree at the start
 :zh: 曲线始端的曲率与挠率相等
 :printed: As the curves have the same shape, the curvature or the torsion agrees all along, and in particular the
-  curvature or the torsion at the start
+  curvature or the torsion at the start.
 :holds-by: backward_run_flattens_the_first_edges
 :meant: the sentence before the theorem, by which curves of one shape differ in their parameter alone | The same shape
   is the same point set.
-:reading: backward_run_flattens_the_first_edges | same point set: holds, but that the start of one curve is the
-  start of the other is to be shown, by steps (1) and (2) above
-:reading: congruent_cubics_with_other_invariants | congruent curves: fails; the starts need not correspond
-:argued: | Steps (1) and (2) of theorem 3.2.1: the two curves correspond to each other, and start to start.
+:reading: congruent_cubics_with_other_invariants | congruent curves, of which the starts need not correspond
+:argued: | Steps (1) and (2) of theorem 3.2.1: the two curves correspond to each other, and start to start.  The source takes this for granted.
 
 As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.  For $n=4,5$ one of the two would not do
 (`curvatures_alone_miss_the_middle_invariant`).
@@ -593,6 +588,8 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
         same(T, I[1], J[1]);
 }
 
+#endif
+
 /*
 :::{statement} wang-ch3:thm-3.2.1-proof-display
 :title: The differences of curvature and torsion at the start, n = 5
@@ -609,8 +606,7 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
   \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-
   \frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)
   \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}=0
-:corrected-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
-  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive
+:corrected-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive backward_run_flattens_the_first_edges
 :confirmed-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
 :argued: | That both differences are 0: curves of one shape correspond to each other, start to start, by steps (1) and (2) of theorem 3.2.1.
 :figure: torsion_misprint
@@ -623,6 +619,39 @@ the second is wrong.  The proof does not suffer: when the curves have the same s
 denominator too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$.
 :::
 
+The two factors are those of $n=5$:
+
+:::{claim} quintic_starts_with_these_factors
+:title: Curvature and torsion at the start of a quintic
+:zh: 五次曲线始端的曲率与挠率
+:given: $n=5$, weights $\omega_0,\dots,\omega_5$ and points $R_0,\dots,R_5$ of space, $a_1\times a_2\ne0$
+:then: $\kappa(0)^2=\left(\frac45\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{\|a_1\times a_2\|^2}{\|a_1\|^6}$ and
+  $\tau(0)=\frac35\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{\|a_1\times a_2\|^2}$
+:method: From the derivatives of the curve, with all weights and coordinates variables.  The difference of two curves over the same points is that of their weights' factors times
+  the geometric ones.
+:degrees: 5..5
+:control: $\|a_1\times a_3\|^2$ in the torsion, as printed
+:::
+*/
+CLAIM(quintic_starts_with_these_factors)
+{
+    enum { n = 5 };
+    num w[n + 1], R[3 * (n + 1)], a[3][3], zero = from_int(0);
+    G(free_curve)(T, n, 3, R, w);
+    for (int k = 0; k < 3; k++)
+        G(edge)(3, R, k + 1, a[k]);
+    num g = G(norm_squared)(3, a[0]), area = G(gram)(3, a[0], a[1]);
+    num factor = mul(from_ratio(4, 5), div(mul(w[0], w[2]), mul(w[1], w[1])));
+    about(T, "curvature squared");
+    same(T, mul(G(rational_curvature_squared)(n, 3, R, w, zero), mul(g, mul(g, g))), mul(mul(factor, factor), area));
+    about(T, "torsion");
+    num other = mul(from_ratio(3, 5), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    num below = fault(T, area, G(gram)(3, a[0], a[2]));
+    same(T, mul(G(rational_torsion)(n, R, w, zero), below), mul(other, G(det3)(a[0], a[1], a[2])));
+}
+
+#if RATIONAL
+/*
 To see the wrong index, the first three edges are taken at right angles, with $|a_2|\ne|a_3|$.
 
 :::{claim} printed_torsion_denominator_is_wrong

@@ -143,8 +143,8 @@ $(1-\lambda)xy=\lambda(x+y-1)^2$, and this lets $\lambda$ in or out of a formula
 :holds-by: tangent_cuts_the_sides
 :hypothesis: plus_sign_moves_the_cut | The minus sign in (3.1.4); with the plus sign both terms $-2\lambda(x+y-1)$
   change sign.
-:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as at every point of the curve inside the triangle when
-  $0<\lambda<1$.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$, as at every point of the curve inside the
+  triangle when $0<\lambda<1$.
 :figure: tangent_ratios
 
 The point $B$ on the second side is not printed; it is
@@ -280,8 +280,9 @@ CLAIM(end_has_but_one_ratio)
   every point $R$ of the curve.
 :holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point
 :hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
-:hypothesis: tangent_parallel_to_the_first_side | The tangent meets both sides.
-:hypothesis: end_has_but_one_ratio | $R\ne R_0,R_2$.
+:needs: tangent_parallel_to_the_first_side | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ | The tangent meets both sides.
+:needs: end_has_but_one_ratio | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in points $A$ and $B$ | $R\ne R_0,R_2$, where the tangent is one of
+  the two lines.
 :figure: tangent_ratios
 :::
 
@@ -383,9 +384,9 @@ CLAIM(lengths_do_not_tell_points_apart)
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does
-  not cut the side in one point.
-:hypothesis: end_has_but_one_ratio | $R\ne R_0$, where the tangent is the side; $g_2$ is 0 there.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else
+  the tangent does not cut the side in one point.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0$, where the tangent is the side; $g_2$ is 0 there.
 
 On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
 :::
@@ -397,8 +398,8 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not
-  cut the side in one point, as it does not in $R_2$, where it is the side.
+:needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the
+  tangent does not cut the side in one point, as it does not in $R_2$, where it is the side.
 :::
 
 With $s=x+y-1$ the relation $(1-\lambda)xy=\lambda s^2$ turns the printed $g_1=\frac{-2\lambda s}{(1-\lambda)y}$ into
@@ -534,7 +535,8 @@ ratios is $-4\lambda/(1-\lambda)$.
 :zh: g_1 g_2 与动点无关
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
-:hypothesis: end_has_but_one_ratio | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no side.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no
+  side.
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
 :figure: tangent_ratios
 :::

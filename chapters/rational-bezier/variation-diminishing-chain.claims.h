@@ -65,11 +65,10 @@ CLAIM(line_form_of_the_curve)
 :zh: 跨越处是分子的根
 :printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
-:confirmed-by: sign_of_the_curve_is_that_of_the_numerator
+:confirmed-by: sign_of_the_curve_is_that_of_the_numerator designed_curves_cross_no_more
 :needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights,
   or only $\omega(t)\ne0$
-:meant: the last clause of the property | Crossings.
-:reading: designed_curves_cross_no_more | crossings, which are roots of odd multiplicity
+:meant: the last clause of the property | Crossings, which are roots of odd multiplicity.
 :reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
   clause of the property
 
@@ -229,12 +228,11 @@ CLAIM(numerator_in_powers_of_the_ratio)
 :printed: Z_{0<t<1}\left[(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i\right]
   =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
 :holds-by: ratio_is_an_increasing_bijection change_of_parameter_acts_on_one_factor
-:confirmed-by: numerator_in_powers_of_the_ratio
-:reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
+:confirmed-by: numerator_in_powers_of_the_ratio root_counts_survive_the_substitution
 :figure: roots_and_the_substitution
 
-In the place of $Z_{0<t<1}$ and $Z_{0<s<+\infty}$ the text at hand has signs of summation, the first with $0<t<l$; this has an entry of its own.  A root keeps its
-multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
+In the place of $Z_{0<t<1}$ and $Z_{0<s<+\infty}$ the text at hand has signs of summation, the first with $0<t<l$; this has an entry of its own.  It holds for different roots and for roots
+counted as often as their multiplicity, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
 
 The new variable $s$ runs through the positive numbers while $t$ runs from $0$ to $1$, once and without turning.  So

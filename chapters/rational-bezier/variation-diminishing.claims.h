@@ -23,12 +23,10 @@ computed, and a third time from the cutting of corners for every degree.
   change_of_parameter_acts_on_one_factor factor_of_a_positive_root_adds_a_sign_change
   averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one
 :confirmed-by: elevation_cuts_corners powers_in_every_degree elevated_polygons_converge
-  bernstein_collocation_is_totally_positive
+  bernstein_collocation_is_totally_positive designed_curves_cross_no_more
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
-  polygon.
-:reading: designed_curves_cross_no_more | crossings, counted along the curve and along the polygon, as the last clause
-  says; also when edges, ends or the whole curve are on the line
+  polygon, also when edges, ends or the whole curve are on the line.
 :reading: designed_curves_meet_no_more | common points, ends and tangents included and counted along the curve, if the
   curve is not contained in the line
 :reading: self_crossing_polygon_meets_the_line_once | common points, each point of the plane counted once however often
@@ -36,13 +34,13 @@ computed, and a third time from the cutting of corners for every degree.
 :figure: line_crossings
 
 The chain of the source proves it, for every degree: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
-roots of which are no more than its changes of sign, and these are the crossings of the polygon.  Two proofs that use no rule of Descartes.  *By elevation.* Every elevation replaces the values
+roots of which are no more than its changes of sign, and these are the crossings of the polygon.  There are two proofs that use no rule of Descartes.  By elevation: every elevation replaces the values
 $y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
 them without adding one, and taking numbers away adds none (`averages_between_neighbours_keep_sign_changes`; the polygons of low degree all at once in
 `corner_cutting_adds_no_sign_change`).  The elevated values
 converge to $y(i/N)$; so if $y(t)$ changes its sign $I$ times, the values of some high degree do so $I$ times at least, and
 $V[y_0,\dots,y_n]\ge I$.
-*By total positivity.* All minors of $(B_j(t_i))$, $t_0<t_1<\dots$, are positive, and such a matrix does not increase the
+By total positivity: all minors of $(B_j(t_i))$, $t_0<t_1<\dots$, are positive, and such a matrix does not increase the
 number of changes of sign (Schoenberg; Gantmacher and Krein); with positive weights a minor of
 $(B_j(t_i)\omega_j/\omega(t_i))$ is a minor of $(B_j(t_i))$ times positive numbers.
 :::
