@@ -44,9 +44,12 @@ struct book {
     int bodies;
     struct list figures; /* names in FIGURE(...) */
     struct list chapters, titles;
-    const char *types; /* the number types that are compiled, separated by blanks */
+    struct list bilingual; /* the chapters whose heading is Chinese, too */
+    const char *types;     /* the number types that are compiled, separated by blanks */
 };
 
+/* The place of a chapter in reading order: what `order` says among its letters, INT_MAX where nothing does. */
+int place_of_chapter(const char *folder);
 /* Reads the chapter whose folder has an index.md; a folder whose index lists no section has sources only.  Complains of what
  * is not there. */
 void read_chapter(struct book *book, const char *folder);

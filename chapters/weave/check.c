@@ -2,6 +2,7 @@
 #include "chapters/weave/book.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int is_one_of(const char *word, const char *const words[])
@@ -37,6 +38,14 @@ static void check_keys(const struct block *b, const char *const known[], const c
     for (int j = 0; j < 2; j++)
         if (value_of(b, plain[j]) != NULL && strpbrk(value_of(b, plain[j]), "$\\") != NULL)
             complain(b->file, b->line, "'%s': a title has no formulas in TeX", b->name);
+}
+
+/* A chapter whose heading is in two languages has its titles in both. */
+static void check_chinese(const struct book *book, const struct block *b)
+{
+    const char *zh = value_of(b, "zh");
+    if (contains(&book->bilingual, b->chapter) && (zh == NULL || *zh == '\0'))
+        complain(b->file, b->line, "'%s' has no zh, a Chinese title as the heading of its chapter has one", b->name);
 }
 
 static void check_types(const struct block *b)
@@ -80,9 +89,10 @@ static void check_claim(const struct book *book, const struct block *b)
 {
     static const char *const known[] = {"title",   "zh",    "given", "let",    "then",    "method",  "kind", "types",
                                         "degrees", "scope", "over",  "argued", "control", "defines", NULL};
-    static const char *const needed[] = {"title", "zh", "given", "then", "method", "control", NULL};
+    static const char *const needed[] = {"title", "given", "then", "method", "control", NULL};
     struct degrees d;
     check_keys(b, known, data_keys, needed);
+    check_chinese(book, b);
     if (kind_of(b) == KINDS)
         complain(b->file, b->line, "'%s': unknown kind '%s'", b->name, value_of(b, "kind"));
     if (!read_degrees(b, &d))
@@ -191,8 +201,9 @@ static void check_statement(const struct book *book, const struct block *b)
 #undef CLASS
     static const char *const known[] = {"title",  "zh",         "printed",  "class",   "corrected",
                                         "figure", "definition", "striking", "example", NULL};
-    static const char *const needed[] = {"title", "zh", "printed", NULL};
+    static const char *const needed[] = {"title", "printed", NULL};
     check_keys(b, known, role_keys, needed);
+    check_chinese(book, b);
     const char *class = value_of(b, "class"), *figure = value_of(b, "figure");
     if (class != NULL && !is_one_of(class, classes))
         complain(b->file, b->line, "'%s': unknown class '%s'", b->name, class);
@@ -245,9 +256,14 @@ static void check_within(const struct book *book, const struct block *b, const s
  * their scopes are narrower than which. */
 static void check_letters(const struct book *book, const struct block *b)
 {
-    static const char *const known[] = {"over", "degree", NULL}, *const rows[] = {"within", NULL},
+    static const char *const known[] = {"over", "degree", "order", NULL}, *const rows[] = {"within", NULL},
                              *const none[] = {NULL};
     check_keys(b, known, rows, none);
+    const char *order = value_of(b, "order");
+    if (order != NULL &&
+        (*order == '\0' || strspn(order, "0123456789") != strlen(order) || strlen(order) > 6 || atoi(order) == 0))
+        complain(b->file, b->line, "the order of chapter '%s' is a whole number from 1 on, not '%s'", b->chapter,
+                 order);
     for (int k = 0; k < b->options; k++)
         if (strcmp(b->option[k].key, "within") == 0)
             check_within(book, b, &b->option[k]);

@@ -2,6 +2,7 @@
 #include "chapters/weave/book.h"
 
 #include <dirent.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -130,6 +131,27 @@ static void check_listed(const char *folder, const char *index, const struct lis
         closedir(d);
 }
 
+int place_of_chapter(const char *folder)
+{
+    char path[512];
+    int place = 0;
+    snprintf(path, sizeof path, "%s/index.md", folder);
+    struct list l = lines_of(path);
+    for (int k = 0; k < l.count && place <= 0; k++)
+        if (strncmp(l.at[k], ":order:", 7) == 0)
+            place = atoi(l.at[k] + 7);
+    return place > 0 ? place : INT_MAX;
+}
+
+/* Whether a text has Chinese characters, those from U+4E00 to U+9FFF: in UTF-8 they begin with the bytes E4 to E9. */
+static int has_chinese(const char *text)
+{
+    for (; *text != '\0'; text++)
+        if ((unsigned char)*text >= 0xE4 && (unsigned char)*text <= 0xE9)
+            return 1;
+    return 0;
+}
+
 void read_chapter(struct book *book, const char *folder)
 {
     const char *slash = strrchr(folder, '/'), *chapter = slash != NULL ? slash + 1 : folder;
@@ -151,6 +173,8 @@ void read_chapter(struct book *book, const char *folder)
     if (l.count == 0)
         complain(path, 1, "a chapter needs an index.md");
     int before = book->blocks;
+    if (has_chinese(title))
+        append(&book->bilingual, whole_copy(chapter));
     read_blocks(book, &l, path, chapter);
     for (int k = 0; k < sections.count; k++)
         read_section(book, folder, chapter, sections.at[k]);

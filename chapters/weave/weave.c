@@ -3,7 +3,8 @@
  *     weave REGISTER.c REGISTER.json TYPES CHAPTER_FOLDER...
  *
  * A chapter folder has an index.md whose toctree lists its sections in reading order; section S is
- * the file S.claims.h and, where it is drawn, S.figure.c.  In the comments of a section stand blocks
+ * the file S.claims.h and, where it is drawn, S.figure.c.  The chapters are read in the order of the numbers that stand under
+ * `order` among their letters; those without one come last, as they are named.  In the comments of a section stand blocks
  *
  *     :::{statement} wang-ch3:3.2.8          :::{claim} elevation_keeps_rational_curve
  *     :title: ...                            :title: ...
@@ -22,6 +23,17 @@
 
 #include <stdio.h>
 
+/* Puts the folders in reading order; those of one place stay as they are. */
+static void sort_chapters(int count, char *folder[])
+{
+    for (int k = 1; k < count; k++)
+        for (int j = k; j > 0 && place_of_chapter(folder[j]) < place_of_chapter(folder[j - 1]); j--) {
+            char *later = folder[j - 1];
+            folder[j - 1] = folder[j];
+            folder[j] = later;
+        }
+}
+
 int main(int argc, char **argv)
 {
     if (argc < 5) {
@@ -29,6 +41,7 @@ int main(int argc, char **argv)
         return 2;
     }
     struct book book = {.types = argv[3]};
+    sort_chapters(argc - 4, argv + 4);
     for (int k = 4; k < argc; k++)
         read_chapter(&book, argv[k]);
     check_book(&book);

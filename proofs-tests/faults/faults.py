@@ -213,7 +213,7 @@ class Copy:
         shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns("build", "build-*", ".git"))
         self.original = {file: (self.root / file).read_bytes() for files in room.units().values() for file in files}
         self.tests = dict(room.tests) | (dict(room.slow) if a.slow and room.slow else {})
-        configured = ["-DCAGD_CHAPTERS=" + ";".join(with_what_they_name(register, a.chapters))] if a.chapters else []
+        configured = ["-DCAGD_ONLY_CHAPTERS=" + ";".join(with_what_they_name(register, a.chapters))] if a.chapters else []
         self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug",
                   f"-DCMAKE_C_FLAGS_DEBUG={room.optimised} -w", f"-DCMAKE_CXX_FLAGS_DEBUG={room.optimised} -w",
                   "-DCAGD_TYPES=" + ";".join(a.types), *configured)
