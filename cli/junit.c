@@ -63,8 +63,11 @@ int write_junit(const char *path, const claim_result *results, int count)
         put_xml(out, line);
         if (b != NULL)
             fprintf(out, "%sseed %016llx", line[0] != '\0' ? "; " : "", (unsigned long long)b->seed);
+        char *small = line_of_exhibits(r->witness, r->witnesses);
+        fputs(small[0] != '\0' ? "; small instance: " : "", out);
+        put_xml(out, small);
         fputs("</failure>\n  </testcase>\n", out);
-        free(line);
+        free(line), free(small);
     }
     fputs("</testsuite>\n", out);
     return output_close(o);

@@ -41,9 +41,10 @@ static void print_source_of(const cagd_register *reg, const statement *s)
         return;
     int first = (int)strcspn(k->author, ",("), many = k->author[first] == ',',
         named = strcmp(k->author, "unknown") != 0;
-    int chinese = k->title_zh[0] != '\0', dated = strcmp(k->year, "unknown") != 0;
+    int chinese = k->title_zh[0] != '\0', dated = k->year[0] != '\0' && strcmp(k->year, "unknown") != 0;
     char text[1024];
-    snprintf(text, sizeof text, "%.*s%s%s%s%s%s, %s%s%s",
+    const char *between = k->part[0] != '\0' ? ", " : "";
+    snprintf(text, sizeof text, "%.*s%s%s%s%s%s%s%s%s%s",
              !named                    ? 0
              : k->author[first] == '(' ? first - 1
                                        : first,
@@ -52,7 +53,7 @@ static void print_source_of(const cagd_register *reg, const statement *s)
              : many ? " et al.: "
                     : ": ",
              chinese ? k->title_zh : k->title, chinese ? " (" : "", chinese ? k->title : "", chinese ? ")" : "",
-             k->part, dated ? ", " : "", dated ? k->year : "");
+             between, k->part, dated ? ", " : "", dated ? k->year : "");
     put_paragraph(stdout, text, 0, page_width(WIDEST));
 }
 
@@ -141,11 +142,7 @@ void print_claim(const cagd_register *reg, const claim_result *r)
     if (r->scope[0] != '\0')
         labelled("for", r->scope, INDENT);
     print_claim_lines(r);
-    const type_result *b = speaking_type(r);
-    if (b != NULL && b->exhibits > 0) {
-        heading("What it shows");
-        print_exhibits(r);
-    }
+    print_failure(r);
     int first = 1;
     for (const statement *s = reg->statements; s->id != NULL; s++)
         for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
@@ -232,6 +229,17 @@ static void print_verdict(const statement_result *r, const claim_result *results
     labelled("An example:", r->statement->example, INDENT);
 }
 
+/* Claims that did not do what they should: while there is one, the verdict is not that of the statement. */
+static void print_unexpected(const claim_result *results, int count)
+{
+    for (int k = 0; k < count; k++)
+        if (!results[k].as_expected) {
+            heading("Not as expected");
+            print_claim_lines(&results[k]);
+            print_failure(&results[k]);
+        }
+}
+
 void print_statement(const cagd_register *reg, const statement_result *r, const claim_result *results, int count,
                      int numbers)
 {
@@ -242,6 +250,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
     heading("Printed");
     formula(s->printed, INDENT);
     print_verdict(r, results, count);
+    print_unexpected(results, count);
     print_hypotheses(s, results, count);
     print_meant(s);
     if (has_reading(s)) {

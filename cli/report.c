@@ -19,25 +19,32 @@ const type_result *speaking_type(const claim_result *r)
     return NULL;
 }
 
-char *exhibits_line(const claim_result *r)
+char *line_of_exhibits(const exhibit *shown, int count)
 {
     char *text = NULL;
     size_t room = 0;
     FILE *out = text_open(&text, &room);
-    const type_result *b = speaking_type(r);
-    for (int k = 0; b != NULL && k < b->exhibits; k++)
-        fprintf(out, "%s%s = %s", k > 0 ? "; " : "", b->shown[k].name, b->shown[k].value);
+    for (int k = 0; k < count; k++)
+        fprintf(out, "%s%s = %s", k > 0 ? "; " : "", shown[k].name, shown[k].value);
     text_close(out, &text);
     return text;
 }
 
-static json_t *exhibits_json(const type_result *b)
+char *exhibits_line(const claim_result *r)
+{
+    const type_result *b = speaking_type(r);
+    return line_of_exhibits(b != NULL ? b->shown : NULL, b != NULL ? b->exhibits : 0);
+}
+
+static json_t *list_of_exhibits(const exhibit *shown, int count)
 {
     json_t *list = json_array();
-    for (int k = 0; k < b->exhibits; k++)
-        json_array_append_new(list, json_pack("{s:s, s:s}", "name", b->shown[k].name, "value", b->shown[k].value));
+    for (int k = 0; k < count; k++)
+        json_array_append_new(list, json_pack("{s:s, s:s}", "name", shown[k].name, "value", shown[k].value));
     return list;
 }
+
+static json_t *exhibits_json(const type_result *b) { return list_of_exhibits(b->shown, b->exhibits); }
 
 json_t *claim_json(const claim_result *r)
 {
@@ -59,11 +66,12 @@ json_t *claim_json(const claim_result *r)
         json_object_set_new(j, "shown", exhibits_json(b));
         json_object_set_new(types, number_type_name[t], j);
     }
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:s, s:s, s:o}", "name", c->name,
-                     "chapter", c->chapter, "title", c->title, "title_zh", c->title_zh, "kind", kind[c->kind], "given",
-                     c->given, "let", c->let, "then", c->then, "method", c->method, "control", c->control, "outcome",
-                     outcome_name[r->outcome], "as_expected", r->as_expected, "evidence", evidence_name[r->evidence],
-                     "scope", r->scope, "types", types);
+    json_t *small = r->witnesses > 0 ? list_of_exhibits(r->witness, r->witnesses) : NULL;
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:s, s:s, s:o, s:o*}", "name",
+                     c->name, "chapter", c->chapter, "title", c->title, "title_zh", c->title_zh, "kind", kind[c->kind],
+                     "given", c->given, "let", c->let, "then", c->then, "method", c->method, "control", c->control,
+                     "outcome", outcome_name[r->outcome], "as_expected", r->as_expected, "evidence",
+                     evidence_name[r->evidence], "scope", r->scope, "types", types, "small_instance", small);
 }
 
 static json_t *counterexample_json(const claim_result *r)

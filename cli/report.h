@@ -25,6 +25,8 @@ int write_junit(const char *path, const claim_result *results, int count);
 
 /* The type whose exhibits speak for the claim: the first that failed, or else the first that ran; NULL when none did. */
 const type_result *speaking_type(const claim_result *r);
+/* Named values in one line: "n = 2; w = 1, 2, 1".  The caller frees it. */
+char *line_of_exhibits(const exhibit *shown, int count);
 /* The counterexample, or whatever the claim shows, in one line: "n = 2; w = 1, 2, 1; ...".  The caller frees it. */
 char *exhibits_line(const claim_result *r);
 #endif

@@ -13,11 +13,11 @@
 #include <string.h>
 
 /* The value shown under a name; NULL where none is. */
-static const char *value_of(const type_result *b, const char *name)
+static const char *value_of(const exhibit *shown, int count, const char *name)
 {
-    for (int k = 0; k < b->exhibits; k++)
-        if (strcmp(b->shown[k].name, name) == 0)
-            return b->shown[k].value;
+    for (int k = 0; k < count; k++)
+        if (strcmp(shown[k].name, name) == 0)
+            return shown[k].value;
     return NULL;
 }
 
@@ -43,10 +43,10 @@ static void put_condition(FILE *out, const char *what)
 }
 
 /* "Compared: y and x³ of the point: -4/625 and 8/15625 are not equal."; of a condition: "What fails: the point is in the hull." */
-static void print_comparison(const type_result *b)
+static void print_comparison(const exhibit *shown, int count)
 {
-    const char *what = value_of(b, "compared"), *left = value_of(b, "left"), *right = value_of(b, "right"),
-               *negative = value_of(b, "negative");
+    const char *what = value_of(shown, count, "compared"), *left = value_of(shown, count, "left"),
+               *right = value_of(shown, count, "right"), *negative = value_of(shown, count, "negative");
     char *sentence = NULL;
     size_t room;
     FILE *out = text_open(&sentence, &room);
@@ -71,20 +71,39 @@ static void print_comparison(const type_result *b)
     free(sentence);
 }
 
+/* The numbers, a line each, and what was compared. */
+static void print_shown(const exhibit *shown, int count)
+{
+    int width = 0;
+    for (int k = 0; k < count; k++) {
+        int columns = columns_of(shown[k].name);
+        if (!is_of_comparison(shown[k].name) && columns > width && columns <= page_width(WIDEST) / 3)
+            width = columns;
+    }
+    for (int k = 0; k < count; k++) {
+        if (is_of_comparison(shown[k].name))
+            continue;
+        put_value(stdout, shown[k].name, shown[k].value, INDENT, width, page_width(WIDEST));
+    }
+    print_comparison(shown, count);
+}
+
 void print_exhibits(const claim_result *r)
 {
     const type_result *b = speaking_type(r);
-    int width = 0;
-    for (int k = 0; b != NULL && k < b->exhibits; k++) {
-        int columns = columns_of(b->shown[k].name);
-        if (!is_of_comparison(b->shown[k].name) && columns > width && columns <= page_width(WIDEST) / 3)
-            width = columns;
-    }
-    for (int k = 0; b != NULL && k < b->exhibits; k++) {
-        if (is_of_comparison(b->shown[k].name))
-            continue;
-        put_value(stdout, b->shown[k].name, b->shown[k].value, INDENT, width, page_width(WIDEST));
-    }
     if (b != NULL)
-        print_comparison(b);
+        print_shown(b->shown, b->exhibits);
+}
+
+void print_failure(const claim_result *r)
+{
+    const type_result *b = speaking_type(r);
+    if (b != NULL && b->exhibits > 0) {
+        heading("What it shows");
+        print_exhibits(r);
+    }
+    if (r->witnesses > 0) {
+        heading("A small instance at which it fails");
+        print_shown(r->witness, r->witnesses);
+    }
 }

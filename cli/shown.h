@@ -5,4 +5,6 @@
 #include "chapters/judge/run.h"
 
 void print_exhibits(const claim_result *r);
+/* The same under a heading, and a small instance of an identity that fails unexpectedly, if one was found. */
+void print_failure(const claim_result *r);
 #endif

@@ -62,16 +62,26 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-/* What a claim shows that is not as expected: the case by its parameters, and the two sides, a line each. */
-static void put_witness(const claim_result *r)
+static void put_exhibits(const exhibit *shown, int count, int indent)
 {
-    enum { INDENT = 7, MOST = 300 };
-    const type_result *b = speaking_type(r);
-    for (int k = 0; b != NULL && k < b->exhibits; k++) {
-        printf("%*s%s = ", INDENT, "", b->shown[k].name);
-        put_clipped(stdout, b->shown[k].value, MOST);
+    enum { MOST = 300 };
+    for (int k = 0; k < count; k++) {
+        printf("%*s%s = ", indent, "", shown[k].name);
+        put_clipped(stdout, shown[k].value, MOST);
         putchar('\n');
     }
+}
+
+/* What a claim shows that is not as expected, a line each: the case and the two sides; and a small instance, if one was found. */
+static void put_witness(const claim_result *r)
+{
+    enum { INDENT = 7 };
+    const type_result *b = speaking_type(r);
+    if (b != NULL)
+        put_exhibits(b->shown, b->exhibits, INDENT);
+    if (r->witnesses > 0)
+        printf("%*ssmall instance:\n", INDENT, "");
+    put_exhibits(r->witness, r->witnesses, INDENT + 2);
 }
 
 /* The evidence with what supports it, as in "proved  n = 1 to 6; every value of t w_0 ...". */
@@ -154,6 +164,19 @@ static void put_quoted(const char *text)
     json_decref(string);
 }
 
+static void put_tap_exhibits(const char *key, const exhibit *shown, int count)
+{
+    if (count > 0)
+        printf("  %s:\n", key);
+    for (int k = 0; k < count; k++) {
+        fputs("    - ", stdout);
+        put_quoted(shown[k].name);
+        fputs(": ", stdout);
+        put_quoted(shown[k].value);
+        putchar('\n');
+    }
+}
+
 /* The block of YAML that the protocol has for what is said of a test that failed. */
 static void put_tap_witness(const claim_result *r)
 {
@@ -162,15 +185,8 @@ static void put_tap_witness(const claim_result *r)
         return;
     printf("  ---\n  message: %s, expected otherwise\n  seed: \"%016llx\"\n", outcome_name[r->outcome],
            (unsigned long long)b->seed);
-    if (b->exhibits > 0)
-        puts("  data:");
-    for (int k = 0; k < b->exhibits; k++) {
-        fputs("    - ", stdout);
-        put_quoted(b->shown[k].name);
-        fputs(": ", stdout);
-        put_quoted(b->shown[k].value);
-        putchar('\n');
-    }
+    put_tap_exhibits("data", b->shown, b->exhibits);
+    put_tap_exhibits("small_instance", r->witness, r->witnesses);
     puts("  ...");
 }
 
@@ -180,10 +196,13 @@ static void print_tap(const claim_result *results, int count)
     printf("TAP version 13\n1..%d\n", count);
     for (int k = 0; k < count; k++) {
         const claim_result *r = &results[k];
-        printf("%s %d - %s.%s # %s; %s\n", r->as_expected ? "ok" : "not ok", k + 1, r->claim->chapter, r->claim->name,
-               evidence_name[r->evidence], r->scope);
-        if (!r->as_expected)
+        printf("%s %d - %s.%s", r->as_expected ? "ok" : "not ok", k + 1, r->claim->chapter, r->claim->name);
+        if (r->as_expected) {
+            printf(" # %s; %s\n", evidence_name[r->evidence], r->scope);
+        } else {
+            putchar('\n');
             put_tap_witness(r);
+        }
     }
 }
 

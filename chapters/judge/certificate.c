@@ -57,7 +57,7 @@ static int facts_in(const char *steps)
 static int record(FILE *out, const char *before, const claim *c, number_type type, int k, size_t most,
                   struct recorded_case *recorded)
 {
-    struct plan plan = {c, type, 0};
+    struct plan plan = {c, type, 0, NULL};
     cagd_trace_open(most);
     trial T = run_case(&plan, k, 0, NULL, NULL);
     forget_exhibits(T.shown, T.exhibits);

@@ -86,6 +86,7 @@ typedef struct trial {
     const char *about;    /* what is being compared, for the first difference                        */
     exhibit *shown;       /* what the case shows, `exhibits` in number                                */
     int exhibits;
+    struct small_data *small; /* simple numbers in the place of random ones, or NULL: see witness.h                 */
     uint64_t used; /* bit k: entry k of the claim's data was asked for                         */
     int mistaken;  /* 1 when an entry is missing, of another shape, or another result came out */
 } trial;

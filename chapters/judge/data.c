@@ -1,4 +1,5 @@
 /* data.c -- what bodies compute with: variables in the field, elsewhere the same dyadic numbers in every type. */
+#include "chapters/judge/witness.h"
 #include "chapters/judge/words.h"
 #include "exact/record/trace.h"
 
@@ -15,9 +16,22 @@ int pick(trial *T, int low, int high)
 
 enum { ONE = 1 << 20 }; /* 20-bit data: exact in binary64, products of them mostly are not */
 
-static num_q any(trial *T) { return from_ratio_q(pick(T, -ONE, ONE), ONE); }
-static num_q weight(trial *T) { return from_ratio_q(pick(T, ONE / 8, 4 * ONE), ONE); }
-static num_q fraction(trial *T) { return from_ratio_q(pick(T, 1, ONE - 1), ONE); }
+/* A number of the kind, low and high for whole ones: random, or a simple one where a small instance is looked for. */
+static num_q input(trial *T, const char *name, int index, enum input_kind kind, int low, int high)
+{
+    if (T->small != NULL)
+        return small_number(T, name, index, kind, low, high);
+    switch (kind) {
+    case ANY_NUMBER:
+        return from_ratio_q(pick(T, -ONE, ONE), ONE);
+    case POSITIVE_NUMBER:
+        return from_ratio_q(pick(T, ONE / 8, 4 * ONE), ONE);
+    case FRACTION:
+        return from_ratio_q(pick(T, 1, ONE - 1), ONE);
+    default:
+        return from_int_q(pick(T, low, high));
+    }
+}
 
 static num_f indexed_variable(const char *name, int index)
 {
@@ -53,9 +67,10 @@ num_f inside_f(trial *T, const char *name)
     return div_f(s, add_f(from_int_f(1), s));
 }
 
-/* The same for a trace: from here on it is an input. */
-static num_q as_input(num_q a, const char *name, int index)
+/* For a trace it is an input from here on. */
+static num_q noted_input(trial *T, const char *name, int index, enum input_kind kind, int low, int high)
 {
+    num_q a = input(T, name, index, kind, low, high);
     if (cagd_trace_noting())
         cagd_trace_input(a, name, index);
     return a;
@@ -67,18 +82,24 @@ static num_m from_rational_m(num_q a) { return exact_m(to_double_q(a)); }
 #define SAMPLED_DATA(S)                                                                                                \
     num_##S unknown_##S(trial *T, const char *name, int index)                                                         \
     {                                                                                                                  \
-        return from_rational_##S(as_input(any(T), name, index));                                                       \
+        return from_rational_##S(noted_input(T, name, index, ANY_NUMBER, 0, 0));                                       \
     }                                                                                                                  \
     num_##S positive_##S(trial *T, const char *name, int index)                                                        \
     {                                                                                                                  \
-        return from_rational_##S(as_input(weight(T), name, index));                                                    \
+        return from_rational_##S(noted_input(T, name, index, POSITIVE_NUMBER, 0, 0));                                  \
     }                                                                                                                  \
-    num_##S parameter_##S(trial *T, const char *name) { return from_rational_##S(as_input(fraction(T), name, -1)); }   \
+    num_##S parameter_##S(trial *T, const char *name)                                                                  \
+    {                                                                                                                  \
+        return from_rational_##S(noted_input(T, name, -1, FRACTION, 0, 0));                                            \
+    }                                                                                                                  \
     num_##S whole_##S(trial *T, const char *name, int low, int high)                                                   \
     {                                                                                                                  \
-        return from_rational_##S(as_input(from_int_q(pick(T, low, high)), name, -1));                                  \
+        return from_rational_##S(noted_input(T, name, -1, WHOLE_NUMBER, low, high));                                   \
     }                                                                                                                  \
-    num_##S inside_##S(trial *T, const char *name) { return from_rational_##S(as_input(fraction(T), name, -1)); }
+    num_##S inside_##S(trial *T, const char *name)                                                                     \
+    {                                                                                                                  \
+        return from_rational_##S(noted_input(T, name, -1, FRACTION, 0, 0));                                            \
+    }
 SAMPLED_DATA(q)
 SAMPLED_DATA(i)
 SAMPLED_DATA(m)

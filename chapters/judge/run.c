@@ -2,6 +2,7 @@
 
 #include "chapters/judge/case.h"
 #include "chapters/judge/scope.h"
+#include "chapters/judge/witness.h"
 #include "chapters/judge/words.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"
@@ -62,6 +63,7 @@ trial run_case(const struct plan *p, int k, int planted, char **variables, char 
                     .state = seed,
                     .degree = degree_of(p, k),
                     .deep = p->deep,
+                    .small = p->small,
                     .planted = planted,
                     .faulty = planted != (p->claim->kind == COUNTEREXAMPLE)};
         region_mark mark = region_open();
@@ -85,8 +87,7 @@ trial run_case(const struct plan *p, int k, int planted, char **variables, char 
     }
 }
 
-/* Undefined, unable and false are three answers; a case that compared nothing fails, and one whose block says otherwise. */
-static outcome judged(trial *T)
+outcome judged_case(trial *T)
 {
     look_for_unused(T);
     if (T->mistaken)
@@ -140,8 +141,7 @@ static void add_words(char **list, char *more)
     free(more);
 }
 
-/* A failing case is told with its degree, in the letter of the claim, unless it shows that itself. */
-static void show_degree(const claim *c, trial *T)
+void show_degree(const claim *c, trial *T)
 {
     const char *letter = c->letter != NULL && c->letter[0] != '\0' ? c->letter : "n";
     int order = strcmp(letter, "k") == 0;
@@ -160,7 +160,7 @@ static type_result judge_type(const struct plan *p)
     for (int k = 0; k < cases && r.outcome != FAILS; k++) {
         char *variables = NULL, *positive = NULL;
         trial T = run_case(p, k, 0, &variables, &positive);
-        outcome o = judged(&T);
+        outcome o = judged_case(&T);
         if (o == FAILS && p->claim->kind != COUNTEREXAMPLE)
             show_degree(p->claim, &T);
         genuine = o == FAILS && region_faults == 0 && T.compared > 0 && !T.mistaken;
@@ -190,7 +190,7 @@ static type_result judge_type(const struct plan *p)
     r.control_caught = refutes;
     for (int k = 0; k < cases; k++) {
         trial T = run_case(p, k, 1, NULL, NULL);
-        outcome o = judged(&T);
+        outcome o = judged_case(&T);
         int by_comparison = region_faults == 0 && T.compared > 0 && !T.mistaken;
         forget_exhibits(T.shown, T.exhibits);
         if (refutes && (o == FAILS || !by_comparison))
@@ -275,15 +275,18 @@ claim_result *judge_claims(const claim *const list[], int count, const run_optio
         results[k].claim = list[k];
         for (number_type t = 0; t < NUMBER_TYPES; t++)
             if (list[k]->body[t] != NULL)
-                tasks[total++] = (struct task){{list[k], t, options->deep}, &results[k].by[t]};
+                tasks[total++] = (struct task){{list[k], t, options->deep, NULL}, &results[k].by[t]};
     }
     struct agenda agenda = {.tasks = tasks, .total = total, .options = options};
     pthread_mutex_init(&agenda.lock, NULL);
     cagd_in_parallel(options->jobs, total, judge_task, &agenda);
     pthread_mutex_destroy(&agenda.lock);
     free(tasks);
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k < count; k++) {
         conclude(&results[k]);
+        if (results[k].outcome == FAILS && !results[k].as_expected)
+            find_witness(list[k], &results[k].witness, &results[k].witnesses);
+    }
     return results;
 }
 
@@ -295,6 +298,7 @@ void free_results(claim_result *results, int count)
             free(results[k].by[t].variables);
             free(results[k].by[t].positive);
         }
+        forget_exhibits(results[k].witness, results[k].witnesses);
         free(results[k].scope);
     }
     free(results);

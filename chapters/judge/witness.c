@@ -1,0 +1,198 @@
+/* witness.c -- the smallest instance at which an identity fails: what a reader copies to make a counterexample of it. */
+#include "chapters/judge/witness.h"
+
+#include "chapters/judge/case.h"
+#include "chapters/judge/words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { MOST_INPUTS = 4096, MOST_RUNS = 400, LARGEST_RANK = 6, DRAWS = 24 };
+static const double MOST_SECONDS = 2;
+
+/* The number of that rank among those of its kind, simplest first:
+ *
+ *     any        0, 1, -1, 2, -2, ...           positive   1, 2, 1/2, 3, 1/3, ...
+ *     in (0, 1)  1/2, 1/3, 2/3, 1/4, 2/4, ...   whole      low, low + 1, ..., high */
+static num_q simple_number(const struct small_input *in)
+{
+    int r = in->rank, half = (r + 1) / 2, below = 2;
+    switch (in->kind) {
+    case ANY_NUMBER:
+        return from_int_q(r % 2 == 1 ? half : -half);
+    case POSITIVE_NUMBER:
+        return r % 2 == 1 ? from_int_q(half + 1) : from_ratio_q(1, half + 1);
+    case FRACTION:
+        for (; r >= below - 1; below++)
+            r -= below - 1;
+        return from_ratio_q(r + 1, below);
+    default:
+        return from_int_q(in->low + r > in->high ? in->high : in->low + r);
+    }
+}
+
+num_q small_number(trial *T, const char *name, int index, enum input_kind kind, int low, int high)
+{
+    struct small_data *s = T->small;
+    if (s->next == MOST_INPUTS)
+        return from_int_q(1);
+    struct small_input *in = &s->at[s->next++];
+    if (s->next > s->count) {
+        s->count = s->next;
+        in->rank = s->largest > 0 ? pick(&s->draws, 0, s->largest) : 0;
+    }
+    snprintf(in->name, sizeof in->name, "%s", name);
+    in->index = index, in->kind = kind, in->low = low, in->high = high;
+    free(in->value);
+    num_q a = simple_number(in);
+    in->value = strdup(to_string_q(a));
+    if (in->value == NULL)
+        abort();
+    return a;
+}
+
+/* ---- the search ------------------------------------------------------------------------------------ */
+
+struct search {
+    struct plan plan;
+    struct small_data data;
+    int which; /* the case: it has the degree */
+    int runs;
+    double end;
+};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int is_over(const struct search *s) { return s->runs >= MOST_RUNS || now() > s->end; }
+
+/* Whether the identity fails with these data, by comparison; then *T is the case, whose exhibits the caller frees. */
+static int fails(struct search *s, trial *T)
+{
+    s->runs++;
+    s->data.next = 0;
+    *T = run_case(&s->plan, s->which, 0, NULL, NULL);
+    outcome o = judged_case(T);
+    if (o == FAILS && region_faults == 0 && T->compared > 0 && !T->mistaken)
+        return 1;
+    forget_exhibits(T->shown, T->exhibits);
+    return 0;
+}
+
+/* Draws larger and larger numbers until the identity fails. */
+static int draw(struct search *s, trial *T)
+{
+    for (int largest = 0; largest <= LARGEST_RANK; largest++)
+        for (int k = 0; k < (largest == 0 ? 1 : DRAWS) && !is_over(s); k++) {
+            s->data.count = 0;
+            s->data.largest = largest;
+            if (fails(s, T))
+                return 1;
+        }
+    return 0;
+}
+
+/* Puts the simplest number in the place of each for which it still fails. */
+static void simplify(struct search *s, trial *T)
+{
+    for (int changed = 1; changed && !is_over(s);) {
+        changed = 0;
+        for (int k = 0; k < s->data.count; k++) {
+            struct small_input *in = &s->data.at[k];
+            for (int had = in->rank, rank = 0; rank < had && !is_over(s); rank++) {
+                trial other;
+                in->rank = rank;
+                if (fails(s, &other)) {
+                    forget_exhibits(T->shown, T->exhibits);
+                    *T = other;
+                    changed = 1;
+                    break;
+                }
+                in->rank = had;
+            }
+        }
+    }
+    forget_exhibits(T->shown, T->exhibits);
+    (void)fails(s, T); /* the values of the last change that was kept */
+}
+
+/* ---- what is told ---------------------------------------------------------------------------------- */
+
+/* The numbers that one name has, for the indices i, i + 1, ...: "P = 1, 0", "w2, w3 = 1, 2". */
+static int show_inputs(trial *out, const struct small_data *d, int k)
+{
+    int end = k + 1, first = d->at[k].index;
+    while (end < d->count && strcmp(d->at[end].name, d->at[k].name) == 0 && first >= 0 &&
+           d->at[end].index == first + (end - k))
+        end++;
+    char name[64];
+    if (first < 0)
+        snprintf(name, sizeof name, "%s", d->at[k].name);
+    else if (end == k + 1)
+        snprintf(name, sizeof name, "%s%d", d->at[k].name, first);
+    else
+        snprintf(name, sizeof name, "%s%d to %s%d", d->at[k].name, first, d->at[k].name, first + end - k - 1);
+    char *text = NULL;
+    size_t room;
+    FILE *list = open_memstream(&text, &room);
+    if (list == NULL)
+        abort();
+    for (int j = k; j < end; j++)
+        fprintf(list, "%s%s", j > k ? ", " : "", d->at[j].value);
+    fclose(list);
+    show_text(out, name, "%s", text);
+    free(text);
+    return end;
+}
+
+static int is_shown(const trial *T, const char *name)
+{
+    int k = 0;
+    while (k < T->exhibits && strcmp(T->shown[k].name, name) != 0)
+        k++;
+    return k < T->exhibits;
+}
+
+/* The data of the case, its degree, then what it shows. */
+static void tell(const struct search *s, const trial *T, exhibit **shown, int *count)
+{
+    trial out = {.claim = T->claim, .degree = T->degree};
+    show_degree(T->claim, &out);
+    for (int k = 0; k < s->data.count;)
+        k = show_inputs(&out, &s->data, k);
+    for (int k = 0; k < T->exhibits; k++)
+        if (!is_shown(&out, T->shown[k].name))
+            show_text(&out, T->shown[k].name, "%s", T->shown[k].value);
+    *shown = out.shown;
+    *count = out.exhibits;
+}
+
+void find_witness(const claim *c, exhibit **shown, int *count)
+{
+    *shown = NULL;
+    *count = 0;
+    if (c->kind != IDENTITY || c->body[RATIONAL_TYPE] == NULL)
+        return;
+    struct search s = {.plan = {c, RATIONAL_TYPE, 0, &s.data}, .end = now() + MOST_SECONDS};
+    s.data.at = calloc(MOST_INPUTS, sizeof *s.data.at);
+    if (s.data.at == NULL)
+        abort();
+    trial T;
+    int degrees = c->degree_high - c->degree_low + 1, found = 0;
+    for (; s.which < degrees && !found && !is_over(&s); s.which += !found)
+        found = draw(&s, &T);
+    if (found) {
+        simplify(&s, &T);
+        tell(&s, &T, shown, count);
+        forget_exhibits(T.shown, T.exhibits);
+    }
+    for (int k = 0; k < MOST_INPUTS; k++)
+        free(s.data.at[k].value);
+    free(s.data.at);
+}

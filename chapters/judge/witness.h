@@ -1,0 +1,37 @@
+/* witness.h -- the smallest instance at which an identity fails. */
+#ifndef CAGD_WITNESS_H
+#define CAGD_WITNESS_H
+
+#include "chapters/judge/claim.h"
+#include "exact/number/rational.h"
+#include "exact/words.h"
+
+/* What a body asks for: any number, a positive one, one of (0, 1), a whole one of a range. */
+enum input_kind { ANY_NUMBER, POSITIVE_NUMBER, FRACTION, WHOLE_NUMBER };
+
+/* One number that a body asked for, in the order in which it asks. */
+struct small_input {
+    char name[16];
+    int index; /* -1: none                                                                */
+    enum input_kind kind;
+    int low, high; /* of a whole number                                                       */
+    int rank;      /* its place among the numbers of its kind, simplest first                 */
+    char *value;
+};
+
+/* The data of a case that are simple numbers in the place of random ones. */
+struct small_data {
+    struct small_input *at;
+    int count, next; /* known so far; to be asked for next                                      */
+    int largest;     /* the largest rank that is drawn for one that is not known                */
+    trial draws;     /* their generator                                                         */
+};
+
+/* The number that the body asks for next; T->small is where it stands. */
+num_q small_number(trial *T, const char *name, int index, enum input_kind kind, int low, int high);
+
+/* Looks, in rationals, for simple data with which the identity fails by comparison, at the lowest degree where some are
+ * found: within 400 runs and two seconds.  *shown: the degree, the data, what is compared; the caller frees it.  None: *count
+ * is 0. */
+void find_witness(const claim *c, exhibit **shown, int *count);
+#endif
