@@ -183,11 +183,14 @@ void find_witness(const claim *c, exhibit **shown, int *count)
     s.data.at = calloc(MOST_INPUTS, sizeof *s.data.at);
     if (s.data.at == NULL)
         abort();
+    const unsigned faults = region_faults; /* of those who ran before: the search has its own */
     trial T;
     int degrees = c->degree_high - c->degree_low + 1, found = 0;
     for (; s.which < degrees && !found && !is_over(&s); s.which += !found)
         found = draw(&s, &T);
-    if (found) {
+    if (found && s.data.count == 0) /* there is but one instance */
+        forget_exhibits(T.shown, T.exhibits);
+    if (found && s.data.count > 0) {
         simplify(&s, &T);
         tell(&s, &T, shown, count);
         forget_exhibits(T.shown, T.exhibits);
@@ -195,4 +198,5 @@ void find_witness(const claim *c, exhibit **shown, int *count)
     for (int k = 0; k < MOST_INPUTS; k++)
         free(s.data.at[k].value);
     free(s.data.at);
+    region_faults = faults;
 }

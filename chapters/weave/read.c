@@ -179,8 +179,9 @@ void read_chapter(struct book *book, const char *folder)
     for (int k = 0; k < sections.count; k++)
         read_section(book, folder, chapter, sections.at[k]);
     check_listed(folder, path, &sections);
-    if (sections.count == 0 && book->blocks > before)
-        return; /* sources only */
+    for (int k = before; sections.count == 0 && k < book->blocks; k++)
+        if (book->block[k].kind == SOURCE_BLOCK)
+            return; /* sources only */
     append(&book->chapters, whole_copy(chapter));
     append(&book->titles, title);
 }

@@ -525,6 +525,16 @@ class Schemas(Case):
             with self.subTest(args=args):
                 self.fits(self.said(*args))
 
+    def test_what_is_printed_of_claims_that_fail(self):
+        tried = 0
+        for path in sorted((ROOT / "proofs-tests/unit/command-output").glob("*.json")):
+            document = json.loads(path.read_text())
+            if "schema" in document:
+                tried += 1
+                with self.subTest(path=path.name):
+                    self.fits(document)
+        self.assertGreater(tried, 8)
+
     def test_formulas_of_a_reader(self):
         for path in sorted((ROOT / "proofs-tests/fuzz/corpus/formula").glob("*.md"))[:12]:
             r = run("check", "--json", path)

@@ -242,6 +242,21 @@ class Good(Weaving):
         (self.root / "other" / "index.md").write_text("# Other\n", encoding="utf-8")
         self.assertIn('{"other", "Other"}', self.register(chapters=("chapter", "other")))
 
+    def test_chapters_are_in_the_order_that_they_state(self):
+        for name, order in (("last", None), ("third", 30), ("second", 20), ("also-last", None)):
+            (self.root / name).mkdir()
+            letters = f"\n:::{{letters}} {name}\n:order: {order}\n:::\n" if order else ""
+            (self.root / name / "index.md").write_text(f"# The {name}\n{letters}", encoding="utf-8")
+        self.write("index.md", INDEX.replace(":degree: p\n", ":degree: p\n:order: 3\n"))
+        text = self.register(chapters=("also-last", "last", "second", "third", "chapter"))
+        self.assertEqual(re.findall(r'^    {"([a-z-]+)", "(?:A|The) ', text, re.M), ["chapter", "second", "third", "also-last", "last"])
+
+    def test_chinese_titles_only_where_the_heading_has_one(self):
+        self.write("index.md", INDEX.replace("# A chapter (一章)", "# A chapter é ω"))
+        for name, text in (("first.claims.h", FIRST), ("second.claims.h", SECOND)):
+            self.write(name, re.sub(r"^:zh:.*\n", "", text, flags=re.M))
+        self.assertIn('.title = "A sum", .title_zh = ""', self.register())
+
     def test_the_register_is_c(self):
         compiler = os.environ.get("CC", "cc")
         root = pathlib.Path(__file__).resolve().parents[2] / "chapters"
@@ -499,6 +514,11 @@ class BadChapters(Weaving):
     def test_section_that_the_index_forgets(self):
         self.write("forgotten.claims.h", "/* nothing */\n")
         self.refused("index.md", 1, "forgotten", "toctree")
+
+    def test_an_order_that_is_none(self):
+        for order in "0", "first", "-1", "1.5", "":
+            with self.subTest(order):
+                self.spoiled("index.md", ":degree: p", f":degree: p\n:order: {order}", "whole number", at=":::{letters} chapter")
 
     def test_no_index(self):
         (self.root / "chapter" / "index.md").unlink()

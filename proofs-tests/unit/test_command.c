@@ -74,8 +74,9 @@ static void is_four_q(trial *T)
 }
 static void is_not_q(trial *T)
 {
+    num_q x = positive_q(T, "x", 1);
     about(T, "<&\">");
-    same_q(T, from_int_q(1), from_int_q(2));
+    same_q(T, x, add_q(x, from_int_q(1)));
 }
 static void is_unable_f(trial *T)
 {
@@ -499,6 +500,8 @@ static void pages_say(void **state)
     assert_non_null(strstr(out, "fails in 1 case, 1 comparison; control caught"));
     assert_null(strstr(out, "a counterexample"));
     free(out);
+    SAYS(EXIT_NOT_AS_EXPECTED, show, &bad, "show-bad-claim.txt", "one_is_two");
+    SAYS(EXIT_NOT_AS_EXPECTED, show, &bad, "show-bad-statement.txt", "book:2");
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-claim.json", "--json", "three_is_four");
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-statement.json", "--json", "book:3");
 }

@@ -670,6 +670,51 @@ static void test_a_failing_case_tells_its_degree(void **state)
     }
 }
 
+/* False from degree 3 on where x_1 is negative, w > 1, the fraction s is not 1/2 and the whole number not its least one;
+ * undefined where y = 0. */
+static void fails_in_one_corner_q(trial *T)
+{
+    num_q x[] = {unknown_q(T, "x", 0), unknown_q(T, "x", 1)}, w = positive_q(T, "w", 4), s = inside_q(T, "s"),
+          t = parameter_q(T, "t"), y = unknown_q(T, "y", 2), n = whole_q(T, "n", 5, 9);
+    int corner = T->degree >= 3 && cagd_sign_q(x[1]) < 0 && cagd_compare_q(w, from_int_q(1)) > 0 &&
+                 !cagd_equal_q(s, from_ratio_q(1, 2)) && cagd_compare_q(n, from_int_q(5)) > 0;
+    show_q(T, "quotient", div_q(t, y));
+    same_q(T, add_q(x[0], from_int_q(corner)), add_q(x[0], from_int_q(fault(T, 0, 2))));
+}
+static void false_everywhere_q(trial *T) { same_q(T, from_int_q(1), from_int_q(2 * T->degree)); }
+static void false_of_any_q(trial *T) { vanishes_q(T, sub_q(positive_q(T, "w", 0), from_int_q(-1))); }
+static void false_everywhere_f(trial *T) { same_f(T, variable_f("x"), from_int_f(2 * T->degree)); }
+static void test_the_smallest_instance_of_a_failure(void **state)
+{
+    static const char *const wanted[][2] = {{"m", "3"},    {"x0 to x1", "0, -1"}, {"w4", "2"}, {"s", "1/3"},
+                                            {"t", "1/2"},  {"y2", "1"},           {"n", "6"},  {"quotient", "1/2"},
+                                            {"left", "1"}, {"right", "0"}};
+    enum { WANTED = sizeof wanted / sizeof *wanted };
+    (void)state;
+    const claim c = {IN(RATIONAL_TYPE, _q, fails_in_one_corner), .letter = "m", .degree_low = 1, .degree_high = 4,
+                     .degree_sampled = 4};
+    claim_result *r = judge_one(&c);
+    assert_false(r->as_expected);
+    assert_int_equal(r->witnesses, WANTED);
+    for (int k = 0; k < WANTED; k++) {
+        assert_string_equal(r->witness[k].name, wanted[k][0]);
+        assert_string_equal(r->witness[k].value, wanted[k][1]);
+    }
+    free_results(r, 1);
+    /* Without data to choose, in the field alone, of a decision, and of what is as expected there is none. */
+    const claim without[] = {
+        {IN(RATIONAL_TYPE, _q, false_everywhere)},
+        {IN(FIELD_TYPE, _f, false_everywhere)},
+        {IN(RATIONAL_TYPE, _q, false_of_any), .kind = DECISION},
+        {IN(RATIONAL_TYPE, _q, at_most_two), .degree_low = 1, .degree_high = 2, .degree_sampled = 2}};
+    for (size_t k = 0; k < sizeof without / sizeof *without; k++) {
+        r = judge_one(&without[k]);
+        assert_int_equal(r->as_expected, k == 3);
+        assert_int_equal(r->witnesses, 0);
+        free_results(r, 1);
+    }
+}
+
 static claim_result *judge_many(int jobs, int *finished)
 {
     const claim *list[MANY];
@@ -1129,6 +1174,7 @@ int main(void)
         unit(test_pick_stays_in_range),
         unit(test_exhibits),
         unit(test_a_failing_case_tells_its_degree),
+        unit(test_the_smallest_instance_of_a_failure),
         unit(test_given_data),
         unit(test_given_data_are_tied_to_the_body),
         unit(test_data_instead),
