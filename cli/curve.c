@@ -4,6 +4,7 @@
 #include "cli/curve_json.h"
 #include "cli/input.h"
 #include "cli/report.h"
+#include "cli/waiting.h"
 #include "core/number/limits.h"
 #include "exact/words.h"
 
@@ -243,7 +244,7 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
     enum { LONGEST = 4096 };
     FILE *file = strcmp(a->file, "-") == 0 ? stdin : fopen(a->file, "r");
     char line[LONGEST];
-    int number = 0, code = EXIT_AS_EXPECTED;
+    int number = 0, told = 0, code = EXIT_AS_EXPECTED;
     if (file == NULL) {
         fprintf(stderr, "cagd: %s: %s; expected a file of parameters, one a line\n", a->file, strerror(errno));
         return EXIT_USAGE;
@@ -256,6 +257,7 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
             continue;
         region_mark mark = region_open();
         unsigned before = region_faults;
+        waiting_at(told, told, "parameters");
         num_q t = from_string_q(text);
         if (region_faults != before) {
             region_faults = before;
@@ -264,6 +266,7 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
             code = EXIT_USAGE;
         } else {
             code = tell_at(a, c, t, values, out);
+            told++;
         }
         region_drop(mark);
     }
@@ -278,44 +281,47 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
 
 /* ---- what the curve is ------------------------------------------------------------------------ */
 
-static void describe(const cagd_spline_q *c)
+static void describe(const cagd_spline_q *c, FILE *out)
 {
     static const char *const where[] = {"", "on a line", "in the plane", "in space"};
     int n = c->count, p = c->degree, segments = 0, first = 1;
     for (int mu = p; mu < n; mu++)
         segments += cagd_compare_q(c->knots[mu], c->knots[mu + 1]) < 0;
-    printf("%s curve of degree %d (order %d) %s\n", c->weights != NULL ? "NURBS" : "B-spline", p, p + 1, where[c->dim]);
-    printf("  points      %d\n", n);
-    printf("  domain      [%s, %s], %d segment%s\n", to_string_q(c->knots[p]), to_string_q(c->knots[n]), segments,
-           segments == 1 ? "" : "s");
-    fputs("  knots      ", stdout);
+    fprintf(out, "%s curve of degree %d (order %d) %s\n", c->weights != NULL ? "NURBS" : "B-spline", p, p + 1,
+            where[c->dim]);
+    fprintf(out, "  points      %d\n", n);
+    fprintf(out, "  domain      [%s, %s], %d segment%s\n", to_string_q(c->knots[p]), to_string_q(c->knots[n]), segments,
+            segments == 1 ? "" : "s");
+    fputs("  knots      ", out);
     for (int i = 0, times = 1; i <= n + p; i++, times++) {
         if (i < n + p && cagd_equal_q(c->knots[i], c->knots[i + 1]))
             continue;
-        printf("%s %s", first ? "" : ",", to_string_q(c->knots[i]));
+        fprintf(out, "%s %s", first ? "" : ",", to_string_q(c->knots[i]));
         if (times > 1)
-            printf(" (%d times)", times);
+            fprintf(out, " (%d times)", times);
         times = 0;
         first = 0;
     }
-    puts("");
+    fputs("\n", out);
     int clamped = cagd_equal_q(c->knots[0], c->knots[p]), clamped_end = cagd_equal_q(c->knots[n], c->knots[n + p]);
-    printf("  ends        %s\n", clamped && clamped_end ? "clamped"
-                                 : clamped              ? "clamped at the start"
-                                 : clamped_end          ? "clamped at the end"
-                                                        : "not clamped");
+    fprintf(out, "  ends        %s\n",
+            clamped && clamped_end ? "clamped"
+            : clamped              ? "clamped at the start"
+            : clamped_end          ? "clamped at the end"
+                                   : "not clamped");
     if (c->weights != NULL) {
         int negative = 0, zero = 0;
         for (int i = 0; i < n; i++) {
             negative += cagd_sign_q(c->weights[i]) < 0;
             zero += cagd_is_zero_q(c->weights[i]);
         }
-        printf("  weights     ");
+        fprintf(out, "  weights     ");
         if (negative == 0 && zero == 0)
-            puts("positive");
+            fputs("positive\n", out);
         else
-            printf("%d positive, %d zero, %d negative; the total weight %s\n", n - negative - zero, zero, negative,
-                   cagd_spline_has_poles_q(c) ? "vanishes somewhere in the domain" : "vanishes nowhere in the domain");
+            fprintf(out, "%d positive, %d zero, %d negative; the total weight %s\n", n - negative - zero, zero,
+                    negative,
+                    cagd_spline_has_poles_q(c) ? "vanishes somewhere in the domain" : "vanishes nowhere in the domain");
     }
 }
 
@@ -396,11 +402,14 @@ static int beziers(const struct arguments *a, const cagd_spline_q *c, json_t *li
     for (int mu = c->degree; mu < c->count; mu++) {
         cagd_spline_q segment;
         int where;
+        region_mark mark = region_open();
+        waiting_at(mu - c->degree, c->count - c->degree, "segments");
         cagd_status status = cagd_spline_segment_q(c, mu, &segment, &where);
-        if (status == CAGD_UNDEFINED || status == CAGD_NO_MEMORY)
-            return exit_code_of(a, status, where, "", from_int_q(0));
         if (status == CAGD_OK) /* otherwise there is no segment, between equal knots */
             json_array_append_new(list, curve_json(&segment));
+        region_drop(mark);
+        if (status == CAGD_UNDEFINED || status == CAGD_NO_MEMORY)
+            return exit_code_of(a, status, where, "", from_int_q(0));
     }
     return EXIT_AS_EXPECTED;
 }
@@ -446,13 +455,17 @@ static int compute(const struct arguments *a)
 {
     cagd_spline_q c;
     struct input_error error;
+    char what[32];
     if (read_curve(a->asked.path, &c, &error) != 0) {
         report_input_error(a->asked.path, &error);
         return EXIT_USAGE;
     }
+    snprintf(what, sizeof what, "curve of degree %d", c.degree);
+    waiting_begin(what);
     if (a->action != DESCRIBE) {
         json_t *list = json_array();
         int code = change(a, &c, list);
+        waiting_end();
         if (code != EXIT_AS_EXPECTED)
             json_decref(list);
         else if (json_array_size(list) == 1 && a->action != BEZIER) {
@@ -464,11 +477,11 @@ static int compute(const struct arguments *a)
     }
     json_t *values = a->asked.json ? json_array() : NULL;
     int code = EXIT_AS_EXPECTED;
-    if (!a->asked.json && a->parameters == 0 && a->file == NULL)
-        describe(&c);
     char *text = NULL; /* all or nothing is printed */
     size_t room;
     FILE *out = text_open(&text, &room);
+    if (!a->asked.json && a->parameters == 0 && a->file == NULL)
+        describe(&c, out);
     if (a->csv)
         print_csv_names(out, a, c.dim);
     for (int k = 0; k < a->parameters && code == EXIT_AS_EXPECTED; k++)
@@ -476,6 +489,8 @@ static int compute(const struct arguments *a)
     if (a->file != NULL && code == EXIT_AS_EXPECTED)
         code = tell_at_file(a, &c, values, out);
     text_close(out, &text);
+    int has_poles = code == EXIT_AS_EXPECTED && a->asked.json && cagd_spline_has_poles_q(&c);
+    waiting_end();
     if (code == EXIT_AS_EXPECTED)
         fputs(text, stdout);
     free(text);
@@ -483,7 +498,7 @@ static int compute(const struct arguments *a)
         json_decref(values);
     else if (a->asked.json)
         print_json_exactly(json_pack("{s:s, s:o, s:b, s:o}", "schema", "cagd-curve-1", "curve", curve_json(&c),
-                                     "positive_denominator", !cagd_spline_has_poles_q(&c), "values", values));
+                                     "positive_denominator", !has_poles, "values", values));
     return code;
 }
 
@@ -539,7 +554,10 @@ const struct command command_curve = {
         "taken as the binary64 it denotes, or a string: \"3/7\", \"0.1\", \"0x1.8p-3\".  Changed curves are printed in "
         "this format, too.  In the plane the curvature is positive where the curve turns left.  Limits: degree 64, "
         "100000 "
-        "points; a curve of degree 30 with 200 points takes seconds.  Exit status 1: the knot or the degree cannot be "
+        "points.  A curve of degree 30 with 1000 points takes seconds; the time grows with the number of points and "
+        "the "
+        "third power of the degree, and on a terminal it is said, from two seconds on, how far it is.  Exit status 1: "
+        "the knot or the degree cannot be "
         "removed.",
     .arguments = FILE_NAME,
     .file = "a curve",

@@ -2,6 +2,7 @@
 #include "chapters/judge/witness.h"
 
 #include "chapters/judge/case.h"
+#include "chapters/judge/memory_text.h"
 #include "chapters/judge/words.h"
 
 #include <stdio.h>
@@ -140,12 +141,10 @@ static int show_inputs(trial *out, const struct small_data *d, int k)
         snprintf(name, sizeof name, "%s%d to %s%d", d->at[k].name, first, d->at[k].name, first + end - k - 1);
     char *text = NULL;
     size_t room;
-    FILE *list = open_memstream(&text, &room);
-    if (list == NULL)
-        abort();
+    FILE *list = text_open(&text, &room);
     for (int j = k; j < end; j++)
         fprintf(list, "%s%s", j > k ? ", " : "", d->at[j].value);
-    fclose(list);
+    text_close(list, &text);
     show_text(out, name, "%s", text);
     free(text);
     return end;

@@ -97,9 +97,11 @@ int cagd_spline_has_poles_q(const cagd_spline_q *s)
         num_q b[MAX_DEGREE + 1];
         if (!before_q(s->knots[mu], s->knots[mu + 1]))
             continue;
+        region_mark mark = region_open(); /* dropped once a segment */
         bspline_to_bezier_q(on_span_q(s->degree, 1, s->knots, mu, s->weights), b);
         enum cagd_sign_pattern sign =
             cagd_sign_on(poly_from_bernstein(s->degree, b), from_int_q(0), from_int_q(1), CLOSED);
+        region_drop(mark);
         if (sign != SIGN_POSITIVE && sign != SIGN_NEGATIVE)
             return 1;
     }
@@ -122,24 +124,63 @@ cagd_status cagd_spline_remove_q(const cagd_spline_q *s, num_q x, cagd_spline_q 
     return made(spline_remove_q(s, x, &room, where), s, s->degree, s->count - 1, &room, result);
 }
 
-/* The points of the curve in degree p+1: point j is the polar form of its segment at v_{j+1}, ..., v_{j+p+1}, from the Bézier points
- * of the segment, which are computed once a segment.  In binary64 this would lose digits, and so spline_elevate takes the mean of
- * p+1 polar forms in degree p; here it only takes less time, p of p^3 for a point. */
+/* Points that outlive a region, which is dropped once a segment: what a segment leaves behind would be a thousand times them. */
+enum { MOST_KEPT = (MAX_DEGREE + 2) * MAX_DIM };
+struct kept {
+    mpq_t at[MOST_KEPT];
+    int count;
+};
+
+static void keep(struct kept *k, int count, const num_q x[])
+{
+    for (int m = 0; m < count; m++, k->count++) {
+        mpq_init(k->at[k->count]);
+        mpq_set(k->at[k->count], x[m].at);
+    }
+}
+
+/* The numbers that were kept, in the region that is open now. */
+static void take_back(struct kept *k, num_q x[])
+{
+    for (int m = 0; m < k->count; m++) {
+        x[m] = cagd_from_mpq_q(k->at[m]);
+        mpq_clear(k->at[m]);
+    }
+    k->count = 0;
+}
+
+/* Points j, j+1, ... of the curve in degree p+1, as far as they are those of the segment of span mu, at most p+2: how many.
+ * Point j is the polar form of its segment at v_{j+1}, ..., v_{j+p+1}, from the Bézier points of the segment, which are computed
+ * once.  In binary64 this would lose digits, and so spline_elevate takes the mean of p+1 polar forms in degree p; here it
+ * only takes less time, p of p^3 for a point. */
+static int elevate_segment(const cagd_spline_q *s, int mu, int j, int count, const num_q knots[], num_q P[])
+{
+    struct kept kept = {.count = 0};
+    num_q H[(MAX_DEGREE + 1) * MAX_DIM], B[(MAX_DEGREE + 1) * MAX_DIM], E[(MAX_DEGREE + 2) * MAX_DIM];
+    int p = s->degree, made = 0;
+    region_mark mark = region_open();
+    int dim = spline_points_of_span_q(s, mu, H);
+    bspline_to_bezier_q(span_alone_q(p, dim, s->knots, mu, H), B);
+    bezier_elevate_q(p, dim, B, E);
+    do {
+        bspline_point_of_bezier_q(p + 1, dim, E, s->knots[mu], s->knots[mu + 1], knots + j + made + 1, P);
+        keep(&kept, dim, P);
+        made++;
+    } while (made < p + 2 && j + made < count &&
+             span_of_point_q(s->count, p, s->knots, count, p + 1, knots, j + made) == mu);
+    region_drop(mark);
+    take_back(&kept, P);
+    return made;
+}
+
 static cagd_status elevate(const cagd_spline_q *s, int count, const struct spline_room_q *room, int *where)
 {
-    num_q H[(MAX_DEGREE + 1) * MAX_DIM], B[(MAX_DEGREE + 1) * MAX_DIM], E[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM];
-    int n = s->count, p = s->degree, dim = s->dim, last = -1;
-    raised_knots_q(n, p, s->knots, room->knots);
-    for (int j = 0; j < count; j++) {
-        int mu = span_of_point_q(n, p, s->knots, count, p + 1, room->knots, j);
-        if (mu != last) {
-            dim = spline_points_of_span_q(s, mu, H);
-            bspline_to_bezier_q(span_alone_q(p, dim, s->knots, mu, H), B);
-            bezier_elevate_q(p, dim, B, E);
-            last = mu;
-        }
-        bspline_point_of_bezier_q(p + 1, dim, E, s->knots[mu], s->knots[mu + 1], room->knots + j + 1, P);
-        cagd_status status = spline_put_q(s, j, 1, P, room, where);
+    num_q P[MOST_KEPT];
+    raised_knots_q(s->count, s->degree, s->knots, room->knots);
+    for (int j = 0, made; j < count; j += made) {
+        int mu = span_of_point_q(s->count, s->degree, s->knots, count, s->degree + 1, room->knots, j);
+        made = elevate_segment(s, mu, j, count, room->knots, P);
+        cagd_status status = spline_put_q(s, j, made, P, room, where);
         if (status != CAGD_OK)
             return status;
     }

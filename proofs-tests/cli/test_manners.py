@@ -365,9 +365,8 @@ class Names(Case):
 class Curves(Case):
     BIG = 200
 
-    def big(self, weights):
+    def big(self, weights, n=BIG, p=30):
         """Degree 30, 200 points: what a curve may be, and is not printed by hand."""
-        n, p = self.BIG, 30
         inner = [f"{i}/{n - p}" for i in range(1, n - p)]
         curve = {"kind": "nurbs" if weights else "bspline", "degree": p, "knots": [0] * (p + 1) + inner + [1] * (p + 1),
                  "points": [[f"{i * i % 97}/{i % 13 + 1}", i * 31 % 101] for i in range(n)]}
@@ -386,12 +385,16 @@ class Curves(Case):
         return json.loads(run("curve", path, "--json", *options).stdout)["values"]
 
     def test_a_large_curve_takes_seconds(self):
-        """Before, elevation took half a minute and more; the same limit for all, of processor time."""
+        """Before, elevation took half a minute and more, and 300 MB; the same limits for all."""
+        def limited():
+            resource.setrlimit(resource.RLIMIT_CPU, (12, 12))
+            resource.setrlimit(resource.RLIMIT_AS, (150 << 20, 150 << 20))
+
         for weights in False, True:
             path = self.big(weights)
             wanted = self.values(path, "--at", "0.3")[0]["derivatives"]
             for options in ["--elevate"], ["--bezier"], ["--at", "0.3", "-d", "64"]:
-                r = run("curve", path, *options, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (12, 12)))
+                r = run("curve", path, *options, preexec_fn=limited)
                 self.assertEqual((r.returncode, r.stderr), (0, ""), options)
                 if options == ["--elevate"]:
                     higher = json.loads(r.stdout)
@@ -401,6 +404,25 @@ class Curves(Case):
                     segments = json.loads(r.stdout)
                     self.assertEqual(len(segments), self.BIG - 30)
                     self.assertEqual(self.values(self.curve(segments[51]), "--at", "0.3")[0]["derivatives"], wanted)
+
+    def test_what_takes_longer_says_so_on_a_terminal(self):
+        path = self.big(True, 150, 64)
+        main, other = pty.openpty()
+        p = subprocess.Popen([CAGD, "curve", str(path), "--bezier"], stdout=subprocess.DEVNULL, stderr=other)
+        os.close(other)
+        said = b""
+        while b" s, " not in said or not said.endswith(b"\r\x1b[K"):
+            try:
+                more = os.read(main, 1 << 16)
+            except OSError:
+                break
+            said += more
+        self.assertEqual(p.wait(), 0)
+        os.close(main)
+        self.assertRegex(said.decode(), r"^\r\x1b\[Kcurve of degree 64: 2 s, \d+ of 86 segments\r\x1b\[K")
+        self.assertTrue(said.endswith(b"\r\x1b[K"))
+        self.assertEqual(run("curve", path, "--bezier").stderr, "")
+        self.assertLess(max(map(len, re.split(r"\r\x1b\[K", said.decode()))), 61)
 
     def test_a_bezier_curve_is_written_back_as_one(self):
         for document in ({"kind": "bezier", "degree": 2, "points": [[0, 0], [1, 2], [3, 0]]},
