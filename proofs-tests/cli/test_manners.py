@@ -317,6 +317,106 @@ class Help(Case):
         self.refuses("figures", "--list", "--out", self.folder, words=["--out"])
 
 
+class Completion(Case):
+    """What zsh and fish complete.  The shells themselves read the files where they are installed (test_cli.py); here the grammar
+    that the files use is read by its rules, and that of zsh is executed by bash, which has the same words for it."""
+
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(run("--write-documents", self.folder).returncode, 0)
+        self.helps = {c: run("help", c).stdout for c in re.findall(r"^  (\w+)  ", run("help").stdout, re.M)}
+
+    def is_described(self, command, option, text):
+        """The text is what the help says of the option, every sign of it."""
+        squeezed = "".join(self.helps[command].split())
+        self.assertIn("".join(text.split()), squeezed[squeezed.index("--" + option):], (command, option))
+
+    def options(self, command):
+        return set(re.findall(r"--([a-z-]+)", run(command, "--usage").stdout)) - {"help", "usage"}
+
+    def fish_words(self, line):
+        """The words of a line by the rules of fish: between single quotes a backslash stands before a quote or a backslash alone."""
+        words, word, at = [], None, 0
+        while at < len(line):
+            c = line[at]
+            if c == " ":
+                words += [word] if word is not None else []
+                word = None
+            elif c == "'":
+                word, at = word or "", at + 1
+                while line[at] != "'":
+                    at += line[at] == "\\" and line[at + 1] in "\\'"
+                    word, at = word + line[at], at + 1
+            else:
+                at += c == "\\"
+                self.assertTrue(c == "\\" or re.match(r"[\w./=-]", c), line)
+                word = (word or "") + line[at]
+            at += 1
+        return words + ([word] if word is not None else [])
+
+    def test_fish(self):
+        options, commands = {c: {} for c in self.helps}, {}
+        for line in (self.folder / "cagd.fish").read_text().splitlines():
+            if line.startswith("#"):
+                continue
+            words = iter(self.fish_words(line))
+            self.assertEqual([next(words), next(words), next(words)], ["complete", "-c", "cagd"])
+            said = {}
+            for flag in words:
+                self.assertIn(flag, ("-n", "-f", "-F", "-r", "-x", "-a", "-l", "-d"), line)
+                self.assertNotIn(flag, said, line)
+                said[flag] = True if flag in ("-f", "-F", "-r", "-x") else next(words)
+            if said.get("-n") == "__fish_use_subcommand":
+                commands[said["-a"]] = said["-d"]
+            elif "-n" in said:
+                seen, command = said["-n"].split()
+                self.assertEqual(seen, "__fish_seen_subcommand_from")
+                if "-l" in said:
+                    options[command][said["-l"]] = said
+                    self.is_described(command, said["-l"], said["-d"])
+                elif "-a" in said:
+                    self.assertRegex(said["-a"], r"^\(cagd (list|figures --list) 2>/dev/null( \| cut -d\" \" -f1)?\)$")
+        self.assertEqual(list(commands), list(self.helps))
+        for command, summary in commands.items():
+            self.assertIn(summary, " ".join(run("help").stdout.split()))
+            self.assertEqual(set(options[command]), self.options(command))
+        self.assertEqual(options["fit"]["loss"]["-a"].split()[1], "huber")
+        self.assertTrue({"-r", "-F"} <= set(options["fit"]["svg"]) and "-x" in options["verify"]["jobs"])
+
+    # What is zsh's own, in bash's words; _arguments and _describe print what they are given.
+    IN_BASH = (("$words[2]", "$COMMAND"), ("shift words", ":"), ("_describe command commands", 'printf "%s\\0" "${commands[@]}"'))
+
+    def given_by_zsh(self, command=""):
+        text = (self.folder / "_cagd").read_text()
+        self.assertTrue(text.startswith("#compdef cagd\n"))
+        for zsh, bash in self.IN_BASH:
+            self.assertEqual(text.count(zsh), 1)
+            text = text.replace(zsh, bash)
+        script = '_arguments() { printf "%s\\0" "$@"; }\n_complete() {\n' + text + "}\n_complete\n"
+        r = subprocess.run(["bash", "-c", script], capture_output=True, text=True,
+                           env={**os.environ, "COMMAND": command, "CURRENT": "3" if command else "2"})
+        self.assertEqual((r.returncode, r.stderr), (0, ""))
+        return r.stdout.split("\0")[:-1]
+
+    def test_zsh(self):
+        rows = [re.fullmatch(r"([a-z]+):((?:[^\\:]|\\.)+)|([a-z]+):(.+)", row) for row in self.given_by_zsh()]
+        self.assertTrue(all(rows))
+        self.assertEqual([row[1] or row[3] for row in rows], list(self.helps))
+        for command in self.helps:
+            found = {}
+            *specs, last = self.given_by_zsh(command)
+            for spec in specs:
+                # *--option=[what it is]:argument:action, brackets and colons of texts behind a backslash.
+                row = re.fullmatch(r"(\*?)--([a-z-]+)(=?)\[((?:[^\\\[\]:]|\\[\[\]:\\])+)\](?::((?:[^\\:]|\\.)+):(_files|\([\w ,-]+\))?)?", spec)
+                self.assertTrue(row, spec)
+                self.assertEqual(bool(row[3]), row[5] is not None, spec)
+                found[row[2]] = row
+                if row[2] != "help":
+                    self.is_described(command, row[2], re.sub(r"\\(.)", r"\1", row[4]))
+            self.assertEqual(set(found) - {"help"}, self.options(command))
+            self.assertRegex(last, r"^(\*:\w+:\{compadd -- \$\(cagd (list|figures --list) 2>/dev/null( \| cut -d\" \" -f1)?\)\}|:file:_files)$")
+
+
 class Names(Case):
     """What people type for a statement."""
 
