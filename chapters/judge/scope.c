@@ -90,14 +90,29 @@ static int has_phrase_alone(const scope *s, const scope *other)
     return 0;
 }
 
-/* Whether it is that of something stated once: a curve, a polygon, some numbers. */
-static int is_one_instance(const scope *s)
+/* Whether it is that of something stated: a curve, some polygons, numbers. */
+static int is_stated(const scope *s)
 {
     static const char stated[] = "the stated ";
     for (int k = 0; k < s->phrases; k++)
         if (strncmp(s->phrase[k], stated, sizeof stated - 1) == 0)
-            return s->ranges == 0 && s->kinds == 0;
+            return 1;
     return 0;
+}
+
+/* Whether it has one case, of one degree where it has any. */
+static int is_one_instance(const scope *s)
+{
+    for (int k = 0; k < s->ranges; k++)
+        if (s->range[k].low < s->range[k].high)
+            return 0;
+    return is_stated(s) && s->kinds == 0;
+}
+
+/* Whether the one is about what is stated, and the other one about more. */
+static int is_beside_more(const scope *s, const scope *other)
+{
+    return is_stated(s) && !is_stated(other) && (is_one_instance(s) || other->kinds > 0);
 }
 
 static int is_every_case(const scope *s) { return s->ranges == 0 && s->phrases == 0 && s->kinds == 0; }
@@ -106,7 +121,8 @@ static int are_apart(const scope *s, const scope *other)
 {
     if (is_every_case(s) || is_every_case(other))
         return 0;
-    return (has_phrase_alone(s, other) && has_phrase_alone(other, s)) || is_one_instance(s) != is_one_instance(other);
+    return (has_phrase_alone(s, other) && has_phrase_alone(other, s)) || is_beside_more(s, other) ||
+           is_beside_more(other, s);
 }
 
 /* Of phrases that can be compared the narrower one is left. */

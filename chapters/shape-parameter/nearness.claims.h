@@ -115,7 +115,7 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
   some point is farther
 :method: As before.
 :degrees: 7..7
-:scope: one polygon
+:scope: the stated polygon
 :control: the two values of $\beta$ exchanged
 :::
 */

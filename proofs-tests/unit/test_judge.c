@@ -931,6 +931,8 @@ static const claim
     others = {.name = "others", .scope = "", .over = "x#: nodes; h#: shifts; gamma"},
     shifts = {.name = "shifts", .scope = "simple knots", .over = "x#: points; h#: shifts; gamma", .degree_high = 9},
     maps = {.name = "maps", .scope = "all maps", .within = order},
+    designed = {.name = "designed", .scope = "the stated polygons"},
+    seventh = {.name = "seventh", .scope = "the stated polygon"},
     stated = {.name = "stated", .scope = "the stated curves"};
 #define RUN_IN_FIELD(c, low, high_, names, positive_names)                                                             \
     {                                                                                                                  \
@@ -954,6 +956,16 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(shifts, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(letters, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(others, 1, 9, shift_names, no_names),
+    {.claim = &seventh,
+     .as_expected = 1,
+     .evidence = DECIDED,
+     .computed = DECIDED,
+     .by = {[RATIONAL_TYPE] = {.ran = 1, .degree_low = 7, .degree_high = 7}}},
+    {.claim = &designed,
+     .as_expected = 1,
+     .evidence = DECIDED,
+     .computed = DECIDED,
+     .by = {[RATIONAL_TYPE] = {.ran = 1, .degree_low = 2, .degree_high = 3}}},
     {.claim = &stated,
      .as_expected = 1,
      .evidence = DECIDED,
@@ -1037,6 +1049,9 @@ static void test_claims_about_different_things_are_apart(void **state)
     assert_finding("n", DECIDED, "n = 1 to 6; each step for its own cases", "", LINKS(BY("weighted"), BY("stated")));
     assert_finding("n", DECIDED, "each step for its own cases", "", LINKS(BY("stated"), BY("inside")));
     assert_finding("n", DECIDED, "the stated curves", "", LINKS(BY("stated")));
+    assert_finding("n", DECIDED, "n = 2 to 3; the stated polygons", "", LINKS(BY("designed"), BY("stretched")));
+    assert_finding("n", DECIDED, "n = 2 to 3; each step for its own cases", "", LINKS(BY("designed"), BY("plain")));
+    assert_finding("n", DECIDED, "n = 7; each step for its own cases", "", LINKS(BY("seventh"), BY("high")));
     assert_finding("n", SAMPLED, "n = 1 to 3; each step for its own cases; 24 random instances", "",
                    LINKS(BY("patterns"), BY("said"), BY("instances")));
 }
