@@ -43,6 +43,17 @@ class Scopes(unittest.TestCase):
             with self.subTest(row["id"]):
                 self.assertTrue(is_worked_number(text) or row["example"], f"{finding['scope']}: {text}")
 
+    def test_one_degree_decides_nothing_printed_with_a_letter_for_it(self):
+        for row in LEDGER:
+            text, finding = decided(row)
+            one = finding and re.match(r"([nk]) = (\d+)(?:;|$)", finding["scope"])
+            if not one or finding["argued_for"] or row["as_printed"]["verdict"] in ("undecided", "open"):
+                continue
+            letter, number = one.groups()
+            free = re.search(rf"(?<![A-Za-z\\]){letter}(?![A-Za-z])", text)
+            with self.subTest(row["id"]):
+                self.assertTrue(not free or re.search(rf"{letter}\s*=\s*{number}\b", text), f"{finding['scope']}: {text}")
+
     def test_an_example_is_one_instance(self):
         for row in LEDGER:
             with self.subTest(row["id"]):
