@@ -439,9 +439,9 @@ static const char *formula(const char *s, struct text *out, char stop)
             s = formula(s + 1, out, '}');
         } else if (*s == '=' || *s == '<' || *s == '>') {
             put_relation(out, *s == '=' ? "=" : *s == '<' ? "<" : ">"), s++;
-        } else if ((*s == '-' || *s == '+') && is_binary(out)) {
+        } else if ((*s == '-' || *s == '+') && is_binary(out) && strchr(")],", s[1]) == NULL) {
             put_relation(out, *s++ == '-' ? "−" : "+");
-        } else if (*s == '-') {
+        } else if (*s == '-') { /* of one number, or of a limit from one side as in r(t−) */
             puts_(out, "−"), s++;
         } else if (*s == ' ' && ends_with_blank(out)) {
             s++;

@@ -50,40 +50,30 @@ static int is_text(const char *at, size_t n, const char *text)
     return strlen(text) == n && strncmp(at, text, n) == 0;
 }
 
-/* Whether the table has the row "narrow | wide", or "* | wide": a phrase that leaves nothing out. */
-static int is_declared(const char *table, const char *narrow, const char *wide)
+/* Whether all cases of a phrase are cases of another one: the same, or the table has the row "narrow | wide", or "* | wide" of
+ * one that leaves nothing out. */
+static int is_within(const char *table, const char *narrow, const char *wide)
 {
-    for (const char *row = table; row != NULL && *row != '\0'; row += strspn(row, "; ")) {
+    if (strcmp(narrow, wide) == 0)
+        return 1;
+    for (const char *row = table; row != NULL && *row != '\0'; row += *row == ';') {
         size_t end = strcspn(row, ";"), n = strcspn(row, "|");
-        const char *right = row + n + 1;
-        if (n < end) {
-            right += strspn(right, " ");
-            while (n > 0 && row[n - 1] == ' ')
-                n--;
-            int is_left = is_text(row, n, narrow) || is_text(row, n, "*");
-            if (is_left && is_text(right, (size_t)(row + end - right), wide))
-                return 1;
-        }
+        int is_left = n > 1 && n < end && (is_text(row, n - 1, narrow) || is_text(row, n - 1, "*"));
+        if (is_left && is_text(row + n + 2, end - n - 2, wide))
+            return 1;
         row += end;
     }
     return 0;
 }
 
-/* Whether all cases of a phrase are cases of another one. */
-static int is_within(const scope *s, const scope *other, const char *narrow, const char *wide)
-{
-    return strcmp(narrow, wide) == 0 || is_declared(s->within, narrow, wide) ||
-           is_declared(other->within, narrow, wide);
-}
-
 /* Whether some phrase of s has no counterpart in the other scope, none that is the same, narrower or wider. */
-static int has_phrase_alone(const scope *s, const scope *other)
+static int has_phrase_alone(const scope *s, const scope *other, const char *table)
 {
     for (int k = 0; k < s->phrases; k++) {
         int known = 0;
-        for (int m = 0; m < other->phrases && !known; m++)
-            known = is_within(s, other, s->phrase[k], other->phrase[m]) ||
-                    is_within(s, other, other->phrase[m], s->phrase[k]);
+        for (int m = 0; m < other->phrases; m++)
+            known |=
+                is_within(table, s->phrase[k], other->phrase[m]) || is_within(table, other->phrase[m], s->phrase[k]);
         if (!known)
             return 1;
     }
@@ -117,11 +107,11 @@ static int is_beside_more(const scope *s, const scope *other)
 
 static int is_every_case(const scope *s) { return s->ranges == 0 && s->phrases == 0 && s->kinds == 0; }
 
-static int are_apart(const scope *s, const scope *other)
+static int are_apart(const scope *s, const scope *other, const char *table)
 {
     if (is_every_case(s) || is_every_case(other))
         return 0;
-    return (has_phrase_alone(s, other) && has_phrase_alone(other, s)) || is_beside_more(s, other) ||
+    return (has_phrase_alone(s, other, table) && has_phrase_alone(other, s, table)) || is_beside_more(s, other) ||
            is_beside_more(other, s);
 }
 
@@ -131,8 +121,8 @@ static void meet_phrases(scope *s, const scope *other)
     for (int m = 0; m < other->phrases; m++) {
         int asked = 0;
         for (int k = 0; k < s->phrases && !asked; k++) {
-            asked = is_within(s, other, s->phrase[k], other->phrase[m]);
-            if (!asked && is_within(s, other, other->phrase[m], s->phrase[k])) {
+            asked = is_within(s->within, s->phrase[k], other->phrase[m]);
+            if (!asked && is_within(s->within, other->phrase[m], s->phrase[k])) {
                 free(s->phrase[k]);
                 s->phrase[k--] = s->phrase[--s->phrases];
             }
@@ -169,8 +159,8 @@ static int has_data_alone(const scope *s, const scope *other)
 {
     for (int k = 0; k < s->kinds && other->kinds > 0; k++) {
         int known = 0;
-        for (int m = 0; m < other->kinds && !known; m++)
-            known = is_same_noun(&s->data[k], &other->data[m]);
+        for (int m = 0; m < other->kinds; m++)
+            known |= is_same_noun(&s->data[k], &other->data[m]);
         if (!known)
             return 1;
     }
@@ -179,11 +169,11 @@ static int has_data_alone(const scope *s, const scope *other)
 
 void meet_scope(scope *s, const scope *other)
 {
-    s->apart |= other->apart || are_apart(s, other);
-    s->mixed |= other->mixed || (has_data_alone(s, other) && has_data_alone(other, s));
-    meet_phrases(s, other);
     if (s->within == NULL)
         s->within = other->within;
+    s->apart |= other->apart || are_apart(s, other, s->within);
+    s->mixed |= other->mixed || (has_data_alone(s, other) && has_data_alone(other, s));
+    meet_phrases(s, other);
     for (int k = 0; k < other->ranges; k++)
         meet_range(s, other->range[k]);
     for (int k = 0; k < other->kinds; k++) {
@@ -264,7 +254,7 @@ static int find_noun(const char *over, const char *name, size_t n, const char **
         }
         over += entry + (over[entry] == ';');
     }
-    return 0;
+    return 0; /* in no entry */
 }
 
 static void add_variables(scope *s, const claim *c, const type_result *b)

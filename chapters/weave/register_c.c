@@ -98,8 +98,10 @@ static char *within_of(const struct book *book)
     char *rows = whole_copy("");
     for (int k = 0; k < book->blocks; k++)
         for (int j = 0; book->block[k].kind == LETTERS_BLOCK && j < book->block[k].options; j++)
-            if (strcmp(book->block[k].option[j].key, "within") == 0)
-                rows = joined(rows, ';', book->block[k].option[j].value);
+            if (strcmp(book->block[k].option[j].key, "within") == 0) {
+                struct link row = read_link(book->block[k].option[j].value, PLACE_TEXT);
+                rows = joined(joined(rows, ';', row.place), ' ', joined(whole_copy("|"), ' ', row.text));
+            }
     return rows;
 }
 

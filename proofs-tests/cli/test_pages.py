@@ -75,6 +75,7 @@ class Matrices(unittest.TestCase):
         page = show("wang-ch4:formula-4.4.19", "wang-ch4:thm-4.4.3-step-inverse", "wang-ch4:formula-4.4.22-sym", "wang-ch3:3.1-A")
         for text in "g_(μi) = ((−1)^μ μ!)/(k − 1)!", "g*_(μi)t^μ/det G_(r,k,T)", "t_(i₁)⋯t_(iⱼ)", "both terms −2λ(x + y − 1)":
             self.assertIn(text, page)
+        self.assertIn("r(t−) from the left and r(t+) from the right", " ".join(show("wang-ch4:thm-4.2.1").split()))
         self.assertIn("(wᵢ^[r](τ) − wᵢ^[r](t)) = ", show("wang-ch4:thm-4.3.3-difference"))
         self.assertIn("lim_(m→∞) A(Γₖ^(T)(Tₘ′)) = ⋂ᵢ₌₁^(+∞) A(", show("wang-ch4:thm-4.2.1-step-limit"))
 

@@ -914,8 +914,8 @@ static void test_result_of(void **state)
 /* ---- Scopes ------------------------------------------------------------------------------------------ */
 
 static char weighted_names[] = "x0 w1 t", weighted_positive[] = "w1", plain_names[] = "x3 w0 beta0", odd_names[] = "h7",
-            no_names[] = "", one_weight[] = "w0 t", shift_names[] = "x1 h1 gamma";
-static const char order[] = "simple knots | every pattern of knots; 0 < t < 1 | 0 ≤ t ≤ 1;* | all maps";
+            no_names[] = "", one_weight[] = "w0 t", shift_names[] = "x1 h1 gamma", five_names[] = "x1 w1 h1 gamma t";
+static const char order[] = "simple knots | every pattern of knots;0 < t < 1 | 0 ≤ t ≤ 1;* | all maps";
 static const claim
     weighted = {.name = "weighted", .scope = "simple knots", .over = "x#: points; w#: weights;t", .degree_high = 6},
     plain = {.name = "plain", .scope = "", .over = "x#: points; w#: weights; beta", .letter = "k"},
@@ -930,6 +930,8 @@ static const claim
     letters = {.name = "letters", .scope = "", .over = "x#: points; h#: shifts; gamma"},
     others = {.name = "others", .scope = "", .over = "x#: nodes; h#: shifts; gamma"},
     shifts = {.name = "shifts", .scope = "simple knots", .over = "x#: points; h#: shifts; gamma", .degree_high = 9},
+    below = {.name = "below", .scope = "every t below 1", .over = "w#: weights; t"},
+    five = {.name = "five", .scope = "", .over = "x#: points; w#: weights; h#: shifts; gamma; t"},
     maps = {.name = "maps", .scope = "all maps", .within = order},
     designed = {.name = "designed", .scope = "the stated polygons"},
     seventh = {.name = "seventh", .scope = "the stated polygon"},
@@ -953,6 +955,8 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(closed, 1, 4, one_weight, no_names),
     RUN_IN_FIELD(patterns, 1, 3, no_names, no_names),
     RUN_IN_FIELD(maps, 0, 0, no_names, no_names),
+    RUN_IN_FIELD(below, 0, 0, one_weight, no_names),
+    RUN_IN_FIELD(five, 1, 4, five_names, no_names),
     RUN_IN_FIELD(shifts, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(letters, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(others, 1, 9, shift_names, no_names),
@@ -1032,6 +1036,7 @@ static void test_a_narrower_phrase_is_left(void **state)
     assert_finding("n", PROVED, "n = 2 to 3; every pattern of knots; all points and weights, every β", "",
                    LINKS(BY("patterns"), BY("plain"))); /* a phrase of one alone asks it of both */
     assert_finding("n", PROVED, "all maps", "", LINKS(BY("maps")));
+    assert_finding("n", PROVED, "every t below 1; all weights", "", LINKS(BY("below")));
     assert_finding("n", PROVED, "n = 1 to 3; every pattern of knots", "", LINKS(BY("maps"), BY("patterns")));
     assert_finding("n", PROVED, "n = 1 to 3; every pattern of knots", "", LINKS(BY("patterns"), BY("maps")));
 }
@@ -1069,6 +1074,10 @@ static void test_data_that_nobody_has_together_are_told_by_step(void **state)
     assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights, points and shifts, every γ", "",
                    LINKS(BY("closed"), BY("letters"))); /* of t a phrase speaks */
     assert_finding("n", PROVED, "n = 2 to 8; each step for its own data", "", LINKS(BY("plain"), BY("others")));
+    assert_finding("n", PROVED, "n = 1 to 4; all points, weights and shifts, every γ and t", "",
+                   LINKS(BY("five"), BY("letters"))); /* one claim has all */
+    assert_finding("n", PROVED, "n = 1 to 4; all points, shifts and weights, every γ and t", "",
+                   LINKS(BY("letters"), BY("five")));
     assert_finding("n", PROVED, "n = 2 to 6; simple knots; all points, all positive weights, every t and β", "",
                    LINKS(BY("weighted"), BY("plain"))); /* four kinds, no claim has all */
 }
