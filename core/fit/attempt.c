@@ -8,7 +8,7 @@ int fit_attempt_new(const fit_problem *p, fit_attempt *a)
 {
     *a = (fit_attempt){.problem = p, .max_iterations = p->options->max_iterations};
     a->radius = 1e4; /* that of Ceres by default */
-    a->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    a->curve = fit_curve_new(p->degree, p->count, p->period, p->dim, p->knots);
     a->feet = malloc((size_t)p->points * sizeof *a->feet);
     a->objective = fit_objective_new(p);
     return a->curve && a->feet && a->objective;

@@ -31,6 +31,22 @@
  * Ends that are not free are the first and the last measured point as they are, with errors that no standard error
  * knows of: the intervals of what depends on them are then too short.
  *
+ * Closed curves (闭曲线).  With `closed` the curve comes back to where it began, without ends: a periodic spline, whose
+ * derivatives of order up to p-1 agree at the seam.  `count` says how many points it has, more than p; it is given
+ * back with the first p of them once more behind the last, on knots that are not clamped, as every evaluation takes it.
+ * Unknowns are of the first ones.  Nothing is said of ends: CAGD_FIT_END_POINTS and `ends` have no effect.  An initial curve,
+ * and knots, are periodic, too.
+ *
+ * Smoothing (光顺).  With smooth = lambda > 0 what is minimised is
+ *
+ *     F(theta) + lambda/2 integral |sum N_{j,p}''(u) P_j|^2 du,    u from 0 to 1 over the domain,
+ *
+ * a spline as a compromise between its points and its bending energy, which also says what the points leave open.  Weights are
+ * not free then, and the degree is 2 or more.  Of the k unknowns the points determine tr H^-1 J^T J, `effective`, H the matrix of
+ * second derivatives with the smoothing term; it takes the place of the rank in the degrees of freedom.  The covariance is
+ * scale_squared H^-1 J^T J H^-1, that of the smoothed curve: how far smoothing moves the curve by itself is not in it.
+ * Source: eilers-marx-1996; wahba-1990.
+ *
  * Nothing free (只求垂足).  With an initial curve and free = 0 the distances of the points from that curve are told, and
  * nothing is estimated.  One point is enough then.  The foot of each is the nearest point of the whole curve,
  * whatever the order of the points, which only says how many feet overtake the one before.  The curve, its gauge with
@@ -77,13 +93,15 @@ typedef enum cagd_fit_ends { CAGD_FIT_ENDS_MEASURED, CAGD_FIT_ENDS_SLIDE } cagd_
 typedef enum cagd_fit_loss { CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY } cagd_fit_loss;
 
 typedef struct cagd_fit_options {
-    int degree, count;          /* p and the number of points of the curve; count 0: p+1                 */
-    const double *knots;        /* count+p+1 knots, clamped; NULL: 0 and 1 at the ends, inner ones even  */
+    int degree, count;          /* p and the number of points of the curve; count 0: p+1, of a closed one p+2 */
+    const double *knots;        /* count+p+1 knots, clamped, of a closed curve count+2p+1, periodic; NULL: 0 and 1 at the ends, inner ones even  */
     const cagd_spline *initial; /* where to start; NULL: found from the points.  Gives degree and knots  */
     int free;                   /* CAGD_FIT_... added up; what is not free stays as in initial; without  */
                                 /* initial the inner points must be free, and ends that are not free are */
                                 /* the first and the last measured point; 0, with initial: only the feet */
     cagd_fit_ends ends;         /* of free ends                                                          */
+    double smooth;              /* >= 0: the weight of the smoothing term; see above                     */
+    int closed;                 /* 1: a closed curve; see above                                          */
     int unordered;              /* 0: the points come in order along the curve; 1: in any order          */
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0; 0: estimated, with the fit, from the median of the distances     */
@@ -124,6 +142,7 @@ typedef enum cagd_fit_termination { CAGD_FIT_CONVERGED, CAGD_FIT_NOT_CONVERGED, 
 typedef struct cagd_fit_result {
     /* the curve, in the gauge above; with nothing free, as given */
     cagd_spline curve;
+    int period;       /* of a closed curve: how many of its points are its own, the others repeat them; 0: open */
     double origin[3]; /* measured coordinates less these are exact in binary64                         */
     double *relative; /* the points of the curve less the origin, which are what was fitted and verified */
     /* the foot points and what is left: residuals[i*dim + c] = coordinate c of Q_i - C(feet[i]); distances[i] its
@@ -161,6 +180,8 @@ typedef struct cagd_fit_result {
     double
         *covariance; /* unknowns x unknowns, by rows: the generalised inverse of J^T J, J the Jacobian of the scaled */
                      /* residuals without feet; times scale_squared                                 */
+    double effective; /* how many unknowns the points determine: the rank, with a smoothing term less      */
+    double roughness; /* the integral of the smoothing term                                              */
     int flat;        /* unknowns that are not at a bound, less the rank                             */
     double *free_directions; /* flat x unknowns, by rows: orthonormal directions in which F is flat         */
     int *determined;         /* 1 where the unknown is not at a bound, and the same along all free directions */

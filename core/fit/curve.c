@@ -19,7 +19,7 @@ void fit_curve_free(fit_curve *c)
     free(c);
 }
 
-fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[])
+fit_curve *fit_curve_new(int degree, int count, int period, int dim, const double knots[])
 {
     fit_curve *c = calloc(1, sizeof *c);
     if (c == NULL)
@@ -33,6 +33,7 @@ fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[])
     c->inverse = malloc(n * sizeof *c->inverse);
     c->bezier = malloc((n - p) * (p + 1) * (d + 1) * sizeof *c->bezier);
     c->spline = (cagd_spline){degree, count, dim, u, c->points, c->weights};
+    c->period = period;
     if (!u || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier || !c->choose) {
         fit_curve_free(c);
         return NULL;
@@ -59,7 +60,11 @@ void fit_curve_copy(fit_curve *to, const fit_curve *from)
 
 void fit_curve_update(fit_curve *c)
 {
-    const int p = c->spline.degree, size = (p + 1) * (c->spline.dim + 1);
+    const int p = c->spline.degree, dimension = c->spline.dim, size = (p + 1) * (dimension + 1);
+    for (int i = c->period; c->period > 0 && i < c->spline.count; i++) {
+        memcpy(c->points + i * dimension, c->points + (i - c->period) * dimension, (size_t)dimension * sizeof *c->points);
+        c->weights[i] = c->weights[i - c->period];
+    }
     for (int k = 0; k < c->pieces; k++) {
         double H[(MAX_DEGREE + 1) * MAX_DIM];
         int mu = c->span[k], dim = spline_points_of_span_d(&c->spline, mu, H);

@@ -11,6 +11,7 @@ extern "C" {
 
 typedef struct fit_curve {
     cagd_spline spline;       /* with weights, which are positive                        */
+    int period;               /* of a closed curve: point i+period is point i; 0: open   */
     double *points, *weights; /* those of the spline, to be changed                      */
     int pieces, *span;        /* of each piece: u_span < u_{span+1}                      */
     double *inverse;          /* of each piece: 1/(u_{span+1} - u_span)                  */
@@ -18,18 +19,28 @@ typedef struct fit_curve {
     double *choose;           /* binomial coefficients of p-1                            */
 } fit_curve;
 
-/* NULL when there is no memory.  The points are 0, the weights 1. */
-fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[]);
+/* NULL when there is no memory.  The points are 0, the weights 1.  A closed curve (闭曲线) has count = period + degree
+ * points, and knots with u_{i+period} = u_i + (end - start). */
+fit_curve *fit_curve_new(int degree, int count, int period, int dim, const double knots[]);
 void fit_curve_free(fit_curve *curve); /* NULL is allowed */
 
 /* Points and weights of one curve become those of another of the same shape. */
 void fit_curve_copy(fit_curve *to, const fit_curve *from);
 
-/* To be called after the points or the weights have changed. */
+/* To be called after the points or the weights have changed; of a closed curve the first `period` ones are taken. */
 void fit_curve_update(fit_curve *curve);
 
 static inline double fit_curve_start(const fit_curve *c) { return c->spline.knots[c->spline.degree]; }
 static inline double fit_curve_end(const fit_curve *c) { return c->spline.knots[c->spline.count]; }
+
+/* Which of the points of a piece point `index` of the curve is, 0, ..., p; -1 for none. */
+static inline int fit_curve_place(const fit_curve *c, int index, int piece)
+{
+    int m = index - c->span[piece] + c->spline.degree;
+    if (c->period > 0 && m < 0)
+        m += c->period;
+    return m >= 0 && m <= c->spline.degree ? m : -1;
+}
 
 /* The piece that contains t; at a knot the one on its right. */
 int fit_curve_piece(const fit_curve *curve, double t);

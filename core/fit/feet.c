@@ -32,6 +32,21 @@ int fit_held_foot(const fit_problem *p, const fit_curve *curve, int i, double *t
     return 1;
 }
 
+/* ---- Closed curves ------------------------------------------------------------------------------------- */
+
+/* The polygon over a closed curve begins with the side that is nearest to the first point, and its parameters run on
+ * beyond the end of the domain.  What is there for the curve, and for the polygon, at a parameter of the other. */
+static double parameter_of(const search *s, double t)
+{
+    const double start = fit_curve_start(s->curve), end = fit_curve_end(s->curve);
+    return t > end && s->curve->period > 0 ? fmin(start + (t - end), end) : t;
+}
+
+static double unrolled(const search *s, double t)
+{
+    return t < s->polygon.t[0] ? t + (fit_curve_end(s->curve) - fit_curve_start(s->curve)) : t;
+}
+
 /* ---- One point ---------------------------------------------------------------------------------------- */
 
 /* The smallest distance that a part of the curve surely has, by the sides over it; square[]: the squared distances of
@@ -59,21 +74,21 @@ static int has_nearer_neighbour(sides range, int k, const double square[])
 static double nearest_foot(const search *s, const double q[], sides range, const double *known, double *smallest)
 {
     const fit_polygon *g = &s->polygon;
-    double found = g->t[range.first], D[9];
+    double found = parameter_of(s, g->t[range.first]), D[9];
     fit_polygon_distances(g, q, range.first, range.last, s->square);
     const double best = surely_reached(g, range, s->square);
     *smallest = HUGE_VAL;
-    if (known != NULL && range.first == range.last && fit_polygon_is_beside(g, range.first, *known))
+    if (known != NULL && range.first == range.last && fit_polygon_is_beside(g, range.first, unrolled(s, *known)))
         return *known;
     for (int k = range.first; k <= range.last; k++) {
         if (sqrt(s->square[k]) - g->depth[k] > best || (!s->thorough && has_nearer_neighbour(range, k, s->square)))
             continue;
         double t;
-        if (known != NULL && fit_polygon_is_beside(g, k, *known)) {
+        if (known != NULL && fit_polygon_is_beside(g, k, unrolled(s, *known))) {
             t = *known;
             fit_curve_derivatives(s->curve, t, D);
         } else {
-            t = fit_polygon_parameter(g, k, q);
+            t = parameter_of(s, fit_polygon_parameter(g, k, q));
             fit_foot(s->curve, q, &t, D);
         }
         double d = fit_distance_squared(g->dim, D, q);
@@ -172,6 +187,15 @@ static void search_free(search *s)
     free(s->square);
 }
 
+/* Makes the polygon over a closed curve begin beside the first point.  Returns 0 when there is no memory. */
+static int begin_at_first(search *s)
+{
+    if (s->curve->period == 0)
+        return 1;
+    fit_polygon_distances(&s->polygon, fit_point(s->problem, 0), 0, s->polygon.sides - 1, s->square);
+    return fit_polygon_begin_at(&s->polygon, fit_smallest_of(s->polygon.sides, s->square));
+}
+
 /* Returns 0 when there is no memory; search_free is to be called all the same. */
 static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
 {
@@ -182,7 +206,7 @@ static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
         return 0;
     s->side = malloc((size_t)s->anchors * sizeof *s->side);
     s->square = malloc((size_t)s->polygon.sides * sizeof *s->square);
-    return s->side && s->square && (p->unordered || find_sides(s));
+    return s->side && s->square && (p->unordered || (begin_at_first(s) && find_sides(s)));
 }
 
 /* Where the foot of point i is looked for: on all sides, on that of the anchor which it is, or between those of two
@@ -210,7 +234,7 @@ int fit_feet_guess(const fit_problem *p, const fit_curve *curve, double t[])
         int best = range.first;
         for (int k = range.first + 1; k <= range.last; k++)
             best = s.square[k] < s.square[best] ? k : best;
-        t[i] = fit_polygon_parameter(&s.polygon, best, fit_point(p, i));
+        t[i] = parameter_of(&s, fit_polygon_parameter(&s.polygon, best, fit_point(p, i)));
     }
     search_free(&s);
     return good;

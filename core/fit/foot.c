@@ -54,13 +54,23 @@ void fit_curve_derivatives(const fit_curve *c, double t, double D[])
     }
 }
 
-fit_foot_kind fit_foot_near(const fit_curve *c, const double q[], double limit, double *t, double D[])
+static fit_foot_kind foot_inside(const fit_curve *c, const double q[], double limit, double *t, double D[])
 {
     int shape = shape_of(c);
     return shape == 202   ? newton_conic(c, q, limit, t, D)
            : shape == 203 ? newton_cubic(c, q, limit, t, D)
            : shape == 303 ? newton_space_cubic(c, q, limit, t, D)
                           : newton_any(c, q, limit, t, D);
+}
+
+fit_foot_kind fit_foot_near(const fit_curve *c, const double q[], double limit, double *t, double D[])
+{
+    fit_foot_kind kind = foot_inside(c, q, limit, t, D);
+    if (kind != FOOT_AT_END || c->period == 0)
+        return kind;
+    *t = *t == fit_curve_start(c) ? fit_curve_end(c) : fit_curve_start(c);
+    kind = foot_inside(c, q, limit, t, D);
+    return kind == FOOT_AT_END && c->spline.degree > 1 ? FOOT_ORTHOGONAL : kind;
 }
 
 fit_foot_kind fit_foot(const fit_curve *c, const double q[], double *t, double D[])

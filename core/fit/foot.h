@@ -8,7 +8,10 @@
  * would become smaller beyond it.  AT_CORNER: C has no tangent at t, a corner or a point with C' = 0. */
 typedef enum fit_foot_kind { FOOT_ORTHOGONAL, FOOT_AT_END, FOOT_AT_CORNER } fit_foot_kind;
 
-/* The foot of q that is reached from *t, which becomes it.  D: the point of the curve there and two derivatives. */
+/* The foot of q that is reached from *t, which becomes it.  D: the point of the curve there and two derivatives.
+ *
+ * A closed curve has no end: a foot that would lie beyond the end of the domain is sought on from its start, and the other
+ * way round.  Where both say that it lies beyond, it is at the seam, but for rounding. */
 fit_foot_kind fit_foot(const fit_curve *curve, const double q[], double *t, double D[]);
 
 /* The same, but for steps shorter than `limit` times the length on which the curve changes, Taylor's polynomial of

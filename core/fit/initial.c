@@ -3,6 +3,7 @@
 #include "core/fit/ceres.h"
 #include "core/fit/feet.h"
 #include "core/fit/reduction.h"
+#include "core/fit/smoothing.h"
 #include "core/kernels/kernels_d.h"
 
 #include <float.h>
@@ -13,13 +14,13 @@
 /* ---- Parameters --------------------------------------------------------------------------------------- */
 
 /* length[g]: how far along the chords between the centres of groups of points, taken in their order, the centre of
- * group g lies. */
+ * group g lies; length[groups]: where these chords come back to the first centre. */
 static void chord_lengths(const fit_problem *p, const int order[], int groups, double length[])
 {
     int n = p->points, dim = p->dim;
     double before[3] = {0};
-    for (int g = 0; g < groups; g++) {
-        int low = (int)((long)n * g / groups), high = (int)((long)n * (g + 1) / groups);
+    for (int g = 0; g <= groups; g++) {
+        int part = g % groups, low = (int)((long)n * part / groups), high = (int)((long)n * (part + 1) / groups);
         double centre[3] = {0};
         for (int i = low; i < high; i++)
             for (int c = 0; c < dim; c++)
@@ -33,15 +34,16 @@ static void chord_lengths(const fit_problem *p, const int order[], int groups, d
  * apart.  Returns 0 when there is no memory. */
 static int chord_parameters(const fit_problem *p, const int order[], double start, double end, double t[])
 {
-    int n = p->points, groups = n < p->strategy.chord_groups ? n : p->strategy.chord_groups;
-    double *at = malloc((size_t)groups * sizeof *at);
+    const int n = p->points, groups = n < p->strategy.chord_groups ? n : p->strategy.chord_groups,
+              chords = groups - (p->period == 0), steps = n - (p->period == 0);
+    double *at = malloc((size_t)(groups + 1) * sizeof *at);
     if (at == NULL)
         return 0;
     chord_lengths(p, order, groups, at);
-    double length = at[groups - 1];
+    double length = at[chords];
     for (int i = 0; i < n; i++) {
-        double place = n > 1 ? (double)i * (groups - 1) / (n - 1) : 0;
-        int g = (int)place < groups - 2 ? (int)place : groups - 2;
+        double place = n > 1 ? (double)i * chords / steps : 0;
+        int g = (int)place < chords - 1 ? (int)place : chords - 1;
         double x = at[g] + (place - g) * (at[g + 1] - at[g]);
         t[order[i]] = start + (end - start) * (length > 0 ? x / length : (double)i / (n - 1));
     }
@@ -78,6 +80,8 @@ static int free_points_new(const fit_problem *p, const fit_curve *curve, free_po
     for (int k = 0; k < p->unknowns; k++)
         if (!p->unknown[k].is_weight && f->column[p->unknown[k].index] < 0)
             f->column[p->unknown[k].index] = f->support.unknowns++;
+    for (int i = p->period; p->period > 0 && i < p->count; i++) /* the same points once more */
+        f->column[i] = f->column[i - p->period];
     for (int k = 0; k < pieces; k++) {
         f->support.first[k] = at;
         for (int i = curve->span[k] - degree; i <= curve->span[k]; i++)
@@ -111,6 +115,25 @@ static void add_row(const fit_problem *p, const fit_curve *curve, const free_poi
         *row = factor * (Q[c] - D[c]);
 }
 
+/* The rows of the smoothing term for the changes of the points. */
+static void add_smoothing(const fit_problem *p, const fit_curve *curve, const free_points *f, fit_reduction *rows)
+{
+    double N[MAX_DEGREE + 1];
+    for (int piece = 0; piece < curve->pieces; piece++)
+        for (int g = 0; g < fit_smoothing_nodes(p); g++) {
+            int stride, low = curve->span[piece] - p->degree;
+            double *row = fit_reduction_row(rows, piece, &stride);
+            fit_smoothing_row(p, curve, piece, g, N);
+            for (int j = 0; j <= p->degree; j++)
+                if (f->column[low + j] >= 0) {
+                    *row = N[j];
+                    row += stride;
+                }
+            for (int c = 0; c < p->dim; c++, row += stride)
+                *row = -fit_smoothing_residual(p, curve, piece, N, c);
+        }
+}
+
 /* Moves the free points by the solution of smallest length of the triangle T = (R z), by the singular values of R
  * that count.  work has room for 3 m^2 + m numbers, m free points.  Returns 0 when there is no memory. */
 static int move_points(const fit_problem *p, const free_points *f, const double T[], double work[], fit_curve *curve)
@@ -128,7 +151,7 @@ static int move_points(const fit_problem *p, const free_points *f, const double 
             double along = 0;
             for (int r = 0; r < m; r++)
                 along += U[r * m + i] * T[r * n + m + c];
-            for (int k = 0; k < p->count; k++)
+            for (int k = 0; k < (p->period > 0 ? p->period : p->count); k++)
                 if (f->column[k] >= 0)
                     curve->points[k * dim + c] += along / s[i] * V[f->column[k] * m + i];
         }
@@ -151,6 +174,8 @@ static int solve_points(const fit_problem *p, const double t[], int robust, fit_
     }
     for (int i = 0; good && i < p->points; i++)
         add_row(p, curve, &f, i, t[i], robust, rows);
+    if (good)
+        add_smoothing(p, curve, &f, rows);
     if (good && f.support.unknowns > 0)
         good = move_points(p, &f, fit_reduction_triangle(rows), work, curve);
     fit_curve_update(curve);
@@ -194,7 +219,7 @@ int fit_initial_curve(const fit_problem *p, const int order[], fit_curve *curve)
     double *t = malloc((size_t)p->points * sizeof *t);
     if (t == NULL)
         return 0;
-    straighten(p, fit_point(p, order[0]), fit_point(p, order[p->points - 1]), curve);
+    straighten(p, fit_point(p, order[0]), fit_point(p, order[p->period > 0 ? 0 : p->points - 1]), curve);
     int good = chord_parameters(p, order, fit_curve_start(curve), fit_curve_end(curve), t) &&
                solve_points(p, t, 0, curve) && alternate(p, curve, t);
     free(t);

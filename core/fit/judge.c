@@ -22,8 +22,8 @@ static void fail(fit_attempt *a, const char *form, ...)
 static double share_of(const fit_curve *curve, int index, int piece, double t)
 {
     double R[MAX_DEGREE + 1], slopes[MAX_DEGREE + 1];
-    int m = index - curve->span[piece] + curve->spline.degree;
-    if (m < 0 || m > curve->spline.degree)
+    int m = fit_curve_place(curve, index, piece);
+    if (m < 0)
         return 0;
     fit_curve_shares(curve, piece, t, R, slopes);
     return R[m];

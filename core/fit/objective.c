@@ -3,6 +3,7 @@
 #include "core/fit/batch.h"
 #include "core/fit/feet.h"
 #include "core/fit/loss.h"
+#include "core/fit/smoothing.h"
 #include "core/fit/unknowns.h"
 #include "core/number/limits.h"
 
@@ -19,7 +20,7 @@ fit_objective *fit_objective_new(const fit_problem *p)
     o->problem = p;
     o->limit = FOOT_EXACT;
     o->width = fit_batch_widest();
-    o->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    o->curve = fit_curve_new(p->degree, p->count, p->period, p->dim, p->knots);
     if (o->curve != NULL)
         o->rows = fit_reduction_new(&p->support, 1);
     if (o->curve != NULL)
@@ -29,7 +30,7 @@ fit_objective *fit_objective_new(const fit_problem *p)
     o->x = malloc(n * sizeof *o->x);
     o->new_x = malloc(n * sizeof *o->new_x);
     o->triangle = malloc(n * n * sizeof *o->triangle);
-    o->base = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    o->base = fit_curve_new(p->degree, p->count, p->period, p->dim, p->knots);
     o->inverse = malloc((size_t)p->count * sizeof *o->inverse);
     if (!o->curve || !o->rows || !o->second || !o->feet || !o->new_feet || !o->x || !o->new_x || !o->triangle ||
         !o->base || !o->inverse) {
@@ -181,6 +182,29 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
     return loss[0];
 }
 
+/* The rows of the smoothing term, and its square. */
+static double smoothing_rows(fit_objective *o)
+{
+    const fit_problem *p = o->problem;
+    const fit_curve *curve = o->curve;
+    const int nodes = fit_smoothing_nodes(p);
+    double N[MAX_DEGREE + 1], sum = 0;
+    for (int piece = 0; piece < curve->pieces && nodes > 0; piece++)
+        for (int g = 0; g < nodes; g++) {
+            fit_smoothing_row(p, curve, piece, g, N);
+            const double *inverse = o->inverse + curve->span[piece] - p->degree;
+            for (int c = 0; c < p->dim; c++) {
+                int stride;
+                double *row = fit_reduction_row(o->rows, piece, &stride);
+                for (int k = p->support.first[piece]; k < p->support.first[piece + 1]; k++, row += stride)
+                    *row = p->local[k].coordinate == c ? N[p->local[k].index] * inverse[p->local[k].index] : 0;
+                *row = fit_smoothing_residual(p, curve, piece, N, c);
+                sum += *row * *row;
+            }
+        }
+    return sum;
+}
+
 /* Whether weights and points are numbers, and no weight has vanished. */
 static int is_curve(const fit_problem *p, const double x[], const fit_curve *curve)
 {
@@ -259,12 +283,13 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
     }
     for (int k = 1; k < FIT_BATCH; k++)
         sum[0] += sum[k];
+    const double bending = curve && weighted ? smoothing_rows(o) : 0;
     memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
     if (weighted && o->newton)
         o->curvature = fit_curvature_matrix(o->second);
     by_weights(o, x, weighted && o->newton);
     memmove(o->new_x, x, (size_t)p->unknowns * sizeof *x);
-    o->cost = curve ? sum[0] / 2 : HUGE_VAL;
+    o->cost = curve ? (sum[0] + bending) / 2 : HUGE_VAL;
     o->evaluated = weighted;
 }
 

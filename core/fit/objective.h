@@ -48,7 +48,7 @@ void fit_objective_free(fit_objective *objective); /* NULL is allowed */
 void fit_objective_begin(fit_objective *objective, const fit_curve *curve, const double feet[]);
 
 /* Evaluates cost, feet, triangle and, if `newton`, curvature at x.  If not `weighted`, the rows are those of the
- * distances themselves, as for squares. */
+ * distances themselves, as for squares, and without the smoothing term. */
 void fit_objective_evaluate(fit_objective *objective, const double x[], int weighted);
 
 /* The same, weighted; nothing is done when x is what was evaluated last. */

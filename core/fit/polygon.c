@@ -114,6 +114,29 @@ int fit_polygon_new(const fit_curve *curve, int parts, fit_polygon *g)
     return fill_sides(g);
 }
 
+int fit_polygon_begin_at(fit_polygon *g, int first)
+{
+    const int m = g->sides, dim = g->dim;
+    const double length = g->t[m] - g->t[0];
+    double *was = malloc((size_t)(m + 1) * (size_t)(dim + 2) * sizeof *was), *point = was + m + 1,
+           *depth = point + (m + 1) * dim;
+    if (was == NULL)
+        return 0;
+    memcpy(was, g->t, (size_t)(m + 1) * sizeof *was);
+    memcpy(point, g->point, (size_t)((m + 1) * dim) * sizeof *point);
+    memcpy(depth, g->depth, (size_t)m * sizeof *depth);
+    for (int k = 0; k <= m; k++) {
+        const int from = (first + k) % m, round = first + k >= m;
+        g->t[k] = was[from] + (round ? length : 0);
+        memcpy(g->point + k * dim, point + from * dim, (size_t)dim * sizeof *point);
+        if (k < m)
+            g->depth[k] = depth[from];
+    }
+    free(was);
+    free(g->inverse);
+    return fill_sides(g);
+}
+
 /* Where on side k, between 0 and 1, its point nearest to q is. */
 INLINE double where_on_side(const fit_polygon *g, const int dim, int k, const double q[])
 {

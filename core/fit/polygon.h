@@ -19,6 +19,10 @@ typedef struct fit_polygon {
 int fit_polygon_new(const fit_curve *curve, int parts, fit_polygon *polygon);
 void fit_polygon_free(fit_polygon *polygon);
 
+/* Over a closed curve: what was side `first` becomes the first side, and the parameters of those before it are larger by
+ * the length of the domain.  Returns 0 when there is no memory. */
+int fit_polygon_begin_at(fit_polygon *polygon, int first);
+
 /* square[k], k = first, ..., last: the squared distance of q from side k. */
 void fit_polygon_distances(const fit_polygon *polygon, const double q[], int first, int last, double square[]);
 

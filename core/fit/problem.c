@@ -20,26 +20,44 @@ void fit_problem_free(fit_problem *p)
     free(p->local);
 }
 
+/* Whether the lengths of the spans of a closed curve come again after a period, but for rounding. */
+static int is_periodic(const fit_problem *p)
+{
+    const double length = p->knots[p->count] - p->knots[p->degree];
+    int good = 1;
+    for (int i = 0; i + p->period <= p->count + p->degree; i++)
+        good = good && fabs(p->knots[i + p->period] - p->knots[i] - length) <= 8 * DBL_EPSILON * length;
+    return good;
+}
+
 /* Knots of the initial curve, or as given, or even. */
 static cagd_status make_knots(const cagd_fit_options *o, fit_problem *p)
 {
     const cagd_spline *initial = o->initial;
     const double *knots = initial != NULL ? initial->knots : o->knots;
     p->degree = initial != NULL ? initial->degree : o->degree;
-    p->count = initial != NULL ? initial->count : o->count != 0 ? o->count : o->degree + 1;
+    p->count = initial != NULL ? initial->count
+               : o->closed     ? (o->count != 0 ? o->count : o->degree + 2) + o->degree
+               : o->count != 0 ? o->count
+                               : o->degree + 1;
     int n = p->count, d = p->degree, given = initial != NULL || (o->knots != NULL);
     REQUIRE(d >= 1 && d <= MAX_DEGREE, initial != NULL ? CAGD_BAD_CURVE : CAGD_BAD_OPTION);
     REQUIRE(n > d, initial != NULL ? CAGD_BAD_CURVE : CAGD_BAD_OPTION);
     REQUIRE(!given || knots != NULL, CAGD_BAD_CURVE);
     p->knots = malloc((size_t)(n + d + 1) * sizeof *p->knots);
     REQUIRE(p->knots != NULL, CAGD_NO_MEMORY);
+    p->period = o->closed ? n - d : 0;
     for (int i = 0; i <= n + d; i++)
-        p->knots[i] = given ? knots[i] : i <= d ? 0 : i >= n ? 1 : (double)(i - d) / (n - d);
+        p->knots[i] = given                   ? knots[i]
+                      : !o->closed && i <= d  ? 0
+                      : !o->closed && i >= n  ? 1
+                                              : (double)(i - d) / (n - d);
     double one = 0;
     cagd_spline basis = {d, n, 1, p->knots, &one, NULL};
     int span;
     REQUIRE(cagd_spline_span(&basis, p->knots[d], CAGD_RIGHT, &span) == CAGD_OK, CAGD_BAD_CURVE);
-    REQUIRE(p->knots[0] == p->knots[d] && p->knots[n] == p->knots[n + d], CAGD_BAD_CURVE);
+    REQUIRE(!o->closed || (p->period > d && is_periodic(p)), CAGD_BAD_CURVE);
+    REQUIRE(o->closed || (p->knots[0] == p->knots[d] && p->knots[n] == p->knots[n + d]), CAGD_BAD_CURVE);
     for (int i = d + 1; i + d < n; i++) /* an inner knot of multiplicity p+1 breaks the curve */
         REQUIRE(p->knots[i] < p->knots[i + d], CAGD_BAD_CURVE);
     return CAGD_OK;
@@ -49,9 +67,9 @@ static cagd_status make_knots(const cagd_fit_options *o, fit_problem *p)
  * is given, and so is the last one of a curve of one span. */
 static void number_unknowns(const cagd_fit_options *o, fit_problem *p)
 {
-    const int last = p->count - 1, one_span = p->count == p->degree + 1;
+    const int own = p->period > 0 ? p->period : p->count, last = own - 1, one_span = p->count == p->degree + 1;
     for (int i = 0; i <= last; i++) {
-        int end = i == 0 || i == last, given = i == 0 || (one_span && i == last);
+        int end = p->period == 0 && (i == 0 || i == last), given = i == 0 || (one_span && i == last);
         if (o->free & CAGD_FIT_WEIGHTS && !given)
             p->unknown[p->unknowns++] = (cagd_fit_unknown){1, i, 0};
         for (int c = 0; o->free & (end ? CAGD_FIT_END_POINTS : CAGD_FIT_INNER_POINTS) && c < p->dim; c++)
@@ -71,6 +89,7 @@ static void find_support(fit_problem *p)
         s->first[s->pieces++] = at;
         for (int k = 0; k < p->unknowns; k++) {
             int m = p->unknown[k].index - (mu - p->degree);
+            m += m < 0 ? p->period : 0;
             if (m < 0 || m > p->degree)
                 continue;
             p->local[at] = p->unknown[k];
@@ -176,7 +195,7 @@ cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *
         .options = o, .strategy = *strategy, .dim = data->dim, .loss = o->loss, .loss_scale = o->loss_scale};
     p->nothing_free = o->free == 0;
     p->unordered = o->unordered || p->nothing_free;
-    int measured = (o->free & CAGD_FIT_END_POINTS) != 0 && o->ends == CAGD_FIT_ENDS_MEASURED;
+    int measured = (o->free & CAGD_FIT_END_POINTS) != 0 && o->ends == CAGD_FIT_ENDS_MEASURED && !o->closed;
     p->end_point[0] = measured ? 0 : -1;
     p->end_point[1] = measured ? data->count - 1 : -1;
     p->low = o->weight_low, p->high = o->weight_high;
@@ -187,6 +206,7 @@ cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *
         status = choose_coordinates(data, o, p);
     if (status == CAGD_OK)
         status = make_points(data, p, where);
+    p->smooth = o->smooth * p->unit * p->unit;
     if (status == CAGD_OK)
         status = make_unknowns(o, p);
     if (status == CAGD_OK)

@@ -31,9 +31,11 @@ typedef struct fit_problem {
     double size; /* no coordinate of Q is larger; at least 2                              */
     cagd_fit_loss loss;
     double loss_scale;
+    double smooth; /* of the smoothing term, in working coordinates                           */
     int unordered, nothing_free; /* feet alone: those of points in any order            */
     int end_point[2];            /* the measured points whose feet are the ends of the domain; -1: none */
     int degree, count;
+    int period; /* of a closed curve: how many of the points are its own; 0: open        */
     double *knots;
     int unknowns;
     cagd_fit_unknown *unknown;

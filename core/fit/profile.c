@@ -40,7 +40,7 @@ static int profile_new(const fit_problem *p, const fit_curve *lowest, const doub
     *s = (profile){.problem = p, .result = r, .lowest = lowest, .feet = feet};
     s->unit = r->quantile * r->quantile * r->scale_squared / 2;
     s->objective = fit_objective_new(p);
-    s->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    s->curve = fit_curve_new(p->degree, p->count, p->period, p->dim, p->knots);
     s->theta = malloc((2 * n * n + 6 * n) * sizeof *s->theta);
     s->at = malloc(points * sizeof *s->at);
     if (!s->objective || !s->curve || !s->theta || !s->at)
@@ -319,7 +319,7 @@ static void find_interval(profile *s, int q)
 /* Whether the statistics rest on a quadratic cost around a minimum with all unknowns determined. */
 static int is_asked(const fit_problem *p, const cagd_fit_result *r)
 {
-    int free = p->unknowns > 0 && p->loss == CAGD_FIT_SQUARES && r->rank == p->unknowns &&
+    int free = p->unknowns > 0 && p->smooth == 0 && p->loss == CAGD_FIT_SQUARES && r->rank == p->unknowns &&
                r->termination == CAGD_FIT_CONVERGED && !r->points_on_curve;
     return free && r->scale_squared > 0 && isfinite(r->scale_squared) && isfinite(r->quantile);
 }

@@ -2,7 +2,9 @@
 
 #include "core/fit/feet.h"
 #include "core/fit/rank.h"
+#include "core/fit/smoothing.h"
 #include "core/fit/unknowns.h"
+#include "core/number/limits.h"
 
 #include <float.h>
 #include <math.h>
@@ -38,6 +40,7 @@ static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_resul
     r->curve = (cagd_spline){p->degree, n, dim, knots, points, weights};
     r->relative = numbers((size_t)(n * dim));
     memcpy(r->origin, p->centre, sizeof r->origin);
+    r->period = p->period;
     r->unknowns = p->unknowns;
     r->unknown = malloc(((size_t)p->unknowns + 1) * sizeof *r->unknown);
     r->value = numbers((size_t)p->unknowns);
@@ -93,7 +96,50 @@ static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_resu
         r->out_of_order += !p->options->unordered && i > 0 && t < r->feet[i - 1];
     }
     r->rms = sqrt(sum / p->points);
+    if (p->period > 0 && r->out_of_order > 0) /* where the points go on over the seam */
+        r->out_of_order--;
     return 1;
+}
+
+/* K: the matrix of the smoothing term by the points, in units of the data as the triangle is; lambda is already in it. */
+static void smoothing_matrix(const fit_problem *p, const fit_curve *curve, double K[])
+{
+    const int n = p->unknowns;
+    double row[MAX_DEGREE + 1];
+    for (int piece = 0; piece < curve->pieces; piece++)
+        for (int g = 0; g < fit_smoothing_nodes(p); g++) {
+            fit_smoothing_row(p, curve, piece, g, row);
+            for (int a = p->support.first[piece]; a < p->support.first[piece + 1]; a++)
+                for (int b = p->support.first[piece]; b < p->support.first[piece + 1]; b++)
+                    if (p->local[a].coordinate == p->local[b].coordinate)
+                        K[p->support.unknown[a] * n + p->support.unknown[b]] +=
+                            row[p->local[a].index] * row[p->local[b].index] / (p->unit * p->unit);
+        }
+}
+
+/* The statistics of a curve with a smoothing term from the triangle without it: every unknown is determined.  Returns 0 when
+ * there is no memory. */
+static int fill_smoothed(const fit_problem *p, const fit_attempt *a, cagd_fit_result *r)
+{
+    const int n = p->unknowns;
+    const double *T = a->objective->triangle;
+    double *K = numbers((size_t)n * (size_t)n), *H = numbers((size_t)n * (size_t)n);
+    if (K != NULL && H != NULL) {
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < n; j++)
+                for (int k = 0; k < n; k++)
+                    r->covariance[i * n + j] += T[k * (n + 1) + i] * T[k * (n + 1) + j];
+        smoothing_matrix(p, a->objective->curve, K);
+        r->rank = n;
+        r->effective = fit_smoothing_sandwich(n, r->covariance, K, H, 1);
+        r->roughness = fit_smoothing_square(p, a->objective->curve) / p->options->smooth;
+        for (int k = 0; k < n; k++)
+            r->determined[k] = 1;
+    }
+    int good = K != NULL && H != NULL;
+    free(K);
+    free(H);
+    return good;
 }
 
 /* Rank, covariance and flat directions; lengths go back to the coordinates of the data. */
@@ -114,14 +160,17 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
         double g = fabs(fit_objective_gradient(f, k)) / (p->unknown[k].is_weight ? 1 : p->unit);
         r->gradient_norm = r->at_bound[k] ? r->gradient_norm : fmax(r->gradient_norm, g);
     }
-    if (p->loss != CAGD_FIT_SQUARES)
+    if (p->loss != CAGD_FIT_SQUARES || p->smooth > 0)
         fit_objective_evaluate(f, f->x, 0), fit_objective_by_theta(f);
     for (int k = 0; k < n; k++)
         for (int i = 0; i < n && !p->unknown[k].is_weight; i++)
             f->triangle[i * (n + 1) + k] /= p->unit;
+    if (p->smooth > 0)
+        return fill_smoothed(p, a, r);
     good = fit_rank_of(n, fit_problem_equations(p), fit_problem_roundings(p), f->triangle, n + 1, r->at_bound, &rank);
     if (good) {
         r->rank = rank.rank;
+        r->effective = rank.rank;
         r->flat = rank.flat;
         fit_rank_report(&rank, r->at_bound, r->covariance, r->free_directions, r->determined);
         fit_rank_free(&rank);
@@ -156,7 +205,7 @@ static void restore_given_points(const cagd_fit_data *data, const cagd_fit_optio
             weights[j] = o->initial->weights != NULL ? o->initial->weights[j] : 1;
         for (int k = 0; k < r->unknowns; k++)
             given &= r->unknown[k].is_weight || r->unknown[k].index != j;
-        if (!given || (o->initial == NULL && j > 0 && j < n - 1))
+        if (!given || o->closed || (o->initial == NULL && j > 0 && j < n - 1))
             continue;
         int i = o->unordered ? fit_nearest_measured(data, r->origin, r->relative + j * dim)
                 : j == 0     ? 0

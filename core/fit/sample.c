@@ -32,6 +32,7 @@ int fit_sample_every(const fit_problem *p, int stride, fit_problem *s)
     int last = p->points - 1;
     if (!sample_new(p, last / stride + 1 + (last % stride != 0), s))
         return 0;
+    s->smooth *= (double)s->points / p->points; /* against fewer points */
     for (int k = 0; k < s->points; k++) {
         int i = k < s->points - 1 ? k * stride : last;
         memcpy(s->Q + (size_t)k * dim, p->Q + (size_t)i * dim, dim * sizeof *s->Q);

@@ -121,7 +121,7 @@ static int guess_curve(const fit_problem *p, fit_curve *curve)
 {
     best_guess best = {curve, 0, INFINITY};
     int *order = malloc((size_t)p->points * sizeof *order);
-    fit_curve *room = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    fit_curve *room = fit_curve_new(p->degree, p->count, p->period, p->dim, p->knots);
     int good = order != NULL && room != NULL;
     for (int kind = 0; good && kind < (p->unordered ? FIT_ORDERS : 1); kind++) {
         for (int i = 0; i < p->points; i++)

@@ -52,13 +52,13 @@ static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options
 /* The sum of the losses, and what tells fits of the same points apart. */
 static void fill_criteria(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result *result)
 {
-    double n = equations(data, result), k = result->rank, value[3], sum = 0;
+    double n = equations(data, result), k = result->effective, value[3], sum = 0;
     int known = data->sigma != NULL;
     for (int i = 0; i < data->count; i++) {
         fit_loss(options->loss, options->loss_scale, scaled_square(data, result, i), value);
         sum += value[0];
     }
-    int d = result->degrees_of_freedom = equations(data, result) - result->rank;
+    int d = result->degrees_of_freedom = equations(data, result) - (int)rint(result->effective);
     result->chi_squared = sum;
     result->reduced_chi_squared = d > 0 ? sum / d : NAN;
     result->aic = known ? sum + 2 * k : n * log(sum / n) + 2 * (k + 1);
