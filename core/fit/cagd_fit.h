@@ -139,7 +139,56 @@ typedef enum cagd_fit_interval {
 
 typedef enum cagd_fit_termination { CAGD_FIT_CONVERGED, CAGD_FIT_NOT_CONVERGED, CAGD_FIT_FAILED } cagd_fit_termination;
 
+/* How points come back to where they began.  REPEATED: the last one repeats the first.  AROUND: it does not, but the way back is no
+ * longer than the steps are.  CORNER: they come back, but with a corner that no other place has, as at the trailing edge of an
+ * airfoil; a smooth closed curve would round it off. */
+typedef enum cagd_fit_closing { CAGD_FIT_OPEN, CAGD_FIT_REPEATED, CAGD_FIT_AROUND, CAGD_FIT_CORNER } cagd_fit_closing;
+
+/* A number with its standard error and the ends of its 95 % interval; NaN where there are none. */
+typedef struct cagd_fit_number {
+    double value, error, low, high;
+} cagd_fit_number;
+
+/* An ellipse, whole or an arc that may be longer than a half turn, which one segment of degree 2 cannot be. */
+typedef struct cagd_fit_ellipse {
+    int known, whole;                 /* known: the curve is one                                             */
+    cagd_fit_number centre[3];        /* coordinates                                                         */
+    cagd_fit_number major, minor;     /* semi-axes                                                           */
+    cagd_fit_number angle;            /* in the plane, of the major axis, in degrees, -90 < angle <= 90; error NaN of a circle */
+    double sweep;                     /* how far around the arc goes, in degrees                             */
+    int circle;                       /* 1: 95 % do not tell it from a circle                                */
+    cagd_fit_number circle_centre[3], radius; /* of the circle that comes closest                             */
+    double circle_rms, ratio;         /* of its distances; of the F test, with 2 and `freedom` degrees       */
+    int freedom;
+} cagd_fit_ellipse;
+
+/* Some kind of curve that was tried.  score: see cagd_fit_choose. */
+typedef struct cagd_fit_candidate {
+    char name[64];
+    int unknowns, converged;
+    double score, rms;
+} cagd_fit_candidate;
+
+enum { CAGD_FIT_MAX_CANDIDATES = 8 };
+
+/* What cagd_fit_choose has found and chosen. */
+typedef struct cagd_fit_found {
+    int chosen;               /* 1: by cagd_fit_choose                                                    */
+    cagd_fit_closing closing; /* of the points                                                           */
+    int count_chosen;         /* 1: the number of control points, and the knots, were chosen              */
+    int smoothed;             /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good */
+    double smooth;            /* its weight                                                               */
+    int within;               /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
+    int weights;              /* of a spline whose weights could be left out: 1 they explain something and are fitted, 0 left out, -1 not asked */
+    double weights_ratio, weights_probability; /* of the F test for weights                                 */
+    int weights_number, weights_freedom;       /* its degrees of freedom                                  */
+    int candidates;
+    cagd_fit_candidate candidate[CAGD_FIT_MAX_CANDIDATES]; /* the first is the one that was chosen             */
+    cagd_fit_ellipse ellipse;
+} cagd_fit_found;
+
 typedef struct cagd_fit_result {
+    cagd_fit_found found;
     /* the curve, in the gauge above; with nothing free, as given */
     cagd_spline curve;
     int period;       /* of a closed curve: how many of its points are its own, the others repeat them; 0: open */
@@ -215,6 +264,51 @@ CAGD_API cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options 
                               int *where);
 CAGD_API void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
 
+/* ---- Choosing a curve ---------------------------------------------------------------------------------------
+ *
+ * cagd_fit fits the curve that its options name.  cagd_fit_choose finds out what they leave open. */
+typedef struct cagd_fit_choices {
+    int closed;    /* 1, 0; -1: as the points say                                                           */
+    int form;      /* 1: degree and number of control points are not given: a conic, a whole ellipse or a spline   */
+    int count;     /* 1: the number of control points is found, and the knots                               */
+    int weights;   /* 1: of a spline weights are fitted where an F test at 95 % says that they explain something   */
+    int smooth;    /* 1: the weight of the smoothing term is found by cross-validation; 2: where the fit is not good without  */
+    double within; /* > 0: the fewest control points that keep every point within this distance             */
+} cagd_fit_choices;
+
+/* Everything is found. */
+CAGD_API cagd_fit_choices cagd_fit_choices_all(void);
+
+/* How the points come back to where they began.  In no order: around their centre. */
+CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int unordered);
+
+/* As cagd_fit; the result says in `found` what was chosen.  Where the last point repeats the first one it is one
+ * measurement, not two: it is left out, and `count` of the result is smaller by one.
+ *
+ * Curves are compared by Schwarz's criterion with the correction for few points, the smaller the better,
+ *
+ *     score = n log(chi_squared/n) + k log(n) n/(n - k - 2),    given standard deviations: chi_squared + k log(n) n/(n - k - 2),
+ *
+ * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  A curve that is no minimum or has
+ * excursions that no points show does not count.  Source: mcquarrie-tsai-1998.
+ *
+ * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
+ * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
+ *
+ * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
+ * curve knots are taken out as long as that helps.  A spline that is not good is given a smoothing term, whose weight minimises
+ * n chi_squared/(n - 1.4 k)^2 (generalised cross-validation).  Source: wahba-1990; kim-gu-2004. */
+CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *options,
+                                     const cagd_fit_choices *choices, cagd_fit_result **result, int *where);
+
+/* How the residuals lie beside one another, in the order of their feet: pairs of neighbours, how many of them lie on the same
+ * side of the curve, in space at less than a right angle, and the probability that by chance so many or more do, 1/2 each. */
+typedef struct cagd_fit_runs {
+    int pairs, same;
+    double probability;
+} cagd_fit_runs;
+CAGD_API cagd_status cagd_fit_runs_of(const cagd_fit_result *result, cagd_fit_runs *runs); /* OK, NO_MEMORY */
+
 /* ---- What a result says of its unknowns ---------------------------------------------------------------------
  *
  * Standard errors, intervals and probabilities are true only of a minimum.  Where the curve is none the numbers
@@ -288,11 +382,44 @@ CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
  * mean square of the distances or the roundings of coordinates.  0: there is no such place; *t is as before. */
 CAGD_API int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
 
-/* How long the curve is, for a polygon of points in their order of length 1.  A curve that follows its points is hardly
+/* How long the curve is, for a polygon of points in their order of length 1; where neighbours are nearer than their errors, of means of
+ * neighbours.  A curve that follows its points is hardly
  * longer than their polygon, which errors make longer still: where neighbours are farther apart than their errors and the curve turns
  * between them by at most 130 degrees, an arc, the ratio is at most 1.26.  A larger one says that the curve has loops or
  * excursions that no points show.  Of points in no order it says nothing.  NaN where the length is not finite. */
 CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_result *result);
+
+/* What is not good about a fit, whatever is known of its minimum; added up.
+ *
+ * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio
+ * LOOPS        in the plane: it crosses itself more often than that polygon does
+ * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
+ * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, cagd_fit_runs_of
+ * FAR          a control point is farther from the points than these are from one another
+ * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
+ *              4 times their root mean square along the curve                                                   */
+enum {
+    CAGD_FIT_EXCURSIONS = 1,
+    CAGD_FIT_LOOPS = 2,
+    CAGD_FIT_GAPS = 4,
+    CAGD_FIT_STRUCTURE = 8,
+    CAGD_FIT_FAR = 16,
+    CAGD_FIT_BACKWARDS = 32
+};
+
+typedef struct cagd_fit_quality {
+    int problems;
+    double length_ratio; /* NaN of points in no order                                              */
+    int crossings, crossings_of_points; /* of the curve with itself, of the polygon                 */
+    double gap, gap_from, gap_to;       /* the widest one as a part of the length, between two parameters */
+    cagd_fit_runs runs;
+    int far;             /* the control point; -1: none                                            */
+    int backwards;       /* how many feet                                                          */
+} cagd_fit_quality;
+
+/* `data` as for the fit; a point that repeats the first one is passed over.  Statuses: OK, NO_MEMORY. */
+CAGD_API cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_options *options,
+                                         const cagd_fit_result *result, cagd_fit_quality *quality);
 
 #ifdef __cplusplus
 }

@@ -42,7 +42,7 @@ static cagd_fit_result *solve(const cagd_fit_data *data, const fit_problem *p)
     if (result != NULL) {
         fit_statistics(data, p->options, result);
         result->loss_scale = p->options->loss_scale;
-        if (!fit_profile(p, &minimum, result) || !fit_outliers(data, p->options, result)) {
+        if ((p->strategy.intervals && !fit_profile(p, &minimum, result)) || !fit_outliers(data, p->options, result)) {
             cagd_fit_free(result);
             result = NULL;
         }

@@ -1,5 +1,6 @@
 #include "core/fit/quantile.h"
 
+#include <float.h>
 #include <math.h>
 
 static const long double normal_quantile = 1.959963984540054235524594430520551527956L;
@@ -54,3 +55,32 @@ double fit_student_quantile(int nu)
     }
     return (double)(sqrtl(n) * tanl(theta));
 }
+
+/* The regularised incomplete beta function I_x(a, b) by its continued fraction (Lentz), for x < (a+1)/(a+b+2); otherwise
+ * 1 - I_{1-x}(b, a).  Source: abramowitz-stegun-1964, 26.5.8. */
+static double incomplete_beta(double a, double b, double x)
+{
+    if (!(x > 0) || x >= 1)
+        return x > 0;
+    if (x > (a + 1) / (a + b + 2))
+        return 1 - incomplete_beta(b, a, 1 - x);
+    const double tiny = 1e-300;
+    double c = 1, d = 1 - (a + b) * x / (a + 1), value;
+    d = 1 / (fabs(d) > tiny ? d : tiny);
+    value = d;
+    for (int m = 1; m < 1000; m++) {
+        double even = m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)),
+               odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
+        d = 1 + even * d, c = 1 + even / c;
+        d = 1 / (fabs(d) > tiny ? d : tiny), c = fabs(c) > tiny ? c : tiny;
+        value *= c * d;
+        d = 1 + odd * d, c = 1 + odd / c;
+        d = 1 / (fabs(d) > tiny ? d : tiny), c = fabs(c) > tiny ? c : tiny;
+        value *= c * d;
+        if (fabs(c * d - 1) <= DBL_EPSILON)
+            break;
+    }
+    return exp(a * log(x) + b * log1p(-x) + lgamma(a + b) - lgamma(a) - lgamma(b)) / a * value;
+}
+
+double fit_f_probability(double x, double m, double d) { return incomplete_beta(d / 2, m / 2, d / (d + m * x)); }

@@ -43,5 +43,6 @@ const fit_strategy fit_usual_strategy = {.chord_groups = 64,
                                          .means_factor = 4,
                                          .handover = 1e-4,
                                          .taylor_reach = 0x1p-6,
+                                         .intervals = 1,
                                          .anchors = 64,
                                          .sides = 64};

@@ -27,6 +27,7 @@ typedef struct fit_strategy {
     double handover;        /* Newton's steps begin when a step of Ceres gains less than this part of the cost    */
     double taylor_reach;    /* before that, a foot is taken from Taylor's polynomial when it is no farther than   */
                             /* this part of the length on which the curve changes                                 */
+    int intervals; /* whether intervals by the profile of the cost are sought at the end (profile.h)              */
     /* The search for feet (feet.h). */
     int anchors; /* the order of the points is kept for so many of them                                           */
     int sides;   /* the polygon in the place of the curve has at least so many sides                              */

@@ -1,0 +1,16 @@
+/* candidate.h -- how curves with different numbers of unknowns are compared. */
+#ifndef CAGD_FIT_CANDIDATE_H
+#define CAGD_FIT_CANDIDATE_H
+
+#include "core/fit/cagd_fit.h"
+
+/* Whether a curve counts: a minimum without excursions that no points show. */
+int fit_is_good(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *result);
+
+/* The score of cagd_fit.h, cagd_fit_choose; infinite where there are too few points for so many unknowns. */
+double fit_score(const cagd_fit_data *data, const cagd_fit_result *result);
+
+/* n = N (dim-1), and the unknowns that the points determine, without those of the ends. */
+double fit_equations_of(const cagd_fit_data *data);
+double fit_unknowns_of(const cagd_fit_result *result);
+#endif

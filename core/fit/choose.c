@@ -1,0 +1,172 @@
+#include "core/fit/arguments.h"
+#include "core/fit/candidate.h"
+#include "core/fit/ellipse.h"
+#include "core/fit/ellipse_result.h"
+#include "core/fit/refine.h"
+#include "core/fit/weights.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* choose.c -- which curve is fitted where the options leave that open. */
+
+static const double BY_CHANCE = 0.01; /* residuals that are less probable than that are no noise                    */
+static const double SMALL = 0.02;     /* of the width of the points: where distances are larger, others have a chance */
+
+/* The widest side of the box about the points. */
+static double extent_of(const cagd_fit_data *data)
+{
+    double extent = 0;
+    for (int c = 0; c < data->dim; c++) {
+        double low = data->points[c], high = low;
+        for (int i = 1; i < data->count; i++) {
+            low = fmin(low, data->points[(size_t)i * (size_t)data->dim + (size_t)c]);
+            high = fmax(high, data->points[(size_t)i * (size_t)data->dim + (size_t)c]);
+        }
+        extent = fmax(extent, high - low);
+    }
+    return extent;
+}
+
+cagd_fit_choices cagd_fit_choices_all(void)
+{
+    return (cagd_fit_choices){.closed = -1, .form = 1, .count = 1, .weights = 1, .smooth = 2};
+}
+
+/* Whether a conic in one segment, or an ellipse, does for the points. */
+static int is_enough(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r)
+{
+    cagd_fit_runs runs;
+    if (!fit_is_good(data, options, r))
+        return 0;
+    if (r->points_on_curve)
+        return 1;
+    if (r->rms > extent_of(data) * SMALL)
+        return 0;
+    return cagd_fit_runs_of(r, &runs) == CAGD_OK && !(runs.probability < BY_CHANCE);
+}
+
+/* The candidate takes the place of the best one if its score is lower; it is released otherwise. */
+static void compete(const cagd_fit_data *data, const cagd_fit_options *options, const char *name, cagd_fit_result *one,
+                    cagd_fit_result **best, cagd_fit_found *found)
+{
+    int good = one != NULL && fit_is_good(data, options, one);
+    double score = good ? fit_score(data, one) : INFINITY;
+    if (one == NULL)
+        return;
+    int first = *best == NULL || score < found->candidate[0].score, at = found->candidates;
+    if (at < CAGD_FIT_MAX_CANDIDATES) {
+        found->candidates++;
+        at = first ? 0 : at;
+        if (first)
+            for (int k = found->candidates - 1; k > 0; k--)
+                found->candidate[k] = found->candidate[k - 1];
+        cagd_fit_candidate *c = &found->candidate[at];
+        *c = (cagd_fit_candidate){"", (int)lrint(one->effective), cagd_fit_is_minimum(one), score, one->rms};
+        snprintf(c->name, sizeof c->name, "%s", name);
+    }
+    if (first) {
+        cagd_fit_free(*best);
+        *best = one;
+    } else
+        cagd_fit_free(one);
+}
+
+/* A conic in one segment, an ellipse, a cubic spline, in this order, until one does. */
+static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options *options,
+                               const cagd_fit_choices *choices, cagd_fit_result **result, cagd_fit_found *found,
+                               int *where)
+{
+    cagd_fit_result *one = NULL;
+    cagd_fit_options spline = *options;
+    cagd_status status = CAGD_OK;
+    if (!options->closed) {
+        status = cagd_fit(data, options, &one, where);
+        REQUIRE(status == CAGD_OK, status);
+        compete(data, options, "a conic in one segment", one, result, found);
+        if (is_enough(data, options, *result))
+            return CAGD_OK;
+    }
+    if (options->loss != CAGD_FIT_SQUARES) { /* scores of different scales do not compare */
+        if (*result != NULL)
+            return CAGD_OK;
+        spline.degree = 3;
+        return fit_refined(data, &spline, choices, result, where);
+    }
+    if (data->count * (data->dim - 1) > 3 * data->dim) {
+        status = fit_ellipse_result(data, options, &one);
+        REQUIRE(status == CAGD_OK, status);
+        compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse", one, result,
+                found);
+        if (*result != NULL && (*result)->found.ellipse.known && is_enough(data, options, *result))
+            return CAGD_OK;
+    }
+    spline.degree = 3;
+    spline.free &= ~CAGD_FIT_WEIGHTS;
+    one = NULL;
+    status = fit_refined(data, &spline, choices, &one, where);
+    REQUIRE(status == CAGD_OK || *result != NULL, status);
+    if (status == CAGD_OK && choices->weights)
+        status = fit_test_weights(data, &spline, &one, where);
+    REQUIRE(status == CAGD_OK || *result != NULL, status);
+    if (status == CAGD_OK) {
+        char name[64];
+        snprintf(name, sizeof name, "a cubic spline with %d control points", one->period > 0 ? one->period : one->curve.count);
+        compete(data, &spline, name, one, result, found);
+    }
+    return CAGD_OK;
+}
+
+/* What `found` holds of the choice becomes that of the result. */
+static void keep_found(cagd_fit_result *result, const cagd_fit_found *found)
+{
+    cagd_fit_found own = result->found;
+    own.chosen = 1;
+    own.closing = found->closing;
+    own.candidates = found->candidates;
+    for (int k = 0; k < found->candidates; k++)
+        own.candidate[k] = found->candidate[k];
+    result->found = own;
+}
+
+cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_choices *choices,
+                            cagd_fit_result **result, int *where)
+{
+    int ignored;
+    REQUIRE(result != NULL, CAGD_NULL);
+    *result = NULL;
+    where = where != NULL ? where : &ignored;
+    *where = -1;
+    REQUIRE(data != NULL && options != NULL && choices != NULL && data->points != NULL, CAGD_NULL);
+    REQUIRE(isfinite(choices->within) && choices->within >= 0, CAGD_BAD_OPTION);
+    cagd_status status = fit_check_options(options);
+    if (status == CAGD_OK)
+        status = fit_check_data(data, options->free == 0, where);
+    REQUIRE(status == CAGD_OK, status);
+    cagd_fit_found found = {0};
+    cagd_fit_data own = *data;
+    cagd_fit_options asked = *options;
+    const int nothing_free = options->free == 0;
+    if (!nothing_free && choices->closed != 0 && options->initial == NULL)
+        found.closing = cagd_fit_closing_of(data, options->unordered);
+    if (choices->closed == 1 || (choices->closed < 0 && (found.closing == CAGD_FIT_REPEATED || found.closing == CAGD_FIT_AROUND)))
+        asked.closed = 1;
+    const double *last = data->points + (size_t)(data->count - 1) * (size_t)data->dim;
+    int repeats = asked.closed;
+    for (int c = 0; c < data->dim; c++)
+        repeats = repeats && last[c] == data->points[c];
+    own.count -= repeats;
+    if (nothing_free || asked.initial != NULL)
+        status = cagd_fit(data, options, result, where);
+    else if (choices->form)
+        status = choose_form(&own, &asked, choices, result, &found, where);
+    else {
+        status = fit_refined(&own, &asked, choices, result, where);
+        if (status == CAGD_OK && choices->weights && !(asked.free & CAGD_FIT_WEIGHTS))
+            status = fit_test_weights(&own, &asked, result, where);
+    }
+    if (status == CAGD_OK)
+        keep_found(*result, &found);
+    return status;
+}

@@ -1,0 +1,35 @@
+/* ellipse.h -- the ellipse or circle that comes closest to points: whole ones, and arcs of any length (椭圆拟合).
+ *
+ *     E(phi) = c + a cos(phi) + b sin(phi),    the centre c, and a and b conjugate semi-diameters,
+ *
+ * minimises the sum of the squared orthogonal distances over s_i^2.  A rational curve of degree 2 in one segment is less than a whole
+ * turn, with positive weights less than a half; this one has no such limit.  a and b may be turned by a phase without
+ * changing the ellipse: of the 3 dim numbers 3 dim - 1 count, 5 in the plane and 8 in space.  A circle has |a| = |b| and a.b = 0, which
+ * takes 2 away.
+ *
+ * Gauss and Newton's steps with Levenberg's damping, the feet being functions of the ellipse, as in objective.h.  The first
+ * ellipse is an affine image of a circle: in coordinates in which the scatter of the points is the same in all directions of their
+ * plane, the circle by linear least squares. */
+#ifndef CAGD_FIT_ELLIPSE_H
+#define CAGD_FIT_ELLIPSE_H
+
+#include "core/fit/cagd_fit.h"
+
+typedef struct fit_ellipse {
+    int dim, circle;    /* circle: asked for one */
+    double x[9];        /* c, a, b: dim numbers each; a the longer principal semi-axis, b the other one */
+    double inverse[81]; /* (J^T J)^+ of x, 3 dim x 3 dim by rows, J the Jacobian of distances over s_i */
+    int unknowns;       /* that count                                                         */
+    int converged, iterations;
+    double chi_squared; /* the sum that was minimised                                        */
+} fit_ellipse;
+
+/* Both ellipse and circle; phi: the N parameters of the feet on the ellipse, between -pi and pi.  The points are
+ * finite.  Returns 0 when there is no memory. */
+int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *ellipse, double phi[]);
+
+/* The arc from phi0 to phi1 > phi0 as a rational curve of degree 2 whose segments are no longer than a quarter turn; a whole turn begins and
+ * ends in one point.  The arrays belong to the caller: free(points) frees all.  Returns 0 when there is no memory. */
+int fit_ellipse_curve(const fit_ellipse *ellipse, double phi0, double phi1, cagd_spline *curve, double **points);
+
+#endif

@@ -1,0 +1,204 @@
+#include "core/fit/cagd_fit.h"
+
+#include "core/require.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* quality.c -- what is not good about a fit. */
+
+enum { SIDES = 600, PER_PIECE = 24 };
+
+static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, DEVIATIONS = 4;
+
+typedef struct polygon {
+    int corners, dim;
+    double *at;     /* corner i: at[i*dim + c]             */
+    double *t, *way; /* its parameter, and how far it is along */
+} polygon;
+
+static double distance(int dim, const double a[], const double b[])
+{
+    double sum = 0;
+    for (int c = 0; c < dim; c++)
+        sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return sqrt(sum);
+}
+
+static int polygon_new(int corners, int dim, polygon *p)
+{
+    *p = (polygon){corners, dim, malloc((size_t)corners * ((size_t)dim + 2) * sizeof *p->at), NULL, NULL};
+    if (p->at == NULL)
+        return 0;
+    p->t = p->at + (size_t)corners * (size_t)dim;
+    p->way = p->t + corners;
+    return 1;
+}
+
+/* The polygon inscribed in the curve, PER_PIECE sides or as many as SIDES allows over every segment. */
+static cagd_status inscribe(const cagd_fit_result *r, polygon *p)
+{
+    cagd_spline near = r->curve;
+    int segments = 0, at = 0;
+    near.points = r->relative;
+    for (int mu = near.degree; mu < near.count; mu++)
+        segments += near.knots[mu] < near.knots[mu + 1];
+    const int per = segments * PER_PIECE > SIDES ? SIDES / segments + 1 : PER_PIECE;
+    REQUIRE(polygon_new(segments * per + 1, near.dim, p), CAGD_NO_MEMORY);
+    for (int mu = near.degree; mu < near.count; mu++) {
+        const double a = near.knots[mu], b = near.knots[mu + 1];
+        for (int i = at == 0 ? 0 : 1; i <= per && a < b; i++, at++) {
+            p->t[at] = i < per ? a + (b - a) * i / per : b;
+            cagd_status status = cagd_spline_point(&near, p->t[at], i < per ? CAGD_RIGHT : CAGD_LEFT, p->at + at * near.dim);
+            REQUIRE(status == CAGD_OK, status);
+            p->way[at] = at > 0 ? p->way[at - 1] + distance(near.dim, p->at + at * near.dim, p->at + (at - 1) * near.dim) : 0;
+        }
+    }
+    return CAGD_OK;
+}
+
+/* The polygon of the means of neighbours, of SIDES at most. */
+static cagd_status of_points(const cagd_fit_data *data, const cagd_fit_result *r, polygon *p)
+{
+    const int n = r->count, groups = n < SIDES ? n : SIDES, dim = data->dim, closed = r->period > 0;
+    REQUIRE(polygon_new(groups + closed, dim, p), CAGD_NO_MEMORY);
+    memset(p->at, 0, (size_t)((groups + closed) * dim) * sizeof *p->at);
+    for (int g = 0; g < groups; g++) {
+        const int low = (int)((long)n * g / groups), high = (int)((long)n * (g + 1) / groups);
+        for (int i = low; i < high; i++)
+            for (int c = 0; c < dim; c++)
+                p->at[g * dim + c] += (data->points[(size_t)i * (size_t)dim + (size_t)c] - r->origin[c]) / (high - low);
+    }
+    if (closed)
+        memcpy(p->at + groups * dim, p->at, (size_t)dim * sizeof *p->at);
+    return CAGD_OK;
+}
+
+static double side_of(const double a[], const double b[], const double q[])
+{
+    return (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
+}
+
+/* How often a polygon of the plane crosses itself; sides that have a corner in common do not count. */
+static int crossings_of(const polygon *p)
+{
+    int count = 0;
+    for (int i = 0; i + 1 < p->corners; i++)
+        for (int j = i + 2; j + 1 < p->corners; j++) {
+            const double *a = p->at + 2 * i, *b = a + 2, *c = p->at + 2 * j, *d = c + 2;
+            count += side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
+        }
+    return count;
+}
+
+/* How far along the curve the parameter t is. */
+static double way_to(const polygon *p, double t)
+{
+    int low = 0, high = p->corners - 1;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        *(t < p->t[middle] ? &high : &low) = middle;
+    }
+    double part = (t - p->t[low]) / (p->t[high] - p->t[low]);
+    return p->way[low] + part * (p->way[high] - p->way[low]);
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The widest gap between neighbouring feet.  Of a closed curve the last foot and the first one are neighbours. */
+static cagd_status find_gap(const cagd_fit_result *r, const polygon *p, cagd_fit_quality *q)
+{
+    const int n = r->count;
+    double *t = malloc(2 * ((size_t)n + 1) * sizeof *t), *step = t + n + 1, length = p->way[p->corners - 1];
+    REQUIRE(t != NULL, CAGD_NO_MEMORY);
+    memcpy(t, r->feet, (size_t)n * sizeof *t);
+    qsort(t, (size_t)n, sizeof *t, by_size);
+    for (int i = 1; i < n; i++) {
+        step[i - 1] = way_to(p, t[i]) - way_to(p, t[i - 1]);
+        if (step[i - 1] > q->gap * length)
+            q->gap = step[i - 1] / length, q->gap_from = t[i - 1], q->gap_to = t[i];
+    }
+    const double over = length - way_to(p, t[n - 1]) + way_to(p, t[0]);
+    if ((r->period > 0 || r->found.ellipse.whole) && over > q->gap * length)
+        q->gap = over / length, q->gap_from = t[n - 1], q->gap_to = t[0];
+    qsort(step, (size_t)n - 1, sizeof *step, by_size);
+    if (n > 2 && q->gap > PART && q->gap * length > USUAL * step[(n - 1) / 2])
+        q->problems |= CAGD_FIT_GAPS;
+    free(t);
+    return CAGD_OK;
+}
+
+/* Feet that fall behind the one before, along the curve, by more than errors explain. */
+static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_quality *q)
+{
+    const double length = p->way[p->corners - 1];
+    for (int i = 1; i < r->count; i++) {
+        double back = way_to(p, r->feet[i - 1]) - way_to(p, r->feet[i]);
+        if (r->period > 0 || r->found.ellipse.whole) /* over the seam */
+            back = remainder(back, length);
+        q->backwards += back > DEVIATIONS * r->rms + length * 1e-9;
+    }
+    if (q->backwards > 0)
+        q->problems |= CAGD_FIT_BACKWARDS;
+}
+
+/* A control point that is farther from the middle of the points than their extent. */
+static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
+{
+    double middle[3], extent = 0, farthest = 0;
+    const int dim = data->dim;
+    for (int c = 0; c < dim; c++) {
+        double low = data->points[c], high = low;
+        for (int i = 1; i < r->count; i++) {
+            low = fmin(low, data->points[(size_t)i * (size_t)dim + (size_t)c]);
+            high = fmax(high, data->points[(size_t)i * (size_t)dim + (size_t)c]);
+        }
+        middle[c] = low / 2 + high / 2 - r->origin[c];
+        extent = hypot(extent, high - low);
+    }
+    for (int j = 0; j < r->curve.count && !r->found.ellipse.known; j++) {
+        double d = distance(dim, r->relative + j * dim, middle);
+        if (d > 1.5 * extent && d > farthest)
+            farthest = d, q->far = j;
+    }
+    if (q->far >= 0)
+        q->problems |= CAGD_FIT_FAR;
+}
+
+cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
+                                cagd_fit_quality *q)
+{
+    polygon curve = {0}, points = {0};
+    cagd_fit_data own = *data;
+    own.count = r->count;
+    *q = (cagd_fit_quality){.length_ratio = NAN, .far = -1};
+    cagd_status status = inscribe(r, &curve);
+    if (status == CAGD_OK)
+        status = of_points(&own, r, &points);
+    if (status == CAGD_OK)
+        status = cagd_fit_runs_of(r, &q->runs);
+    if (status == CAGD_OK && r->count > 1)
+        status = find_gap(r, &curve, q);
+    if (status == CAGD_OK) {
+        if (!options->unordered && options->free != 0) {
+            q->length_ratio = cagd_fit_length_ratio(&own, r);
+            find_backwards(r, &curve, q);
+            if (data->dim == 2) {
+                q->crossings = crossings_of(&curve);
+                q->crossings_of_points = crossings_of(&points);
+            }
+        }
+        find_far(&own, r, q);
+        q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
+        q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
+        q->problems |= q->runs.probability < BY_CHANCE && !r->points_on_curve ? CAGD_FIT_STRUCTURE : 0;
+    }
+    free(curve.at);
+    free(points.at);
+    return status == CAGD_NO_MEMORY ? status : CAGD_OK;
+}

@@ -1,0 +1,459 @@
+#include "core/fit/refine.h"
+
+#include "core/fit/candidate.h"
+#include "core/fit/strategy.h"
+#include "core/require.h"
+#include "core/number/limits.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    MOST_KNOTS = 120,     /* inner knots, of a closed curve segments                                      */
+    PATIENCE = 5,         /* so many more knots are tried after the best number                           */
+    LEAST_IN_SPAN = 3,    /* points that a segment keeps on either side of a new knot                     */
+    MOST_WORK = 4000000   /* points times the square of knots, up to which knots are taken out one by one */
+};
+
+/* ---- knots ------------------------------------------------------------------------------------------- */
+
+/* Inner knots between 0 and 1; of a closed curve also 0, the seam, which is not among them. */
+typedef struct knots {
+    int inner;
+    double u[MOST_KNOTS + 1];
+} knots;
+
+static int count_of(const knots *k, int degree, int closed) { return closed ? k->inner + 1 : k->inner + degree + 1; }
+
+/* Knot i of a closed curve's period 0, inner knots; i may be any. */
+static double periodic_knot(const knots *k, int i)
+{
+    const int n = k->inner + 1, turns = i >= 0 ? i / n : -((n - 1 - i) / n), at = i - turns * n;
+    return turns + (at == 0 ? 0 : k->u[at - 1]);
+}
+
+/* All knots, as cagd_fit takes them. */
+static void spell(const knots *k, int degree, int closed, double U[])
+{
+    const int count = count_of(k, degree, closed), all = count + degree + (closed ? degree : 0) + 1;
+    for (int i = 0; i < all; i++)
+        U[i] = closed ? periodic_knot(k, i - degree) : i <= degree ? 0 : i >= count ? 1 : k->u[i - degree - 1];
+}
+
+static void make_even(int inner, knots *k)
+{
+    k->inner = inner;
+    for (int i = 0; i < inner; i++)
+        k->u[i] = (double)(i + 1) / (inner + 1);
+}
+
+static void insert(knots *k, double u)
+{
+    int at = k->inner++;
+    for (; at > 0 && k->u[at - 1] > u; at--)
+        k->u[at] = k->u[at - 1];
+    k->u[at] = u;
+}
+
+static void take_out(knots *k, int at)
+{
+    for (int i = at; i < k->inner - 1; i++)
+        k->u[i] = k->u[i + 1];
+    k->inner--;
+}
+
+/* ---- a spline on other knots -------------------------------------------------------------------------- */
+
+/* The polar form of the segment over [u_mu, u_mu+1] at the arguments a_1, ..., a_p, less `shift`. */
+static void polar_form(const cagd_spline *c, int mu, const double a[], double shift, double P[])
+{
+    const int p = c->degree, dim = c->dim;
+    double d[(MAX_DEGREE + 1) * 3];
+    memcpy(d, c->points + (mu - p) * dim, (size_t)((p + 1) * dim) * sizeof *d);
+    for (int r = 1; r <= p; r++)
+        for (int i = 0; i <= p - r; i++) {
+            const double *u = c->knots + mu - p + r + i;
+            const double s = (a[r - 1] - shift - u[0]) / (u[p + 1 - r] - u[0]);
+            for (int x = 0; x < dim; x++)
+                d[i * dim + x] += s * (d[(i + 1) * dim + x] - d[i * dim + x]);
+        }
+    memcpy(P, d, (size_t)dim * sizeof *P);
+}
+
+void fit_respace(const cagd_spline *from, int period, const double v[], int count, double to[])
+{
+    const int p = from->degree;
+    const double start = from->knots[p], end = from->knots[from->count];
+    for (int j = 0; j < count; j++) {
+        int span = -1; /* the one nearest to the middle of what the point moves */
+        for (int i = j; i <= j + p; i++)
+            if (v[i] < v[i + 1] && i >= (period ? 0 : p) && (period || i < count) &&
+                (span < 0 || abs(2 * i - 2 * j - p) < abs(2 * span - 2 * j - p)))
+                span = i;
+        double middle = (v[span] + v[span + 1]) / 2, shift = period ? floor((middle - start) / (end - start)) * (end - start) : 0;
+        int mu = p;
+        while (mu < from->count - 1 && from->knots[mu + 1] <= middle - shift)
+            mu++;
+        polar_form(from, mu, v + j + 1, shift, to + j * from->dim);
+    }
+}
+
+/* ---- one fit ------------------------------------------------------------------------------------------ */
+
+typedef struct search {
+    const cagd_fit_data *data;
+    const cagd_fit_options *options;
+    const cagd_fit_choices *choices;
+    int *where;
+    cagd_fit_result *best;
+    double score;
+    knots at; /* of the best one */
+} search;
+
+/* A fit among many, without intervals by the profile, which takes much longer than one that will not converge is worth. */
+static cagd_status fit_candidate(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                                 int *where)
+{
+    enum { ITERATIONS = 100 };
+    cagd_fit_options o = *options;
+    fit_strategy s = fit_usual_strategy;
+    s.intervals = 0;
+    if (o.max_iterations > ITERATIONS)
+        o.max_iterations = ITERATIONS;
+    return fit_with_strategy(data, &o, &s, result, where);
+}
+
+/* The chosen curve once more, with all that is said of it. */
+static cagd_status finish(const search *s, const cagd_fit_options *options, cagd_fit_result **result)
+{
+    cagd_fit_result *last = *result;
+    cagd_fit_options o = *options;
+    o.initial = &last->curve;
+    o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
+    o.free &= ~CAGD_FIT_WEIGHTS;
+    cagd_status status = cagd_fit(s->data, &o, result, s->where);
+    if (status == CAGD_OK)
+        (*result)->found = last->found;
+    cagd_fit_free(last);
+    return status;
+}
+
+/* The spline on these knots, from the one before if there is one. */
+static cagd_status fit_on(const search *s, const knots *k, const cagd_fit_result *from, cagd_fit_result **result)
+{
+    const int p = s->options->degree, closed = s->options->closed, dim = s->data->dim,
+              count = count_of(k, p, closed), all = count + (closed ? p : 0);
+    cagd_fit_options o = *s->options;
+    double *U = malloc(((size_t)(all + p + 1) + (size_t)(all * dim)) * sizeof *U), *P = U + all + p + 1;
+    *result = NULL;
+    REQUIRE(U != NULL, CAGD_NO_MEMORY);
+    spell(k, p, closed, U);
+    cagd_spline initial = {p, all, dim, U, P, NULL};
+    o.count = count, o.knots = U;
+    if (from != NULL && from->curve.degree == p) {
+        fit_respace(&from->curve, from->period, U, all, P);
+        o.initial = &initial;
+    }
+    cagd_status status = fit_candidate(s->data, &o, result, s->where);
+    free(U);
+    return status;
+}
+
+/* Whether a curve with so many unknowns leaves half of the equations. */
+static int has_room(const search *s, const knots *k)
+{
+    const int p = s->options->degree, count = count_of(k, p, s->options->closed);
+    return k->inner < MOST_KNOTS && 2 * count * s->data->dim <= s->data->count * (s->data->dim - 1) + 2 * s->data->dim;
+}
+
+/* The smaller the better: with a tolerance the number of points, once it is met. */
+static double score_of(const search *s, const knots *k, const cagd_fit_result *r)
+{
+    if (s->choices->within > 0) {
+        if (!cagd_fit_is_minimum(r))
+            return HUGE_VAL;
+        return r->largest <= s->choices->within ? k->inner - 1e6 : r->largest;
+    }
+    return fit_is_good(s->data, s->options, r) ? fit_score(s->data, r) : HUGE_VAL;
+}
+
+/* Takes the result for the best one if it is; whether it is.  It is not released. */
+static int is_best(search *s, const knots *k, const cagd_fit_result *r)
+{
+    double score = score_of(s, k, r);
+    int better = s->best == NULL || score < s->score;
+    if (better)
+        s->score = score, s->at = *k;
+    return better;
+}
+
+/* ---- where a knot goes ---------------------------------------------------------------------------------- */
+
+typedef struct keyed {
+    double key, square;
+} keyed;
+
+static int by_key(const void *a, const void *b)
+{
+    const keyed *x = a, *y = b;
+    return (x->key > y->key) - (x->key < y->key);
+}
+
+/* The segment with the largest sum of squared distances, with a tolerance that with the largest distance, is divided where half of that sum lies on either side.  Returns 0
+ * where no segment has points enough, -1 when there is no memory. */
+static int divide(const search *s, const cagd_fit_result *r, knots *k)
+{
+    const int n = r->count, segments = k->inner + 1;
+    keyed *list = malloc((size_t)n * sizeof *list);
+    double best = 0, at = -1;
+    if (list == NULL)
+        return -1;
+    for (int i = 0; i < n; i++)
+        list[i] = (keyed){r->feet[i], r->distances[i] * r->distances[i]};
+    qsort(list, (size_t)n, sizeof *list, by_key);
+    for (int g = 0, low = 0; g < segments; g++) {
+        const double end = g < k->inner ? k->u[g] : 2, from = g > 0 ? k->u[g - 1] : 0;
+        int high = low;
+        double sum = 0, largest = 0, half = 0;
+        for (; high < n && list[high].key < end; high++) {
+            sum += list[high].square;
+            largest = fmax(largest, list[high].square);
+        }
+        double size = s->choices->within > 0 ? largest : sum;
+        if (high - low >= 2 * LEAST_IN_SPAN && size > best) {
+            int middle = low + LEAST_IN_SPAN - 1;
+            for (int i = low; i <= middle; i++)
+                half += list[i].square;
+            while (middle < high - LEAST_IN_SPAN - 1 && half < sum / 2)
+                half += list[++middle].square;
+            double u = (list[middle].key + list[middle + 1].key) / 2;
+            if (u > from && u < fmin(end, 1))
+                best = size, at = u;
+        }
+        low = high;
+    }
+    free(list);
+    if (at < 0)
+        return 0;
+    insert(k, at);
+    return 1;
+}
+
+/* ---- the search ------------------------------------------------------------------------------------------- */
+
+/* Even knots, or those that are put in one by one, from as few as there can be, until PATIENCE more have not helped. */
+static cagd_status put_in(search *s, int even)
+{
+    knots k;
+    cagd_fit_result *last = NULL;
+    make_even(s->options->closed ? s->options->degree + 1 : 0, &k);
+    cagd_status status = CAGD_OK;
+    double lowest = HUGE_VAL;
+    for (int idle = 0; idle < PATIENCE && status == CAGD_OK;) {
+        cagd_fit_result *next;
+        status = fit_on(s, &k, even ? NULL : last, &next);
+        if (status != CAGD_OK) {
+            if (status == CAGD_TOO_FEW && (last != NULL || s->best != NULL))
+                status = CAGD_OK;
+            break;
+        }
+        const double score = score_of(s, &k, next);
+        if (is_best(s, &k, next)) {
+            if (s->best != last)
+                cagd_fit_free(s->best);
+            s->best = next;
+        }
+        idle = score < lowest ? 0 : idle + (lowest < HUGE_VAL || k.inner > 30);
+        lowest = fmin(lowest, score);
+        if (last != s->best)
+            cagd_fit_free(last);
+        last = next;
+        int met = s->choices->within > 0 && next->largest <= s->choices->within;
+        if (next->points_on_curve || met || !has_room(s, &k))
+            break;
+        if (even)
+            make_even(k.inner + 1, &k);
+        else {
+            int put = divide(s, next, &k);
+            if (put < 0)
+                status = CAGD_NO_MEMORY;
+            if (put <= 0)
+                break;
+        }
+    }
+    if (last != s->best)
+        cagd_fit_free(last);
+    return status;
+}
+
+/* Knots are taken out of the best curve, that first without which it is best, as long as it becomes better. */
+static cagd_status take_out_idle(search *s)
+{
+    for (int better = 1; better;) {
+        better = 0;
+        const knots from = s->at;
+        if ((double)s->data->count * from.inner * from.inner > MOST_WORK)
+            break;
+        cagd_fit_result *lowest = s->best;
+        for (int i = 0; i < from.inner && from.inner > (s->options->closed ? s->options->degree : 0); i++) {
+            knots k = from;
+            cagd_fit_result *next;
+            take_out(&k, i);
+            cagd_status status = fit_on(s, &k, lowest, &next);
+            REQUIRE(status == CAGD_OK, status);
+            if (is_best(s, &k, next)) {
+                if (s->best != lowest)
+                    cagd_fit_free(s->best);
+                s->best = next;
+                better = 1;
+            } else
+                cagd_fit_free(next);
+        }
+        if (better)
+            cagd_fit_free(lowest);
+    }
+    return CAGD_OK;
+}
+
+/* ---- smoothing ------------------------------------------------------------------------------------------- */
+
+/* n chi^2/(n - 1.4 k)^2 of a minimum; infinite of others. */
+static double cross_validation(const cagd_fit_data *data, const cagd_fit_result *r)
+{
+    const double n = fit_equations_of(data), left = n - 1.4 * fit_unknowns_of(r);
+    return cagd_fit_is_minimum(r) && left > 0 ? n * r->chi_squared / (left * left) : HUGE_VAL;
+}
+
+/* The fit with the smoothing term lambda, from the curve before if there is one; its score. */
+static cagd_status smooth_by(const search *s, const cagd_fit_options *options, double lambda, const cagd_fit_result *from,
+                             cagd_fit_result **result, double *score)
+{
+    cagd_fit_options o = *options;
+    o.smooth = lambda;
+    o.free &= ~CAGD_FIT_WEIGHTS;
+    if (from != NULL)
+        o.initial = &from->curve;
+    cagd_status status = fit_candidate(s->data, &o, result, s->where);
+    *score = status == CAGD_OK ? cross_validation(s->data, *result) : HUGE_VAL;
+    return status;
+}
+
+/* The weight of the smoothing term by cross-validation: from one that leaves a straight line downwards in tenths, and then between the
+ * neighbours of the best one.  *result, which may be NULL, is replaced. */
+static cagd_status smooth_best(const search *s, const cagd_fit_options *options, int how, cagd_fit_result **result)
+{
+    enum { TENTHS = 22, FINER = 3 };
+    double precision = 0, extent = 0;
+    for (int c = 0; c < s->data->dim; c++) {
+        double low = s->data->points[c], high = low;
+        for (int i = 0; i < s->data->count; i++) {
+            low = fmin(low, s->data->points[i * s->data->dim + c]);
+            high = fmax(high, s->data->points[i * s->data->dim + c]);
+        }
+        extent = fmax(extent, high - low);
+    }
+    for (int i = 0; i < s->data->count; i++)
+        precision += s->data->sigma != NULL ? 1 / (s->data->sigma[i] * s->data->sigma[i]) : 1;
+    cagd_fit_result *best = NULL, *last = NULL;
+    double lowest = HUGE_VAL, chosen = 0;
+    cagd_status status = CAGD_OK;
+    for (int k = 0, worse = 0; k < TENTHS + 2 * FINER && status == CAGD_OK; k++) {
+        if (k < TENTHS && worse >= 3)
+            k = TENTHS;
+        const int finer = k - TENTHS;
+        if (finer >= 0 && best == NULL)
+            break;
+        double lambda = finer < 0 ? precision * pow(10, -k)
+                                  : chosen * pow(10, (finer % 2 == 0 ? 1 : -1) * pow(0.5, finer / 2 + 1)),
+               score;
+        cagd_fit_result *next;
+        status = smooth_by(s, options, lambda, finer >= 0 ? best : last, &next, &score);
+        if (status != CAGD_OK)
+            break;
+        if (finer < 0)
+            worse = score < lowest || best == NULL ? 0 : worse + (lowest < HUGE_VAL);
+        int better = score < lowest && isfinite(score);
+        if (last != best)
+            cagd_fit_free(last);
+        last = next;
+        if (better) {
+            if (best != next)
+                cagd_fit_free(best);
+            best = next;
+            lowest = score;
+            chosen = lambda;
+        }
+    }
+    if (last != best)
+        cagd_fit_free(last);
+    if (status == CAGD_OK && best != NULL) {
+        best->found.smoothed = how;
+        best->found.smooth = chosen;
+        cagd_fit_free(*result);
+        *result = best;
+    } else
+        cagd_fit_free(best);
+    return status;
+}
+
+/* As many control points, over even knots, as leave half of the equations, 40 knots at most. */
+static int most_points(const search *s)
+{
+    enum { MOST = 40 };
+    knots k;
+    make_even(s->options->closed ? s->options->degree + 1 : 0, &k);
+    while (has_room(s, &k) && k.inner < MOST)
+        make_even(k.inner + 1, &k);
+    return count_of(&k, s->options->degree, s->options->closed);
+}
+
+/* ---- all of it --------------------------------------------------------------------------------------------- */
+
+static cagd_status find_knots(search *s)
+{
+    cagd_status status = put_in(s, 0);
+    if (status == CAGD_OK)
+        status = put_in(s, 1);
+    if (status == CAGD_OK && s->best != NULL)
+        status = take_out_idle(s);
+    if (status == CAGD_OK && s->best != NULL) {
+        s->best->found.count_chosen = 1;
+        s->best->found.within = s->choices->within > 0 ? (s->best->largest <= s->choices->within ? 1 : -1) : 0;
+    }
+    return status;
+}
+
+cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_choices *choices,
+                        cagd_fit_result **result, int *where)
+{
+    cagd_fit_options own = *options;
+    search s = {.data = data, .options = &own, .choices = choices, .where = where};
+    const int chosen = choices->count || choices->within > 0;
+    if (chosen || choices->smooth == 1)
+        own.free &= ~CAGD_FIT_WEIGHTS;
+    const int smooth_only = chosen && !(choices->within > 0) && (choices->smooth == 1 || own.smooth > 0);
+    cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : cagd_fit(data, &own, &s.best, where);
+    const int segments = own.count > own.degree + 1 || own.knots != NULL || own.closed || chosen;
+    if (status == CAGD_OK && own.smooth == 0 && own.degree > 1 &&
+        (choices->smooth == 1 || (choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) &&
+                                  !fit_is_good(data, &own, s.best)))) {
+        cagd_fit_options smoothed = own;
+        if (chosen)
+            smoothed.count = most_points(&s);
+        status = smooth_best(&s, &smoothed, choices->smooth, &s.best);
+    }
+    if (status == CAGD_OK && smooth_only && own.smooth > 0) {
+        own.count = most_points(&s);
+        return cagd_fit(data, &own, result, where);
+    }
+    if (status == CAGD_OK && s.best == NULL) /* no smoothing leads to a minimum */
+        return fit_refined(data, options, &(cagd_fit_choices){.count = choices->count}, result, where);
+    if (status == CAGD_OK && (chosen || (s.best->found.smoothed && own.smooth == 0)))
+        status = finish(&s, &own, &s.best);
+    if (status == CAGD_OK)
+        *result = s.best;
+    else
+        cagd_fit_free(s.best);
+    return status;
+}
