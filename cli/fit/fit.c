@@ -149,20 +149,24 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
         f->options.initial = &initial;
     }
     give_knots(a, &f->options);
-    cagd_status status = cagd_fit(&f->data, &f->options, &result, &where);
+    cagd_status status = cagd_fit_choose(&f->data, &f->options, &a->choices, &result, &where);
     if (status != CAGD_OK)
         return complain(f, status, where);
     f->result = result;
+    f->data.count = result->count; /* a point that repeats the first one is left out */
     f->checked = a->verify;
     if (f->checked && is_terminal(stderr))
         fputs("verifying in intervals ...", stderr);
-    if (f->checked && nothing_is_free(f))
+    if (f->checked && (nothing_is_free(f) || is_ellipse(f)))
         f->nearest = cagd_stationary_nearest(&f->data, &result->curve, result->feet);
     else if (f->checked)
         f->verdict = cagd_stationary_check_fit(&f->data, &f->options, result);
     end_progress();
     if (is_refuted(f))
         cagd_fit_refute(result);
+    status = cagd_fit_quality_of(&f->data, &f->options, result, &f->quality);
+    if (status != CAGD_OK)
+        return complain(f, status, -1);
     int code = write_and_print(a, f);
     cagd_fit_free(result);
     return code;
@@ -172,7 +176,7 @@ int run_fit(const struct call *call)
 {
     region_mark mark = region_open();
     struct fit_arguments a = read_fit_arguments(call);
-    struct fit f = {.path = a.asked.path, .options = a.options, .weights_left_out = a.weights_left_out};
+    struct fit f = {.path = a.asked.path, .options = a.options, .choices = a.choices};
     int code = EXIT_USAGE;
     struct input_error error;
     if (read_points(a.asked.path, &a.columns, &f.points, &error) == 0) {

@@ -14,7 +14,8 @@
 
 struct fit {
     const char *path;
-    int weights_left_out; /* of a curve of several segments, of which nobody has said what is free */
+    cagd_fit_choices choices;
+    cagd_fit_quality quality;
     int sigma_given;      /* one standard deviation for all points, by an option */
     struct points points;
     cagd_fit_data data;
@@ -32,7 +33,12 @@ struct fit_arguments {
     struct columns columns;
     cagd_fit_options options;
     const char *ends; /* as given; NULL: not  */
-    int exact_ends, free_given, weights_left_out;
+    int exact_ends, free_given;
+    int closed;              /* 1, 0; -1: as the points say             */
+    int automatic;           /* the number of control points is chosen  */
+    double within;           /* > 0: a tolerance                        */
+    int smooth;              /* 1: its weight by cross-validation       */
+    cagd_fit_choices choices;
     const char *knots; /* as given; NULL: none */
     double *inner;     /* the inner knots; the caller frees them */
     int inner_knots, degree_given;
@@ -46,9 +52,15 @@ int run_fit(const struct call *c);                             /* fit.c     */
 /* Whether only the distances from a given curve were asked for. */
 static inline int nothing_is_free(const struct fit *f) { return f->options.free == 0; }
 
-/* How many times as long as the polygon of its points the curve is, where that says that it has ways which no points show;
- * otherwise 0 (text.c). */
-double excess_of_length(const struct fit *f);
+/* Whether the curve is an ellipse or an arc of one. */
+static inline int is_ellipse(const struct fit *f) { return f->result->found.ellipse.known; }
+/* Whether weights are among the unknowns. */
+int fits_weights(const struct fit *f); /* verdict.c */
+/* How many control points are its own. */
+static inline int own_points(const struct fit *f)
+{
+    return f->result->period > 0 ? f->result->period : f->result->curve.count;
+}
 
 /* ---- names and numbers as they are written (numbers.c) ------------------------------------------------------- */
 
@@ -64,6 +76,16 @@ json_t *text_json(const char *text);
 /* ---- what is printed and written ------------------------------------------------------------------ */
 
 void print_fit(const struct fit *f, int verbose);           /* text.c    */
+/* A line of the report, filled (text.c). */
+void say(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* A number with its standard error and interval (text.c). */
+void print_number(const char *name, cagd_fit_number x);
+void print_choice(const struct fit *f);                     /* what was chosen, and why: verdict.c */
+void print_ellipse(const struct fit *f);                    /* verdict.c */
+void print_quality(const struct fit *f);                    /* verdict.c */
+/* Sentences without full stop about what is not good, each with what cures it; their number (verdict.c). */
+enum { MOST_PROBLEMS = 6 };
+int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS]);
 json_t *fit_json(const struct fit *f);                      /* json.c    */
 json_t *fitted_curve_json(const cagd_spline *c);            /* as read_curve reads it; binary64 in 17 digits */
 int write_curve(const struct fit *f, const char *path);     /* each: 0, or a line on stderr        */

@@ -1,6 +1,8 @@
 /* json.c -- everything about a fit as JSON, and the curve as cagd curve reads it. */
 #include "cli/fit/fit.h"
 
+#include <stdlib.h>
+
 #include <math.h>
 
 static json_t *real(double x) { return isfinite(x) ? json_real(x) : json_null(); }
@@ -99,7 +101,7 @@ static json_t *verdict_json(const struct fit *f)
     const cagd_stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return json_pack("{s:s}", "status", "not asked");
-    if (nothing_is_free(f)) {
+    if (nothing_is_free(f) || is_ellipse(f)) {
         const cagd_nearest_verdict *n = &f->nearest;
         return json_pack("{s:s, s:o, s:o, s:o}", "status",
                          n->verified  ? "verified"
@@ -170,6 +172,66 @@ static json_t *of_minimum(const struct fit *f, json_t *value)
     return json_null();
 }
 
+static json_t *interval_json(cagd_fit_number x)
+{
+    return json_pack("{s:o, s:o, s:o, s:o}", "value", real(x.value), "standard_error", real(x.error), "low", real(x.low), "high",
+                     real(x.high));
+}
+
+/* Of an ellipse; otherwise null. */
+static json_t *ellipse_json(const struct fit *f)
+{
+    const cagd_fit_ellipse *e = &f->result->found.ellipse;
+    if (!e->known)
+        return json_null();
+    json_t *centre = json_array();
+    for (int c = 0; c < f->data.dim; c++)
+        json_array_append_new(centre, interval_json(e->circle ? e->circle_centre[c] : e->centre[c]));
+    return json_pack("{s:b, s:b, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i}", "whole", e->whole, "circle", e->circle, "centre", centre, "radius",
+                     interval_json(e->radius), "major", interval_json(e->major), "minor", interval_json(e->minor), "angle",
+                     f->data.dim == 2 && !e->circle ? interval_json(e->angle) : json_null(), "sweep", real(e->sweep), "f_ratio", real(e->ratio),
+                     "f_degrees_of_freedom", e->freedom);
+}
+
+/* What was chosen, and why. */
+static json_t *choice_json(const struct fit *f)
+{
+    static const char *const closing[] = {"open", "repeated", "around", "corner"};
+    const cagd_fit_found *c = &f->result->found;
+    json_t *list = json_array();
+    for (int k = 0; k < c->candidates; k++)
+        json_array_append_new(list, json_pack("{s:s, s:i, s:b, s:o, s:o}", "name", c->candidate[k].name, "unknowns", c->candidate[k].unknowns,
+                                              "converged", c->candidate[k].converged, "score", real(c->candidate[k].score), "rms",
+                                              real(c->candidate[k].rms)));
+    json_t *test = c->weights < 0 || c->weights_number == 0
+                       ? json_null()
+                       : json_pack("{s:b, s:o, s:[i, i], s:o}", "fitted", c->weights == 1, "f_ratio", real(c->weights_ratio), "degrees_of_freedom",
+                                   c->weights_number, c->weights_freedom, "probability", real(c->weights_probability));
+    const double lambda = f->options.smooth > 0 ? f->options.smooth : c->smooth;
+    json_t *smoothing = !(lambda > 0) ? json_null()
+                                      : json_pack("{s:o, s:s, s:o, s:o}", "lambda", real(lambda), "by",
+                                                  c->smoothed == 0 ? "given" : c->smoothed == 1 ? "cross-validation" : "cross-validation, for lack of a good fit",
+                                                  "effective_unknowns", real(f->result->effective), "roughness", real(f->result->roughness));
+    return json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "points_are", closing[c->closing], "closed",
+                     f->result->period > 0 || (c->ellipse.known && c->ellipse.whole), "control_points_chosen", c->count_chosen, "tolerance_met",
+                     c->within == 0 ? json_null() : json_boolean(c->within > 0), "candidates", list, "weights_test", test, "smoothing", smoothing);
+}
+
+static json_t *quality_json(const struct fit *f)
+{
+    const cagd_fit_quality *q = &f->quality;
+    char *sentence[MOST_PROBLEMS];
+    json_t *list = json_array();
+    const int count = problems_of(f, sentence);
+    for (int k = 0; k < count; k++) {
+        json_array_append_new(list, json_string(sentence[k]));
+        free(sentence[k]);
+    }
+    return json_pack("{s:b, s:o, s:i, s:i, s:o, s:o, s:o, s:o}", "good", count == 0, "problems", list, "crossings", q->crossings,
+                     "crossings_of_points", q->crossings_of_points, "widest_gap", real(q->gap), "same_side", json_integer(q->runs.same), "pairs",
+                     json_integer(q->runs.pairs), "probability", real(q->runs.probability));
+}
+
 json_t *fit_json(const struct fit *f)
 {
     static const char *const termination[] = {"converged", "not converged", "failed"};
@@ -179,7 +241,7 @@ json_t *fit_json(const struct fit *f)
     const cagd_fit_options *o = &f->options;
     json_t *free = json_array(), *invariants = json_array(), *notes = json_array();
     for (int k = 0; k < 3; k++)
-        if (o->free & 1 << k)
+        if (k == 0 && !nothing_is_free(f) ? fits_weights(f) : o->free & 1 << k)
             json_array_append_new(free, json_string(part[k]));
     for (int j = 0; j < r->invariants; j++)
         json_array_append_new(invariants, estimate_json(cagd_fit_invariant_estimate(f->result, j)));
@@ -233,6 +295,9 @@ json_t *fit_json(const struct fit *f)
                              has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
     json_object_update(document, of_unknowns);
     json_object_set_new(rest, "outliers", outliers_json(f));
+    json_object_set_new(rest, "choice", choice_json(f));
+    json_object_set_new(rest, "ellipse", ellipse_json(f));
+    json_object_set_new(rest, "quality", quality_json(f));
     json_object_set_new(rest, "length_ratio", o->unordered ? json_null() : real(cagd_fit_length_ratio(&f->data, r)));
     json_object_update(document, rest);
     json_decref(of_unknowns);

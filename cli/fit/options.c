@@ -29,6 +29,10 @@ enum {
     KEY_RESIDUALS,
     KEY_SVG,
     KEY_CURVE,
+    KEY_CLOSED,
+    KEY_OPEN,
+    KEY_WITHIN,
+    KEY_SMOOTH,
     MOST_CONTROL_POINTS = 10000,
     MOST_ROUNDS = 1000000
 };
@@ -132,6 +136,36 @@ static void read_knots(struct argp_state *state, struct fit_arguments *a)
         argp_error(state, "at most %d inner knots", MOST_CONTROL_POINTS);
 }
 
+/* What is left for the points to say.  Of a spline weights are fitted where a test says so, unless --free is given. */
+static void choose(struct argp_state *state, struct fit_arguments *a)
+{
+    cagd_fit_options *o = &a->options;
+    cagd_fit_choices *c = &a->choices;
+    const int smoothed = a->smooth || o->smooth > 0, counted = a->knots != NULL || o->count != 0;
+    if (a->initial != NULL && (a->closed > 0 || a->automatic || a->within > 0 || smoothed))
+        argp_error(state, "--closed, --control-points auto, --tolerance-distance and --smooth do not go with --initial");
+    if (a->within > 0 && (counted || smoothed))
+        argp_error(state, "--tolerance-distance chooses the control points; --control-points N, --knots and --smooth do not go with it");
+    if (a->closed > 0 && (a->ends != NULL || a->knots != NULL))
+        argp_error(state, "a closed curve has no ends, and even knots; --ends and --knots do not go with --closed");
+    if (smoothed && a->free_given && o->free & CAGD_FIT_WEIGHTS)
+        argp_error(state, "--smooth leaves weights out; --free weights does not go with it");
+    if (smoothed && o->degree == 1)
+        argp_error(state, "--smooth needs a degree of 2 or more");
+    *c = (cagd_fit_choices){.closed = a->closed, .smooth = a->smooth ? 1 : smoothed || a->free_given ? 0 : 2, .within = a->within};
+    if (c->closed < 0 && (a->ends != NULL || a->knots != NULL || a->initial != NULL || (a->free_given && o->free & CAGD_FIT_END_POINTS)))
+        c->closed = 0;
+    c->form = !a->degree_given && !counted && !a->automatic && !(a->within > 0) && !smoothed && !a->free_given &&
+              a->initial == NULL;
+    c->count = !counted && (c->form || a->automatic || a->within > 0 || smoothed || a->closed > 0);
+    c->weights = !a->free_given;
+    if (c->count && !c->form && !a->degree_given)
+        o->degree = 3;
+    const int spline = c->count ? !c->form : a->knots != NULL ? *a->knots != '\0' : o->count > o->degree + 1;
+    if (!a->free_given && a->initial == NULL && (spline || smoothed || a->closed > 0))
+        o->free &= ~CAGD_FIT_WEIGHTS;
+}
+
 static void finish(struct argp_state *state, struct fit_arguments *a)
 {
     cagd_fit_options *o = &a->options;
@@ -145,10 +179,7 @@ static void finish(struct argp_state *state, struct fit_arguments *a)
     if (a->ends != NULL && a->free_given && a->exact_ends == (o->free & CAGD_FIT_END_POINTS) / CAGD_FIT_END_POINTS)
         argp_error(state, "--ends %s does not go with --free %s", a->ends,
                    a->exact_ends ? "that has ends" : "without ends, which are then exact or those of --initial");
-    a->weights_left_out =
-        !a->free_given && a->initial == NULL && (a->knots != NULL ? *a->knots != '\0' : o->count > o->degree + 1);
-    if (a->weights_left_out)
-        o->free &= ~CAGD_FIT_WEIGHTS;
+    choose(state, a);
     if (a->exact_ends)
         o->free &= ~CAGD_FIT_END_POINTS;
     if (a->initial == NULL && o->free == 0)
@@ -178,7 +209,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->knots = arg;
         break;
     case KEY_CONTROL_POINTS:
-        o->count = whole_number(state, "--control-points", arg, 2, MOST_CONTROL_POINTS);
+        a->automatic = strcmp(arg, "auto") == 0;
+        o->count = a->automatic ? 0 : whole_number(state, "--control-points", arg, 2, MOST_CONTROL_POINTS);
         break;
     case KEY_FREE:
         o->free = parts(state, arg);
@@ -198,6 +230,19 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case KEY_SCALE:
         o->loss_scale = positive(state, "--scale", arg);
+        break;
+    case KEY_CLOSED:
+        a->closed = 1;
+        break;
+    case KEY_OPEN:
+        a->closed = 0;
+        break;
+    case KEY_WITHIN:
+        a->within = positive(state, "--tolerance-distance", arg);
+        break;
+    case KEY_SMOOTH:
+        a->smooth = strcmp(arg, "auto") == 0;
+        o->smooth = a->smooth ? 0 : positive(state, "--smooth", arg);
         break;
     case KEY_UNORDERED:
         o->unordered = 1;
@@ -249,16 +294,23 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 struct fit_arguments read_fit_arguments(const struct call *call)
 {
-    struct fit_arguments a = {.options = cagd_fit_defaults(), .verify = 1};
+    struct fit_arguments a = {.options = cagd_fit_defaults(), .verify = 1, .closed = -1};
     a.options.loss_scale = 0;
     parse_arguments(call, &a.asked);
     return a;
 }
 
 static const struct argp_option options[] = {
-    {"degree", KEY_DEGREE, "P", 0, "Degree of the curve (default: 2)", 1},
+    {"degree", KEY_DEGREE, "P", 0, "Degree of the curve (default: 2, of a spline that is chosen 3)", 1},
     {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
-    {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
+    {"control-points", KEY_CONTROL_POINTS, "N", 0,
+     "So many control points, over even knots; auto: as many as the points ask for, with knots where these ask for them", 1},
+    {"tolerance-distance", KEY_WITHIN, "D", 0,
+     "The fewest control points found that keep every point within this distance of the curve", 1},
+    {"closed", KEY_CLOSED, 0, 0, "A closed curve, smooth everywhere (default: where the points come back to their beginning)", 1},
+    {"open", KEY_OPEN, 0, 0, "An open curve, wherever the points end", 1},
+    {"smooth", KEY_SMOOTH, "LAMBDA", 0,
+     "Add LAMBDA/2 times the integral of the squared second derivative of a spline; auto: by cross-validation", 1},
     {"free", KEY_FREE, "LIST", 0,
      "What may move, of weights, inner and ends (default: all, but inner,ends of a curve of several segments; without "
      "ends these are the first and the last point, or "

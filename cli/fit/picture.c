@@ -251,7 +251,7 @@ static void draw_polygon(svg *s, const struct view *v)
     for (int j = 0; j < c->count; j++)
         if (inside(v, j)) {
             svg_mark(s, svg_pair(P + 2 * j), SVG_POLYGON, SVG_USUAL);
-            if (c->count <= MOST_LABELS)
+            if (own_points(v->f) <= MOST_LABELS && j < own_points(v->f) && !is_ellipse(v->f))
                 label_control_point(s, v, j);
         }
 }

@@ -68,8 +68,7 @@ static void end(struct cagd_line *l, const char *name)
     free(l->text);
 }
 
-static void say(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void say(const char *name, const char *format, ...)
+void say(const char *name, const char *format, ...)
 {
     struct cagd_line l;
     va_list list;
@@ -77,6 +76,20 @@ static void say(const char *name, const char *format, ...)
     vfprintf(begin(&l), format, list);
     va_end(list);
     end(&l, name);
+}
+
+void print_number(const char *name, cagd_fit_number x)
+{
+    printf("  %-18s", name);
+    put_column(0, x.value, x.error, 18);
+    if (isfinite(x.error) && x.error > 0) {
+        put_column(0, x.error, x.error, 18);
+        fputs("     ", stdout);
+        put_rounded(stdout, 0, x.low, x.error);
+        fputs(" to ", stdout);
+        put_rounded(stdout, 0, x.high, x.error);
+    }
+    puts("");
 }
 
 /* What was read otherwise than as a plain table. */
@@ -109,34 +122,36 @@ static void print_heading(const struct fit *f)
     struct cagd_line l;
     print_reading(f);
     FILE *out = begin(&l);
-    if (segments == 1)
+    if (is_ellipse(f))
+        fprintf(out, "%s; as a NURBS curve of degree 2 with %d segments", r->found.ellipse.whole ? r->found.ellipse.circle ? "a whole circle" : "a whole ellipse" : r->found.ellipse.circle ? "an arc of a circle" : "an arc of an ellipse", segments);
+    else if (r->period > 0)
+        fprintf(out, "closed NURBS curve of degree %d with %d segments and as many control points, %s at the seam as at every knot", c->degree, segments, c->degree == 1 ? "continuous" : c->degree == 2 ? "with continuous tangents" : "with continuous curvature");
+    else if (segments == 1)
         fprintf(out, "rational Bézier curve of degree %d", c->degree);
     else
         fprintf(out, "NURBS curve of degree %d with %d segments and %d control points", c->degree, segments, c->count);
     static const char *const part[] = {"weights", "inner points", "end points"};
-    fputs(nothing_is_free(f) ? "; nothing is free" : "; free: ", out);
-    for (int k = 0, said = 0; k < 3; k++)
-        if (f->options.free & 1 << k)
-            fprintf(out, "%s%s", said++ > 0 ? ", " : "", part[k]);
+    fputs(is_ellipse(f) ? "" : nothing_is_free(f) ? "; nothing is free" : "; free: ", out);
+    for (int k = 0, said = 0; k < 3 && !is_ellipse(f); k++)
+        if (k == 0 ? fits_weights(f) : (f->options.free & 1 << k) && !(k == 2 && r->period > 0))
+            fprintf(out, "%s%s", said++ > 0 ? ", " : "", r->period > 0 && k == 1 ? "points" : part[k]);
     if (r->end_points[0] >= 0 && f->options.unordered)
         fprintf(out, "; points %d and %d are measurements of its ends", r->end_points[0] + 1, r->end_points[1] + 1);
     else if (r->end_points[0] >= 0)
         fputs("; the first and the last point are measurements of its ends", out);
-    if (f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS))
+    if (f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS) && r->period == 0 && !is_ellipse(f))
         fprintf(out, "; it begins and ends in %s",
                 f->options.unordered ? "two of the points" : "the first and the last point");
-    if (f->weights_left_out)
-        fputs("; its weights are 1, since those of a curve of several segments are nearly undetermined: --free "
-              "weights,inner,ends fits them",
-              out);
     end(&l, "Curve");
+    print_choice(f);
     if (nothing_is_free(f)) {
         say("Feet", "the nearest points of the whole curve");
         return;
     }
     if (f->options.loss == CAGD_FIT_SQUARES)
-        say("Minimised", "half the sum of the squared orthogonal distances%s",
-            f->data.sigma != NULL ? " over the squared standard deviations" : "");
+        say("Minimised", "half the sum of the squared orthogonal distances%s%s",
+            f->data.sigma != NULL ? " over the squared standard deviations" : "",
+            r->roughness > 0 ? ", and the smoothing term" : "");
     else
         say("Minimised", "half the sum of the orthogonal distances%s by the loss of %s, scale %.3g%s",
             f->data.sigma != NULL ? " in standard deviations" : "",
@@ -217,8 +232,8 @@ static void print_nearest(const struct fit *f)
     char text[16];
     if (n->verified)
         say("Verification",
-            "verified in intervals: no point of the curve is nearer to any of the points than its foot by more than %s",
-            power_of_ten(n->excess, ceil, text));
+            "verified in intervals: no point of the curve is nearer to any of the points than its foot by more than %s%s",
+            power_of_ten(n->excess, ceil, text), is_ellipse(f) ? "; the minimum over all ellipses is that of the minimiser, in binary64" : "");
     else
         say("Verification", "%s: %s (point %d, line %d)", n->refuted ? "refuted in intervals" : "not verified",
             n->reason, n->where + 1, f->points.line[n->where]);
@@ -230,7 +245,7 @@ static void print_verdict(const struct fit *f)
     const cagd_stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return;
-    if (nothing_is_free(f)) {
+    if (nothing_is_free(f) || is_ellipse(f)) {
         print_nearest(f);
         return;
     }
@@ -321,6 +336,14 @@ static void print_estimates(const struct fit *f)
     }
 }
 
+static int are_one(const cagd_spline *c)
+{
+    int one = 1;
+    for (int j = 0; j < c->count; j++)
+        one = one && c->weights[j] == 1;
+    return one;
+}
+
 /* What is given is not estimated. */
 static void print_fixed(const struct fit *f)
 {
@@ -328,8 +351,11 @@ static void print_fixed(const struct fit *f)
     struct cagd_line l;
     FILE *out = begin(&l);
     int said = 0;
-    for (int j = 0; j < c->count; j++) {
-        int weight = 0, point = 0;
+    if (is_ellipse(f))
+        return;
+    const int same_weights = !nothing_is_free(f) && !fits_weights(f) && are_one(c);
+    for (int j = 0; j < own_points(f); j++) {
+        int weight = same_weights, point = 0;
         for (int k = 0; k < f->result->unknowns; k++)
             if (f->result->unknown[k].index == j) {
                 weight |= f->result->unknown[k].is_weight;
@@ -346,6 +372,8 @@ static void print_fixed(const struct fit *f)
         if (!weight)
             fprintf(out, "%sw%d = %.10g", said++ > 0 ? ", " : "", j, c->weights[j]);
     }
+    if (same_weights)
+        fprintf(out, "%sall weights 1", said++ > 0 ? ", " : "");
     end(&l, "  Given");
 }
 
@@ -393,7 +421,7 @@ static void print_free_directions(const cagd_fit_result *r)
     enum { MOST = 6 };
     int free = r->rank + r->flat, flat = r->flat;
     if (flat <= 0) {
-        say("Rank", "%d of %d: the points determine every unknown", r->rank, free);
+        say("Rank", "%d of %d: the points%s determine every unknown", r->rank, free, r->roughness > 0 ? " and the smoothing term" : "");
         return;
     }
     say("Rank", "%d of %d: the distances stay what they are, to first order, along %s", r->rank, free,
@@ -456,25 +484,6 @@ static void print_outliers(const struct fit *f)
                 r->outlier_limit, r->deviation, unit, r->rms_of_others);
     fputs("; the standard deviation is estimated from the median of the distances", out);
     end(&l, "Outliers");
-}
-
-double excess_of_length(const struct fit *f)
-{
-    const double longest = 1.26; /* of a curve that turns by 130 degrees between two points */
-    double ratio = f->options.unordered || nothing_is_free(f) ? 0 : cagd_fit_length_ratio(&f->data, f->result);
-    return ratio > longest ? ratio : 0;
-}
-
-/* Whether the curve goes where its points do not. */
-static void print_shape(const struct fit *f)
-{
-    double ratio = excess_of_length(f);
-    if (ratio > 0)
-        say("Shape",
-            "the curve is %.3g times as long as the polygon of the points in their order: it has loops or excursions "
-            "that no points show, and is not good whatever the verification says of the minimum; fewer control points, "
-            "weights left out (--free inner,ends), or --unordered where the points are in no order, may cure it",
-            ratio);
 }
 
 /* Errors that standard errors do not know of: the measured coordinates are no finer than binary64 is so far from 0. */
@@ -596,12 +605,15 @@ void print_fit(const struct fit *f, int verbose)
     print_verdict(f);
     if (verbose)
         print_history(f->result);
-    print_estimates(f);
+    if (is_ellipse(f))
+        print_ellipse(f);
+    else
+        print_estimates(f);
     print_fixed(f);
     puts("");
     print_distances(f);
     print_outliers(f);
-    print_shape(f);
+    print_quality(f);
     if (cagd_fit_is_minimum(f->result))
         print_statistics(f);
     else

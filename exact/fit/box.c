@@ -2,6 +2,7 @@
 #include "exact/fit/box.h"
 
 #include "exact/fit/foot.h"
+#include "exact/fit/smooth.h"
 #include "exact/fit/words.h"
 
 #include <math.h>
@@ -38,10 +39,9 @@ int cagd_stationary_box_new(struct box *b, const cagd_stationary_problem *proble
         b->of_coordinate[m] = -1;
     for (int a = 0; a < b->n; a++) {
         const cagd_fit_unknown *u = &problem->unknown[a];
-        if (u->is_weight)
-            b->of_weight[u->index] = a;
-        else
-            b->of_coordinate[u->index * curve->dim + u->coordinate] = a;
+        for (int i = 0; i < curve->count; i++)
+            if (own_point(problem, i) == u->index)
+                *(u->is_weight ? &b->of_weight[i] : &b->of_coordinate[i * curve->dim + u->coordinate]) = a;
     }
     return 1;
 }
@@ -189,6 +189,8 @@ static int add_point(struct box *b, int i)
             part = mul_i(first, part);
             if (problem->loss != CAGD_FIT_SQUARES)
                 part = add_i(part, mul_i(bend, f->slope));
+            if (k != l && low == high) /* two places of the same unknown of a closed curve: (e, f) and (f, e) */
+                part = add_i(part, part);
             cagd_accumulate(&b->hessian[low * b->n + high], part);
         }
     }
@@ -211,6 +213,8 @@ int cagd_stationary_enclose(struct box *b, const double radius[], int stride)
         }
         region_drop(one);
     }
+    if (good && b->problem->smooth > 0)
+        cagd_stationary_smooth(b, stride);
     for (int a = 0; good && a < b->n; a++)
         for (int k = 0; k < a; k++) {
             mpfr_set(b->hessian[a * b->n + k].lo, b->hessian[k * b->n + a].lo, MPFR_RNDD);

@@ -27,6 +27,12 @@ static inline int is_held(const cagd_stationary_problem *problem, int a)
     return problem->held != NULL && problem->held[a];
 }
 
+/* Which of the own points of the curve, those of the unknowns, point i is. */
+static inline int own_point(const cagd_stationary_problem *problem, int i)
+{
+    return problem->period > 0 ? (i - problem->shift + 2 * problem->period) % problem->period : i;
+}
+
 /* Takes memory for everything; 0 where there is none, and then cagd_stationary_box_free is to be called as well. */
 int cagd_stationary_box_new(struct box *b, const cagd_stationary_problem *problem);
 void cagd_stationary_box_free(struct box *b);

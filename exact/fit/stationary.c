@@ -283,9 +283,10 @@ static void move_centre(const cagd_stationary_problem *problem, struct workspace
 {
     for (int a = 0; a < problem->unknowns; a++) {
         const cagd_fit_unknown *u = &problem->unknown[a];
-        double *x = u->is_weight ? &s->weights[u->index] : &s->points[u->index * problem->curve->dim + u->coordinate];
+        const int at = u->index + problem->shift;
+        double *x = u->is_weight ? &s->weights[at] : &s->points[at * problem->curve->dim + u->coordinate];
         double from = !u->is_weight                     ? problem->curve->points[x - s->points]
-                      : problem->curve->weights != NULL ? problem->curve->weights[u->index]
+                      : problem->curve->weights != NULL ? problem->curve->weights[at]
                                                         : 1;
         if (is_held(problem, a))
             continue;
@@ -293,6 +294,12 @@ static void move_centre(const cagd_stationary_problem *problem, struct workspace
         s->moved[a] = nextafter(fabs(*x - from), INFINITY);
         if (u->is_weight)
             s->moved[a] = nextafter(s->moved[a] / fmin(*x, from), INFINITY);
+    }
+    const int dim = problem->curve->dim;
+    for (int i = 0; problem->period > 0 && i < problem->curve->count; i++) { /* the same points once more */
+        const int from = own_point(problem, i) + problem->shift;
+        memmove(s->points + i * dim, s->points + from * dim, (size_t)dim * sizeof *s->points);
+        s->weights[i] = s->weights[from];
     }
 }
 
@@ -378,23 +385,48 @@ static int bound_of(const cagd_fit_options *options, double log_weight)
     return below < above ? CAGD_STATIONARY_AT_LOW : CAGD_STATIONARY_AT_HIGH;
 }
 
+/* The closed curve with one more span on both sides of its domain.  The array belongs to the caller; NULL when there is no memory. */
+static double *extend(const cagd_fit_result *result, cagd_spline *curve)
+{
+    const cagd_spline *c = &result->curve;
+    const int n = result->period, p = c->degree, count = c->count + 2, dim = c->dim;
+    const double length = c->knots[c->count] - c->knots[p];
+    double *knots = malloc((size_t)(count * (dim + 2) + p + 1) * sizeof *knots), *weights = knots + count + p + 1,
+           *points = weights + count;
+    if (knots == NULL)
+        return NULL;
+    memcpy(knots + 1, c->knots, (size_t)(c->count + p + 1) * sizeof *knots);
+    knots[0] = c->knots[n - 1] - length;
+    knots[count + p] = c->knots[2 * p + 1] + length;
+    for (int i = 0; i < count; i++) {
+        const int from = (i - 1 + n) % n;
+        weights[i] = c->weights[from];
+        memcpy(points + i * dim, result->relative + from * dim, (size_t)dim * sizeof *points);
+    }
+    *curve = (cagd_spline){p, count, dim, knots, points, weights};
+    return knots;
+}
+
 cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
                                                   const cagd_fit_result *result)
 {
     size_t numbers = (size_t)data->count * (size_t)data->dim;
     int count = 0, *held = malloc(((size_t)result->unknowns + 1) * sizeof *held);
-    double *points = malloc(numbers * sizeof *points);
-    if (held == NULL || points == NULL) {
+    double *points = malloc(numbers * sizeof *points), *extended = NULL;
+    cagd_spline curve = result->curve;
+    curve.points = result->relative;
+    if (result->period > 0)
+        extended = extend(result, &curve);
+    if (held == NULL || points == NULL || (result->period > 0 && extended == NULL)) {
         free(held);
         free(points);
+        free(extended);
         return (cagd_stationary_verdict){.bound = -1, .where = -1, .reason = no_memory};
     }
     for (size_t m = 0; m < numbers; m++)
         points[m] = data->points[m] - result->origin[m % (size_t)data->dim]; /* exactly */
     cagd_fit_data near = *data;
-    cagd_spline curve = result->curve;
     near.points = points;
-    curve.points = result->relative;
     for (int a = 0; a < result->unknowns; a++) {
         held[a] = result->at_bound[a] ? bound_of(options, result->value[a]) : CAGD_STATIONARY_FREE;
         count += held[a] != CAGD_STATIONARY_FREE;
@@ -402,7 +434,10 @@ cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, con
     cagd_stationary_problem problem = {.data = &near,
                                        .loss = options->loss,
                                        .loss_scale = result->loss_scale,
+                                       .smooth = options->smooth > 0 ? options->smooth : result->found.smooth,
                                        .curve = &curve,
+                                       .period = result->period,
+                                       .shift = result->period > 0,
                                        .feet = result->feet,
                                        .end_points = result->end_points,
                                        .unknowns = result->unknowns,
@@ -413,5 +448,6 @@ cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, con
     cagd_stationary_verdict verdict = cagd_stationary_check(&problem);
     free(held);
     free(points);
+    free(extended);
     return verdict;
 }

@@ -29,6 +29,11 @@
  *                 strict local minimum among all curves within the bounds: a step that leaves bounds adds a term of
  *                 first order, one that does not adds the positive one of second order.
  *
+ *     smoothing   lambda/2 integral |S''|^2 is added to F, of which the matrix follows without quadrature: S'' of a span in
+ *                 Bernstein polynomials of degree m = p-2, whose products have the integrals C(m,i) C(m,j)/((2m+1) C(2m,i+j)).
+ *     closed      The points of a closed curve that are one unknown move together.  The spans at the seam stand on both sides of the
+ *                 domain once more, so that no foot is at an end.
+ *
  * Along free directions F is flat, no stationary point is alone; then W spans a complement of these directions, and
  * what is said is said of the curves theta_0 + W y.
  *
@@ -53,7 +58,9 @@ typedef struct cagd_stationary_problem {
     const cagd_fit_data *data;
     cagd_fit_loss loss;
     double loss_scale;
+    double smooth;            /* lambda of the smoothing term; 0: none                              */
     const cagd_spline *curve; /* weights NULL: all 1                                                 */
+    int period, shift;        /* of a closed curve: point i is number i - shift, modulo the period, of its own; 0, 0: open */
     const double *feet;
     const int *end_points; /* the two points whose feet are held at the ends of the domain, -1 for none; NULL: none */
     int unknowns;

@@ -175,7 +175,7 @@ extern "C" cagd_status plain_ceres(const cagd_fit_data *data, const cagd_fit_opt
     int where;
     double cost;
     cagd_status status = fit_problem_make(data, options, &fit_usual_strategy, &p, &where);
-    fit_curve *curve = status == CAGD_OK ? fit_curve_new(p.degree, p.count, p.dim, p.knots) : nullptr;
+    fit_curve *curve = status == CAGD_OK ? fit_curve_new(p.degree, p.count, 0, p.dim, p.knots) : nullptr;
     std::vector<double> feet(static_cast<size_t>(data->count));
     if (status == CAGD_OK &&
         (curve == nullptr || !fit_start(&p, 0, curve) || !fit_feet_search(&p, curve, feet.data(), &cost)))

@@ -66,7 +66,7 @@ static cagd_fit_result *fit(const cagd_fit_data *data, const cagd_fit_options *o
 
 static fit_curve *curve_of(const cagd_spline *s)
 {
-    fit_curve *c = fit_curve_new(s->degree, s->count, s->dim, s->knots);
+    fit_curve *c = fit_curve_new(s->degree, s->count, 0, s->dim, s->knots);
     assert_non_null(c);
     memcpy(c->points, s->points, (size_t)(s->count * s->dim) * sizeof *c->points);
     memcpy(c->weights, s->weights, (size_t)s->count * sizeof *c->weights);
@@ -190,7 +190,7 @@ static void the_model_has_the_second_derivatives(void **state)
             o.initial = curves[k], o.loss = loss, o.loss_scale = 0.05;
             assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_OK);
             fit_objective *f = fit_objective_new(&p);
-            fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+            fit_curve *c = fit_curve_new(p.degree, p.count, 0, p.dim, p.knots);
             double *feet = malloc((size_t)p.points * sizeof *feet);
             assert_true(f != NULL && c != NULL && feet != NULL);
             fit_problem_curve(&p, curves[k], c);
@@ -279,7 +279,7 @@ static void order_is_kept_for_the_sake_of_what_is_known_best(void **state)
         o.initial = &u;
         o.free = CAGD_FIT_WEIGHTS;
         assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_OK);
-        fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+        fit_curve *c = fit_curve_new(p.degree, p.count, 0, p.dim, p.knots);
         assert_non_null(c);
         fit_problem_curve(&p, &u, c);
         assert_true(fit_feet_search(&p, c, t, &cost));
@@ -318,7 +318,7 @@ static void vectors_of_any_width_give_the_same(void **state)
         initial.knots = stretched;
         o.initial = &initial;
         assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_OK);
-        fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+        fit_curve *c = fit_curve_new(p.degree, p.count, 0, p.dim, p.knots);
         assert_non_null(c);
         fit_problem_curve(&p, &initial, c);
         assert_true(fit_feet_search(&p, c, feet, &cost));

@@ -45,7 +45,7 @@ static struct made make(const cagd_fit_data *data, const cagd_spline *initial, i
     o.free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
     o.unordered = unordered;
     assert_int_equal(fit_problem_make(data, &o, &fit_usual_strategy, &m.p, &where), CAGD_OK);
-    m.curve = fit_curve_new(m.p.degree, m.p.count, m.p.dim, m.p.knots);
+    m.curve = fit_curve_new(m.p.degree, m.p.count, 0, m.p.dim, m.p.knots);
     assert_non_null(m.curve);
     fit_problem_curve(&m.p, initial, m.curve);
     return m;
@@ -274,7 +274,7 @@ static void the_foot_is_on_the_curve(void **state)
     (void)state;
     for (int scale = -20; scale <= 20; scale += 10) {
         double length = ldexp(1, scale), knots[] = {0, 0, 0, 0, length, length, length, length}, q[] = {0.5, 0.125};
-        fit_curve *c = fit_curve_new(3, 4, 2, knots);
+        fit_curve *c = fit_curve_new(3, 4, 0, 2, knots);
         assert_non_null(c);
         memcpy(c->points, P, sizeof P);
         fit_curve_update(c);
