@@ -16,7 +16,7 @@ struct fit {
     const char *path;
     cagd_fit_choices choices;
     cagd_fit_quality quality;
-    int sigma_given;      /* one standard deviation for all points, by an option */
+    int sigma_given; /* one standard deviation for all points, by an option */
     struct points points;
     cagd_fit_data data;
     cagd_fit_options options;
@@ -34,10 +34,10 @@ struct fit_arguments {
     cagd_fit_options options;
     const char *ends; /* as given; NULL: not  */
     int exact_ends, free_given;
-    int closed;              /* 1, 0; -1: as the points say             */
-    int automatic;           /* the number of control points is chosen  */
-    double within;           /* > 0: a tolerance                        */
-    int smooth;              /* 1: its weight by cross-validation       */
+    int closed;    /* 1, 0; -1: as the points say             */
+    int automatic; /* the number of control points is chosen  */
+    double within; /* > 0: a tolerance                        */
+    int smooth;    /* 1: its weight by cross-validation       */
     cagd_fit_choices choices;
     const char *knots; /* as given; NULL: none */
     double *inner;     /* the inner knots; the caller frees them */
@@ -75,14 +75,14 @@ json_t *text_json(const char *text);
 
 /* ---- what is printed and written ------------------------------------------------------------------ */
 
-void print_fit(const struct fit *f, int verbose);           /* text.c    */
+void print_fit(const struct fit *f, int verbose); /* text.c    */
 /* A line of the report, filled (text.c). */
 void say(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* A number with its standard error and interval (text.c). */
 void print_number(const char *name, cagd_fit_number x);
-void print_choice(const struct fit *f);                     /* what was chosen, and why: verdict.c */
-void print_ellipse(const struct fit *f);                    /* verdict.c */
-void print_quality(const struct fit *f);                    /* verdict.c */
+void print_choice(const struct fit *f);  /* what was chosen, and why: verdict.c */
+void print_ellipse(const struct fit *f); /* verdict.c */
+void print_quality(const struct fit *f); /* verdict.c */
 /* Sentences without full stop about what is not good, each with what cures it; their number (verdict.c). */
 enum { MOST_PROBLEMS = 6 };
 int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS]);

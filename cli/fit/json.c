@@ -174,8 +174,8 @@ static json_t *of_minimum(const struct fit *f, json_t *value)
 
 static json_t *interval_json(cagd_fit_number x)
 {
-    return json_pack("{s:o, s:o, s:o, s:o}", "value", real(x.value), "standard_error", real(x.error), "low", real(x.low), "high",
-                     real(x.high));
+    return json_pack("{s:o, s:o, s:o, s:o}", "value", real(x.value), "standard_error", real(x.error), "low",
+                     real(x.low), "high", real(x.high));
 }
 
 /* Of an ellipse; otherwise null. */
@@ -187,10 +187,11 @@ static json_t *ellipse_json(const struct fit *f)
     json_t *centre = json_array();
     for (int c = 0; c < f->data.dim; c++)
         json_array_append_new(centre, interval_json(e->circle ? e->circle_centre[c] : e->centre[c]));
-    return json_pack("{s:b, s:b, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i}", "whole", e->whole, "circle", e->circle, "centre", centre, "radius",
-                     interval_json(e->radius), "major", interval_json(e->major), "minor", interval_json(e->minor), "angle",
-                     f->data.dim == 2 && !e->circle ? interval_json(e->angle) : json_null(), "sweep", real(e->sweep), "f_ratio", real(e->ratio),
-                     "f_degrees_of_freedom", e->freedom);
+    return json_pack("{s:b, s:b, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i}", "whole", e->whole, "circle", e->circle,
+                     "centre", centre, "radius", interval_json(e->radius), "major", interval_json(e->major), "minor",
+                     interval_json(e->minor), "angle",
+                     f->data.dim == 2 && !e->circle ? interval_json(e->angle) : json_null(), "sweep", real(e->sweep),
+                     "f_ratio", real(e->ratio), "f_degrees_of_freedom", e->freedom);
 }
 
 /* What was chosen, and why. */
@@ -200,21 +201,26 @@ static json_t *choice_json(const struct fit *f)
     const cagd_fit_found *c = &f->result->found;
     json_t *list = json_array();
     for (int k = 0; k < c->candidates; k++)
-        json_array_append_new(list, json_pack("{s:s, s:i, s:b, s:o, s:o}", "name", c->candidate[k].name, "unknowns", c->candidate[k].unknowns,
-                                              "converged", c->candidate[k].converged, "score", real(c->candidate[k].score), "rms",
-                                              real(c->candidate[k].rms)));
+        json_array_append_new(list, json_pack("{s:s, s:i, s:b, s:o, s:o}", "name", c->candidate[k].name, "unknowns",
+                                              c->candidate[k].unknowns, "converged", c->candidate[k].converged, "score",
+                                              real(c->candidate[k].score), "rms", real(c->candidate[k].rms)));
     json_t *test = c->weights < 0 || c->weights_number == 0
                        ? json_null()
-                       : json_pack("{s:b, s:o, s:[i, i], s:o}", "fitted", c->weights == 1, "f_ratio", real(c->weights_ratio), "degrees_of_freedom",
-                                   c->weights_number, c->weights_freedom, "probability", real(c->weights_probability));
+                       : json_pack("{s:b, s:o, s:[i, i], s:o}", "fitted", c->weights == 1, "f_ratio",
+                                   real(c->weights_ratio), "degrees_of_freedom", c->weights_number, c->weights_freedom,
+                                   "probability", real(c->weights_probability));
     const double lambda = f->options.smooth > 0 ? f->options.smooth : c->smooth;
     json_t *smoothing = !(lambda > 0) ? json_null()
                                       : json_pack("{s:o, s:s, s:o, s:o}", "lambda", real(lambda), "by",
-                                                  c->smoothed == 0 ? "given" : c->smoothed == 1 ? "cross-validation" : "cross-validation, for lack of a good fit",
-                                                  "effective_unknowns", real(f->result->effective), "roughness", real(f->result->roughness));
+                                                  c->smoothed == 0   ? "given"
+                                                  : c->smoothed == 1 ? "cross-validation"
+                                                                     : "cross-validation, for lack of a good fit",
+                                                  "effective_unknowns", real(f->result->effective), "roughness",
+                                                  real(f->result->roughness));
     return json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "points_are", closing[c->closing], "closed",
-                     f->result->period > 0 || (c->ellipse.known && c->ellipse.whole), "control_points_chosen", c->count_chosen, "tolerance_met",
-                     c->within == 0 ? json_null() : json_boolean(c->within > 0), "candidates", list, "weights_test", test, "smoothing", smoothing);
+                     f->result->period > 0 || (c->ellipse.known && c->ellipse.whole), "control_points_chosen",
+                     c->count_chosen, "tolerance_met", c->within == 0 ? json_null() : json_boolean(c->within > 0),
+                     "candidates", list, "weights_test", test, "smoothing", smoothing);
 }
 
 static json_t *quality_json(const struct fit *f)
@@ -227,9 +233,10 @@ static json_t *quality_json(const struct fit *f)
         json_array_append_new(list, json_string(sentence[k]));
         free(sentence[k]);
     }
-    return json_pack("{s:b, s:o, s:i, s:i, s:o, s:o, s:o, s:o}", "good", count == 0, "problems", list, "crossings", q->crossings,
-                     "crossings_of_points", q->crossings_of_points, "widest_gap", real(q->gap), "same_side", json_integer(q->runs.same), "pairs",
-                     json_integer(q->runs.pairs), "probability", real(q->runs.probability));
+    return json_pack("{s:b, s:o, s:i, s:i, s:o, s:o, s:o, s:o}", "good", count == 0, "problems", list, "crossings",
+                     q->crossings, "crossings_of_points", q->crossings_of_points, "widest_gap", real(q->gap),
+                     "same_side", json_integer(q->runs.same), "pairs", json_integer(q->runs.pairs), "probability",
+                     real(q->runs.probability));
 }
 
 json_t *fit_json(const struct fit *f)

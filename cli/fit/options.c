@@ -143,20 +143,27 @@ static void choose(struct argp_state *state, struct fit_arguments *a)
     cagd_fit_choices *c = &a->choices;
     const int smoothed = a->smooth || o->smooth > 0, counted = a->knots != NULL || o->count != 0;
     if (a->initial != NULL && (a->closed > 0 || a->automatic || a->within > 0 || smoothed))
-        argp_error(state, "--closed, --control-points auto, --tolerance-distance and --smooth do not go with --initial");
+        argp_error(state,
+                   "--closed, --control-points auto, --tolerance-distance and --smooth do not go with --initial");
     if (a->within > 0 && (counted || smoothed))
-        argp_error(state, "--tolerance-distance chooses the control points; --control-points N, --knots and --smooth do not go with it");
+        argp_error(state, "--tolerance-distance chooses the control points; --control-points N, --knots and --smooth "
+                          "do not go with it");
     if (a->closed > 0 && (a->ends != NULL || a->knots != NULL))
         argp_error(state, "a closed curve has no ends, and even knots; --ends and --knots do not go with --closed");
     if (smoothed && a->free_given && o->free & CAGD_FIT_WEIGHTS)
         argp_error(state, "--smooth leaves weights out; --free weights does not go with it");
     if (smoothed && o->degree == 1)
         argp_error(state, "--smooth needs a degree of 2 or more");
-    *c = (cagd_fit_choices){.closed = a->closed, .smooth = a->smooth ? 1 : smoothed || a->free_given ? 0 : 2, .within = a->within};
-    if (c->closed < 0 && (a->ends != NULL || a->knots != NULL || a->initial != NULL || (a->free_given && o->free & CAGD_FIT_END_POINTS)))
+    *c = (cagd_fit_choices){.closed = a->closed,
+                            .smooth = a->smooth                   ? 1
+                                      : smoothed || a->free_given ? 0
+                                                                  : 2,
+                            .within = a->within};
+    if (c->closed < 0 &&
+        (a->ends != NULL || a->knots != NULL || a->initial != NULL || (a->free_given && o->free & CAGD_FIT_END_POINTS)))
         c->closed = 0;
     c->form = !a->degree_given && !counted && !a->automatic && !(a->within > 0) && !smoothed && !a->free_given &&
-              a->initial == NULL;
+              a->initial == NULL && o->weight_low == 0 && isinf(o->weight_high);
     c->count = !counted && (c->form || a->automatic || a->within > 0 || smoothed || a->closed > 0);
     c->weights = !a->free_given;
     if (c->count && !c->form && !a->degree_given)
@@ -304,10 +311,13 @@ static const struct argp_option options[] = {
     {"degree", KEY_DEGREE, "P", 0, "Degree of the curve (default: 2, of a spline that is chosen 3)", 1},
     {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
     {"control-points", KEY_CONTROL_POINTS, "N", 0,
-     "So many control points, over even knots; auto: as many as the points ask for, with knots where these ask for them", 1},
+     "So many control points, over even knots; auto: as many as the points ask for, with knots where these ask for "
+     "them",
+     1},
     {"tolerance-distance", KEY_WITHIN, "D", 0,
      "The fewest control points found that keep every point within this distance of the curve", 1},
-    {"closed", KEY_CLOSED, 0, 0, "A closed curve, smooth everywhere (default: where the points come back to their beginning)", 1},
+    {"closed", KEY_CLOSED, 0, 0,
+     "A closed curve, smooth everywhere (default: where the points come back to their beginning)", 1},
     {"open", KEY_OPEN, 0, 0, "An open curve, wherever the points end", 1},
     {"smooth", KEY_SMOOTH, "LAMBDA", 0,
      "Add LAMBDA/2 times the integral of the squared second derivative of a spline; auto: by cross-validation", 1},
@@ -349,21 +359,31 @@ static const struct option_words words[] = {{"loss", "squares huber cauchy"},
 
 static const struct topic topics[] = {
     {"FITTED CURVES",
-     "cagd fit finds the rational Bézier or NURBS curve that comes closest to measured points: the least sum of squared"
-     " orthogonal distances, or of a robust loss of them. The foot points are unknowns of their own; of the "
-     "weights, inner points and end points those in --free move (all unless said otherwise, but for the weights of a "
-     "curve of several segments, which are nearly undetermined), and with none only the "
-     "distances from the curve of --initial are told. The first and the last point are measurements of the ends of the "
-     "curve, with errors as the others have: their distances count along the curve as well. With --ends exact, or "
-     "without ends in --free, the curve begins and ends in these two points as they are, and no interval knows of "
-     "their "
-     "errors; with --ends sliding it is cut off somewhere beyond them, and weights and ends are not determined. "
-     "Printed are the estimates with standard errors and 95 % intervals, what the"
-     " points leave undetermined, the distances, which conic a curve of degree 2 is, and whether the minimum "
-     "was verified in interval arithmetic. --json prints all that, the covariance and the iterations; --curve "
-     "writes the curve for cagd curve; --residuals writes a table with a row for each point: row, line, "
-     "coordinates, t, foot, residual, distance (in the plane positive on the left of the curve), distance over"
-     " standard deviation; --svg draws."},
+     "cagd fit finds the curve that comes closest to measured points: the least sum of squared orthogonal distances, "
+     "or of "
+     "a robust loss of them. The foot points are unknowns of their own. Without options the points say which curve it "
+     "is: "
+     "a conic in one segment where its distances are noise, otherwise an ellipse or circle, whole or an arc of any "
+     "length, or a cubic spline whose control points and knots are chosen; what was tried is told under Chosen. Where "
+     "the "
+     "points come back to their beginning the curve is closed and smooth there, unless they have a corner there; a "
+     "last "
+     "point that repeats the first one is left out; --open and --closed decide otherwise. --degree alone asks for a "
+     "Bézier curve, --control-points N for a spline over even knots, --control-points auto and --tolerance-distance "
+     "for "
+     "one whose knots are chosen. The weights of a spline are 1 unless a test says that they explain something. A "
+     "spline that does not converge, or has excursions that no points show, is smoothed, which is told; --smooth does "
+     "so always. Of weights, inner points and end points those in --free move, and with none only the distances from "
+     "the curve of --initial are told. The first and the last point are measurements of the ends of the curve, with "
+     "errors as the others have: their distances count along the curve as well. With --ends exact, or without ends in "
+     "--free, the curve begins and ends in these two points as they are, and no interval knows of their errors; with "
+     "--ends sliding it is cut off somewhere beyond them, and weights and ends are not determined. Printed are the "
+     "estimates with standard errors and 95 % intervals, what the points leave undetermined, the distances, whether "
+     "something speaks against the fit and what cures it, which conic a curve of degree 2 is, and whether the minimum "
+     "was verified in interval arithmetic. --json prints all that, the covariance and the iterations; --curve writes "
+     "the curve for cagd curve; --residuals writes a table with a row for each point: row, line, coordinates, t, foot, "
+     "residual, distance (in the plane positive on the left of the curve), distance over standard deviation; --svg "
+     "draws."},
     {"POINTS",
      "A point stands on a line of its own: coordinates, and perhaps a standard deviation of each of them. The "
      "fields are separated by semicolons, tabs, commas or blanks; a decimal comma is possible where commas do "
@@ -399,7 +419,16 @@ static const struct topic topics[] = {
      "polygon of ordered points; \"points_on_curve\": these are no larger "
      "than roundings; \"ends_taken_as_exact\"; \"end_points\", the numbers of the points that are measurements of the "
      "ends; \"cusp\", the parameter of a place where the curve turns on a "
-     "radius no larger than the distances; \"verification\" (status: verified, not verified or not asked; "
+     "radius no larger than the distances; \"choice\" (points_are: open, repeated, around or corner; closed; "
+     "control_points_chosen; tolerance_met; candidates, the chosen one first, with unknowns, converged, score and rms; "
+     "weights_test; smoothing: lambda, by, effective_unknowns, roughness); \"ellipse\" (whole, circle, centre, radius "
+     "of "
+     "the closest circle, major and minor semi-axis, angle and sweep in degrees, f_ratio of the test against a "
+     "circle), or "
+     "null; \"quality\" (good, problems, crossings of the curve with itself and of the polygon of the points, "
+     "widest_gap "
+     "as a part of the length, same_side of pairs of neighbours and the probability of so many); \"verification\" "
+     "(status: verified, not verified or not asked; "
      "\"leaving_bounds\": whether the cost grows when weights leave their bounds; with --free none also "
      "refuted, and \"excess\", by how much the foot of a point may be farther than the nearest point of the "
      "curve). Standard error, low and high of a weight are those of its logarithm, carried over. What is not "
@@ -413,9 +442,11 @@ const struct command command_fit = {
     .example = "  cagd fit points.csv --degree 3   the rational cubic closest to measured points\n",
     .usage = "POINTS.csv",
     .text =
-        "Fits a rational curve to measured points: the least sum of squared orthogonal distances.\n\n"
+        "Fits a curve to measured points: the least sum of squared orthogonal distances.\n\n"
         "Examples:\n"
         "  cagd fit points.csv\n"
+        "  cagd fit outline.csv --svg outline.svg\n"
+        "  cagd fit section.csv --tolerance-distance 0.01 --curve section.json\n"
         "  cagd fit points.csv --degree 3 --svg points.svg --residuals residuals.csv\n"
         "  cagd fit points.csv --control-points 8 --degree 3 --loss huber\n"
         "  cagd fit points.csv --ends exact\n"

@@ -123,9 +123,19 @@ static void print_heading(const struct fit *f)
     print_reading(f);
     FILE *out = begin(&l);
     if (is_ellipse(f))
-        fprintf(out, "%s; as a NURBS curve of degree 2 with %d segments", r->found.ellipse.whole ? r->found.ellipse.circle ? "a whole circle" : "a whole ellipse" : r->found.ellipse.circle ? "an arc of a circle" : "an arc of an ellipse", segments);
+        fprintf(out, "%s; as a NURBS curve of degree 2 with %d segments",
+                r->found.ellipse.whole    ? r->found.ellipse.circle ? "a whole circle" : "a whole ellipse"
+                : r->found.ellipse.circle ? "an arc of a circle"
+                                          : "an arc of an ellipse",
+                segments);
     else if (r->period > 0)
-        fprintf(out, "closed NURBS curve of degree %d with %d segments and as many control points, %s at the seam as at every knot", c->degree, segments, c->degree == 1 ? "continuous" : c->degree == 2 ? "with continuous tangents" : "with continuous curvature");
+        fprintf(out,
+                "closed NURBS curve of degree %d with %d segments and as many control points, %s at the seam as at "
+                "every knot",
+                c->degree, segments,
+                c->degree == 1   ? "continuous"
+                : c->degree == 2 ? "with continuous tangents"
+                                 : "with continuous curvature");
     else if (segments == 1)
         fprintf(out, "rational Bézier curve of degree %d", c->degree);
     else
@@ -232,8 +242,10 @@ static void print_nearest(const struct fit *f)
     char text[16];
     if (n->verified)
         say("Verification",
-            "verified in intervals: no point of the curve is nearer to any of the points than its foot by more than %s%s",
-            power_of_ten(n->excess, ceil, text), is_ellipse(f) ? "; the minimum over all ellipses is that of the minimiser, in binary64" : "");
+            "verified in intervals: no point of the curve is nearer to any of the points than its foot by more than "
+            "%s%s",
+            power_of_ten(n->excess, ceil, text),
+            is_ellipse(f) ? "; the minimum over all ellipses is that of the minimiser, in binary64" : "");
     else
         say("Verification", "%s: %s (point %d, line %d)", n->refuted ? "refuted in intervals" : "not verified",
             n->reason, n->where + 1, f->points.line[n->where]);
@@ -421,7 +433,8 @@ static void print_free_directions(const cagd_fit_result *r)
     enum { MOST = 6 };
     int free = r->rank + r->flat, flat = r->flat;
     if (flat <= 0) {
-        say("Rank", "%d of %d: the points%s determine every unknown", r->rank, free, r->roughness > 0 ? " and the smoothing term" : "");
+        say("Rank", "%d of %d: the points%s determine every unknown", r->rank, free,
+            r->roughness > 0 ? " and the smoothing term" : "");
         return;
     }
     say("Rank", "%d of %d: the distances stay what they are, to first order, along %s", r->rank, free,
@@ -523,12 +536,12 @@ static void print_statistics(const struct fit *f)
     struct cagd_line l;
     FILE *out = begin(&l);
     if (f->options.loss == CAGD_FIT_SQUARES) {
-        fprintf(out, "%.6g on %d degree%s of freedom", r->chi_squared, r->degrees_of_freedom,
+        fprintf(out, "%.4g on %d degree%s of freedom", r->chi_squared, r->degrees_of_freedom,
                 plural(r->degrees_of_freedom));
         if (isfinite(r->reduced_chi_squared))
             fprintf(out, "; reduced %.4g", r->reduced_chi_squared);
         if (isfinite(r->aic) && isfinite(r->bic))
-            fprintf(out, "; AIC %.6g, BIC %.6g", r->aic, r->bic);
+            fprintf(out, "; AIC %.2f, BIC %.2f", r->aic, r->bic);
         end(&l, "Chi-squared");
     } else {
         fprintf(out, "%.6g, the sum over all points, which is twice what was minimised; %d degree%s of freedom",

@@ -26,12 +26,14 @@ static void print_closing(const struct fit *f)
         break;
     case CAGD_FIT_AROUND:
         say("Closed", "%s; the curve is closed%s",
-            f->options.unordered ? "the points lie around their centre" : "from the last point back to the first one it is no farther than between neighbours",
+            f->options.unordered ? "the points lie around their centre"
+                                 : "from the last point back to the first one it is no farther than between neighbours",
             asked ? "" : " (--open: it is not)");
         break;
     case CAGD_FIT_CORNER:
         say("Corner", "the points come back to where they began, with a corner there%s",
-            r->period > 0 ? ", which the closed curve rounds off" : ": the curve is open (--closed rounds the corner off)");
+            r->period > 0 ? ", which the closed curve rounds off"
+                          : ": the curve is open (--closed rounds the corner off)");
         break;
     case CAGD_FIT_OPEN:
         if (r->period > 0)
@@ -48,13 +50,22 @@ static void print_candidates(const struct fit *f)
     size_t at = 0;
     for (int k = 0; k < found->candidates && at < sizeof text; k++) {
         const cagd_fit_candidate *c = &found->candidate[k];
-        at += (size_t)snprintf(text + at, sizeof text - at, "%s%s (%d unknowns, rms %.3g, %s", k == 0 ? "" : k == 1 ? "; tried and left: " : ", ", c->name,
-                               c->unknowns, c->rms, isfinite(c->score) ? "score " : c->converged ? "with excursions that no points show)" : "no minimum)");
+        at += (size_t)snprintf(text + at, sizeof text - at, "%s%s (%d unknowns, rms %.3g, %s",
+                               k == 0   ? ""
+                               : k == 1 ? "; tried and left: "
+                                        : ", ",
+                               c->name, c->unknowns, c->rms,
+                               isfinite(c->score) ? "score "
+                               : c->converged     ? "with excursions that no points show)"
+                                                  : "no minimum)");
         if (isfinite(c->score) && at < sizeof text)
             at += (size_t)snprintf(text + at, sizeof text - at, "%.4g)", c->score);
     }
     if (found->candidates > 1)
-        say("Chosen", "%s; the smallest score, Schwarz's criterion for few points, is best (--degree or --control-points choose otherwise)", text);
+        say("Chosen",
+            "%s; the smallest score, Schwarz's criterion for few points, is best (--degree or --control-points choose "
+            "otherwise)",
+            text);
 }
 
 static void print_weights_test(const struct fit *f)
@@ -64,14 +75,22 @@ static void print_weights_test(const struct fit *f)
     if (found->weights_number == 0)
         return;
     if (found->weights == 1)
-        say("Weights", "are fitted: by %s they explain something (F = %.3g with %d and %d degrees of freedom, probability %.2g by chance)", test,
-            found->weights_ratio, found->weights_number, found->weights_freedom, found->weights_probability);
+        say("Weights",
+            "are fitted: by %s they explain something (F = %.3g with %d and %d degrees of freedom, probability %.2g by "
+            "chance)",
+            test, found->weights_ratio, found->weights_number, found->weights_freedom, found->weights_probability);
     else if (found->weights == 0 && found->weights_probability < 0.05)
-        say("Weights", "are 1: by %s they would explain something (F = %.3g with %d and %d degrees of freedom), but the fit with weights between 1/16 and 16 "
-            "comes to no better minimum", test, found->weights_ratio, found->weights_number, found->weights_freedom);
+        say("Weights",
+            "are 1: by %s they would explain something (F = %.3g with %d and %d degrees of freedom), but the fit with "
+            "weights between 1/16 and 16 "
+            "comes to no better minimum",
+            test, found->weights_ratio, found->weights_number, found->weights_freedom);
     else if (found->weights == 0)
-        say("Weights", "are left out: by %s they explain nothing (F = %.3g with %d and %d degrees of freedom, probability %.2g by chance); --free weights,inner,ends "
-            "fits them", test, found->weights_ratio, found->weights_number, found->weights_freedom, found->weights_probability);
+        say("Weights",
+            "are left out: by %s they explain nothing (F = %.3g with %d and %d degrees of freedom, probability %.2g by "
+            "chance); --free weights,inner,ends "
+            "fits them",
+            test, found->weights_ratio, found->weights_number, found->weights_freedom, found->weights_probability);
 }
 
 static void print_smoothing(const struct fit *f)
@@ -80,10 +99,14 @@ static void print_smoothing(const struct fit *f)
     const double lambda = f->options.smooth > 0 ? f->options.smooth : r->found.smooth;
     if (!(lambda > 0))
         return;
-    say("Smoothing", "%.3g/2 times the integral of the squared second derivative is added%s; the points determine %.1f of %d unknowns, which counts in degrees of "
-        "freedom and criteria; standard errors are those of the smoothed curve, and how far smoothing moves it is not in them",
+    say("Smoothing",
+        "%.3g/2 times the integral of the squared second derivative is added%s; the points determine %.1f of %d "
+        "unknowns, which counts in degrees of "
+        "freedom and criteria; standard errors are those of the smoothed curve, and how far smoothing moves it is not "
+        "in them",
         lambda,
-        r->found.smoothed == 2   ? ", its weight by cross-validation, since without it the fit did not converge or had excursions (--control-points with a smaller number is the other way)"
+        r->found.smoothed == 2   ? ", its weight by cross-validation, since without it the fit did not converge or had "
+                                   "excursions (--control-points with a smaller number is the other way)"
         : r->found.smoothed == 1 ? ", its weight by cross-validation"
                                  : "",
         r->effective, r->unknowns);
@@ -96,8 +119,9 @@ void print_choice(const struct fit *f)
     print_closing(f);
     print_candidates(f);
     if (f->result->found.within != 0)
-        say("Tolerance", "%s: the largest distance is %.4g, %s %.4g, with %d control points", f->result->found.within > 0 ? "met" : "NOT met",
-            f->result->largest, f->result->found.within > 0 ? "within" : "more than", f->choices.within, own_points(f));
+        say("Tolerance", "%s: the largest distance is %.4g, %s %.4g, with %d control points",
+            f->result->found.within > 0 ? "met" : "NOT met", f->result->largest,
+            f->result->found.within > 0 ? "within" : "more than", f->choices.within, own_points(f));
     print_weights_test(f);
     print_smoothing(f);
 }
@@ -124,10 +148,14 @@ void print_ellipse(const struct fit *f)
     if (!e->whole)
         say("Arc", "of %.4g degrees", e->sweep);
     if (e->circle)
-        say("Conic", "a circle, as far as can be told (F = %.3g with 2 and %d degrees of freedom against an ellipse)", fmax(0, e->ratio), e->freedom);
+        say("Conic", "a circle, as far as can be told (F = %.3g with 2 and %d degrees of freedom against an ellipse)",
+            fmax(0, e->ratio), e->freedom);
     else
-        say("Conic", "an ellipse, no circle, at 95 %% (F = %.3g with 2 and %d degrees of freedom); the circle that comes closest has the radius %.6g and leaves "
-            "rms %.3g", e->ratio, e->freedom, e->radius.value, e->circle_rms);
+        say("Conic",
+            "an ellipse, no circle, at 95 %% (F = %.3g with 2 and %d degrees of freedom); the circle that comes "
+            "closest has the radius %.6g and leaves "
+            "rms %.3g",
+            e->ratio, e->freedom, e->radius.value, e->circle_rms);
 }
 
 /* ---- whether it is good ------------------------------------------------------------------------------------ */
@@ -148,30 +176,38 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
     const int spline = f->result->unknowns > 0 && f->result->curve.count > f->result->curve.degree + 1,
               smoothed = f->result->roughness > 0;
     const char *smoother = !spline ? "--degree, --control-points auto, or --unordered where the points are in no order"
-                           : smoothed ? "fewer control points, or --unordered where the points are in no order"
-                                      : "--smooth auto, fewer control points, or --unordered where the points are in no order";
+                           : smoothed
+                               ? "fewer control points, or --unordered where the points are in no order"
+                               : "--smooth auto, fewer control points, or --unordered where the points are in no order";
     int count = 0;
     if (nothing_is_free(f))
         return 0;
     if (q->problems & CAGD_FIT_EXCURSIONS)
-        add(sentence, &count, "it is %.3g times as long as the polygon of the points in their order, with loops or excursions that no points show (%s)",
+        add(sentence, &count,
+            "it is %.3g times as long as the polygon of the points in their order, with loops or excursions that no "
+            "points show (%s)",
             q->length_ratio, smoother);
     if (q->problems & CAGD_FIT_LOOPS)
-        add(sentence, &count, "it crosses itself %d time%s, the polygon of the points %d (%s)", q->crossings, q->crossings == 1 ? "" : "s",
-            q->crossings_of_points, smoother);
+        add(sentence, &count, "it crosses itself %d time%s, the polygon of the points %d (%s)", q->crossings,
+            q->crossings == 1 ? "" : "s", q->crossings_of_points, smoother);
     if (q->problems & CAGD_FIT_GAPS)
-        add(sentence, &count, "from t = %.4g to %.4g, %.2g of its length, it has no points and is only interpolation (more points there)",
+        add(sentence, &count,
+            "from t = %.4g to %.4g, %.2g of its length, it has no points and is only interpolation (more points there)",
             q->gap_from, q->gap_to, q->gap);
     if (q->problems & CAGD_FIT_STRUCTURE)
-        add(sentence, &count, "the distances are no noise: %d of %d neighbours lie on the same side, by chance that is so with probability %.1g (%s)",
+        add(sentence, &count,
+            "the distances are no noise: %d of %d neighbours lie on the same side, by chance that is so with "
+            "probability %.1g (%s)",
             q->runs.same, q->runs.pairs, q->runs.probability,
-            is_ellipse(f)                           ? "--control-points auto, or another model"
-            : f->choices.form || f->choices.count   ? "more points, or --tolerance-distance"
-                                                    : "--control-points auto, or a higher degree");
+            is_ellipse(f)                         ? "--control-points auto, or another model"
+            : f->choices.form || f->choices.count ? "more points, or --tolerance-distance"
+                                                  : "--control-points auto, or a higher degree");
     if (q->problems & CAGD_FIT_FAR)
         add(sentence, &count, "control point P%d lies far outside of the points (%s)", q->far, smoother);
     if (q->problems & CAGD_FIT_BACKWARDS)
-        add(sentence, &count, "%d of the feet go back by more than four times the rms (--unordered, where the points are not in order; --control-points auto)",
+        add(sentence, &count,
+            "%d of the feet go back by more than four times the rms (--unordered, where the points are not in order; "
+            "--control-points auto)",
             q->backwards);
     return count;
 }

@@ -93,8 +93,9 @@ typedef enum cagd_fit_ends { CAGD_FIT_ENDS_MEASURED, CAGD_FIT_ENDS_SLIDE } cagd_
 typedef enum cagd_fit_loss { CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY } cagd_fit_loss;
 
 typedef struct cagd_fit_options {
-    int degree, count;          /* p and the number of points of the curve; count 0: p+1, of a closed one p+2 */
-    const double *knots;        /* count+p+1 knots, clamped, of a closed curve count+2p+1, periodic; NULL: 0 and 1 at the ends, inner ones even  */
+    int degree, count; /* p and the number of points of the curve; count 0: p+1, of a closed one p+2 */
+    const double *
+        knots; /* count+p+1 knots, clamped, of a closed curve count+2p+1, periodic; NULL: 0 and 1 at the ends, inner ones even  */
     const cagd_spline *initial; /* where to start; NULL: found from the points.  Gives degree and knots  */
     int free;                   /* CAGD_FIT_... added up; what is not free stays as in initial; without  */
                                 /* initial the inner points must be free, and ends that are not free are */
@@ -151,14 +152,14 @@ typedef struct cagd_fit_number {
 
 /* An ellipse, whole or an arc that may be longer than a half turn, which one segment of degree 2 cannot be. */
 typedef struct cagd_fit_ellipse {
-    int known, whole;                 /* known: the curve is one                                             */
-    cagd_fit_number centre[3];        /* coordinates                                                         */
-    cagd_fit_number major, minor;     /* semi-axes                                                           */
-    cagd_fit_number angle;            /* in the plane, of the major axis, in degrees, -90 < angle <= 90; error NaN of a circle */
-    double sweep;                     /* how far around the arc goes, in degrees                             */
-    int circle;                       /* 1: 95 % do not tell it from a circle                                */
+    int known, whole;             /* known: the curve is one                                             */
+    cagd_fit_number centre[3];    /* coordinates                                                         */
+    cagd_fit_number major, minor; /* semi-axes                                                           */
+    cagd_fit_number angle; /* in the plane, of the major axis, in degrees, -90 < angle <= 90; error NaN of a circle */
+    double sweep;          /* how far around the arc goes, in degrees                             */
+    int circle;            /* 1: 95 % do not tell it from a circle                                */
     cagd_fit_number circle_centre[3], radius; /* of the circle that comes closest                             */
-    double circle_rms, ratio;         /* of its distances; of the F test, with 2 and `freedom` degrees       */
+    double circle_rms, ratio;                 /* of its distances; of the F test, with 2 and `freedom` degrees       */
     int freedom;
 } cagd_fit_ellipse;
 
@@ -176,10 +177,10 @@ typedef struct cagd_fit_found {
     int chosen;               /* 1: by cagd_fit_choose                                                    */
     cagd_fit_closing closing; /* of the points                                                           */
     int count_chosen;         /* 1: the number of control points, and the knots, were chosen              */
-    int smoothed;             /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good */
-    double smooth;            /* its weight                                                               */
-    int within;               /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
-    int weights;              /* of a spline whose weights could be left out: 1 they explain something and are fitted, 0 left out, -1 not asked */
+    int smoothed; /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good */
+    double smooth; /* its weight                                                               */
+    int within;    /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
+    int weights; /* of a spline whose weights could be left out: 1 they explain something and are fitted, 0 left out, -1 not asked */
     double weights_ratio, weights_probability; /* of the F test for weights                                 */
     int weights_number, weights_freedom;       /* its degrees of freedom                                  */
     int candidates;
@@ -227,11 +228,11 @@ typedef struct cagd_fit_result {
     double *value; /* of theta: logarithms of weights, coordinates                                */
     int *at_bound; /* 1 where a weight stands on a bound; it is then not counted as unknown       */
     double
-        *covariance; /* unknowns x unknowns, by rows: the generalised inverse of J^T J, J the Jacobian of the scaled */
-                     /* residuals without feet; times scale_squared                                 */
+        *covariance;  /* unknowns x unknowns, by rows: the generalised inverse of J^T J, J the Jacobian of the scaled */
+                      /* residuals without feet; times scale_squared                                 */
     double effective; /* how many unknowns the points determine: the rank, with a smoothing term less      */
     double roughness; /* the integral of the smoothing term                                              */
-    int flat;        /* unknowns that are not at a bound, less the rank                             */
+    int flat;         /* unknowns that are not at a bound, less the rank                             */
     double *free_directions; /* flat x unknowns, by rows: orthonormal directions in which F is flat         */
     int *determined;         /* 1 where the unknown is not at a bound, and the same along all free directions */
     int scale_is_given;      /* 1: squares of distances over given standard deviations, which are believed    */
@@ -268,11 +269,11 @@ CAGD_API void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
  *
  * cagd_fit fits the curve that its options name.  cagd_fit_choose finds out what they leave open. */
 typedef struct cagd_fit_choices {
-    int closed;    /* 1, 0; -1: as the points say                                                           */
-    int form;      /* 1: degree and number of control points are not given: a conic, a whole ellipse or a spline   */
-    int count;     /* 1: the number of control points is found, and the knots                               */
-    int weights;   /* 1: of a spline weights are fitted where an F test at 95 % says that they explain something   */
-    int smooth;    /* 1: the weight of the smoothing term is found by cross-validation; 2: where the fit is not good without  */
+    int closed;  /* 1, 0; -1: as the points say                                                           */
+    int form;    /* 1: degree and number of control points are not given: a conic, a whole ellipse or a spline   */
+    int count;   /* 1: the number of control points is found, and the knots                               */
+    int weights; /* 1: of a spline weights are fitted where an F test at 95 % says that they explain something   */
+    int smooth; /* 1: the weight of the smoothing term is found by cross-validation; 2: where the fit is not good without  */
     double within; /* > 0: the fewest control points that keep every point within this distance             */
 } cagd_fit_choices;
 
@@ -290,7 +291,7 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *     score = n log(chi_squared/n) + k log(n) n/(n - k - 2),    given standard deviations: chi_squared + k log(n) n/(n - k - 2),
  *
  * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  A curve that is no minimum or has
- * excursions that no points show does not count.  Source: mcquarrie-tsai-1998.
+ * excursions that no points show does not count.  Source: mcquarrie-1999.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
  * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
@@ -409,12 +410,12 @@ enum {
 
 typedef struct cagd_fit_quality {
     int problems;
-    double length_ratio; /* NaN of points in no order                                              */
+    double length_ratio;                /* NaN of points in no order                                              */
     int crossings, crossings_of_points; /* of the curve with itself, of the polygon                 */
     double gap, gap_from, gap_to;       /* the widest one as a part of the length, between two parameters */
     cagd_fit_runs runs;
-    int far;             /* the control point; -1: none                                            */
-    int backwards;       /* how many feet                                                          */
+    int far;       /* the control point; -1: none                                            */
+    int backwards; /* how many feet                                                          */
 } cagd_fit_quality;
 
 /* `data` as for the fit; a point that repeats the first one is passed over.  Statuses: OK, NO_MEMORY. */

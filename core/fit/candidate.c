@@ -2,14 +2,46 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct keyed {
+    double key;
+    int index;
+} keyed;
+
+static int by_key(const void *a, const void *b)
+{
+    const keyed *x = a, *y = b;
+    return x->key != y->key ? (x->key > y->key) - (x->key < y->key) : (x->index > y->index) - (x->index < y->index);
+}
 
 static const double LONGEST = 1.26; /* see cagd_fit_length_ratio */
+
+/* Of points in no order the polygon goes from foot to foot.  NaN when there is no memory. */
+static double ratio_by_feet(const cagd_fit_data *data, const cagd_fit_result *r)
+{
+    const size_t n = (size_t)r->count, dim = (size_t)data->dim;
+    keyed *list = malloc((n + 1) * sizeof *list);
+    double *points = malloc((n * dim + 1) * sizeof *points), ratio = NAN;
+    if (list != NULL && points != NULL) {
+        for (size_t i = 0; i < n; i++)
+            list[i] = (keyed){r->feet[i], (int)i};
+        qsort(list, n, sizeof *list, by_key);
+        for (size_t i = 0; i < n; i++)
+            memcpy(points + i * dim, data->points + (size_t)list[i].index * dim, dim * sizeof *points);
+        ratio = cagd_fit_length_ratio(&(cagd_fit_data){r->count, data->dim, points, NULL}, r);
+    }
+    free(list);
+    free(points);
+    return ratio;
+}
 
 int fit_is_good(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r)
 {
     if (!cagd_fit_is_minimum(r) || !isfinite(r->chi_squared))
         return 0;
-    return options->unordered || cagd_fit_length_ratio(data, r) <= LONGEST;
+    return (options->unordered ? ratio_by_feet(data, r) : cagd_fit_length_ratio(data, r)) <= LONGEST;
 }
 
 double fit_equations_of(const cagd_fit_data *data) { return (double)data->count * (data->dim - 1); }

@@ -1,5 +1,6 @@
 #include "core/fit/arguments.h"
 #include "core/fit/candidate.h"
+#include "core/fit/closing.h"
 #include "core/fit/ellipse.h"
 #include "core/fit/ellipse_result.h"
 #include "core/fit/refine.h"
@@ -94,11 +95,13 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
         spline.degree = 3;
         return fit_refined(data, &spline, choices, result, where);
     }
-    if (data->count * (data->dim - 1) > 3 * data->dim) {
+    const int free_ends =
+        options->closed || (options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED);
+    if (free_ends && data->count * (data->dim - 1) > 3 * data->dim) {
         status = fit_ellipse_result(data, options, &one);
         REQUIRE(status == CAGD_OK, status);
-        compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse", one, result,
-                found);
+        compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse",
+                one, result, found);
         if (*result != NULL && (*result)->found.ellipse.known && is_enough(data, options, *result))
             return CAGD_OK;
     }
@@ -112,7 +115,8 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     REQUIRE(status == CAGD_OK || *result != NULL, status);
     if (status == CAGD_OK) {
         char name[64];
-        snprintf(name, sizeof name, "a cubic spline with %d control points", one->period > 0 ? one->period : one->curve.count);
+        snprintf(name, sizeof name, "a cubic spline with %d control points",
+                 one->period > 0 ? one->period : one->curve.count);
         compete(data, &spline, name, one, result, found);
     }
     return CAGD_OK;
@@ -150,19 +154,21 @@ cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *o
     const int nothing_free = options->free == 0;
     if (!nothing_free && choices->closed != 0 && options->initial == NULL)
         found.closing = cagd_fit_closing_of(data, options->unordered);
-    if (choices->closed == 1 || (choices->closed < 0 && (found.closing == CAGD_FIT_REPEATED || found.closing == CAGD_FIT_AROUND)))
+    if (choices->closed == 1 ||
+        (choices->closed < 0 && (found.closing == CAGD_FIT_REPEATED || found.closing == CAGD_FIT_AROUND)))
         asked.closed = 1;
-    const double *last = data->points + (size_t)(data->count - 1) * (size_t)data->dim;
-    int repeats = asked.closed;
-    for (int c = 0; c < data->dim; c++)
-        repeats = repeats && last[c] == data->points[c];
-    own.count -= repeats;
+    own.count -= asked.closed && fit_repeats_first(data);
     if (nothing_free || asked.initial != NULL)
         status = cagd_fit(data, options, result, where);
     else if (choices->form)
         status = choose_form(&own, &asked, choices, result, &found, where);
     else {
-        status = fit_refined(&own, &asked, choices, result, where);
+        cagd_fit_choices all = *choices;
+        if (asked.closed && asked.count == 0 && asked.knots == NULL) {
+            all.count = 1;
+            asked.free &= ~CAGD_FIT_WEIGHTS;
+        }
+        status = fit_refined(&own, &asked, &all, result, where);
         if (status == CAGD_OK && choices->weights && !(asked.free & CAGD_FIT_WEIGHTS))
             status = fit_test_weights(&own, &asked, result, where);
     }

@@ -1,8 +1,7 @@
-#include "core/fit/cagd_fit.h"
+#include "core/fit/closing.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* closing.c -- whether points come back to where they began. */
 
@@ -66,7 +65,8 @@ typedef struct seen {
 static int by_angle(const void *a, const void *b)
 {
     const seen *x = a, *y = b;
-    return x->angle != y->angle ? (x->angle > y->angle) - (x->angle < y->angle) : (x->index > y->index) - (x->index < y->index);
+    return x->angle != y->angle ? (x->angle > y->angle) - (x->angle < y->angle)
+                                : (x->index > y->index) - (x->index < y->index);
 }
 
 /* In the plane: the points by the angle under which the centre sees them.  They go around it where no gap between neighbours is
@@ -109,14 +109,21 @@ static cagd_fit_closing around_centre(const cagd_fit_data *data)
     return ring ? CAGD_FIT_AROUND : CAGD_FIT_OPEN;
 }
 
+int fit_repeats_first(const cagd_fit_data *data)
+{
+    double farthest = 0;
+    const double *last = data->points + (size_t)(data->count - 1) * (size_t)data->dim;
+    for (int i = 0; i < data->count; i++)
+        farthest = fmax(farthest, distance(data->dim, data->points, data->points + (size_t)i * (size_t)data->dim));
+    return data->count > FEWEST && distance(data->dim, data->points, last) <= 0x1p-40 * farthest;
+}
+
 cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int unordered)
 {
     const int dim = data->dim;
     if (unordered)
         return around_centre(data);
-    const double *last = data->points + (size_t)(data->count - 1) * (size_t)dim;
-    const int repeated = data->count > FEWEST && memcmp(last, data->points, (size_t)dim * sizeof *last) == 0,
-              n = data->count - repeated, groups = n < GROUPS ? n : GROUPS;
+    const int repeated = fit_repeats_first(data), n = data->count - repeated, groups = n < GROUPS ? n : GROUPS;
     double P[GROUPS * 3] = {0};
     if (n < FEWEST)
         return CAGD_FIT_OPEN;

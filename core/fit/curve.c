@@ -62,7 +62,8 @@ void fit_curve_update(fit_curve *c)
 {
     const int p = c->spline.degree, dimension = c->spline.dim, size = (p + 1) * (dimension + 1);
     for (int i = c->period; c->period > 0 && i < c->spline.count; i++) {
-        memcpy(c->points + i * dimension, c->points + (i - c->period) * dimension, (size_t)dimension * sizeof *c->points);
+        memcpy(c->points + i * dimension, c->points + (i - c->period) * dimension,
+               (size_t)dimension * sizeof *c->points);
         c->weights[i] = c->weights[i - c->period];
     }
     for (int k = 0; k < c->pieces; k++) {

@@ -224,8 +224,8 @@ static int first_ellipse(const work *w, double x[])
     for (int i = 0; i < count; i++)
         for (int c = 0; c < dim; c++)
             for (int d = 0; d < dim; d++)
-                scatter[c * dim + d] += (w->data->points[i * dim + c] - centre[c]) *
-                                        (w->data->points[i * dim + d] - centre[d]) / count;
+                scatter[c * dim + d] +=
+                    (w->data->points[i * dim + c] - centre[c]) * (w->data->points[i * dim + d] - centre[d]) / count;
     if (!fit_svd(dim, scatter, U, s, axes))
         return 0;
     double scale[2] = {sqrt(s[0]), sqrt(s[1])};

@@ -159,7 +159,8 @@ cagd_status fit_ellipse_result(const cagd_fit_data *data, const cagd_fit_options
     cagd_spline curve;
     cagd_status status = CAGD_NO_MEMORY;
     *result = NULL;
-    int good = phi != NULL && fit_ellipse_of(data, 1, &round, phi) && fit_ellipse_of(data, 0, &ellipse, phi), circle = 0;
+    int good = phi != NULL && fit_ellipse_of(data, 1, &round, phi) && fit_ellipse_of(data, 0, &ellipse, phi),
+        circle = 0;
     if (good && ellipse.converged) {
         for (int i = 0; i < data->count * data->dim; i++)
             rounding = fmax(rounding, fabs(data->points[i]));

@@ -107,7 +107,8 @@ static cagd_status fit_in_any_order(const cagd_fit_data *data, const cagd_fit_op
 static cagd_status fit_with_scale(const cagd_fit_data *data, const cagd_fit_options *options,
                                   const fit_strategy *strategy, cagd_fit_result **result, int *where)
 {
-    const int measured = !options->closed && options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED;
+    const int measured =
+        !options->closed && options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED;
     return measured && options->unordered && options->free & CAGD_FIT_INNER_POINTS
                ? fit_in_any_order(data, options, strategy, result, where)
                : fit_once(data, options, strategy, NULL, result, where);

@@ -62,8 +62,8 @@ int fit_outliers(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_
     if (isnan(r->deviation))
         return 0;
     for (int i = 0; i < data->count; i++) {
-        r->outlier[i] = !r->points_on_curve && r->deviation > 0 &&
-                        distance_of(data, r, i) > r->outlier_limit * r->deviation;
+        r->outlier[i] =
+            !r->points_on_curve && r->deviation > 0 && distance_of(data, r, i) > r->outlier_limit * r->deviation;
         r->outliers += r->outlier[i];
         sum += r->outlier[i] ? 0 : r->distances[i] * r->distances[i];
     }

@@ -48,10 +48,10 @@ static cagd_status make_knots(const cagd_fit_options *o, fit_problem *p)
     REQUIRE(p->knots != NULL, CAGD_NO_MEMORY);
     p->period = o->closed ? n - d : 0;
     for (int i = 0; i <= n + d; i++)
-        p->knots[i] = given                   ? knots[i]
-                      : !o->closed && i <= d  ? 0
-                      : !o->closed && i >= n  ? 1
-                                              : (double)(i - d) / (n - d);
+        p->knots[i] = given                  ? knots[i]
+                      : !o->closed && i <= d ? 0
+                      : !o->closed && i >= n ? 1
+                                             : (double)(i - d) / (n - d);
     double one = 0;
     cagd_spline basis = {d, n, 1, p->knots, &one, NULL};
     int span;

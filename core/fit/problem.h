@@ -31,7 +31,7 @@ typedef struct fit_problem {
     double size; /* no coordinate of Q is larger; at least 2                              */
     cagd_fit_loss loss;
     double loss_scale;
-    double smooth; /* of the smoothing term, in working coordinates                           */
+    double smooth;               /* of the smoothing term, in working coordinates                           */
     int unordered, nothing_free; /* feet alone: those of points in any order            */
     int end_point[2];            /* the measured points whose feet are the ends of the domain; -1: none */
     int degree, count;

@@ -14,7 +14,7 @@ static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, DEV
 
 typedef struct polygon {
     int corners, dim;
-    double *at;     /* corner i: at[i*dim + c]             */
+    double *at;      /* corner i: at[i*dim + c]             */
     double *t, *way; /* its parameter, and how far it is along */
 } polygon;
 
@@ -50,9 +50,11 @@ static cagd_status inscribe(const cagd_fit_result *r, polygon *p)
         const double a = near.knots[mu], b = near.knots[mu + 1];
         for (int i = at == 0 ? 0 : 1; i <= per && a < b; i++, at++) {
             p->t[at] = i < per ? a + (b - a) * i / per : b;
-            cagd_status status = cagd_spline_point(&near, p->t[at], i < per ? CAGD_RIGHT : CAGD_LEFT, p->at + at * near.dim);
+            cagd_status status =
+                cagd_spline_point(&near, p->t[at], i < per ? CAGD_RIGHT : CAGD_LEFT, p->at + at * near.dim);
             REQUIRE(status == CAGD_OK, status);
-            p->way[at] = at > 0 ? p->way[at - 1] + distance(near.dim, p->at + at * near.dim, p->at + (at - 1) * near.dim) : 0;
+            p->way[at] =
+                at > 0 ? p->way[at - 1] + distance(near.dim, p->at + at * near.dim, p->at + (at - 1) * near.dim) : 0;
         }
     }
     return CAGD_OK;

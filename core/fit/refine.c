@@ -2,18 +2,18 @@
 
 #include "core/fit/candidate.h"
 #include "core/fit/strategy.h"
-#include "core/require.h"
 #include "core/number/limits.h"
+#include "core/require.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    MOST_KNOTS = 120,     /* inner knots, of a closed curve segments                                      */
-    PATIENCE = 5,         /* so many more knots are tried after the best number                           */
-    LEAST_IN_SPAN = 3,    /* points that a segment keeps on either side of a new knot                     */
-    MOST_WORK = 4000000   /* points times the square of knots, up to which knots are taken out one by one */
+    MOST_KNOTS = 120,   /* inner knots, of a closed curve segments                                      */
+    PATIENCE = 5,       /* so many more knots are tried after the best number                           */
+    LEAST_IN_SPAN = 3,  /* points that a segment keeps on either side of a new knot                     */
+    MOST_WORK = 4000000 /* points times the square of knots, up to which knots are taken out one by one */
 };
 
 /* ---- knots ------------------------------------------------------------------------------------------- */
@@ -91,7 +91,8 @@ void fit_respace(const cagd_spline *from, int period, const double v[], int coun
             if (v[i] < v[i + 1] && i >= (period ? 0 : p) && (period || i < count) &&
                 (span < 0 || abs(2 * i - 2 * j - p) < abs(2 * span - 2 * j - p)))
                 span = i;
-        double middle = (v[span] + v[span + 1]) / 2, shift = period ? floor((middle - start) / (end - start)) * (end - start) : 0;
+        double middle = (v[span] + v[span + 1]) / 2,
+               shift = period ? floor((middle - start) / (end - start)) * (end - start) : 0;
         int mu = p;
         while (mu < from->count - 1 && from->knots[mu + 1] <= middle - shift)
             mu++;
@@ -142,8 +143,8 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
 /* The spline on these knots, from the one before if there is one. */
 static cagd_status fit_on(const search *s, const knots *k, const cagd_fit_result *from, cagd_fit_result **result)
 {
-    const int p = s->options->degree, closed = s->options->closed, dim = s->data->dim,
-              count = count_of(k, p, closed), all = count + (closed ? p : 0);
+    const int p = s->options->degree, closed = s->options->closed, dim = s->data->dim, count = count_of(k, p, closed),
+              all = count + (closed ? p : 0);
     cagd_fit_options o = *s->options;
     double *U = malloc(((size_t)(all + p + 1) + (size_t)(all * dim)) * sizeof *U), *P = U + all + p + 1;
     *result = NULL;
@@ -326,8 +327,8 @@ static double cross_validation(const cagd_fit_data *data, const cagd_fit_result 
 }
 
 /* The fit with the smoothing term lambda, from the curve before if there is one; its score. */
-static cagd_status smooth_by(const search *s, const cagd_fit_options *options, double lambda, const cagd_fit_result *from,
-                             cagd_fit_result **result, double *score)
+static cagd_status smooth_by(const search *s, const cagd_fit_options *options, double lambda,
+                             const cagd_fit_result *from, cagd_fit_result **result, double *score)
 {
     cagd_fit_options o = *options;
     o.smooth = lambda;
@@ -436,8 +437,8 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : cagd_fit(data, &own, &s.best, where);
     const int segments = own.count > own.degree + 1 || own.knots != NULL || own.closed || chosen;
     if (status == CAGD_OK && own.smooth == 0 && own.degree > 1 &&
-        (choices->smooth == 1 || (choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) &&
-                                  !fit_is_good(data, &own, s.best)))) {
+        (choices->smooth == 1 ||
+         (choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) && !fit_is_good(data, &own, s.best)))) {
         cagd_fit_options smoothed = own;
         if (chosen)
             smoothed.count = most_points(&s);

@@ -46,7 +46,8 @@ static cagd_status linear_model(const cagd_fit_data *data, const cagd_fit_option
     return status;
 }
 
-cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result, int *where)
+cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                             int *where)
 {
     cagd_fit_result *r = *result;
     cagd_fit_found *found = &r->found;

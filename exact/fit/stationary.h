@@ -60,7 +60,7 @@ typedef struct cagd_stationary_problem {
     double loss_scale;
     double smooth;            /* lambda of the smoothing term; 0: none                              */
     const cagd_spline *curve; /* weights NULL: all 1                                                 */
-    int period, shift;        /* of a closed curve: point i is number i - shift, modulo the period, of its own; 0, 0: open */
+    int period, shift; /* of a closed curve: point i is number i - shift, modulo the period, of its own; 0, 0: open */
     const double *feet;
     const int *end_points; /* the two points whose feet are held at the ends of the domain, -1 for none; NULL: none */
     int unknowns;

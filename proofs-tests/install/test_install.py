@@ -41,15 +41,20 @@ with tempfile.TemporaryDirectory() as folder:
     first = sh(str(by_cmake / "ten_lines"))
     assert sh(str(by_cmake / "fit_in_ten_lines")) == "0.707106781\n"
 
+    chosen = sh(str(by_cmake / "choose_in_twenty_lines"))
+    assert chosen.splitlines()[0] == "a whole ellipse, radius 5.000000000" and len(chosen.splitlines()) == 10, chosen
+    assert len((source / "choose_in_twenty_lines.c").read_text().splitlines()) <= 21  # and one of what it is
+
     roots = sh(str(by_cmake / "roots_in_ten_lines"))
     assert roots == "0.211 0.788 2\n", roots
 
     env = {**os.environ, "PKG_CONFIG_PATH": str(lib / "pkgconfig")}
     for compiler, name, package, says in (("cc", "ten_lines.c", "cagd", first), ("c++", "ten_lines.c", "cagd", first),
                                           ("cc", "fit_in_ten_lines.c", "cagd_fit", "0.707106781\n"),
+                                          ("cc", "choose_in_twenty_lines.c", "cagd_fit", chosen),
                                           ("cc", "roots_in_ten_lines.c", "cagd_exact", roots),
                                           ("c++", "roots_in_ten_lines.c", "cagd_exact", roots)):
-        flags = sh("pkg-config", "--cflags", "--libs", "--static", package, env=env).split()
+        flags = sh("pkg-config", "--cflags", "--libs", *([] if package == "cagd_fit" else ["--static"]), package, env=env).split()
         program = pathlib.Path(folder) / f"{package}-by-{compiler.replace('+', 'p')}"
         language = ["-x", "c++"] if compiler == "c++" else []
         sh(compiler, *language, str(source / name), "-x", "none", "-o", str(program), *flags)

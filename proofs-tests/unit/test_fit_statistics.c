@@ -85,6 +85,7 @@ static void conic(double w)
                                .residuals = residuals,
                                .unknowns = 3,
                                .rank = 3,
+                               .effective = 3,
                                .unknown = unknown,
                                .at_bound = at_bound,
                                .covariance = covariance,
@@ -107,7 +108,7 @@ static void unknown_standard_deviations(void **state)
     assert_true(result.quantile == fit_student_quantile(5));
     assert_true(near(covariance[0], 0.04 * chi / 5) && near(covariance[2], 0.02 * chi / 5));
     assert_true(near(invariant[0], 0.25) && near(invariant_error[0], 0.25 * 2 * sqrt(0.04 * chi / 5)));
-    result.rank = 8; /* as many unknowns as equations */
+    result.rank = 8, result.effective = 8; /* as many unknowns as equations */
     fit_statistics(&data, &options, &result);
     assert_true(isnan(result.scale_squared) && isnan(result.quantile) && isnan(invariant_error[0]));
     assert_int_equal(cagd_fit_conic_of(&result).kind, CAGD_FIT_CONIC_UNKNOWN);
@@ -233,7 +234,7 @@ static void which_conic(void **state)
     assert_int_equal(cagd_fit_conic_of(&result).kind, CAGD_FIT_STRAIGHT);
     conic(1);
     data.sigma = sigma;
-    result.unknown = unknown + 1, result.unknowns = 2, result.rank = 2; /* the weight is given */
+    result.unknown = unknown + 1, result.unknowns = 2, result.rank = 2, result.effective = 2; /* the weight is given */
     fit_statistics(&data, &options, &result);
     assert_string_equal(cagd_fit_conic_of(&result).text, "a parabola, by its given weights");
     result.curve.degree = 3;
@@ -241,7 +242,7 @@ static void which_conic(void **state)
     conic(1);
     data.sigma = sigma;
     memset(covariance, 0, sizeof covariance); /* of rank 0: nothing is given, and nothing known */
-    determined[0] = determined[1] = determined[2] = 0, result.rank = 0, result.flat = 3;
+    determined[0] = determined[1] = determined[2] = 0, result.rank = 0, result.effective = 0, result.flat = 3;
     fit_statistics(&data, &options, &result);
     assert_int_equal(cagd_fit_conic_of(&result).kind, CAGD_FIT_CONIC_UNKNOWN);
     assert_string_equal(cagd_fit_conic_of(&result).text, "of a type that the points do not determine");
