@@ -57,6 +57,10 @@ static void compete(const cagd_fit_data *data, const cagd_fit_options *options, 
     if (one == NULL)
         return;
     int first = *best == NULL || score < found->candidate[0].score, at = found->candidates;
+    if (*best != NULL && isinf(score) && isinf(found->candidate[0].score)) { /* too few points for scores */
+        const int best_is_good = fit_is_good(data, options, *best);
+        first = good > best_is_good || (good == best_is_good && one->rms < (*best)->rms);
+    }
     if (at < CAGD_FIT_MAX_CANDIDATES) {
         found->candidates++;
         at = first ? 0 : at;
@@ -85,7 +89,15 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     if (!options->closed) {
         status = cagd_fit(data, options, &one, where);
         REQUIRE(status == CAGD_OK, status);
+        const int straight = !cagd_fit_is_minimum(one) || cagd_fit_conic_of(one).kind == CAGD_FIT_STRAIGHT;
         compete(data, options, "a conic in one segment", one, result, found);
+        if (straight && options->free & CAGD_FIT_END_POINTS) {
+            cagd_fit_options chord = *options;
+            chord.degree = 1;
+            status = cagd_fit(data, &chord, &one, where);
+            REQUIRE(status == CAGD_OK, status);
+            compete(data, options, "a straight line", one, result, found);
+        }
         if (is_enough(data, options, *result))
             return CAGD_OK;
     }

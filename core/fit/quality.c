@@ -10,7 +10,7 @@
 
 enum { SIDES = 600, PER_PIECE = 24 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, DEVIATIONS = 4;
+static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, DEVIATIONS = 6;
 
 typedef struct polygon {
     int corners, dim;
@@ -83,11 +83,11 @@ static double side_of(const double a[], const double b[], const double q[])
 }
 
 /* How often a polygon of the plane crosses itself; sides that have a corner in common do not count. */
-static int crossings_of(const polygon *p)
+static int crossings_of(const polygon *p, int closed)
 {
     int count = 0;
     for (int i = 0; i + 1 < p->corners; i++)
-        for (int j = i + 2; j + 1 < p->corners; j++) {
+        for (int j = i + 2; j + 1 < p->corners - (closed && i == 0); j++) {
             const double *a = p->at + 2 * i, *b = a + 2, *c = p->at + 2 * j, *d = c + 2;
             count += side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
         }
@@ -191,8 +191,9 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
             q->length_ratio = cagd_fit_length_ratio(&own, r);
             find_backwards(r, &curve, q);
             if (data->dim == 2) {
-                q->crossings = crossings_of(&curve);
-                q->crossings_of_points = crossings_of(&points);
+                const int closed = r->period > 0 || r->found.ellipse.whole;
+                q->crossings = crossings_of(&curve, closed);
+                q->crossings_of_points = crossings_of(&points, closed);
             }
         }
         find_far(&own, r, q);
