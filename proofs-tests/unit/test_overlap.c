@@ -1,0 +1,163 @@
+/* test_overlap.c -- what the contracts of kernels permit of their arrays, tried in just that way: results that overlap what they are made
+ * of give what they give apart; what is not read is NULL; leading coefficients are 0. */
+#include "unit_exact.h"
+
+#include "core/number/limits.h"
+#include "exact/kernels_q.h"
+#include "exact/span.h"
+#include "exact/words.h"
+
+#include <string.h>
+
+enum { MOST_N = 6, MOST_D = 3, ROOM = 4 * (MOST_N + 2) * MOST_D };
+
+static num_q apart[ROOM], together[ROOM], given[ROOM];
+
+static void fill(int count, num_q a[])
+{
+    for (int k = 0; k < count; k++)
+        a[k] = random_q();
+}
+static void same(int count, const num_q a[], const num_q b[])
+{
+    for (int k = 0; k < count; k++)
+        assert_true(cagd_equal_q(a[k], b[k]));
+}
+/* The array b at its place in `together`, where out lies `by` places further, or before it. */
+static num_q *laid(int count, const num_q b[])
+{
+    memcpy(together + ROOM / 2, b, (size_t)count * sizeof *b);
+    return together + ROOM / 2;
+}
+
+/* bezier.tmpl.h: out may overlap b, which is at every distance at which they meet. */
+static void points_of_a_curve(void **state)
+{
+    (void)state;
+    num_q t[] = {from_ratio_q(2, 7), from_ratio_q(-5, 3), from_ratio_q(9, 4)}, u[MOST_N];
+    for (int n = 0; n <= MOST_N; n++)
+        for (int dim = 1; dim <= MOST_D; dim++) {
+            int count = (n + 1) * dim;
+            fill(count, given), fill(MOST_N, u);
+            for (int by = 1 - dim; by < count; by++)
+                for (int k = 0; k < 3; k++) {
+                    num_q *b = laid(count, given);
+                    bezier_casteljau_q(n, dim, given, t[k], apart);
+                    bezier_casteljau_q(n, dim, b, t[k], b + by);
+                    same(dim, apart, b + by);
+                    b = laid(count, given);
+                    bezier_blossom_q(n, dim, given, u, apart);
+                    bezier_blossom_q(n, dim, b, u, b + by);
+                    same(dim, apart, b + by);
+                }
+            for (int r = 0; r <= n; r++) {
+                int rest = (n - r + 1) * dim;
+                for (int by = 1 - rest; by < count; by++) {
+                    num_q *b = laid(count, given);
+                    bezier_differences_q(n, dim, given, r, apart);
+                    bezier_differences_q(n, dim, b, r, b + by);
+                    same(rest, apart, b + by);
+                }
+            }
+        }
+}
+
+/* bernstein.tmpl.h: a factor twice; a basis changed in place. */
+static void polynomials(void **state)
+{
+    (void)state;
+    for (int n = 0; n <= MOST_N; n++) {
+        num_q copy[MOST_N + 1];
+        fill(n + 1, given);
+        memcpy(copy, given, sizeof copy);
+        bernstein_product_q(n, given, n, copy, apart);
+        bernstein_product_q(n, given, n, given, together);
+        same(2 * n + 1, apart, together);
+        bernstein_to_power_q(n, given, apart);
+        bernstein_to_power_q(n, given, given);
+        same(n + 1, apart, given);
+        bernstein_from_power_q(n, given, apart);
+        bernstein_from_power_q(n, given, given);
+        same(n + 1, apart, given);
+        same(n + 1, copy, given);
+    }
+}
+
+/* rational.tmpl.h: weights changed in place.  With w_0 = 2^n w_n the standard form has a rational root. */
+static void weights_in_place(void **state)
+{
+    (void)state;
+    for (int n = 1; n <= MOST_N; n++) {
+        fill(n + 1, given);
+        num_q a = random_q(), b = neg_q(random_q());
+        rational_reparametrize_q(n, given, a, b, apart);
+        num_q *w = laid(n + 1, given);
+        rational_reparametrize_q(n, w, a, b, w);
+        same(n + 1, apart, w);
+        given[0] = mul_q(from_int_q(1 << n), given[n]);
+        rational_standard_form_q(n, given, apart);
+        w = laid(n + 1, given);
+        rational_standard_form_q(n, w, w);
+        same(n + 1, apart, w);
+    }
+}
+
+static void a_line_twice(void **state)
+{
+    (void)state;
+    num_q l[3], again[3];
+    fill(3, l);
+    memcpy(again, l, sizeof l);
+    line_pair_q(l, again, apart);
+    line_pair_q(l, l, together);
+    same(6, apart, together);
+}
+
+/* determinant.tmpl.h: a leading coefficient that is 0 takes the other polynomial's leading one out of the resultant:
+ * res(0 x^m + a, b) = (-1)^n b_0 res(a, b), a of degree m - 1. */
+static void leading_coefficients_that_are_zero(void **state)
+{
+    (void)state;
+    for (int m = 1; m <= 3; m++)
+        for (int n = 1; n <= 3; n++) {
+            num_q a[4], b[4], M[36];
+            fill(m + 1, a), fill(n + 1, b);
+            a[0] = from_int_q(0);
+            sylvester_q(m, a, n, b, M);
+            num_q whole = determinant_q(m + n, M);
+            sylvester_q(m - 1, a + 1, n, b, M);
+            num_q rest = mul_q(b[0], determinant_q(m - 1 + n, M));
+            assert_true(cagd_equal_q(whole, n % 2 == 0 ? rest : neg_q(rest)));
+        }
+}
+
+/* span.tmpl.h: the knots of raised and of lowered degree are counted without a place for them.  span_type.tmpl.h: the basis functions
+ * ask for no points, those of a B-spline for no weights. */
+static void what_is_not_read(void **state)
+{
+    (void)state;
+    static const int u[] = {0, 0, 0, 1, 2, 2, 3, 3, 3};
+    num_q knots[9], v[20];
+    enum { N = 6, P = 2 };
+    for (int i = 0; i < 9; i++)
+        knots[i] = from_int_q(u[i]);
+    assert_int_equal(raised_knots_q(N, P, knots, NULL), raised_knots_q(N, P, knots, v));
+    assert_int_equal(lowered_knots_q(N, P, knots, NULL), lowered_knots_q(N, P, knots, v));
+    num_q points[N], weights[N], t = from_ratio_q(1, 2), sum = from_int_q(0), at, one = from_int_q(1);
+    fill(N, points);
+    for (int i = 0; i < N; i++)
+        weights[i] = one;
+    nurbs_basis_q(nurbs_on_span_q(P, 0, knots, 2, NULL, weights), t, 0, apart);
+    bspline_derivatives_q(on_span_q(P, 1, knots, 2, points), t, 0, &at);
+    for (int m = 0; m <= P; m++)
+        sum = add_q(sum, mul_q(apart[m], points[m]));
+    assert_true(cagd_equal_q(sum, at));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {unit(points_of_a_curve), unit(polynomials),
+                                       unit(weights_in_place),  unit(a_line_twice),
+                                       unit(what_is_not_read),  unit(leading_coefficients_that_are_zero)};
+    return run_unit_tests(tests);
+}
