@@ -55,12 +55,16 @@ static char *read_all(const char *path)
 {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
     char *text = malloc(MOST_BYTES + 1);
-    size_t size = file != NULL && text != NULL ? fread(text, 1, MOST_BYTES + 1, file) : 0;
+    if (text == NULL)
+        abort();
+    size_t size = file != NULL ? fread(text, 1, MOST_BYTES + 1, file) : 0;
     struct input_error error = {"", ""};
-    if (file == NULL || text == NULL || ferror(file))
+    if (file == NULL || ferror(file))
         snprintf(error.cause, sizeof error.cause, "cannot be read");
     else if (size > MOST_BYTES)
         snprintf(error.cause, sizeof error.cause, "more than %d bytes", MOST_BYTES);
+    else if (memchr(text, '\0', size) != NULL)
+        snprintf(error.cause, sizeof error.cause, "is no text");
     if (file != NULL && file != stdin)
         fclose(file);
     if (error.cause[0] != 0) {

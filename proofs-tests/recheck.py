@@ -5,8 +5,7 @@
 
 Python's standard library, and nothing of the project that wrote them.  For each statement one line:
 
-    rechecked                 everything that its claims compared or decided was computed again, with the same outcome,
-                              and its verdict follows from theirs
+    rechecked                 all that its claims compared or decided came out the same once more, and its verdict follows from theirs
     wrong                     something came out differently, or does not follow, or is malformed
     cannot recheck this kind  some claim noted nothing, or nothing that can be computed again here
 
@@ -17,21 +16,20 @@ certificate.  One that it does not list, or that is another, is wrong; so is one
 A certificate holds straight-line programs: nodes, each made of earlier ones by one operation, from inputs; and steps, which
 are comparisons of nodes and decisions about them.  All steps are computed again at the recorded inputs, in fractions.
 
-An equality that is claimed to be an identity is also computed at random inputs modulo the prime p = 2^127 - 1.  The degree
-argument: by the rules for sums, products and quotients, the difference of two nodes has a numerator of degree at most D in the
-inputs.  Unless it is 0, or p divides all its coefficients, it vanishes at a random point with probability at most D/p.  Points
-are taken until (D/p)^k < 2^-100.  A sign that was read off coefficients: the printed fraction has coefficients of one sign, and
-is the node, again as an identity.
+An equality that is claimed to be an identity is also computed at random inputs modulo the prime p = 2^127 - 1.  The degree argument: by
+the rules for sums, products and quotients, the difference of two nodes has a numerator of degree at most D in the inputs.  Unless it
+is 0, or p divides all its coefficients, it vanishes at a random point with probability at most D/p.  Points are taken until (D/p)^k <
+2^-100.  A sign that was read off coefficients: the printed fraction has coefficients of one sign, and is the node, again as an identity.
 
 Roots are counted by Sturm's theorem on the factors of Yun's decomposition, minors one by one, hulls by the printed combination
-or separating plane.  How the conditions of a decision combine is in the text of the claim and is not rechecked; the facts that
-they combine are.
+or separating plane.  A condition whose formula is made of facts and whole numbers alone is evaluated again (recheck_formula.py); where
+it has variables of the program in it, its facts are rechecked, and how they combine is in the text of the claim.
 
 Exit status: 0 all is rechecked, 1 something is wrong, 2 bad usage, 3 nothing is wrong and something could not be rechecked."""
 import functools, hashlib, json, math, pathlib, re, sys
 from fractions import Fraction
 from itertools import combinations, count, zip_longest
-import recheck_format
+import recheck_format, recheck_formula
 
 PRIME = 2**127 - 1
 MOST_MINORS = 200000
@@ -526,7 +524,7 @@ def check_case(case, proved):
     require(all(isinstance(x, list) and len(x) == 2 for x in case["inputs"]), "the inputs")
     steps, program = case["steps"], Program(case)
     v = program.run(Q, [Q.number(x[1]) for x in case["inputs"]])
-    facts, supported = 0, True
+    facts, supported, last = 0, True, [] # the facts since the last step that is none
     for s in steps:
         if "same" in s:
             require(s["equal"] == (v[s["same"][0]] == v[s["same"][1]]), "equality of two numbers")
@@ -538,6 +536,8 @@ def check_case(case, proved):
         else:
             require(isinstance(s["agree"], bool), "a step without meaning")
             supported &= facts > 0
+            require(recheck_formula.follows(s, last), "a condition that does not follow from its facts")
+        last = last + [s] if "fact" in s else []
     if not supported or all("fact" in s for s in steps):
         raise Cannot("a condition without facts")
     if proved or case["type"] == "field":
@@ -678,7 +678,7 @@ def main():
         if isinstance(e := claim_of(name)[1], Wrong):
             tell(f"claim {name}", e)
     words = ("rechecked", "wrong", "cannot recheck this kind")
-    print(", ".join(f"{of_statements.count(word)} {word}" for word in words))
+    print(recheck_formula.told(), ", ".join(f"{of_statements.count(word)} {word}" for word in words), sep="\n")
     return 1 if "wrong" in outcomes or "rechecked" not in outcomes else 3 if words[2] in outcomes else 0
 
 if __name__ == "__main__":

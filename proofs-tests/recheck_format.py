@@ -63,7 +63,7 @@ FACTS = {
     "minors": [{"rows": positive, "columns": positive, "A": several(node), "strict": bit, "is": bit}],
     "determinant": [{"rows": count, "A": several(node), "is": several(node, 1)}],
 }
-STEPS = [{"same": several(node, 2), "equal": truth}, {"agree": truth}, {"nonnegative": node, "good": truth},
+STEPS = [{"same": several(node, 2), "equal": truth}, {"agree": truth}, {"agree": truth, "formula": text}, {"nonnegative": node, "good": truth},
          {"nonnegative": node, "good": truth, "text": text, "sign": sign}]
 CASE = {"type": one_of({"field", "rational"}), "degree": count, "inputs": inputs, "nodes": several(program), "steps": several(lambda x: type(x) is dict)}
 CLAIM = {"schema": one_of({"cagd-certificate-1"}), "claim": text, "kind": one_of(KINDS), "outcome": one_of({"holds", "fails", "undecided"}),

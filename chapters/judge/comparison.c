@@ -22,14 +22,12 @@ static int first_failure(trial *T, int good)
     return 1;
 }
 
-void agree(trial *T, int condition)
+void agree_as(trial *T, int condition, const char *formula)
 {
     if (cagd_trace_noting())
-        cagd_trace_agree(condition);
+        cagd_trace_agree(condition, formula);
     (void)first_failure(T, condition);
 }
-
-void refute(trial *T, int condition) { agree(T, !condition); }
 
 void same_f(trial *T, num_f a, num_f b)
 {

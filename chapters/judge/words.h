@@ -45,8 +45,10 @@
 
 int pick(trial *T, int low, int high);  /* a seeded random integer in [low, high]                     */
 void about(trial *T, const char *what); /* names what the next comparisons are about                  */
-void agree(trial *T, int condition);
-void refute(trial *T, int condition);
+/* The formula of a condition, as it stands in the body, is written into the certificate beside the facts that it combines. */
+void agree_as(trial *T, int condition, const char *formula);
+#define agree(T, ...)          agree_as(T, (__VA_ARGS__) != 0, #__VA_ARGS__)
+#define refute(T, ...)         agree_as(T, !(__VA_ARGS__), "!(" #__VA_ARGS__ ")")
 #define fault(T, right, wrong) ((T)->faulty ? (wrong) : (right))
 void show_text(trial *T, const char *name, const char *format, ...) __attribute__((format(printf, 3, 4)));
 

@@ -29,7 +29,7 @@ struct cagd_trace {
     struct text inputs, nodes, steps;
     struct place *place;
     size_t places, taken, most, count;
-    int paused, gave_up, input_count;
+    int paused, gave_up, input_count, facts; /* facts: since the last step that is none */
 };
 
 static _Thread_local struct cagd_trace *tracing; /* NULL when no trace is open in this thread */
@@ -324,21 +324,46 @@ int cagd_trace_noting(void) { return cagd_noting(); }
 
 static const char *truth(int condition) { return condition ? "true" : "false"; }
 
-void cagd_trace_same(int i, int j, int equal)
+/* A step that is no fact, or one that is. */
+static void begin_step(int is_fact)
 {
     separate(&tracing->steps);
+    tracing->facts = is_fact ? tracing->facts + 1 : 0;
+}
+
+void cagd_trace_same(int i, int j, int equal)
+{
+    begin_step(0);
     put(&tracing->steps, "{\"same\":[%d,%d],\"equal\":%s}", i, j, truth(equal));
 }
 
-void cagd_trace_agree(int condition)
+/* Blanks and line breaks of the source become one blank. */
+static void put_formula(struct text *t, const char *formula)
 {
-    separate(&tracing->steps);
-    put(&tracing->steps, "{\"agree\":%s}", truth(condition));
+    put_word(t, ",\"formula\":\"");
+    for (const char *s = formula; *s != '\0'; s++) {
+        char escaped[3] = {'\\', *s, '\0'};
+        if (*s > ' ')
+            put_word(t, *s == '"' || *s == '\\' ? escaped : escaped + 1);
+        else if (s[1] > ' ')
+            put_word(t, " ");
+    }
+    put_word(t, "\"");
+}
+
+void cagd_trace_agree(int condition, const char *formula)
+{
+    int facts = tracing->facts;
+    begin_step(0);
+    put(&tracing->steps, "{\"agree\":%s", truth(condition));
+    if (facts > 0 && formula != NULL)
+        put_formula(&tracing->steps, formula);
+    put(&tracing->steps, "}");
 }
 
 void cagd_trace_nonnegative(int i, int good, const char *text, int sign)
 {
-    separate(&tracing->steps);
+    begin_step(0);
     put(&tracing->steps, "{\"nonnegative\":%d,\"good\":%s", i, truth(good));
     if (text != NULL)
         put(&tracing->steps, ",\"text\":\"%s\",\"sign\":%d", text, sign);
@@ -347,14 +372,14 @@ void cagd_trace_nonnegative(int i, int good, const char *text, int sign)
 
 void cagd_trace_relation(const char *kind, int i, int j, int is)
 {
-    separate(&tracing->steps);
+    begin_step(1);
     put(&tracing->steps, "{\"fact\":\"%s\",\"of\":[%d,%d],\"is\":%d}", kind, i, j, is);
 }
 int cagd_trace_fact(const char *kind)
 {
     if (!cagd_trace_noting())
         return 0;
-    separate(&tracing->steps);
+    begin_step(1);
     put(&tracing->steps, "{\"fact\":\"%s\"", kind);
     return 1;
 }

@@ -44,9 +44,10 @@ void cagd_trace_input(cagd_num_q a, const char *name, int index);
 /* ---- steps ------------------------------------------------------------------------------------------ */
 
 /* {"same":[i,j],"equal":true}, {"agree":true}, {"nonnegative":i,"good":true}; the last of a rational function with a text of it
- * whose coefficients were looked at: {"nonnegative":i,"good":true,"text":"(a + b)/c","sign":1}. */
+ * whose coefficients were looked at: {"nonnegative":i,"good":true,"text":"(a + b)/c","sign":1}.  Where facts were noted since the
+ * step before, a condition has its formula in C beside it: {"agree":true,"formula":"sign_q(x) > 0 && !is_zero_q(y)"}. */
 void cagd_trace_same(int i, int j, int equal);
-void cagd_trace_agree(int condition);
+void cagd_trace_agree(int condition, const char *formula);                /* formula may be NULL */
 void cagd_trace_nonnegative(int i, int good, const char *text, int sign); /* text may be NULL */
 /* {"fact":kind,"of":[i,j],"is":1}; j = -1: of i alone, or against 0.
  * "order": the sign of i - j.  "equal", "pequal": i = j, numbers, polynomials.  "degree": of the polynomial i.  "whole": whether i

@@ -9,6 +9,7 @@ import hashlib
 import json
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -39,6 +40,13 @@ class Everything(unittest.TestCase):
     def test_it_can_be_read_in_one_sitting(self):
         files = [pathlib.Path(RECHECK), pathlib.Path(RECHECK).with_name("recheck_format.py")]
         self.assertLessEqual(sum(len(file.read_text().splitlines()) for file in files), 800)
+        self.assertLessEqual(len(pathlib.Path(RECHECK).with_name("recheck_formula.py").read_text().splitlines()), 150)
+
+    def test_conditions_follow_from_their_facts(self):
+        """By their formulas; those with variables of the program are counted."""
+        r = recheck(WHOLE_RUN / "certificates")
+        known, every = map(int, re.search(r"^(\d+) of (\d+) conditions about facts evaluated", r.stdout, re.M).groups())
+        self.assertGreater(known, every // 4)
 
 
 class Patterns(unittest.TestCase):

@@ -214,6 +214,13 @@ class Mistakes(Exactly):
         self.assertEqual(ran.returncode, 2)
         self.assertIn("cannot be read", ran.stderr)
 
+    def test_a_file_that_is_no_text(self):
+        path = self.folder / "binary.md"
+        path.write_bytes(self.GOOD.encode() + b"\0:::")
+        ran = run(path)
+        self.assertEqual(ran.returncode, 2)
+        self.assertIn("is no text", ran.stderr)
+
     def test_a_block_that_is_not_there(self):
         ran = run(self.harness(self.GOOD), "--only", "other")
         self.assertEqual(ran.returncode, 2)

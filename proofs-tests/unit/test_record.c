@@ -258,7 +258,11 @@ static void in_the_field(void **state)
     assert_int_equal(cagd_testify_is_zero_f(r), 0);
     assert_int_equal(cagd_testify_is_zero_f(sub_f(r, r)), 1);
     cagd_trace_same(0, 1, 0);
-    cagd_trace_agree(1);
+    cagd_trace_agree(1, "no fact since");
+    cagd_testify_is_zero_f(a);
+    cagd_trace_agree(0, "!is_zero_f(a)  &&\n    \"\\\"");
+    cagd_testify_is_zero_f(a);
+    cagd_trace_agree(1, NULL);
     cagd_trace_nonnegative(1, 1, "a", 1);
     cagd_trace_nonnegative(0, 0, NULL, 0);
     noted("[\"t\",\"307/51\"],[\"a\",\"680/13\"]",
@@ -266,6 +270,8 @@ static void in_the_field(void **state)
           "{\"fact\":\"degrees\",\"of\":[4,0],\"is\":[2,1]},{\"fact\":\"degrees\",\"of\":[4,0],\"is\":[2,1]},"
           "{\"fact\":\"degrees\",\"of\":[4,0],\"is\":[2,1]},{\"fact\":\"equal\",\"of\":[4,-1],\"is\":0},"
           "{\"fact\":\"equal\",\"of\":[5,-1],\"is\":1},{\"same\":[0,1],\"equal\":false},{\"agree\":true},"
+          "{\"fact\":\"equal\",\"of\":[1,-1],\"is\":0},{\"agree\":false,\"formula\":\"!is_zero_f(a) && \\\"\\\\\\\"\"},"
+          "{\"fact\":\"equal\",\"of\":[1,-1],\"is\":0},{\"agree\":true},"
           "{\"nonnegative\":1,\"good\":true,\"text\":\"a\",\"sign\":1},{\"nonnegative\":0,\"good\":false}");
 }
 
