@@ -1,5 +1,6 @@
 #include "exact/expression/evaluate.h"
 
+#include "exact/expression/sign.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -111,11 +112,29 @@ static int key_of(cagd_context *c, const cagd_tree *t, const frame *f, char key[
     return used < room;
 }
 
+/* "(\mathbf{a}_1)_x": of a vector the component that is asked for. */
+static int key_of_component(cagd_context *c, const cagd_tree *t, char key[], int room)
+{
+    static const char *const of_space[] = {"x", "y", "z"};
+    const cagd_variable *v = cagd_declared(c->scope, t->head);
+    if (v == NULL || v->dimension == 0)
+        return 1;
+    if (c->component == 0)
+        return fail(c, t, FAULT_UNABLE, "a vector where a number is expected"), 0;
+    char whole[96];
+    int k = c->component, used = v->dimension <= 3 ? snprintf(whole, sizeof whole, "(%s)_%s", key, of_space[k - 1])
+                                                   : snprintf(whole, sizeof whole, "(%s)_%d", key, k);
+    if (used >= room)
+        return fail(c, t, FAULT_UNABLE, "a name that is too long"), 0;
+    memcpy(key, whole, (size_t)used + 1);
+    return 1;
+}
+
 /* A name that no definition fits, or that has none. */
 static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     char key[96];
-    if (!key_of(c, t, f, key, sizeof key))
+    if (!key_of(c, t, f, key, sizeof key) || !key_of_component(c, t, key, sizeof key))
         return cagd_value_int(0);
     const cagd_binding *b = cagd_binding_of(c, key);
     if (b != NULL)
@@ -367,7 +386,29 @@ static int holds(int sign, cagd_relation relation)
     }
 }
 
-/* The sign of d = p (x - r) on the bounds of x, p being a number: -1, 0, 1.  -2 where it changes, or is not known. */
+/* The sign of d within the bounds of its variables: -1, 1; -2 where it changes, is 0 somewhere, or is not known. */
+static int sign_in_box(cagd_context *c, cagd_value d)
+{
+    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
+    num_q point[CAGD_MOST_UNKNOWNS];
+    int count = 0, rational;
+    num_f p = mul_f(cagd_numerator_f(d.f), cagd_denominator_f(d.f));
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        if (b->unknown)
+            side[count++] =
+                (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
+    }
+    for (int sign = 1; sign >= -1 && region_faults == 0; sign -= 2)
+        if (cagd_positive_in_box(sign > 0 ? p : neg_f(p), 1, count, side, point, &rational) == CAGD_HOLDS) {
+            c->used_bounds = 1;
+            return sign;
+        }
+    return -2;
+}
+
+/* The sign of d on the bounds of its variables: -1, 0, 1.  -2 where it changes, or is not known; for d = p (x - r), p being a
+ * number, it changes at r. */
 static int sign_of(cagd_context *c, cagd_value d)
 {
     if (d.rational)
@@ -378,7 +419,7 @@ static int sign_of(cagd_context *c, cagd_value d)
         if (!b->unknown || (cagd_degree_f(d.f, b->value.f) <= 0 && cagd_denominator_degree_f(d.f, b->value.f) <= 0))
             continue;
         if (only != NULL || !cagd_has_degrees_f(d.f, b->value.f, 1, 0))
-            return -2;
+            return sign_in_box(c, d);
         only = b;
     }
     if (only == NULL)
@@ -437,10 +478,63 @@ static int truth(cagd_context *c, const cagd_tree *t, const frame *f)
 
 /* ---- the other operations ------------------------------------------------------------------------------ */
 
+/* ---- vectors ------------------------------------------------------------------------------------------- */
+
+/* The component k of a vector, from 0, whichever is asked for here. */
+static cagd_value component(cagd_context *c, const cagd_tree *t, int k, const frame *f)
+{
+    int asked = c->component;
+    c->component = k + 1;
+    cagd_value r = evaluate(c, t, f);
+    c->component = asked;
+    return r;
+}
+
+static cagd_value dot(cagd_context *c, const cagd_tree *a, const cagd_tree *b, const frame *f)
+{
+    cagd_value r = cagd_value_int(0);
+    for (int k = 0; k < a->dimension; k++)
+        r = cagd_value_add(r, cagd_value_mul(component(c, a, k, f), component(c, b, k, f)));
+    return r;
+}
+
+/* The component k of a x b. */
+static cagd_value cross(cagd_context *c, const cagd_tree *a, const cagd_tree *b, int k, const frame *f)
+{
+    int i = (k + 1) % 3, j = (k + 2) % 3;
+    return cagd_value_sub(cagd_value_mul(component(c, a, i, f), component(c, b, j, f)),
+                          cagd_value_mul(component(c, a, j, f), component(c, b, i, f)));
+}
+
+/* (a, b, c) = (a x b) . c */
+static cagd_value mixed(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_value r = cagd_value_int(0);
+    for (int k = 0; k < 3; k++)
+        r = cagd_value_add(r, cagd_value_mul(cross(c, t->at[0], t->at[1], k, f), component(c, t->at[2], k, f)));
+    return r;
+}
+
+static cagd_value of_component(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    if (c->component == 0)
+        return fail(c, t, FAULT_UNABLE, "a vector where a number is expected");
+    return t->kind == CAGD_POINT ? evaluate(c, t->at[c->component - 1], f)
+                                 : cross(c, t->at[0], t->at[1], c->component - 1, f);
+}
+
+/* ---- powers and the like ------------------------------------------------------------------------------- */
+
 static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     long e;
-    cagd_value exponent = evaluate(c, t->at[1], f), base = evaluate(c, t->at[0], f), r = cagd_value_int(1);
+    cagd_value exponent = evaluate(c, t->at[1], f), r = cagd_value_int(1), base;
+    if (t->at[0]->kind == CAGD_NORM && cagd_value_is_whole(exponent, &e) && e % 2 == 0) { /* no root is needed */
+        base = dot(c, t->at[0]->at[0], t->at[0]->at[0], f);
+        exponent = cagd_value_int(e / 2);
+    } else {
+        base = evaluate(c, t->at[0], f);
+    }
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(exponent, &e) || e > MOST_POWER || e < -MOST_POWER)
@@ -487,14 +581,10 @@ static cagd_value binomial(cagd_context *c, const cagd_tree *t, const frame *f)
 }
 
 /* The root that is not negative, if n is even: of a square of a function it is the function or its negative, by its sign. */
-static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
+static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, long n)
 {
-    long n;
-    cagd_value a = evaluate(c, t->at[0], f), index = evaluate(c, t->at[1], f);
     if (region_faults != 0)
         return a;
-    if (!cagd_value_is_whole(index, &n) || n < 1 || n > MOST_POWER)
-        return fail(c, t, FAULT_UNABLE, "a root is the n-th for a whole number n");
     cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
     if (region_faults != 0) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
@@ -504,6 +594,17 @@ static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
     if (sign == -2)
         return fail(c, t, FAULT_UNABLE, "a root whose sign depends on variables");
     return sign < 0 ? cagd_value_sub(cagd_value_int(0), r) : r;
+}
+
+static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long n;
+    cagd_value a = evaluate(c, t->at[0], f), index = evaluate(c, t->at[1], f);
+    if (region_faults != 0)
+        return a;
+    if (!cagd_value_is_whole(index, &n) || n < 1 || n > MOST_POWER)
+        return fail(c, t, FAULT_UNABLE, "a root is the n-th for a whole number n");
+    return root_of(c, t, a, n);
 }
 
 /* Of the list the greatest or the least; of a number its amount, for the list a, -a. */
@@ -661,6 +762,17 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return at_a_place(c, t, f);
     case CAGD_CASES:
         return cases(c, t, f);
+    case CAGD_POINT:
+    case CAGD_CROSS:
+        return of_component(c, t, f);
+    case CAGD_COMPONENT:
+        return component(c, t->at[0], t->order, f);
+    case CAGD_DOT:
+        return dot(c, t->at[0], t->at[1], f);
+    case CAGD_MIXED:
+        return mixed(c, t, f);
+    case CAGD_NORM:
+        return root_of(c, t, dot(c, t->at[0], t->at[0], f), 2);
     default:
         return fail(c, t, FAULT_UNABLE, "a relation is no value");
     }

@@ -82,7 +82,7 @@ cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count,
     cagd_tree *t = cagd_new(r, kind, from, count);
     for (int k = 0; t != NULL && k < count; k++)
         t->at[k] = child[k];
-    return t;
+    return t != NULL ? cagd_with_dimension(r, t) : NULL;
 }
 
 /* ---- scripts and arguments ----------------------------------------------------------------------------- */
@@ -118,7 +118,7 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
         const char *head = (r->token++)->word;
         cagd_tree *t = cagd_new(r, CAGD_NAME, from, 0);
         if (t != NULL)
-            t->head = head;
+            t->head = head, t->dimension = cagd_is_bound(r, head) ? 0 : cagd_dimension_of(r->scope, head);
         if (t != NULL && !r->declaring && !cagd_is_known(r, head))
             return cagd_refuse_tree(r, t, "%s is not defined", head);
         return t;
@@ -340,7 +340,7 @@ static const cagd_tree *over(cagd_reader *r, cagd_tree_kind kind, int from)
     t->at[0] = a.low, t->at[1] = a.high, t->at[2] = body;
     for (int k = 0; k < a.conditions; k++)
         t->at[3 + k] = a.condition[k];
-    return t;
+    return cagd_with_dimension(r, t);
 }
 
 static const cagd_tree *integral(cagd_reader *r, int from)
@@ -382,16 +382,23 @@ static const cagd_tree *integral(cagd_reader *r, int from)
 
 static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const char *close, int from)
 {
+    r->norms += kind == CAGD_NORM;
     const cagd_tree *a = cagd_read_sum(r);
+    r->norms -= kind == CAGD_NORM;
+    if (a != NULL && a->dimension > 0 && kind == CAGD_ABSOLUTE)
+        kind = CAGD_NORM;
     return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_new_of(r, kind, from, 1, &a) : NULL;
 }
 
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
+    int from = r->token[-1].from;
     const cagd_tree *a = cagd_read_sum(r);
-    if (a != NULL && cagd_next_is(r, ","))
-        return cagd_refuse_token(r, "points with components are not understood here; say each component");
+    if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
+        return cagd_read_point(r, a, close, from);
+    if (a != NULL && close[0] == ']')
+        a = cagd_in_square_brackets(r, a);
     return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_read_primed_group(r, a) : NULL;
 }
 
@@ -507,6 +514,10 @@ static const cagd_tree *word(cagd_reader *r)
 static const cagd_tree *base(cagd_reader *r)
 {
     int from = r->token->from;
+    if (cagd_next_is(r, "\\mathbf") && (strcmp(r->token[1].word, "0") == 0 || strcmp(r->token[2].word, "0") == 0)) {
+        r->token++; /* the vector 0 */
+        return cagd_read_argument(r, 0);
+    }
     if (cagd_begins_name(r))
         return cagd_read_name(r);
     if (r->token->kind == CAGD_TOKEN_NUMBER)
@@ -523,6 +534,8 @@ static const cagd_tree *base(cagd_reader *r)
         return group(r, "\\}");
     if (cagd_pass(r, "|"))
         return bracketed(r, CAGD_ABSOLUTE, "|", from);
+    if (cagd_pass(r, "\\|"))
+        return bracketed(r, CAGD_NORM, "\\|", from);
     return cagd_refuse_token(r, "expected a number, a name or a bracket, not %s", cagd_name_of_next(r));
 }
 
@@ -581,7 +594,8 @@ static int begins_factor(const cagd_reader *r)
         return 0;
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
            (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) || cagd_next_is(r, "(") ||
-           cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{");
+           cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{") ||
+           (r->norms == 0 && cagd_next_is(r, "\\|"));
 }
 
 /* Whether another sum or product over that index comes next: what is summed ends before it. */
@@ -598,7 +612,8 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
     int count = 0, from = r->token->from, juxtaposed = 1;
     list[count++] = factor(r);
     while (list[count - 1] != NULL) {
-        int dot = cagd_pass(r, "*"), stroke = !dot && cagd_pass(r, "/");
+        const char *sign = cagd_next_is(r, "\\times") ? "\\times" : "*";
+        int dot = cagd_pass(r, sign), stroke = !dot && cagd_pass(r, "/");
         if (!dot && !stroke && !begins_factor(r))
             break;
         if ((cagd_next_is(r, "\\sum") || cagd_next_is(r, "\\prod")) && is_over(r, index) && !dot && !stroke)
@@ -619,7 +634,12 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
             return cagd_refuse_token(r, "two numbers side by side");
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d factors", CAGD_MOST_CHILDREN);
-        list[count++] = factor(r);
+        list[count] = factor(r);
+        if (dot && list[count] != NULL && list[count]->dimension > 0 && list[count - 1]->dimension > 0) {
+            list[count - 1] = cagd_vector_product(r, sign, list[count - 1], list[count]);
+            continue;
+        }
+        count++;
     }
     if (list[count - 1] == NULL || count == 1)
         return list[count - 1];
@@ -725,13 +745,7 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
         return cagd_refuse_token(r, "a chain with < and >: write two relations");
     if (count == 1)
         return cagd_refuse_token(r, "expected a relation, = or <, not %s", cagd_name_of_next(r));
-    cagd_tree *t = cagd_new_of(r, CAGD_RELATION, from, count, list);
-    cagd_relation *kept = t != NULL ? cagd_region_array(count, 1, sizeof *kept) : NULL;
-    if (kept == NULL)
-        return NULL;
-    memcpy(kept, relation, (size_t)(count - 1) * sizeof *kept);
-    t->relation = kept;
-    return t;
+    return cagd_relate(r, from, count, list, relation);
 }
 
 const cagd_tree *cagd_read_conditions(cagd_reader *r)
@@ -739,11 +753,15 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0, from = r->token->from, more;
     do {
-        if (count == CAGD_MOST_CHILDREN)
-            return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-        list[count] = cagd_read_relations(r);
-        if (list[count++] == NULL)
+        const cagd_tree *t = cagd_read_relations(r);
+        if (t == NULL)
             return NULL;
+        if (count + t->count > CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
+        for (int k = 0; t->kind == CAGD_ALL && k < t->count; k++) /* of vectors one for each component */
+            list[count++] = t->at[k];
+        if (t->kind != CAGD_ALL)
+            list[count++] = t;
         const cagd_token *here = r->token;
         more = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
         const char *words = cagd_read_words(r);

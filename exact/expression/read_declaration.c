@@ -89,7 +89,7 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
     if (body == NULL)
         return 0;
-    d->body = body;
+    d->body = body, d->dimension = body->dimension;
     if (cagd_pass(r, ",") || cagd_next_is(r, "\\text")) {
         cagd_read_words(r);
         d->when = cagd_read_conditions(r);
@@ -168,6 +168,20 @@ static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cag
     return cagd_declare(scope, v);
 }
 
+/* Behind \mathbb{R}: ^3 where the variable is a vector. */
+static int dimension(cagd_reader *r, cagd_variable *v)
+{
+    if (!cagd_pass(r, "^"))
+        return 1;
+    int braces = cagd_pass(r, "{");
+    const char *digit = r->token->word;
+    if (r->token->kind != CAGD_TOKEN_NUMBER || digit[1] != '\0' || digit[0] < '2' || digit[0] > '8')
+        return cagd_refuse_token(r, "vectors have 2 to 8 components, not %s", cagd_name_of_next(r)) != NULL;
+    v->dimension = digit[0] - '0';
+    r->token++;
+    return !braces || cagd_expect(r, "}", "the dimension");
+}
+
 /* Behind \in: \mathbb{R}, \mathbb{N}, [a,b], (a,b). */
 static int set(cagd_reader *r, cagd_variable *v)
 {
@@ -180,7 +194,7 @@ static int set(cagd_reader *r, cagd_variable *v)
         v->whole = r->token->word[0] == 'N';
         v->low = v->whole ? cagd_tree_number(0, r->token->from, r->token->to) : NULL;
         r->token++;
-        return !braces || cagd_expect(r, "}", "the set");
+        return (!braces || cagd_expect(r, "}", "the set")) && (v->whole || dimension(r, v));
     }
     v->low_open = cagd_next_is(r, "(");
     if (!cagd_pass(r, "(") && !cagd_pass(r, "["))
@@ -207,6 +221,14 @@ static int elements(cagd_reader *r, cagd_scope *scope)
     if (!cagd_pass(r, "\\in"))
         return back(r, start) - 1;
     cagd_variable v = {0};
+    const char *words = cagd_read_words(r);
+    if (words != NULL && strcmp(words, "labels") == 0) {
+        for (int k = 0; k < count; k++)
+            if (name[k]->count > 0 ? cagd_refuse_tree(r, name[k], "a label is a letter") == NULL
+                                   : !cagd_label(scope, name[k]))
+                return 0;
+        return 1;
+    }
     if (!set(r, &v))
         return 0;
     for (int k = 0; k < count; k++) {
@@ -372,13 +394,8 @@ static int chain(cagd_reader *r, cagd_scope *scope)
     const cagd_tree *list[CAGD_MOST_INDICES];
     for (int k = 0; k < count; k++)
         list[k] = p[k].tree;
-    cagd_tree *t = cagd_new_of(r, CAGD_RELATION, from, count, list);
-    cagd_relation *kept = t != NULL ? cagd_region_array(count, 1, sizeof *kept) : NULL;
-    if (kept == NULL)
-        return 0;
-    memcpy(kept, relation, (size_t)(count - 1) * sizeof *kept);
-    t->relation = kept;
-    return cagd_suppose(scope, t);
+    const cagd_tree *t = cagd_relate(r, from, count, list, relation);
+    return t != NULL && cagd_suppose(scope, t);
 }
 
 static int ranges(cagd_reader *r, cagd_scope *scope)

@@ -59,10 +59,59 @@ static const char *joined(cagd_reader *r, const char *before, const char *head, 
 }
 
 static int indices(cagd_reader *r, struct parts *p);
+static int labelled(cagd_reader *r, struct parts *p);
+
+static int letter(cagd_reader *r, struct parts *p);
+
+static int begins_known_name(const cagd_scope *scope, const char *beginning)
+{
+    size_t n = strlen(beginning);
+    for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
+        if (strncmp(d->left->head, beginning, n) == 0)
+            return 1;
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next)
+        if (strncmp(v->head, beginning, n) == 0)
+            return 1;
+    return 0;
+}
+
+/* \Delta P, \Delta^2 P: differences that are known under such a name; the head goes to p->head, or nothing was passed. */
+static int difference(cagd_reader *r, struct parts *p)
+{
+    const cagd_token *start = r->token;
+    int depth = r->depth;
+    struct parts of = {0};
+    const char *order = "";
+    r->token++;
+    if (cagd_pass(r, "^")) {
+        int braces = cagd_pass(r, "{");
+        if (r->token->kind == CAGD_TOKEN_NUMBER)
+            order = (r->token++)->word;
+        if (braces)
+            cagd_pass(r, "}");
+    }
+    if ((order[0] != '\0' || strcmp(r->token[-1].word, "\\Delta") == 0) && cagd_begins_name(r) && letter(r, &of) &&
+        of.lower + of.upper == 0) {
+        char before[24];
+        snprintf(before, sizeof before, order[0] != '\0' ? "\\Delta^%.8s{" : "\\Delta%.8s{", order);
+        const char *head = joined(r, before, of.head, "}");
+        if (head == NULL)
+            return 0;
+        if (r->declaring || begins_known_name(r->scope, head)) {
+            p->head = head;
+            return 1;
+        }
+    }
+    r->token = start, r->depth = depth;
+    *r->error = (cagd_reading_error){0};
+    return 1;
+}
 
 /* A letter, or a face with a letter, or with a name that has its indices inside: \hat{B_i}. */
 static int letter(cagd_reader *r, struct parts *p)
 {
+    if (cagd_next_is(r, "\\Delta") && (!difference(r, p) || p->head != NULL))
+        return p->head != NULL;
     if (r->token->kind == CAGD_TOKEN_LETTER) {
         p->head = (r->token++)->word;
         return 1;
@@ -77,13 +126,34 @@ static int letter(cagd_reader *r, struct parts *p)
         return 0;
     while (braces && p->head != NULL && r->token->kind == CAGD_TOKEN_LETTER) /* \mathrm{SA} */
         p->head = joined(r, p->head, (r->token++)->word, "");
-    if (p->head == NULL || (braces && (!indices(r, p) || !cagd_expect(r, "}", face))))
+    if (p->head == NULL || (braces && (!labelled(r, p) || !indices(r, p) || !cagd_expect(r, "}", face))))
         return 0;
     char before[24];
     snprintf(before, sizeof before, "%s{", face);
     p->head = joined(r, before, p->head, p->lower > 0 ? "}_" : "}");
     r->depth--;
     return p->head != NULL;
+}
+
+/* A label behind the letter is part of the name: R_s, P_{\mathrm{I}}. */
+static int labelled(cagd_reader *r, struct parts *p)
+{
+    const cagd_token *start = r->token;
+    int depth = r->depth;
+    struct parts label = {0};
+    if (r->scope->label_count == 0 || !cagd_pass(r, "_"))
+        return 1;
+    int braces = cagd_pass(r, "{");
+    if (cagd_begins_name(r) && letter(r, &label) && label.lower + label.upper == 0 && (!braces || cagd_pass(r, "}")) &&
+        cagd_is_label(r->scope, label.head) && !cagd_is_bound(r, label.head)) {
+        char behind[MOST_HEAD + 4];
+        snprintf(behind, sizeof behind, "_{%s}", label.head);
+        p->head = joined(r, "", p->head, behind);
+        return p->head != NULL;
+    }
+    r->token = start, r->depth = depth;
+    *r->error = (cagd_reading_error){0};
+    return 1;
 }
 
 const char *cagd_read_head(cagd_reader *r)
@@ -324,6 +394,8 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     int from = r->token->from;
     if (!letter(r, &p))
         return NULL;
+    if (!labelled(r, &p))
+        return NULL;
     if (p.lower == 0 && lower_follows(r->token))
         p.head = joined(r, "", p.head, "_");
     if (p.head == NULL || !indices(r, &p) || !primed(r, &p))
@@ -340,12 +412,16 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
         return NULL;
     t->head = p.head, t->lower = p.lower, t->upper = p.upper, t->arguments = p.arguments;
     t->order = p.primes, t->times = p.times;
+    t->dimension = r->declaring || cagd_is_bound(r, p.head) ? 0 : cagd_dimension_of(r->scope, p.head);
     for (int k = 0; k < p.lower; k++)
         t->at[k] = p.of_lower[k];
     for (int k = 0; k < p.upper; k++)
         t->at[p.lower + k] = p.of_upper[k];
     for (int k = 0; k < p.arguments; k++)
         t->at[p.lower + p.upper + k] = p.argument[k];
+    for (int k = 0; k < t->count; k++)
+        if (t->at[k]->dimension > 0)
+            return cagd_refuse_tree(r, t->at[k], "a vector is no index and no argument");
     if (p.power == NULL)
         return t;
     return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, p.power});

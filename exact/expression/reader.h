@@ -20,6 +20,7 @@ typedef struct cagd_reader {
     int depth;
     int declaring; /* on the left of a definition: names need not be known   */
     int integrals; /* around what is read: d and a letter end the integrand  */
+    int norms;     /* likewise: \| ends the norm and begins none             */
     int nodes;
 } cagd_reader;
 
@@ -44,6 +45,18 @@ const char *cagd_name_of_next(const cagd_reader *r);
 cagd_tree *cagd_new(cagd_reader *r, cagd_tree_kind kind, int from, int count);
 /* The same with these children; NULL if one of them is. */
 cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count, const cagd_tree *const child[]);
+
+/* Sets the dimension of t by that of its parts, if they fit; otherwise an error, and NULL. */
+cagd_tree *cagd_with_dimension(cagd_reader *r, cagd_tree *t);
+/* The factor b behind a with "*" or "\times" between, one of them a vector; of two vectors a product of vectors. */
+const cagd_tree *cagd_vector_product(cagd_reader *r, const char *sign, const cagd_tree *a, const cagd_tree *b);
+/* Behind the first of several values with commas between: a point, or the mixed product of three vectors. */
+const cagd_tree *cagd_read_point(cagd_reader *r, const cagd_tree *first, const char *close, int from);
+/* What stands in square brackets: [x \; y] is a point, [a b c] of three vectors their mixed product; else t itself. */
+const cagd_tree *cagd_in_square_brackets(cagd_reader *r, const cagd_tree *t);
+/* A chain of relations; between vectors, of each component. */
+const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tree *const list[],
+                             const cagd_relation relation[]);
 
 /* A sum of products; a product; the argument of a command or a script, in braces or a single token. */
 const cagd_tree *cagd_read_sum(cagd_reader *r);

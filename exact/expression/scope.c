@@ -20,6 +20,24 @@ const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head)
     return v;
 }
 
+int cagd_dimension_of(const cagd_scope *scope, const char *head)
+{
+    const cagd_variable *v = cagd_declared(scope, head);
+    int dimension = v != NULL ? v->dimension : 0;
+    for (const cagd_definition *d = scope->definitions; d != NULL && dimension == 0; d = d->next)
+        if (strcmp(d->left->head, head) == 0)
+            dimension = d->dimension;
+    return dimension;
+}
+
+int cagd_is_label(const cagd_scope *scope, const char *head)
+{
+    for (int k = 0; k < scope->label_count; k++)
+        if (strcmp(scope->labels[k]->head, head) == 0)
+            return 1;
+    return 0;
+}
+
 int cagd_is_parameter(const cagd_scope *scope, const char *head)
 {
     for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
@@ -106,14 +124,25 @@ int cagd_declare(cagd_scope *scope, cagd_variable v)
     return 1;
 }
 
+/* One more behind a list, of which there may be copies. */
+static int append(const cagd_tree ***list, int *count, const cagd_tree *t)
+{
+    const cagd_tree **longer = cagd_region_array(*count + 1, 1, sizeof *longer);
+    if (longer == NULL)
+        return 0;
+    for (int k = 0; k < *count; k++)
+        longer[k] = (*list)[k];
+    longer[(*count)++] = t;
+    *list = longer;
+    return 1;
+}
+
 int cagd_suppose(cagd_scope *scope, const cagd_tree *condition)
 {
-    const cagd_tree **list = cagd_region_array(scope->condition_count + 1, 1, sizeof *list);
-    if (list == NULL)
-        return 0;
-    for (int k = 0; k < scope->condition_count; k++)
-        list[k] = scope->conditions[k];
-    list[scope->condition_count++] = condition;
-    scope->conditions = list;
-    return 1;
+    return append(&scope->conditions, &scope->condition_count, condition);
+}
+
+int cagd_label(cagd_scope *scope, const cagd_tree *letter)
+{
+    return append(&scope->labels, &scope->label_count, letter);
 }

@@ -9,6 +9,7 @@
 
 typedef struct cagd_definition {
     const cagd_tree *left, *body, *when; /* when: a condition, or NULL                    */
+    int dimension;                       /* of a vector; 0 of a number                    */
     struct cagd_definition *next;        /* in the order in which they were written       */
 } cagd_definition;
 
@@ -17,7 +18,8 @@ typedef struct cagd_definition {
 typedef struct cagd_variable {
     const char *head;
     int lower, upper;
-    int whole; /* runs over the whole numbers from low to high; every number from low on when high is NULL */
+    int dimension; /* of a vector; 0 of a number */
+    int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
     const cagd_tree *low, *high;
     int low_open, high_open; /* < and not <= */
     const struct cagd_variable *next;
@@ -28,12 +30,17 @@ typedef struct cagd_scope {
     const cagd_variable *variables; /* the last declared first          */
     const cagd_tree **conditions;   /* what else is supposed            */
     int condition_count;
-    int zero_over_zero; /* whether 0/0 = 0 was said                     */
+    int zero_over_zero;       /* whether 0/0 = 0 was said                     */
+    const cagd_tree **labels; /* letters that as an index are part of the name: R_s */
+    int label_count;
 } cagd_scope;
 
 /* The first definition of that name, the variable of that name; NULL if there is none. */
 const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head);
 const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head);
+/* The dimension of the vectors of that name; 0 where they are numbers, or where it is not known. */
+int cagd_dimension_of(const cagd_scope *scope, const char *head);
+int cagd_is_label(const cagd_scope *scope, const char *head);
 /* Whether it is the letter of an argument on the left of some definition: such a letter is a number wherever else it stands. */
 int cagd_is_parameter(const cagd_scope *scope, const char *head);
 /* The known name that is nearest to that one in spelling, or NULL where none is near. */
@@ -44,4 +51,5 @@ const char *cagd_nearest(const cagd_scope *scope, const char *head);
 cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
 int cagd_declare(cagd_scope *scope, cagd_variable v);
 int cagd_suppose(cagd_scope *scope, const cagd_tree *condition);
+int cagd_label(cagd_scope *scope, const cagd_tree *letter);
 #endif

@@ -13,7 +13,7 @@ static const struct {
     {"\\leq", "\\le"}, {"\\geq", "\\ge"}, {"\\neq", "\\ne"}, {"\\leqslant", "\\le"}, {"\\geqslant", "\\ge"},
     {"\\lt", "<"}, {"\\gt", ">"}, {"\\equiv", "="}, {"\\ldots", "\\dots"}, {"\\cdots", "\\dots"}, {"\\dotsc", "\\dots"},
     {"\\dotsb", "\\dots"}, {"\\dfrac", "\\frac"}, {"\\tfrac", "\\frac"}, {"\\dbinom", "\\binom"}, {"\\tbinom", "\\binom"},
-    {"\\cdot", "*"}, {"\\times", "*"}, {"\\ast", "*"}, {"\\star", "*"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\vert", "|"},
+    {"\\cdot", "*"}, {"\\ast", "*"}, {"\\star", "*"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\vert", "|"},
     {"\\varepsilon", "\\epsilon"}, {"\\widehat", "\\hat"}, {"\\widetilde", "\\tilde"}, {"\\overline", "\\bar"},
     {"\\colon", ":"}, {"\\lbrace", "\\{"}, {"\\rbrace", "\\}"}, {"\\lbrack", "["}, {"\\rbrack", "]"}, {"\\wedge", "\\land"},
     {"\\left", ""}, {"\\right", ""}, {"\\big", ""}, {"\\Big", ""}, {"\\bigg", ""}, {"\\Bigg", ""}, {"\\bigl", ""},
@@ -21,7 +21,7 @@ static const struct {
     {"\\middle", ""}, {"\\displaystyle", ""}, {"\\textstyle", ""}, {"\\limits", ""}, {"\\nolimits", ""}, {"\\quad", ""},
     {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""},
     {"\\,", ""}, {"\\;", ""}, {"\\:", ""}, {"\\!", ""}, {"\\ ", ""}, {"\\>", ""}, {"~", ""},
-    {"−", "-"}, {"·", "*"}, {"×", "*"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≠", "\\ne"}, {"≡", "="}, {"…", "\\dots"},
+    {"−", "-"}, {"·", "*"}, {"×", "\\times"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≠", "\\ne"}, {"≡", "="}, {"…", "\\dots"},
     {"∑", "\\sum"}, {"∏", "\\prod"}, {"′", "'"}, {"∞", "\\infty"}, {"∈", "\\in"}, {"ℝ", "\\R"}, {"⇒", "\\Rightarrow"}};
 
 static const struct {

@@ -29,6 +29,12 @@ typedef enum cagd_tree_kind {
     CAGD_DERIVATIVE, /* [a]: `order` times by the variable `head`                                                 */
     CAGD_INTEGRAL,   /* [low, high, a] by the variable `head`                                                     */
     CAGD_AT,         /* [a, b]: a with b in the place of the variable `head`                                      */
+    CAGD_POINT,      /* [x, y, ...]: a vector by its components                                                   */
+    CAGD_COMPONENT,  /* [a]: component number `order` of a vector, from 0                                         */
+    CAGD_DOT,        /* [a, b] */
+    CAGD_CROSS,      /* [a, b], of space */
+    CAGD_MIXED,      /* [a, b, c]: (a, b, c) = (a x b) . c */
+    CAGD_NORM,       /* [a]: the length of a vector                                                               */
     CAGD_CASES,      /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
     CAGD_RELATION,   /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
     CAGD_ALL         /* [conditions ...]: each of them                                                            */
@@ -49,6 +55,7 @@ typedef struct cagd_tree {
     cagd_num_q number;
     const char *head; /* "t", "\\hat{B}_" of a name with lower indices: t and t_i are different names */
     int lower, upper, arguments, order;
+    int dimension; /* of a vector; 0 of a number or a truth */
     const struct cagd_tree *times;
     int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij} */
     int count;

@@ -21,6 +21,13 @@ static void begin(void)
     field_open(16);
     assert_true(define("B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}"));
     assert_true(define("x, y, P_i, Q_{ij} \\in \\mathbb{R}"));
+    assert_true(define("\\mathbf{a} = (1, 2, 2)"));
+    assert_true(define("\\mathbf{b}(t) = (t, 0, t^2)"));
+    assert_true(define("s, \\mathrm{I} \\in \\text{labels}"));
+    assert_true(define("Z_s(t) = t^2"));
+    assert_true(define("\\dot{Z}_{\\mathrm I}(t) = 5t"));
+    assert_true(define("\\Delta Z_s(t) = Z_s(t+1) - Z_s(t)"));
+    assert_true(define("\\Delta^2 Z_s(t) = \\Delta Z_s(t+1) - \\Delta Z_s(t)"));
 }
 
 static const cagd_tree *read_value(const char *text)
@@ -78,6 +85,13 @@ static void test_values(void **state)
     has_value("\\sum_{k=0}^2 k + 1", 4, 1);
     has_value("\\begin{cases} 1 & x < 0 \\\\ 2 & 0 \\le x < 1, y < 0 \\\\ 3 & \\text{otherwise} \\end{cases}", 2, 1);
     has_value("B_1^3(x)", 2 * 3, 27);
+    has_value("\\|\\mathbf a\\| + |2\\mathbf a| + \\|\\mathbf b(1)\\|^2", 11, 1);
+    has_value("\\mathbf a \\cdot \\mathbf{b}(x) \\|\\mathbf a\\|^2", 14, 1);
+    has_value("(\\mathbf a \\times \\mathbf b(y)) \\cdot \\mathbf b'(1) + (\\mathbf a, \\mathbf b(y), \\mathbf{b}'(1))",
+              140, 1);
+    has_value("[\\mathbf b(y)\\,\\mathbf b'(1)\\;\\mathbf a]", 70, 1);
+    has_value("\\|\\sum_{k=1}^2 k (\\mathbf a - [1,\\frac12,k])\\|^2", 85, 4);
+    has_value("Z_s(3) + \\dot Z_{\\mathrm{I}}(x) + \\Delta Z_s(y) + \\Delta^2Z_s(7)", 9 * 3 + 10 - 21, 3);
     has_value("B_1^3{}'(1/2) + (B_1^3)'(1) + B_1^{3\\prime\\prime}(0)", -3 - 48, 4);
     has_value("\\frac{d^2}{dx^2} x^3", 4, 1);
     has_value("\\int_0^1 B_2^4(x) dx", 1, 5);
