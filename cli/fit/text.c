@@ -143,7 +143,8 @@ static void print_heading(const struct fit *f)
     static const char *const part[] = {"weights", "inner points", "end points"};
     fputs(is_ellipse(f) ? "" : nothing_is_free(f) ? "; nothing is free" : "; free: ", out);
     for (int k = 0, said = 0; k < 3 && !is_ellipse(f); k++)
-        if (k == 0 ? fits_weights(f) : (f->options.free & 1 << k) && !(k == 2 && r->period > 0))
+        if (k == 0 ? fits_weights(f)
+                   : (f->options.free & 1 << k) && !(k == 2 && r->period > 0) && !(k == 1 && c->count == 2))
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", r->period > 0 && k == 1 ? "points" : part[k]);
     if (r->end_points[0] >= 0 && f->options.unordered)
         fprintf(out, "; points %d and %d are measurements of its ends", r->end_points[0] + 1, r->end_points[1] + 1);

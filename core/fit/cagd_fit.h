@@ -398,7 +398,7 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, cagd_fit_runs_of
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
- *              6 times their root mean square along the curve                                                   */
+ * 6 times their root mean square along the curve: one in twenty of them, or one by a tenth of the length                                                   */
 enum {
     CAGD_FIT_EXCURSIONS = 1,
     CAGD_FIT_LOOPS = 2,

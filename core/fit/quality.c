@@ -10,7 +10,7 @@
 
 enum { SIDES = 600, PER_PIECE = 24 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, DEVIATIONS = 6;
+static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6;
 
 typedef struct polygon {
     int corners, dim;
@@ -139,13 +139,15 @@ static cagd_status find_gap(const cagd_fit_result *r, const polygon *p, cagd_fit
 static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_quality *q)
 {
     const double length = p->way[p->corners - 1];
+    double farthest = 0;
     for (int i = 1; i < r->count; i++) {
         double back = way_to(p, r->feet[i - 1]) - way_to(p, r->feet[i]);
         if (r->period > 0 || r->found.ellipse.whole) /* over the seam */
             back = remainder(back, length);
         q->backwards += back > DEVIATIONS * r->rms + length * 1e-9;
+        farthest = fmax(farthest, back);
     }
-    if (q->backwards > 0)
+    if (q->backwards >= MANY * r->count || (q->backwards > 0 && farthest > PART * length))
         q->problems |= CAGD_FIT_BACKWARDS;
 }
 
