@@ -2,7 +2,7 @@
 
 A decision that is asked in a formula, sign_q(x) or hull_membership(d, n, P, x).inside, is the next fact of its kind, in the order in which
 C asks them: && and || from the left, the right side only where it counts; operands of other operators in either order.  The facts that
-a condition asks are the last ones before it, and all of them from some fact on.  A formula with a name of another kind, such as
+a condition asks are the last ones before it.  A formula with a name of another kind, such as
 a variable of the program, is not evaluated here: its facts are checked one by one, and how they combine is in the program."""
 import re
 
@@ -120,12 +120,17 @@ def values(tree, facts, at):
     return found
 
 def outcomes(formula, facts):
-    """What the formula may be on the last of the facts: a set of truth values; None where it has names that are not known here."""
+    """What the formula is on the facts, or where it does not ask so many on as many of the last ones as it does: a set, of two truth values
+    where that depends on the order; None where it has names that are not known here."""
     try:
         tree = Parser(formula).whole()
     except Unknown:
         return None
-    return {x != 0 for k in range(len(facts) + 1) for x, to in values(tree, facts, k) if to == len(facts) and k < len(facts)}
+    for k in range(len(facts)):
+        found = {x != 0 for x, to in values(tree, facts, k) if to == len(facts)}
+        if found:
+            return found
+    return set()
 
 evaluated = [0, 0]  # conditions: by their formula, and all that have one
 def follows(step, facts):

@@ -60,7 +60,7 @@ static void bernstein_coefficients(cagd_basis *b)
         b->degree = degree > b->degree ? degree : b->degree;
     }
     int columns = b->degree + 1;
-    num_f *c = cagd_region_array((size_t)b->count, (size_t)columns, sizeof *c);
+    num_f *c = cagd_region_array(b->count, columns, sizeof *c);
     for (int i = 0; i < b->count && c != NULL; i++) {
         num_f p = mul_f(over_positive_numbers(b->function[i], &b->t), power(add_f(from_int_f(1), t), b->degree));
         for (int j = 0; j < columns; j++)
@@ -148,7 +148,7 @@ static int as_polynomials(const cagd_basis *b, num_f p[], num_f *poles)
 /* W(p_first, ..., p_{first+order-1}) by x, without its power of x. */
 static num_f wronskian(const cagd_basis *b, const num_f p[], int first, int order)
 {
-    num_f x = b->t.variable, *A = cagd_region_array((size_t)order, (size_t)order, sizeof *A);
+    num_f x = b->t.variable, *A = cagd_region_array(order, order, sizeof *A);
     for (int k = 0; k < order && A != NULL; k++) {
         num_f f = p[first + k];
         for (int row = 0; row < order; row++, f = derivative_f(f, x))
@@ -260,7 +260,7 @@ static void find_negative_minor(const cagd_basis *b, int first, int order, num_q
 {
     num_q t = div_q(add_q(b->t.low, mul_q(b->t.high, x)), add_q(from_int_q(1), x));
     num_q h = div_q(sub_q(b->t.high, t), from_int_q(order));
-    num_q *A = cagd_region_array((size_t)order, (size_t)order, sizeof *A);
+    num_q *A = cagd_region_array(order, order, sizeof *A);
     for (int step = 0; step < MOST_STEPS && A != NULL; step++, h = div_q(h, from_int_q(2))) {
         *out = (cagd_negative_minor){.first = first, .order = order, .parameter = parameter};
         for (int row = 0; row < order; row++) {
@@ -296,8 +296,8 @@ void cagd_basis_totally_positive(const cagd_basis *b, double seconds, cagd_found
     double until = now() + seconds;
     num_f p[CAGD_MOST_FUNCTIONS], poles;
     int n = b->count, blocks = n * (n + 1) / 2, count = 0;
-    cagd_constraint *one_of = cagd_region_array((size_t)(2 * blocks + 1), 1, sizeof *one_of);
-    int *first = cagd_region_array((size_t)blocks, 1, sizeof *first);
+    cagd_constraint *one_of = cagd_region_array((2 * blocks + 1), 1, sizeof *one_of);
+    int *first = cagd_region_array(blocks, 1, sizeof *first);
     cagd_cells *c = &out->cells, *weak = region_bytes(sizeof *weak);
     *out = (cagd_found){.cases = blocks, .domain = parameter_of(b), .why = "there is no memory for it"};
     *minor = (cagd_negative_minor){0};

@@ -37,6 +37,14 @@ class Everything(unittest.TestCase):
         self.assertEqual(words.count("wrong"), 0)
         self.assertGreater(words.count("rechecked"), 9 * words.count("cannot recheck this kind"))
 
+    def test_what_cannot_be_rechecked_stands_on_the_front_page(self):
+        r = recheck(WHOLE_RUN / "certificates")
+        cannot = {name for name, _, word in (line.partition(": ") for line in r.stdout.splitlines()) if word.startswith("cannot recheck")}
+        text = pathlib.Path(RECHECK).parents[1].joinpath("README.md").read_text()
+        paragraph = re.search(r"Of (\d+) statements it cannot say more(.*?)\n\n(?!\*)", text, re.S)
+        self.assertEqual(set(re.findall(r"`([a-z0-9-]+:[^`]+)`", paragraph[2])), cannot)
+        self.assertEqual(int(paragraph[1]), len(cannot))
+
     def test_it_can_be_read_in_one_sitting(self):
         files = [pathlib.Path(RECHECK), pathlib.Path(RECHECK).with_name("recheck_format.py")]
         self.assertLessEqual(sum(len(file.read_text().splitlines()) for file in files), 800)
@@ -139,6 +147,7 @@ class Tampered(unittest.TestCase):
                 stack += [] if o in "xcof" else a
         return case["nodes"][max(i for i in needed if case["nodes"][i][0] == op)]
 
+    FORMULA = "cubics_leave_the_plane_and_inflect"
     PROVED, SIGNS, ROOTS = "elevation_keeps_rational_curve", "curve_points_are_convex_combinations", "roots_are_at_most_sign_changes"
     LINES, HULL = "designed_curves_cross_no_more", "curve_points_have_hull_certificates"
     WHOLE, MINORS = "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range"
@@ -244,6 +253,20 @@ class Tampered(unittest.TestCase):
         fact(self.WHOLE, "whole", lambda f: f.update({"is": True}))
         fact(self.DEGREES, "degrees", lambda f: f["is"].__setitem__(0, f["is"][0] + 1))
         fact(self.DEGREES, "degrees", lambda f: f["is"].reverse())
+
+    def test_formulas(self):
+        """A condition is what its formula says of the facts before it."""
+        def formula(name, change):
+            def on_last(c):
+                change(self.last(c["steps"], "formula"))
+            self.tamper(name, on_last)
+        name = self.FORMULA
+        formula(name, lambda s: s.update(formula=f"!({s['formula']})"))
+        formula(name, lambda s: s.pop("formula") and None)
+        formula(name, lambda s: s.update(formula="0"))
+        formula(name, lambda s: s.update(formula=1))
+        formula(name, lambda s: s.update(formula="sturm_count_line(p) > 100"))
+        self.tamper(self.PROVED, lambda c: c["steps"].append({"agree": True, "formula": "1"}))
 
     def test_what_is_bound(self):
         """Certificates that are right in themselves, and are not what the manifest says."""

@@ -233,7 +233,7 @@ static void sizes_that_are_none(void **state)
     fail_at = 0;
     const struct {
         long rows, columns;
-    } none[] = {{-1, 1}, {1, -1}, {(long)INT_MAX + 1, 1}, {INT_MAX, 2}, {1L << 16, 1L << 15}, {LONG_MIN, LONG_MIN}};
+    } none[] = {{-1, 1}, {1, -1}, {-1, 0}, {0, -1}, {(long)INT_MAX + 1, 1}, {INT_MAX, 2}, {1L << 16, 1L << 15}, {LONG_MIN, LONG_MIN}};
     for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
         assert_null(cagd_region_array(none[k].rows, none[k].columns, 8));
         expect_fault(FAULT_MEMORY);

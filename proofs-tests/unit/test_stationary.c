@@ -111,6 +111,39 @@ static void one_unknown_is_enough(void **state)
     }
 }
 
+/* What a fit says of itself: points less the origin, the weight free, on a bound, or on the other one. */
+static void a_fit_is_checked_about_its_origin(void **state)
+{
+    (void)state;
+    for (int bound = -1; bound <= 1; bound++) {
+        circle(1);
+        double value[3] = {0, 65, 65}, there[2 * 3], moved[2 * 2 * PYTHAGOREAN];
+        int at_bound[3] = {bound != 0, 0, 0};
+        for (int m = 0; m < 2 * data.count; m++)
+            moved[m] = points[m] + (m % 2 == 0 ? 1024 : -4096);
+        for (int m = 0; m < 6; m++)
+            there[m] = control[m] + (m % 2 == 0 ? 1024 : -4096);
+        const cagd_fit_data elsewhere = {data.count, 2, moved, NULL};
+        const cagd_fit_options options = {
+            .weight_low = bound < 0 ? 1 : 0.25, .weight_high = bound > 0 ? 1 : 4, .tolerance = 1e-10};
+        const cagd_fit_result result = {.curve = {2, 3, 2, knots, there, weights},
+                                        .origin = {1024, -4096},
+                                        .relative = control,
+                                        .feet = feet,
+                                        .count = data.count,
+                                        .loss_scale = 1,
+                                        .unknowns = 3,
+                                        .rank = 3 - at_bound[0],
+                                        .unknown = unknown,
+                                        .value = value,
+                                        .at_bound = at_bound};
+        cagd_stationary_verdict v = cagd_stationary_check_fit(&elsewhere, &options, &result);
+        assert_true(v.verified && v.dimension == 3 - at_bound[0] && v.point_radius < 0x1p-70);
+        assert_true(v.minimum == (bound == 0)); /* of the circle the multiplier is 0, which is not told from others */
+        assert_int_equal(v.bounds, bound == 0 ? CAGD_STATIONARY_NO_BOUNDS : CAGD_STATIONARY_OPEN);
+    }
+}
+
 /* So far off that the centre has to move first; x, y and the weights are of different sizes. */
 static void a_circle_elsewhere_is_found_from_farther_away(void **state)
 {
@@ -540,6 +573,8 @@ static void how_much_farther_a_foot_may_be(void **state)
     circle(1);
     data.count = 1;
     assert_true(cagd_stationary_nearest(&data, &curve, feet).verified);
+    feet[0] += 0x1p-40; /* farther by about 2^-70 */
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).verified);
     circle(0);
     for (int i = 0; i < data.count; i++)
         points[2 * i] += 0x1p20;
@@ -632,6 +667,7 @@ int main(void)
         cmocka_unit_test(what_is_no_minimum_is_not_called_one),
         cmocka_unit_test(a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius),
         cmocka_unit_test(one_unknown_is_enough),
+        cmocka_unit_test(a_fit_is_checked_about_its_origin),
         cmocka_unit_test(a_circle_elsewhere_is_found_from_farther_away),
         cmocka_unit_test(what_is_not_near_is_refused),
         cmocka_unit_test(wrong_feet_are_refused),
