@@ -386,6 +386,24 @@ static int holds(int sign, cagd_relation relation)
     }
 }
 
+/* Divides the polynomial p by its variables that have a sign, as often as that is possible; the sign of what it was divided by. */
+static int strip_powers(const cagd_context *c, num_f *p)
+{
+    int sign = 1;
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        int low = b->has_low ? cagd_sign_q(b->low) : -1, high = b->has_high ? cagd_sign_q(b->high) : 1;
+        int above = low > 0 || (low == 0 && b->low_open), below = high < 0 || (high == 0 && b->high_open);
+        if (!b->unknown || (!above && !below))
+            continue;
+        while (cagd_degree_f(*p, b->value.f) > 0 && cagd_is_zero_f(cagd_coefficient_f(*p, b->value.f, 0))) {
+            *p = div_f(*p, b->value.f);
+            sign = above ? sign : -sign;
+        }
+    }
+    return sign;
+}
+
 /* The sign of d within the bounds of its variables: -1, 1; -2 where it changes, is 0 somewhere, or is not known. */
 static int sign_in_box(cagd_context *c, cagd_value d)
 {
@@ -393,16 +411,17 @@ static int sign_in_box(cagd_context *c, cagd_value d)
     num_q point[CAGD_MOST_UNKNOWNS];
     int count = 0, rational;
     num_f p = mul_f(cagd_numerator_f(d.f), cagd_denominator_f(d.f));
+    int sign_of_powers = strip_powers(c, &p);
     for (int k = 0; k < c->count; k++) {
         const cagd_binding *b = &c->binding[k];
-        if (b->unknown)
+        if (b->unknown && cagd_degree_f(p, b->value.f) > 0)
             side[count++] =
                 (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
     }
     for (int sign = 1; sign >= -1 && region_faults == 0; sign -= 2)
         if (cagd_positive_in_box(sign > 0 ? p : neg_f(p), 1, count, side, point, &rational) == CAGD_HOLDS) {
             c->used_bounds = 1;
-            return sign;
+            return sign * sign_of_powers;
         }
     return -2;
 }

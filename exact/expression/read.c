@@ -599,9 +599,9 @@ static int begins_factor(const cagd_reader *r)
 }
 
 /* Whether another sum or product over that index comes next: what is summed ends before it. */
-static int is_over(const cagd_reader *r, const char *index)
+static int is_sum(const char *word) { return strcmp(word, "\\sum") == 0 || strcmp(word, "\\prod") == 0; }
+static int is_over(const cagd_token *t, const char *index)
 {
-    const cagd_token *t = r->token;
     return index != NULL && strcmp(t[1].word, "_") == 0 && strcmp(t[2].word, "{") == 0 && strcmp(t[3].word, index) == 0;
 }
 
@@ -613,10 +613,12 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
     list[count++] = factor(r);
     while (list[count - 1] != NULL) {
         const char *sign = cagd_next_is(r, "\\times") ? "\\times" : "*";
+        if (cagd_next_is(r, "/") && is_sum(r->token[1].word) && is_over(r->token + 1, index))
+            break; /* a sum over i by another one */
         int dot = cagd_pass(r, sign), stroke = !dot && cagd_pass(r, "/");
         if (!dot && !stroke && !begins_factor(r))
             break;
-        if ((cagd_next_is(r, "\\sum") || cagd_next_is(r, "\\prod")) && is_over(r, index) && !dot && !stroke)
+        if (is_sum(r->token->word) && is_over(r->token, index) && !dot && !stroke)
             break;
         if (cagd_next_is(r, "\\prod") && inside == CAGD_PRODUCT_OVER)
             return cagd_refuse_token(r, "is the second product inside the first? write brackets");

@@ -6,10 +6,10 @@
 #include <string.h>
 
 /* What changes the letter behind it into another one. */
-static const char *const faces[] = {"\\hat",    "\\bar",      "\\tilde",     "\\dot",         "\\ddot",
-                                    "\\vec",    "\\check",    "\\breve",     "\\mathbf",      "\\mathrm",
-                                    "\\mathit", "\\mathcal",  "\\bm",        "\\boldsymbol",  "\\mathsf",
-                                    "\\mathbb", "\\mathfrak", "\\underline", "\\operatorname"};
+static const char *const faces[] = {"\\hat",    "\\bar",    "\\tilde",    "\\dot",       "\\ddot",
+                                    "\\dddot",  "\\vec",    "\\check",    "\\breve",     "\\mathbf",
+                                    "\\mathrm", "\\mathit", "\\mathcal",  "\\bm",        "\\boldsymbol",
+                                    "\\mathsf", "\\mathbb", "\\mathfrak", "\\underline", "\\operatorname"};
 enum { FACES = sizeof faces / sizeof *faces, MOST_ARGUMENTS = 8, MOST_HEAD = 60 };
 
 static int is_face(const char *word)
@@ -162,6 +162,17 @@ const char *cagd_read_head(cagd_reader *r)
     return letter(r, &p) && p.lower + p.upper == 0 ? p.head : NULL;
 }
 
+/* What stands behind a letter or group. */
+static const cagd_token *behind(const cagd_token *t)
+{
+    int depth = 0;
+    do {
+        depth += (strcmp(t->word, "{") == 0) - (strcmp(t->word, "}") == 0);
+        t += t->kind != CAGD_TOKEN_END;
+    } while (depth > 0 && t->kind != CAGD_TOKEN_END);
+    return t;
+}
+
 /* Whether a lower index follows, perhaps behind a star, primes or what stands above: t and t_i are different names. */
 static int lower_follows(const cagd_token *t)
 {
@@ -169,12 +180,7 @@ static int lower_follows(const cagd_token *t)
         if (strcmp(t->word, "'") == 0) {
             t++;
         } else if (strcmp(t->word, "^") == 0) {
-            int depth = 0;
-            do {
-                t++;
-                depth += (strcmp(t->word, "{") == 0) - (strcmp(t->word, "}") == 0);
-            } while (depth > 0 && t->kind != CAGD_TOKEN_END);
-            t += t->kind != CAGD_TOKEN_END;
+            t = behind(t + 1);
         } else {
             return strcmp(t->word, "_") == 0;
         }
@@ -246,13 +252,25 @@ static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, 
     return (close == NULL || cagd_expect(r, close, "the index")) && cagd_expect(r, "}", "the index");
 }
 
-/* w_i and w_i^{[r]} are different names where w_i was made known without an upper index. */
-static int with_brackets(cagd_reader *r, struct parts *p)
+/* w_i and w_i^{[r]}, or w_i^r(t), are different names where w_i was made known without an upper index. */
+static int with_upper(cagd_reader *r, struct parts *p, const char *upper)
 {
-    const char *with = known_upper(r, p->head) == 0 ? joined(r, "", p->head, "^[]") : p->head;
+    const char *with = known_upper(r, p->head) == 0 ? joined(r, "", p->head, upper) : p->head;
     if (with != NULL && with != p->head && (r->declaring || cagd_is_known(r, with)))
         p->head = with;
     return with != NULL;
+}
+
+/* The star t, which is part of the name; in braces a power may stand behind it: w^{*2}. */
+static int star(cagd_reader *r, struct parts *p, const cagd_token *t, int braces)
+{
+    int lowered = p->head[strlen(p->head) - 1] == '_';
+    const char *without = cagd_text_of(p->head, (int)strlen(p->head) - lowered);
+    p->head = without != NULL ? joined(r, "", without, lowered ? "^*_" : "^*") : NULL;
+    r->token = t + 1;
+    if (braces && !cagd_next_is(r, "}") && p->head != NULL && (p->power = cagd_read_sum(r)) == NULL)
+        return 0;
+    return p->head != NULL && (!braces || cagd_expect(r, "}", "the star"));
 }
 
 /* What follows ^: a star, primes, an index, the order of a derivative, or a power. */
@@ -261,13 +279,8 @@ static int superscript(cagd_reader *r, struct parts *p)
     const cagd_token *t = r->token;
     int braces = strcmp(t->word, "{") == 0;
     t += braces;
-    if (strcmp(t->word, "*") == 0 && (!braces || strcmp(t[1].word, "}") == 0)) {
-        r->token = t + 1 + braces;
-        int lowered = p->head[strlen(p->head) - 1] == '_';
-        const char *without = cagd_text_of(p->head, (int)strlen(p->head) - lowered);
-        p->head = without != NULL ? joined(r, "", without, lowered ? "^*_" : "^*") : NULL;
-        return p->head != NULL;
-    }
+    if (strcmp(t->word, "*") == 0)
+        return star(r, p, t, braces);
     int primes = 0;
     while (strcmp(t[primes].word, "'") == 0 || strcmp(t[primes].word, "\\prime") == 0)
         primes++;
@@ -276,7 +289,9 @@ static int superscript(cagd_reader *r, struct parts *p)
         p->primes += primes;
         return 1;
     }
-    if (braces && strcmp(t->word, "[") == 0 && p->upper == 0 && !with_brackets(r, p))
+    if (braces && strcmp(t->word, "[") == 0 && p->upper == 0 && !with_upper(r, p, "^[]"))
+        return 0;
+    if (p->upper == 0 && strcmp(behind(r->token)->word, "(") == 0 && !with_upper(r, p, "^()"))
         return 0;
     int upper = known_upper(r, p->head), arguments = known_arguments(r, p->head);
     if (p->upper == 0 && (upper > 0 || (r->declaring && upper < 0)))

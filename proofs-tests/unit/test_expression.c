@@ -25,6 +25,9 @@ static void begin(void)
     assert_true(define("\\mathbf{b}(t) = (t, 0, t^2)"));
     assert_true(define("s, \\mathrm{I} \\in \\text{labels}"));
     assert_true(define("Z_s(t) = t^2"));
+    assert_true(define("w_i = 2i"));
+    assert_true(define("w_i^* = 3i"));
+    assert_true(define("w_i^r(t) = 1 + r t^i"));
     assert_true(define("\\dot{Z}_{\\mathrm I}(t) = 5t"));
     assert_true(define("\\Delta Z_s(t) = Z_s(t+1) - Z_s(t)"));
     assert_true(define("\\Delta^2 Z_s(t) = \\Delta Z_s(t+1) - \\Delta Z_s(t)"));
@@ -91,6 +94,9 @@ static void test_values(void **state)
               140, 1);
     has_value("[\\mathbf b(y)\\,\\mathbf b'(1)\\;\\mathbf a]", 70, 1);
     has_value("\\|\\sum_{k=1}^2 k (\\mathbf a - [1,\\frac12,k])\\|^2", 85, 4);
+    has_value("w_1^2 + w_3^2(x) + w_1^{*2}", 394, 27);
+    has_value("\\sum_{k=1}^2 k/\\sum_{k=1}^3 k + \\mathbf{0}", 1, 2);
+    has_value("|-x^2 (1-x)|", 4, 27);
     has_value("Z_s(3) + \\dot Z_{\\mathrm{I}}(x) + \\Delta Z_s(y) + \\Delta^2Z_s(7)", 9 * 3 + 10 - 21, 3);
     has_value("B_1^3{}'(1/2) + (B_1^3)'(1) + B_1^{3\\prime\\prime}(0)", -3 - 48, 4);
     has_value("\\frac{d^2}{dx^2} x^3", 4, 1);
