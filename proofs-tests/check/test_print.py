@@ -15,7 +15,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 WHOLE_RUN = pathlib.Path(sys.argv.pop(1))
-AT_LEAST = 70
+AT_LEAST = 110
 
 
 class Print(unittest.TestCase):
