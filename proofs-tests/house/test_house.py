@@ -131,7 +131,7 @@ class Faults(unittest.TestCase):
             if line.strip() and not line.startswith("#"):
                 file, code, _, reason = (part.strip() for part in line.split(" | ", 3))
                 stands = code in [each.strip() for each in (ROOT / file).read_text().splitlines()]
-            self.assertTrue(stands, f"{file} has no line '{code}'")
+                self.assertTrue(stands, f"{file} has no line '{code}'")
                 self.assertTrue(reason, line)
 
 
