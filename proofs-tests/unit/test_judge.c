@@ -930,6 +930,7 @@ static const claim
     letters = {.name = "letters", .scope = "", .over = "x#: points; h#: shifts; gamma"},
     others = {.name = "others", .scope = "", .over = "x#: nodes; h#: shifts; gamma"},
     shifts = {.name = "shifts", .scope = "simple knots", .over = "x#: points; h#: shifts; gamma", .degree_high = 9},
+    arc = {.name = "arc", .scope = "the stated arc", .over = "w#: weights; t"},
     below = {.name = "below", .scope = "every t below 1", .over = "w#: weights; t"},
     five = {.name = "five", .scope = "", .over = "x#: points; w#: weights; h#: shifts; gamma; t"},
     maps = {.name = "maps", .scope = "all maps", .within = order},
@@ -956,6 +957,7 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(patterns, 1, 3, no_names, no_names),
     RUN_IN_FIELD(maps, 0, 0, no_names, no_names),
     RUN_IN_FIELD(below, 0, 0, one_weight, no_names),
+    RUN_IN_FIELD(arc, 0, 0, one_weight, no_names),
     RUN_IN_FIELD(five, 1, 4, five_names, no_names),
     RUN_IN_FIELD(shifts, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(letters, 1, 9, shift_names, no_names),
@@ -1054,6 +1056,7 @@ static void test_claims_about_different_things_are_apart(void **state)
     assert_finding("n", DECIDED, "n = 1 to 6; each step for its own cases", "", LINKS(BY("weighted"), BY("stated")));
     assert_finding("n", DECIDED, "each step for its own cases", "", LINKS(BY("stated"), BY("inside")));
     assert_finding("n", DECIDED, "the stated curves", "", LINKS(BY("stated")));
+    assert_finding("n", PROVED, "n = 7 to 8; the stated arc; all weights, every t", "", LINKS(BY("arc"), BY("high")));
     assert_finding("n", DECIDED, "n = 2 to 3; the stated polygons", "", LINKS(BY("designed"), BY("stretched")));
     assert_finding("n", DECIDED, "n = 2 to 3; each step for its own cases", "", LINKS(BY("designed"), BY("plain")));
     assert_finding("n", DECIDED, "n = 7; each step for its own cases", "", LINKS(BY("seventh"), BY("high")));
