@@ -112,6 +112,12 @@ static int key_of(cagd_context *c, const cagd_tree *t, const frame *f, char key[
     return used < room;
 }
 
+/* What stands for an angle: the tangent of its quarter. */
+static int key_of_quarter(const char *key, char quarter[], int room)
+{
+    return snprintf(quarter, (size_t)room, "\\tan(%s/4)", key) < room;
+}
+
 /* "(\mathbf{a}_1)_x": of a vector the component that is asked for. */
 static int key_of_component(cagd_context *c, const cagd_tree *t, char key[], int room)
 {
@@ -139,6 +145,9 @@ static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
     const cagd_binding *b = cagd_binding_of(c, key);
     if (b != NULL)
         return b->value;
+    char quarter[120];
+    if (c->angles > 0 && key_of_quarter(key, quarter, sizeof quarter) && cagd_binding_of(c, quarter) != NULL)
+        return fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
     return unknown(c, t, key, cagd_declared(c->scope, t->head));
 }
 
@@ -542,6 +551,80 @@ static cagd_value of_component(cagd_context *c, const cagd_tree *t, const frame 
                                  : cross(c, t->at[0], t->at[1], c->component - 1, f);
 }
 
+/* ---- angles -------------------------------------------------------------------------------------------- */
+
+/* The cosine and the sine of an angle. */
+struct turn {
+    cagd_value cosine, sine;
+};
+
+static struct turn turned(struct turn a, struct turn b)
+{
+    return (struct turn){cagd_value_sub(cagd_value_mul(a.cosine, b.cosine), cagd_value_mul(a.sine, b.sine)),
+                         cagd_value_add(cagd_value_mul(a.sine, b.cosine), cagd_value_mul(a.cosine, b.sine))};
+}
+
+/* Half of the angle of that name: its cosine and sine are rational functions of the tangent of the quarter. */
+static struct turn half_of(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    struct turn none = {cagd_value_int(1), cagd_value_int(0)};
+    char key[96], quarter[120];
+    const cagd_variable *v = cagd_declared(c->scope, t->head);
+    if (!key_of(c, t, f, key, sizeof key) || !key_of_quarter(key, quarter, sizeof quarter))
+        return none;
+    if (v == NULL || v->low != NULL || v->high != NULL || cagd_binding_of(c, key) != NULL) {
+        fail(c, t, FAULT_UNABLE, "an angle that has bounds, or is a number, too");
+        return none;
+    }
+    const cagd_binding *b = cagd_binding_of(c, quarter);
+    cagd_value x = b != NULL ? b->value : unknown(c, t, quarter, NULL);
+    cagd_value square = cagd_value_mul(x, x), one = cagd_value_int(1), below = cagd_value_add(one, square);
+    c->angles++;
+    return (struct turn){cagd_value_div(cagd_value_sub(one, square), below),
+                         cagd_value_div(cagd_value_add(x, x), below)};
+}
+
+/* The angle t, so many times, is added to *sum. */
+static void add_angle(cagd_context *c, const cagd_tree *t, num_q times, const frame *f, struct turn *sum)
+{
+    if (region_faults != 0)
+        return;
+    if (t->kind == CAGD_SUM) {
+        for (int k = 0; k < t->count; k++)
+            add_angle(c, t->at[k], times, f, sum);
+    } else if (t->kind == CAGD_NEGATIVE) {
+        add_angle(c, t->at[0], neg_q(times), f, sum);
+    } else if (t->kind == CAGD_QUOTIENT || (t->kind == CAGD_PRODUCT && t->count == 2)) {
+        int by = t->kind == CAGD_QUOTIENT;
+        cagd_value factor = evaluate(c, t->at[by], f);
+        if (region_faults == 0 && (!factor.rational || (by && cagd_sign_q(factor.q) == 0)))
+            fail(c, t, FAULT_UNABLE, "an angle is a sum of names and of halves of names");
+        else if (region_faults == 0)
+            add_angle(c, t->at[!by], by ? div_q(times, factor.q) : mul_q(times, factor.q), f, sum);
+    } else if (t->kind == CAGD_NAME && cagd_defined(c->scope, t->head) == NULL) {
+        long halves;
+        struct turn half = half_of(c, t, f);
+        if (!cagd_value_is_whole(cagd_value_q(mul_q(times, from_int_q(2))), &halves) || halves > MOST_POWER ||
+            halves < -MOST_POWER) {
+            fail(c, t, FAULT_UNABLE, "an angle is a sum of names and of halves of names");
+            return;
+        }
+        if (halves < 0)
+            half.sine = cagd_value_sub(cagd_value_int(0), half.sine);
+        for (long k = 0; k < (halves < 0 ? -halves : halves); k++)
+            *sum = turned(*sum, half);
+    } else {
+        fail(c, t, FAULT_UNABLE, "an angle is a sum of names and of halves of names");
+    }
+}
+
+static cagd_value circular(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    struct turn sum = {cagd_value_int(1), cagd_value_int(0)};
+    add_angle(c, t->at[0], from_int_q(1), f, &sum);
+    return t->kind == CAGD_COSINE ? sum.cosine : sum.sine;
+}
+
 /* ---- powers and the like ------------------------------------------------------------------------------- */
 
 static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
@@ -790,6 +873,9 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return dot(c, t->at[0], t->at[1], f);
     case CAGD_MIXED:
         return mixed(c, t, f);
+    case CAGD_COSINE:
+    case CAGD_SINE:
+        return circular(c, t, f);
     case CAGD_NORM:
         return root_of(c, t, dot(c, t->at[0], t->at[0], f), 2);
     default:

@@ -39,6 +39,7 @@ typedef struct cagd_context {
     int in_field;    /* names without a value become variables of the field; otherwise they are UNABLE           */
     long steps;      /* what may still be done; UNABLE when it is used up                                        */
     int depth, fresh;
+    int angles;             /* how often the tangent of the quarter of an angle was asked for                        */
     int component;          /* of vectors this one is asked for, from 1; 0: none is                            */
     const char *trouble;    /* why there is no value, in words; NULL while nothing went wrong                 */
     const cagd_tree *where; /* and at which part of the formula                                              */

@@ -478,6 +478,19 @@ static const cagd_tree *cases(cagd_reader *r, int from)
 
 /* ---- factors ------------------------------------------------------------------------------------------- */
 
+/* \sin a, \cos^2 a: the angle is one factor. */
+static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
+{
+    const cagd_tree *power = NULL;
+    if (cagd_pass(r, "^") && (power = cagd_read_argument(r, 1)) == NULL)
+        return NULL;
+    if (power != NULL && power->kind == CAGD_NEGATIVE)
+        return cagd_refuse_tree(r, power, "the inverse function, or 1 over it? write \\frac{1}{...}");
+    const cagd_tree *angle = factor(r);
+    const cagd_tree *t = angle != NULL ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
+    return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
 static const cagd_tree *word(cagd_reader *r)
 {
     int from = r->token->from;
@@ -503,8 +516,10 @@ static const cagd_tree *word(cagd_reader *r)
         return r->token++, bracketed(r, CAGD_CEILING, "\\rceil", from);
     if (strcmp(w, "\\begin") == 0)
         return r->token++, cases(r, from);
-    static const char *const angles[] = {"\\sin", "\\cos", "\\tan", "\\exp", "\\log", "\\ln", NULL};
-    if (is_one_of(w, angles))
+    if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
+        return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
+    static const char *const others[] = {"\\tan", "\\exp", "\\log", "\\ln", NULL};
+    if (is_one_of(w, others))
         return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
     if (strcmp(w, "\\dots") == 0)
         return cagd_refuse_token(r, "what is left out? write it with \\sum or \\prod");
@@ -588,8 +603,8 @@ static const cagd_tree *factor(cagd_reader *r)
 
 static int begins_factor(const cagd_reader *r)
 {
-    static const char *const words[] = {"\\frac", "\\binom", "\\sqrt",   "\\sum",   "\\prod",  "\\int",
-                                        "\\max",  "\\min",   "\\lfloor", "\\lceil", "\\begin", NULL};
+    static const char *const words[] = {"\\sin", "\\cos", "\\frac", "\\binom",  "\\sqrt",  "\\sum",   "\\prod",
+                                        "\\int", "\\max", "\\min",  "\\lfloor", "\\lceil", "\\begin", NULL};
     if (r->integrals > 0 && differential(r, r->token) > 0)
         return 0;
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||

@@ -497,13 +497,16 @@ static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd
         if (sign < 0 || (sign == 0 && strict))
             return CAGD_FAILS;
     }
-    int bounded = 1;
-    for (int k = 0; k < count; k++)
+    int bounded = 1, open = 1;
+    for (int k = 0; k < count; k++) {
         bounded &= side[k].has_low || side[k].has_high;
+        open &= (!side[k].has_low || side[k].low_open) && (!side[k].has_high || side[k].high_open);
+    }
     if (bounded) {
         num_f q = over_positive_numbers(p, count, side);
         int sign = region_faults == 0 ? cagd_coefficients_sign_f(q) : -2, corners = 1;
-        for (int corner = 0; strict && corner < 1 << count; corner++) { /* on every face one coefficient is positive */
+        for (int corner = 0; strict && !open && corner < 1 << count;
+             corner++) { /* on every face one coefficient is positive */
             for (int k = 0; k < count; k++)
                 point[k] = corner >> k & 1 ? (side[k].has_high ? side[k].high : side[k].low)
                                            : (side[k].has_low ? side[k].low : side[k].high);

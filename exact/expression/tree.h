@@ -35,9 +35,11 @@ typedef enum cagd_tree_kind {
     CAGD_CROSS,      /* [a, b], of space */
     CAGD_MIXED,      /* [a, b, c]: (a, b, c) = (a x b) . c */
     CAGD_NORM,       /* [a]: the length of a vector                                                               */
-    CAGD_CASES,      /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
-    CAGD_RELATION,   /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
-    CAGD_ALL         /* [conditions ...]: each of them                                                            */
+    CAGD_COSINE,     /* [a]: of an angle, a sum of names and of halves of names                                  */
+    CAGD_SINE,
+    CAGD_CASES,    /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
+    CAGD_RELATION, /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
+    CAGD_ALL       /* [conditions ...]: each of them                                                            */
 } cagd_tree_kind;
 
 typedef enum cagd_relation {
