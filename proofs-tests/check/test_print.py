@@ -15,7 +15,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 WHOLE_RUN = pathlib.Path(sys.argv.pop(1))
-AT_LEAST = 110
+AT_LEAST = 150
 
 
 class Print(unittest.TestCase):
