@@ -42,8 +42,12 @@ static enum reading_state state_of(const claim_result *c)
 static char *known_of_reading(const statement *s, const claim_result *c)
 {
     char *text = NULL;
-    if (c == NULL)
-        return strdup("not decided");
+    if (c == NULL) {
+        text = strdup("not decided");
+        if (text == NULL)
+            abort();
+        return text;
+    }
     if (state_of(c) == READING_FALSE) {
         if (asprintf(&text, "%s by a counterexample", evidence_name[c->evidence]) < 0)
             abort();
