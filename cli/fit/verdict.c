@@ -1,5 +1,7 @@
 /* verdict.c -- what was chosen for the points and why, and whether the fit is good. */
+#include "chapters/judge/memory_text.h"
 #include "cli/fit/fit.h"
+#include "cli/memory.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -165,8 +167,8 @@ static void add(char *sentence[], int *count, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
-    if (vasprintf(&sentence[*count], format, list) >= 0)
-        ++*count;
+    if (vasprintf(&sentence[(*count)++], format, list) < 0)
+        no_memory();
     va_end(list);
 }
 
@@ -218,12 +220,12 @@ void print_quality(const struct fit *f)
     if (nothing_is_free(f))
         return;
     int count = problems_of(f, sentence);
-    FILE *out = open_memstream(&text, &size);
+    FILE *out = text_open(&text, &size);
     for (int k = 0; k < count; k++) {
         fprintf(out, "; %s", sentence[k]);
         free(sentence[k]);
     }
-    fclose(out);
+    text_close(out, &text);
     if (count == 0)
         say("Fit", "nothing was found against it: no loops or excursions, no gaps, no structure in the distances");
     else

@@ -1,0 +1,101 @@
+"""test_real.py CAGD [FOLDER] -- the defaults of cagd fit on the files of proofs-tests/fit/real and, where it is, of the folder of shared data.
+
+For every file: what a good answer is, and why."""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+SHARED = [HERE.parents[2] / "shared/data", HERE.parents[3] / "shared/data"]
+
+
+def fit(path, *options):
+    r = subprocess.run([CAGD, "fit", path, "--json", "--no-verify", *options], capture_output=True, text=True)
+    assert r.returncode == 0 and r.stderr == "", (path, r.returncode, r.stderr)
+    return json.loads(r.stdout)
+
+
+# file: points; closing; the kind; at most so many control points; rms between; and why
+GOOD = {
+    "naca2412.dat": (61, "corner", "spline", 14, (1e-6, 3e-5), "five decimals leave 0.3e-5; the trailing edge is a corner"),
+    "naca0015-lednicer.dat": (62, "corner", "spline", 16, (1e-7, 5e-6), "six decimals; the nose stands twice; the trailing edge is blunt"),
+    "naca0012-sharp.dat": (61, "corner", "spline", 12, (1e-5, 5e-5), "four decimals leave 2.9e-5; first and last point are one, with a corner"),
+    "cam-traced.csv": (216, "around", "spline", 8, (0.25, 0.5), "corners of pixels scatter by 0.3 to 0.5 of a pixel about the section"),
+    "disc-traced.tsv": (288, "around", "circle", 9, (0.25, 0.5), "a disc of radius 36 pixels about (49.2, 47.2)"),
+    "scan-arc.txt": (61, "open", "conic", 3, (0.01, 0.03), "noise of 0.02 about an arc of 120 degrees"),
+    "pipe-unordered.csv": (90, "around", "circle", 9, (0.005, 0.02), "noise of 0.01 about a circle of radius 8"),
+    "track.gpx": (70, "open", "spline", 8, (1, 3), "errors of 2 m in both coordinates"),
+    "lake.geojson": (60, "repeated", "spline", 16, (1e-6, 1e-5), "five decimals of a degree leave 0.3e-5; the first point is repeated"),
+    "stroke.svg": (40, "open", "spline", 10, (0.005, 0.1), "one decimal leaves 0.03"),
+    "slot.dxf": (48, "repeated", "spline", 16, (1e-4, 2e-2), "a closed polyline, without repeated point"),
+    "coil.json": (100, "open", "spline", 16, (0.002, 0.01), "noise of 0.005 about a helix"),
+}
+OPTIONS = {"pipe-unordered.csv": ["--unordered"]}
+# of others: what today gave nothing usable
+OF_OTHERS = {
+    "ffa-w3-211.dat": (80, "corner", "spline", 20, (3e-6, 5e-5), "five decimals; the trailing edge is open by 0.003, a corner"),
+    "cuba.geojson": (41, "repeated", "spline", 14, (0.05, 0.3), "an outline with corners every half degree"),
+    "newfoundland.csv": (32, "repeated", "spline", 12, (0.1, 0.5), "an outline with corners every half degree"),
+    "roszman1.txt": (25, "open", "conic", 3, (1e-3, 1e-2), "of scales 10^4 apart a conic"),
+}
+
+
+class Real(unittest.TestCase):
+    def answers(self, path, good, options=()):
+        count, closing, kind, most, (low, high), _ = good
+        d = fit(path, *options)
+        e = d["ellipse"]
+        closed = closing in ("repeated", "around")
+        name = (d["choice"]["candidates"] or [{"name": ""}])[0]["name"]
+        self.assertEqual((d["points"]["count"], d["choice"]["points_are"], d["choice"]["closed"]), (count, closing, closed))
+        self.assertTrue(d["at_minimum"])
+        own = len(d["curve"]["points"]) - (d["curve"].get("degree", 0) if closed and not e else 0)
+        self.assertLessEqual(own, most)
+        self.assertTrue(low <= d["distances"]["rms"] <= high, d["distances"]["rms"])
+        self.assertEqual("circle" if e and e["circle"] else "ellipse" if e else "conic" if "conic" in name else "spline", kind)
+        self.assertFalse(d["quality"]["crossings"] > d["quality"]["crossings_of_points"])
+        if not math.isnan(d["length_ratio"] or math.nan):
+            self.assertLess(d["length_ratio"], 1.26)
+        return d
+
+    def test_files_of_our_own(self):
+        for name, good in GOOD.items():
+            with self.subTest(name=name):
+                self.answers(HERE / "real" / name, good, OPTIONS.get(name, ()))
+
+    def test_files_of_others(self):
+        folder = next((f for f in SHARED if f.is_dir()), None)
+        if folder is None:
+            self.skipTest("shared/data is not there")
+        for name, good in OF_OTHERS.items():
+            with self.subTest(name=name):
+                self.answers(folder / name, good)
+
+    def test_known_circles(self):
+        for name, centre, radius, options in (("disc-traced.tsv", (49.2, 47.2), 36, []), ("pipe-unordered.csv", (100.5, 55.25), 8, ["--unordered"])):
+            e = fit(HERE / "real" / name, *options)["ellipse"]
+            for got, true in zip(e["centre"] + [e["radius"]], (*centre, radius)):
+                self.assertLess(abs(got["value"] - true), 4 * got["standard_error"], name)
+
+    def test_thousands_are_refused(self):
+        r = subprocess.run([CAGD, "fit", HERE / "real/thousands.csv"], capture_output=True, text=True)
+        self.assertEqual((r.returncode, r.stdout), (2, ""))
+        self.assertIn("'1,000,250' is not a number", r.stderr)
+
+    def test_the_files_are_those_that_are_made(self):
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder) / "make.py"
+            copy.write_bytes((HERE / "real/make.py").read_bytes())
+            subprocess.run([sys.executable, copy], check=True)
+            made = {p.name: p.read_bytes() for p in pathlib.Path(folder).iterdir() if p.is_file()}
+        self.assertEqual(made, {p.name: p.read_bytes() for p in (HERE / "real").iterdir() if p.is_file()})
+        self.assertLessEqual(10, len(made) - 1)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
