@@ -15,7 +15,7 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 :::{statement} wang-ch3:3.5-implicit
 :title: Theorem 3.4.1 gives the implicit equation of the curve
 :zh: 用定理 3.4.1 将曲线隐式化
-:printed: By theorem 3.4.1 the curve (3.1.5) can be made implicit.
+:printed: By theorem 3.4.1 the curve (3.1.5) can be made implicit and its class be determined.
 :holds-by: implicit_form_is_the_resultant kind_in_any_coordinates
 :needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do
   not lie on a line, as in the frame of (3.1.5).
@@ -23,7 +23,7 @@ The implicit equation of the rational quadratic tells which conic it is, and the
   are positive, so $\omega_1\ne0$.
 
 For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
-degenerate conic.
+degenerate conic, and its class is told by the sign of $AC-B^2$; the next entries do it in special coordinates.
 :::
 */
 

@@ -136,8 +136,9 @@ as $S_1-S_2$, has no $\lambda$.
 :::{statement} wang-ch3:3.1.2
 :title: The pencil through the common points of two conics
 :zh: 过两条二次曲线交点的曲线束
-:printed: $(1-\lambda)S_1(x,y)+\lambda S_2(x,y)=0$ represents the pencil of the conics through the common points of
-  $S_1=0$ and $S_2=0$.
+:printed: With $\lambda$ as the parameter of the family the quadratic implicit equation
+  $(1-\lambda)S_1(x,y)+\lambda S_2(x,y)=(1-\lambda)S_1+\lambda S_2=0$ represents the pencil of the conics through the common points of
+  $S_1(x,y)=0$ and $S_2(x,y)=0$.
 :holds-by: pencil_passes_through_common_points conics_through_four_points_are_a_pencil
 :hypothesis: pencil_misses_its_difference | $\lambda=\infty$ is admitted, that is the ratio $(1-\lambda):\lambda=1:(-1)$;
   otherwise the member $S_1-S_2=0$ is missing.
@@ -376,7 +377,7 @@ CLAIM(common_points_leave_lambda_free)
         fitting += fits;
     }
     found_whole(T, "values of λ that fit", fitting);
-    about(T, "whether one value of λ is left");
+    about(T, "whether only one of the values of λ fits");
     agree(T, fitting == 1);
 }
 #endif
@@ -584,7 +585,7 @@ CLAIM(parallel_lines_meet_in_two_points)
     given_lines(T, l);
     int count = meeting_points(l, P);
     found_points(T, "common points", count, 2, P);
-    about(T, "whether they are four");
+    about(T, "whether the common points are four");
     agree(T, count == 4);
 }
 

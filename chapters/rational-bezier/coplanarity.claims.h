@@ -264,6 +264,9 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
 :printed: Without loss of generality the curve (3.2.2) is in the $xy$-plane.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: plane_form_of_the_curve
+
+A motion takes the plane of the curve to the $xy$-plane.  It is an affine map: the images of the points with the same weights have the image of the curve, and points of
+a plane have images in the image of the plane.
 :::
 
 :::{statement} wang-ch3:prop-3.2.9-step-2

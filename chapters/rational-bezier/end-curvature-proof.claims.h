@@ -261,7 +261,7 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 :zh: t=0 处前三阶导矢用边矢表示（任意 n）
 :given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$; and at the other end
   $\omega_n,\omega_{n-1},\dots$, $R_n$ and $a_n,a_{n-1},a_{n-2}$
-:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights of step 7; $\tilde f_1$, $\tilde g_1$, $\tilde g_2$
+:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights that stand in the entry `wang-ch3:prop-3.2.4-step-7`; $\tilde f_1$, $\tilde g_1$, $\tilde g_2$
   the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
   $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$,

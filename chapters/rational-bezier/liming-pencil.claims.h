@@ -598,7 +598,7 @@ CLAIM(end_points_leave_lambda_free)
         fitting += is_zero_q(value[k]);
     }
     found_points(T, "S(R)", 2, 1, value);
-    about(T, "whether one of the two is left");
+    about(T, "whether only one of the two λ fits");
     agree(T, fitting == 1);
 }
 #endif
@@ -669,7 +669,7 @@ CLAIM(lambda_on_the_border)
         between += sign_q(lambda[k]) > 0 && compare_q(lambda[k], one) < 0;
     }
     found_points(T, "λ at R", 2, 1, lambda);
-    about(T, "whether one of them lies between 0 and 1");
+    about(T, "whether one of the two λ lies between 0 and 1");
     agree(T, between > 0);
 }
 #endif

@@ -170,7 +170,7 @@ CLAIM(ratios_do_not_exist_at_the_ends)
     num w = given(T, "ω_1"), t = given(T, "t"), first = mul(w, t), second = mul(w, sub(from_int(1), t));
     found(T, "denominator of g_1", first);
     found(T, "denominator of g_2", second);
-    about(T, "whether both are different from 0");
+    about(T, "whether both denominators are different from 0");
     refute(T, is_zero_q(first) || is_zero_q(second));
 }
 
@@ -195,7 +195,7 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
     G(ratios_at)(w, given(T, "t"), 0, g);
     found_points(T, "(g_1, g_2)", 1, 2, g);
     found(T, "g_1 g_2", mul(g[0], g[1]));
-    about(T, "whether both are positive");
+    about(T, "whether both ratios are positive");
     agree(T, sign_q(g[0]) > 0 && sign_q(g[1]) > 0);
 }
 #endif

@@ -693,15 +693,13 @@ CLAIM(invariants_survive_fractional_change)
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set, without the two hypotheses; the example is
   a regular arc of a parabola written as a cubic
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
-  linear change of the parameter | Two parametrizations of degree $n$ of one arc in the same direction, proper and
-  without a common factor, so differ by (3.2.10), and their points and weights by the claims.
+  linear change of the parameter | It is used for two parametrizations of degree $n$ of one arc.
+:argued: | With the two hypotheses two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
+  projective change of the parameter, which maps the unit interval onto itself, hence is (3.2.10); without a common factor the homogeneous
+  coordinates are then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.
 :figure: same_parabola_two_sets
 
-With the two hypotheses: two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
-projective change of the parameter (a proper one is birational, so that the change is birational from line to line),
-which maps the unit interval onto itself, hence is (3.2.10); without a common factor the homogeneous coordinates are
-then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.  This holds
-in every degree.  Run backwards, a curve has $I_{n-i}$ for $I_i$: without a direction the point set has its invariants up to this order.
+Run backwards, a curve has $I_{n-i}$ for $I_i$: without a direction the point set has its invariants up to this order.
 :::
 */
 

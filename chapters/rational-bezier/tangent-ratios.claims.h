@@ -123,7 +123,7 @@ CLAIM(upright_tangent_has_no_slope)
 {
     struct member_at_point m = given_member(T, -1);
     found_gradient(T, m);
-    about(T, "whether the second component is not 0");
+    about(T, "whether the second component of the gradient is not 0");
     refute(T, m.on_curve && is_zero_q(m.gradient[1]));
 }
 #endif

@@ -181,7 +181,7 @@ CLAIM(end_on_the_line_is_no_interior_root)
     int roots = count_roots(g, from_int(0), from_int(1), OPEN).distinct;
     found_whole(T, "common points", points);
     found_whole(T, "roots in (0,1)", roots);
-    about(T, "no more intersections than roots");
+    about(T, "there are no more intersections than roots");
     agree(T, points <= roots);
 }
 #endif
@@ -355,7 +355,7 @@ CLAIM(roots_must_be_counted_up_to_one)
     found(T, "t of the crossing", crossing);
     found(T, "y at this t", poly_value(g, crossing));
     found_whole(T, "roots of the numerator in (0,l)", roots);
-    about(T, "no more crossings than roots");
+    about(T, "there are no more crossings than roots");
     agree(T, curve.crossings <= roots);
 }
 
@@ -438,7 +438,7 @@ CLAIM(curve_inside_the_line_has_too_many_roots)
     signs_of(2, y, sign);
     found_whole(T, "roots among the parameters t", roots);
     found_whole(T, "V", sign_changes(2, sign));
-    about(T, "no more roots than changes of sign");
+    about(T, "there are no more roots than changes of sign");
     agree(T, roots <= sign_changes(2, sign));
 }
 
@@ -519,7 +519,7 @@ CLAIM(mixed_weights_change_sign_changes)
     found_points(T, "C(n,i) ω_i y_i", n + 1, 1, product);
     found_whole(T, "V of the products", after);
     found_whole(T, "V of y", before);
-    about(T, "the changes of sign are as many");
+    about(T, "the changes of sign are as many as those of y");
     agree(T, after == before);
 }
 
@@ -597,7 +597,7 @@ CLAIM(touching_polygon_has_no_sign_change)
     int points = fault(T, polygon.crossings, polygon.common_runs);
     found_whole(T, "common points", points);
     found_whole(T, "V", sign_changes(3, sign));
-    about(T, "as many intersections as changes of sign");
+    about(T, "there are as many intersections as changes of sign");
     agree(T, points == sign_changes(3, sign));
 }
 #endif

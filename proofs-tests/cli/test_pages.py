@@ -116,7 +116,7 @@ class Words(unittest.TestCase):
 
     def test_what_fails_is_said_as_a_condition(self):
         page = show("wang-ch3:3.1.2-line-pairs")
-        self.assertIn("    What fails: they are four.\n", page)
+        self.assertIn("    What fails: the common points are four.\n", page)
         self.assertIn("    Without it: only two of the four points exist\n", page)
 
     def test_of_one_reading_no_number_is_said(self):
