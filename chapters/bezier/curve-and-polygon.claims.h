@@ -33,15 +33,44 @@ The degree is at most $n$: see the next entry.
 :title: The curve of n+1 points has degree n
 :zh: 曲线的次数
 :printed: what $n+1$ points determine is a Bézier curve of degree $n$
-:holds-by: differences_give_every_derivative
-:confirmed-by: bernstein_to_power_keeps_polynomial
+:holds-by: bernstein_derivative derivatives_go_down_through_the_differences
+:confirmed-by: differences_give_every_derivative bernstein_to_power_keeps_polynomial
 :hypothesis: equally_spaced_points_make_a_line | the $n$-th difference of the points is not 0; otherwise the degree is
   lower, and $n$ is that of the Bernstein polynomials in which the curve is written
 :figure: degrees_one_to_three
 
 The $n$-th derivative is $n!$ times the $n$-th difference of the points.
 :::
+
+:::{claim} derivatives_go_down_through_the_differences
+:title: Each derivative is the sum of the next differences, in every degree and order
+:zh: 各阶导矢由各阶差分给出(任意次数与阶数)
+:given: integers $0\le r<n$, $m=n-r$, any numbers $p_0,p_1,\dots$, one coordinate of the differences $\Delta^rP_0,\Delta^rP_1,\dots$, and
+  $\beta_i=B_i^{m-1}(t)$, any numbers, $\beta_{-1}=0$; $N=n!$ and $g=(m-1)!$, any numbers, so that $m!=mg$; the sum
+  $E=\sum_{i<k}\beta_i(p_{i+1}-p_i)$ of some terms
+:then: $\frac N{mg}\sum_{i\le k}m(\beta_{i-1}-\beta_i)p_i=\frac Ng(E-\beta_kp_k)$ for one more term, if it is so for the terms before; so with
+  $\beta_m=0$ the derivative of $\frac{n!}{(n-r)!}\sum_iB_i^{n-r}(t)\Delta^rP_i$ is
+  $\frac{n!}{(n-r-1)!}\sum_iB_i^{n-r-1}(t)\Delta^{r+1}P_i$
+:method: One step in the number of terms, everything a variable; then induction over the terms.  That $m(\beta_{i-1}-\beta_i)$ is the derivative of
+  $B_i^m$ is `bernstein_derivative`.  For $r=0$ the sum is the curve, so by induction over $r$ every derivative is such a sum: the $n$-th is
+  $n!\,\Delta^nP_0$, and at the ends, where one of the functions is 1 and the others are 0, the $r$-th is $\frac{n!}{(n-r)!}\Delta^rP_0$ and
+  $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$.
+:degrees: all
+:over: m N g: -; E# b# c#: functions; P# Q#: points
+:control: the factor $m$ of the derivative left out
+:::
 */
+CLAIM(derivatives_go_down_through_the_differences)
+{
+    num m = whole(T, "m", 1, 8), N = positive(T, "N", 0), g = positive(T, "g", 0), E = unknown(T, "E", 0);
+    num p = unknown(T, "P", 0), q = unknown(T, "Q", 0);   /* p_k, p_{k+1} */
+    num b = unknown(T, "b", 0), c = unknown(T, "c", 0);   /* beta_k, beta_{k+1} */
+    num so_far = mul(div(N, g), sub(E, mul(b, p)));       /* the terms up to k */
+    num slope = mul(fault(T, m, from_int(1)), sub(b, c)); /* the derivative of the function k+1 */
+    num added = mul(div(N, mul(m, g)), mul(slope, q));
+    num edges = sub(add(E, mul(b, sub(q, p))), mul(c, q));
+    same(T, add(so_far, added), mul(div(N, g), edges));
+}
 
 #if RATIONAL
 /*
@@ -81,8 +110,10 @@ CLAIM(equally_spaced_points_make_a_line)
 :::{statement} slides-ch4:4-conventions
 :title: The powers with exponent 0, and the factorial of 0
 :zh: 0! 与 0^0 约定为 1
-:printed: $0!$ and $0^0$, where they occur, are 1
-:holds-by: bernstein_at_ends
+:printed: $0!$ and $0^0$, where they occur, are by convention 1
+:definition: yes
+:checked-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:confirmed-by: bernstein_at_ends
 :needs: zero_power_zero_takes_away_the_end | the line itself, with $0^0=1$ | with $0^0=0$ the curve would not begin in
   $P_0$
 
@@ -201,7 +232,7 @@ formula beside the words has another index, and the claim below needs three poin
 :::{statement} slides-ch4:4-ends
 :title: The curve begins and ends with the polygon
 :zh: 曲线过首末控制顶点
-:printed: $P(0)=P_0$; the curve passes through the first point of the sequence and the last
+:printed: $P(0)=P_0$; the curve passes through the starting point and the end point of the given sequence of points
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: end_derivatives_are_end_differences
 :figure: edges_and_end_tangents
@@ -553,20 +584,51 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:needs: bernstein_alternates_outside | the definition of the curve, $0\le t\le1$ | $0\le t\le1$
+:needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bernstein_basis
 
-At most 1 because the others are not negative.
+At most 1 because the others are not negative.  Outside the interval the signs alternate: `bernstein_alternates_outside`.
 :::
+*/
+
+#if RATIONAL
+/*
+:::{claim} function_is_negative_outside_the_interval
+:title: Outside the unit interval a function is negative and another greater than 1
+:zh: 区间之外基函数为负或大于 1
+:kind: counterexample
+:data: n = 1; t = 2
+:instead: t = 1/2
+:result: B = -1 2
+:given: the functions $B$ of degree $n$ at the parameter $t$
+:then: the first is negative, the other greater than 1
+:method: The values by the kernel; that each is between 0 and 1 is refuted.
+:control: a parameter inside the interval
+:::
+*/
+CLAIM(function_is_negative_outside_the_interval)
+{
+    num B[2];
+    G(bernstein_basis)(given_whole(T, "n"), given(T, "t"), B);
+    found_points(T, "B", 2, 1, B);
+    about(T, "whether the first is not negative, or the second at most 1");
+    refute(T, sign_q(B[0]) < 0 && sign_q(sub(B[1], from_int(1))) > 0);
+}
+#endif
+
+/*
 
 :::{statement} slides-ch4:4-hull
 :title: The curve is in the hull of its points
 :zh: 凸包性
-:printed: the points of the curve belong to the convex hull of $P_0,\dots,P_n$
+:printed: the convex hull property of the curve (曲线的凸包性, the heading above the set $M$ and the two properties of the functions)
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: curve_leaves_hull_outside_the_interval | the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bezier_hull
+
+No sentence says what the property is.  The set and the properties of the functions that are printed below the heading leave one meaning: the
+points of the curve belong to $M$, the numbers $\lambda_i$ being the values of the functions.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -35,14 +35,17 @@ enum { MOST_PLACES = 80 };
   R[0] is the value of the curve.
 :hypothesis: difference_loses_the_last_point | exact arithmetic: in binary64 the result at $t=1$ need not be the last point
 :figure: last_point_lost
+
+In the text at hand the line that fills R and the head of the outer loop are one fragment, `for(i=0;i0;m-)`, so that "R becomes P" and "from n down"
+are not to be read there; what the rest of the function needs determines them.
 :::
 
 :::{statement} slides-ch4:4-program-step
 :title: Each step goes from curves of degree n-1 to one of degree n
 :zh: 程序注释:n 次曲线由两条 n-1 次曲线线性组合
 :printed: the value of a curve of degree $n$ at $t$ is found by a linear combination of the values of two curves of degree $n-1$ at $t$
-:holds-by: bernstein_recurrence program_computes_the_curve
-:confirmed-by: curve_blends_two_curves_of_one_point_less
+:holds-by: bernstein_recurrence
+:confirmed-by: curve_blends_two_curves_of_one_point_less program_computes_the_curve
 :figure: two_curves_of_one_point_less
 :::
 */
@@ -186,9 +189,10 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :confirmed-by: program_ends_at_one_in_exact_arithmetic
 :hypothesis: sum_of_steps_misses_one | exact arithmetic: in binary64 the last parameter need not be 1
 :hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
-:reading: sum_of_steps_is_seldom_one | in binary64: true for 12 of the numbers of steps up to 64
 :figure: last_parameter
 :striking: 46
+
+In binary64 few numbers of steps end at 1: `sum_of_steps_is_seldom_one`.
 :::
 
 :::{statement} slides-ch4:4-program-all-points
@@ -199,8 +203,9 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :argued: every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
   that knows nothing of the others.
 :hypothesis: last_point_of_the_example_is_missed | exact arithmetic: in binary64 the last of them need not be the end of the curve
-:reading: corrected_program_ends_at_the_last_point | in binary64 with $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$: the ends are exact
 :figure: last_parameter
+
+With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the ends are exact in binary64, too: `corrected_program_ends_at_the_last_point`.
 :::
 */
 
@@ -267,10 +272,12 @@ CLAIM(equal_steps_reach_every_part)
 :::{claim} program_ends_at_one_in_exact_arithmetic
 :title: In exact arithmetic the points are those of equal steps, from the first point to the last
 :zh: 精确运算下离散点的参数为 i/N
-:given: a cubic with any points of a line, $N$ steps
-:then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_3$
-:method: The program as printed, against the definition at $\frac iN$, one case for each $N$.
+:given: a curve of any degree $n$ up to the number $D$, with any points of a line, $N$ steps
+:then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_n$
+:method: The program as printed, against the definition at $\frac iN$, one case for each $N$ and $n$.
 :degrees: npoints = 1..6 sampled 12
+:data: D = 5
+:scope: n = 0 to 5
 :over: x#: points
 :control: the first step taken before the first point
 :::
@@ -280,19 +287,22 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
     int steps = T->degree;
     struct G(program) run = {.round = G(unrounded), .early = fault(T, 0, 1)};
     struct G(array) P, points;
-    num b[4];
-    G(free_points)(T, 3, 1, b);
-    G(given_array)(&run, 4, b, &P);
-    G(given_array)(&run, steps + 1, NULL, &points);
-    about(T, "the last parameter");
-    same(T, G(bez_to_points)(&run, 3, steps, &P, &points), from_int(1));
-    for (int i = 0; i <= steps; i++) {
-        about(T, "a point");
-        same(T, G(get)(&points, i), G(curve)(3, 1, b, 0, from_ratio(i, steps)));
+    int largest = given_whole(T, "D");
+    for (int n = 0; n <= largest; n++) {
+        num b[MAX_DEGREE + 1];
+        G(free_points)(T, n, 1, b);
+        G(given_array)(&run, n + 1, b, &P);
+        G(given_array)(&run, steps + 1, NULL, &points);
+        about(T, "the last parameter");
+        same(T, G(bez_to_points)(&run, n, steps, &P, &points), from_int(1));
+        for (int i = 0; i <= steps; i++) {
+            about(T, "a point");
+            same(T, G(get)(&points, i), G(curve)(n, 1, b, 0, from_ratio(i, steps)));
+        }
+        about(T, "the ends");
+        same(T, G(get)(&points, 0), b[0]);
+        same(T, G(get)(&points, steps), b[n]);
     }
-    about(T, "the ends");
-    same(T, G(get)(&points, 0), b[0]);
-    same(T, G(get)(&points, steps), b[3]);
 }
 
 /*

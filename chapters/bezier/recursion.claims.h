@@ -17,13 +17,14 @@ enum { dim = 2 };
 :::{statement} slides-ch4:4-polyline
 :title: With more points the polyline comes as near to the curve as one likes
 :zh: 折线逼近曲线
-:printed: Enough values of $t$ are chosen, and the points of the curve joined by segments; with more points the polyline and the curve
-  can come arbitrarily near to each other.
-:holds-by: second_differences_of_a_piece polygon_and_curve_are_near_the_chord
+:printed: To draw the curve by its definition, enough values of $t$ are chosen, and the points of the curve joined by segments; with more points
+  the polyline and the curve can come arbitrarily near to each other.
+:holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord
+:confirmed-by: second_differences_of_a_piece
 :argued: | The distance of a piece from its chord is at most a number that does not depend on the piece times the square of
   the step, and so tends to 0 with the step.
 :meant: the word "can" (可以) | More and more points can be chosen so that the polyline comes near: with steps that tend to 0.
-:reading: second_differences_of_a_piece | they can be so chosen
+:reading: differences_over_a_part_are_means | they can be so chosen
 :reading: many_points_may_crowd | however they are chosen: false, many points are not enough
 :figure: crowded_points
 
@@ -238,8 +239,8 @@ CLAIM(binomials_add_up)
 :zh: 证明各行中同一控制顶点的系数相同
 :given: integers $1\le i\le n-1$, any $t$
 :let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$; $U=(1-t)^{n-1-i}$, $V=t^{i-1}$
-:then: the coefficient of $P_i$ is $(1-t)\binom{n-1}it^i(1-t)^{n-1-i}+t\binom{n-1}{i-1}t^{i-1}(1-t)^{n-i}$ in the first two lines,
-  $\bigl(\binom{n-1}i+\binom{n-1}{i-1}\bigr)t^i(1-t)^{n-i}$ in the next, $\binom nit^i(1-t)^{n-i}$ in the last, and these are one
+:then: the coefficient of $P_i$ is $(1-t)\binom{n-1}it^i(1-t)^{n-1-i}+t\binom{n-1}{i-1}t^{i-1}(1-t)^{n-i}$ in the last two expressions of the chain,
+  $\bigl(\binom{n-1}i+\binom{n-1}{i-1}\bigr)t^i(1-t)^{n-i}$ in the two before them, $\binom nit^i(1-t)^{n-i}$ in the first, and these are one
 :method: With $i$, $n-i$, $t$, $c$, $U$, $V$ variables.  The first and the last point have the coefficients $(1-t)^n$ and $t^n$ in every line.
 :degrees: all from 2
 :over: i n_minus_i c: i; t U V: t
@@ -252,9 +253,9 @@ CLAIM(each_point_has_one_coefficient_in_every_line)
     num c = parameter(T, "c"), U = parameter(T, "U"), V = parameter(T, "V"), C = mul(c, div(rest, i));
     num near = mul(s, mul(C, mul(mul(t, V), U))), far = mul(t, mul(c, mul(fault(T, V, mul(t, V)), mul(s, U))));
     num powers = mul(mul(t, V), mul(s, U)); /* t^i (1-t)^{n-i} */
-    about(T, "the first two lines and the next");
+    about(T, "the last two expressions and those before");
     same(T, add(near, far), mul(add(C, c), powers));
-    about(T, "the next line and the last");
+    about(T, "the middle of the chain and its beginning");
     same(T, mul(add(C, c), powers), mul(mul(c, div(add(i, rest), i)), powers));
 }
 
@@ -262,14 +263,15 @@ CLAIM(each_point_has_one_coefficient_in_every_line)
 :::{statement} slides-ch4:4-recursion-proof
 :title: The proof of the recursion
 :zh: 递推关系的证明
-:printed: the right side is $(1-t)\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i+t\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_{i+1}$
-  $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$
-  $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n=\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$, the left side
+:printed: the left side is $\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$
+  $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n$
+  $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$ $=\dots$
+  $=(1-t)\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i+t\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_{i+1}$, the right side
 :holds-by: each_point_has_one_coefficient_in_every_line binomials_add_up
 :confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less
 
-Between the first two of these lines stands another, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
+Where the dots are stands another line, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
 :::
 
 :::{claim} proof_of_the_recursion_line_by_line
@@ -280,7 +282,7 @@ Between the first two of these lines stands another, which is the next entry.  F
 :method: Each expression as printed, against the definition, everything a variable.
 :degrees: 1..6 sampled 10
 :over: x#: points
-:control: $t^i$ in the place of $t^{i-1}$ in the second sum of the second line; for $n=1$, where there is none, the last point left out
+:control: $t^i$ in the place of $t^{i-1}$ in the second sum of the line with brackets; for $n=1$, where there is none, the last point left out
 :::
 */
 CLAIM(proof_of_the_recursion_line_by_line)
@@ -305,14 +307,14 @@ CLAIM(proof_of_the_recursion_line_by_line)
     }
     num last = fault(T, P[n], n == 1 ? zero : P[n]), left = G(curve)(n, 1, P, 0, t);
     num first_power = mul(G(power)(s, n), P[0]), last_power = mul(G(power)(t, n), P[n]);
-    about(T, "the first line"); /* (1-t) P_{0,n-1} + t P_{1,n} */
+    about(T, "the right side"); /* (1-t) P_{0,n-1} + t P_{1,n} */
     same(T, add(mul(s, near), mul(t, far)), left);
-    about(T, "the second line");
+    about(T, "the line with brackets");
     num second = mul(s, add(mul(G(power)(s, n - 1), P[0]), low));
     same(T, add(second, mul(t, add(high, mul(G(power)(t, n - 1), last)))), left);
-    about(T, "the third line");
+    about(T, "the line with two sums");
     same(T, add(add(first_power, both[0]), add(both[1], last_power)), left);
-    about(T, "the fourth line");
+    about(T, "the line with one sum");
     same(T, add(add(first_power, joined), last_power), left);
     num sum = zero;
     for (int i = 0; i <= n; i++)
@@ -326,10 +328,10 @@ Whoever checks such a line by eye counts exponents: in every term of degree $n$ 
 a bracket that is multiplied by $t$ or by $1-t$ the sum $n-1$.
 
 :::{statement} slides-ch4:4-recursion-proof-line-2
-:title: The second line of the proof
-:zh: 证明的第二行
-:printed: the right side is
-  $(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i}P_i+t^{n-1}P_n\Bigr)$
+:title: The line of the proof in which 1-t and t stand before brackets
+:zh: 证明中提取公因子的一行
+:printed: the line before the last of the chain:
+  $\dots=(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i}P_i+t^{n-1}P_n\Bigr)$
 :holds-by: each_point_has_one_coefficient_in_every_line
 :confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less

@@ -20,7 +20,7 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :::{statement} slides-ch4:4-joint-position
 :title: The cubics meet
 :zh: 位置连续条件
-:printed: $P_3=Q_0$ makes the two curves continuous at the joint.
+:printed: Obviously the condition for the Bézier curves of the polygons $P_0P_1P_2P_3$ and $Q_0Q_1Q_2Q_3$ to be continuous at the joint is $P_3=Q_0$.
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
@@ -39,7 +39,7 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :::{statement} slides-ch4:4-joint-g1
 :title: G1 by proportional derivatives
 :zh: G1 连续要求导矢成比例
-:printed: $G^1$ at the joint requires $Q_0'=aP_3'$, where $a$ should be positive.
+:printed: $G^1$ at the joint, that is, geometric continuity of the first derivative, requires $Q_0'=aP_3'$, where $a$ should be a positive number.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
@@ -259,18 +259,15 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :::{statement} slides-ch4:4-joint-c2
 :title: C2 by equal second derivatives
 :zh: C2 连续条件
-:printed: For $C^2$ at the joint, continuity of the second derivative by the parameter, $P''(1)=Q''(0)$ is required, that is
+:printed: The condition for $C^2$ at the joint, that is, for continuity of the second derivative by the parameter: $P''(1)=Q''(0)$ is required, that is
   $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
 :holds-by: three_points_make_c2
 :hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
-:reading: equal_second_derivatives_with_unequal_first | with the condition for $G^1$ alone: for $a\ne1$ not $C^2$, and not $G^2$ either
-:reading: printed_condition_divides_the_curvature | what it does to the curvature at such a joint: the curvature is divided by $a^2$
-:meant: the slides before it, which come from $G^1$ with any $a>0$ | The first: the printed condition is added to that
-  for $G^1$.
 :figure: second_derivatives_alone
 :striking: 45
 
-Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
+Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.  With the condition for $G^1$ alone, $a\ne1$, the curve is neither $C^2$ nor
+$G^2$: the condition divides the curvature by $a^2$, `printed_condition_divides_the_curvature`.
 :::
 
 :::{claim} three_points_make_c2

@@ -185,7 +185,8 @@ To first order, which is what the approximation means.  What the second order do
 :then: at $a=0$ the rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the printed step,
   $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
 :method: The matrix as a rational function of $a$, differentiated in the field; chain rule.
-:over: a: angle but π
+:scope: Δθ → 0
+:over: a: -
 :control: the derivative with respect to $a$ taken for that with respect to $\Delta\theta$
 :::
 */
@@ -212,7 +213,8 @@ says nothing about it.
 :::{statement} hu-1987:1-3-5
 :title: The simplified step (1-3-4) and its matrix
 :zh: 简化递推的矩阵形式
-:printed: $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$ is
+:printed: If $\Delta\theta=\varepsilon=2^{-m}$, $m$ a positive whole number, then $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$ (1-3-4), in
+  matrices (1-3-5)
   $[x_{n+1}\;y_{n+1}]=[x_n\;y_n]\begin{bmatrix}1&\varepsilon\\-\varepsilon&1\end{bmatrix}$.
 :holds-by: small_step_matrix_is_the_recursion
 :figure: three_generators

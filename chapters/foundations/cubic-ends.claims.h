@@ -293,17 +293,21 @@ and the second curve can be the first one, turned over.
 :zh: 切矢大小不同则形状不同
 :printed: If two curves have the same position vectors at the beginning and at the end, and the same directions of the tangent
   vectors, but different lengths of these, the shapes of the two curves are different.
-:holds-by: other_lengths_give_another_cubic congruent_cubics_have_these_lengths
+:holds-by: cubic_run_backward_exchanges_the_ends congruent_cubics_have_these_lengths
+:confirmed-by: other_lengths_give_another_cubic
+:argued: | A cubic that is no line is run through once, since 3 and 2 are no products of smaller degrees but with 1.  Two with one arc so are
+  $P_2(t)=P_1(\phi(t))$ with a fractional linear $\phi$, and polynomials leave only $\phi(t)=t$ and $\phi(t)=1-t$, which take ends to ends.  The first makes
+  the lengths equal.  By the second $Q_0=Q_1$, and each tangent is opposite to that of the other end of the first curve, so that one direction at each end makes all
+  parallel.  A motion keeps the lengths, or exchanges the ends.
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | The two cubics, each run once, so correspond to each other.
 :hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve
   can be one segment for many lengths.
 :hypothesis: exchanged_lengths_turn_the_cubic | The lengths of one curve are not those of the other with the two ends exchanged, if curves
   that can be moved onto each other have one shape, as in section 1-2: such a curve can be the first one, turned, or a mirror image.
-:reading: other_lengths_give_another_cubic | the shape is the set of the points: true with the first hypothesis alone
-:reading: exchanged_lengths_turn_the_cubic | the shape is what rotations and translations keep: false with the first hypothesis alone,
-  true with both
-:meant: section 1-2, in which a shape does not change when it is moved | The second: curves that can be moved onto
-  each other have one shape.
 :figure: exchanged_lengths
+
+If the shape is the set of the points, where it is, the first hypothesis is enough.
 :::
 
 :::{claim} other_lengths_give_another_cubic
@@ -355,6 +359,33 @@ CLAIM(other_lengths_give_another_cubic)
 #endif
 
 /*
+:::{claim} cubic_run_backward_exchanges_the_ends
+:title: Run backward, a cubic has its ends exchanged, and its tangents exchanged and opposite
+:zh: 反向的三次曲线
+:given: any cubic in space, $W(t)=P(1-t)$
+:then: $W(0)=P(1)$, $W(1)=P(0)$, $W'(0)=-P'(1)$, $W'(1)=-P'(0)$
+:method: The coefficients of $W$ by the kernel; values and derivatives by the definition, everything a variable.
+:over: x# y# z#: coefficients
+:control: the tangents not opposite
+:::
+*/
+CLAIM(cubic_run_backward_exchanges_the_ends)
+{
+    num c[4 * space], back[4 * space];
+    G(free_points)(T, 3, space, c);
+    G(power_on_interval)(3, space, c, from_int(1), from_int(0), back);
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < space; j++) {
+            num here = from_int(end), there = from_int(1 - end),
+                slope = G(power_sum_derivative)(3, space, c, j, 1, there);
+            about(T, "the ends");
+            same(T, G(power_sum)(3, space, back, j, here), G(power_sum)(3, space, c, j, there));
+            about(T, "the tangents");
+            same(T, G(power_sum_derivative)(3, space, back, j, 1, here), fault(T, neg(slope), slope));
+        }
+}
+
+/*
 :::{claim} congruent_cubics_have_these_lengths
 :title: A cubic that is moved, or moved and run backward, has the same lengths, or the same with the ends exchanged
 :zh: 合同的三次曲线切矢长度相同或两端互换
@@ -363,6 +394,7 @@ CLAIM(other_lengths_give_another_cubic)
   Q_1|$, $|\dot Q_0|$
 :method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes
   one to the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
+:scope: plane cubics
 :over: x# y#: coefficients; a: angle but π; m#: translations
 :control: the lengths of $P(1-t)$ not exchanged
 :::
@@ -489,11 +521,48 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :::{statement} hu-1987:1-4-lengths-matter
 :title: Directions and lengths of the tangents have influence on the shape
 :zh: 切矢的方向与大小均影响形状
-:printed: Not only the direction of a tangent vector, its length, too, influences the shape of the curve.
-:holds-by: each_form_occurs
-:example: curves that differ in these lengths alone have different forms.
+:printed: Not only the direction of a tangent vector, its length, too: both influence the shape of the curve.
+:holds-by: each_form_occurs other_directions_give_another_form
+:example: an influence is said, and curves that differ in the lengths alone, and two that differ in a direction alone, show it.
 :figure: lengths_of_the_tangents
 :::
 */
+
+#if RATIONAL
+/*
+:::{claim} other_directions_give_another_form
+:title: With the same ends and lengths another direction makes an S of an arch
+:zh: 端点与切矢长度相同而方向不同
+:kind: decision
+:given: the ends $Q$ on the $x$-axis; the tangents $V$ and $U$, with the same lengths, the last one turned
+:data: Q = (0,0) (3,0); V = (3,3) (3,-3); U = (3,3) (3,3); t = 1/4 3/4
+:instead: U = (3,3) (3,-3)
+:then: the first curve is above its chord for $0<t<1$; the second one is above it at the first $t$ and below it at the second
+:result: y of the second = 9/32 -9/32
+:method: The squares of the lengths; the sign of $y$ on $(0,1)$ by root counts, and its values.
+:control: the same tangents
+:::
+*/
+CLAIM(other_directions_give_another_form)
+{
+    num Q[4], V[4], U[4], t[2], c[8], e[8], y[2];
+    given_points(T, "Q", 2, 2, Q);
+    given_points(T, "V", 2, 2, V);
+    given_points(T, "U", 2, 2, U);
+    given_points(T, "t", 2, 1, t);
+    G(cubic_of_ends)(dim, Q, V, c);
+    G(cubic_of_ends)(dim, Q, U, e);
+    about(T, "the lengths");
+    for (int end = 0; end < 2; end++)
+        same(T, G(norm_squared)(dim, V + 2 * end), G(norm_squared)(dim, U + 2 * end));
+    poly height = poly_from_q(4, (num[]){c[1], c[3], c[5], c[7]});
+    for (int k = 0; k < 2; k++)
+        y[k] = G(power_sum)(3, dim, e, 1, t[k]);
+    found_points(T, "y of the second", 2, 1, y);
+    about(T, "whether the first curve is above its chord, and the second one first above and then below");
+    agree(T, sign_on(height, from_int(0), from_int(1), OPEN) == SIGN_POSITIVE);
+    agree(T, sign_q(y[0]) > 0 && sign_q(y[1]) < 0);
+}
+#endif
 
 #include "chapters/judge/claims_off.h"

@@ -240,7 +240,8 @@ CLAIM(differences_by_alternating_sums)
 :refuted-by: step_from_zero_reaches_one_step_only
 :class: misprint
 :corrected: They are the differences at $t=\delta$.
-:corrected-by: additions_step_along_the_curve
+:corrected-by: step_takes_differences_to_the_next_place
+:confirmed-by: additions_step_along_the_curve
 :figure: forward_differences
 
 For $i=1$ it is true.
@@ -357,10 +358,65 @@ CLAIM(step_takes_differences_to_the_next_place)
 :zh: 反复加法求各点
 :printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the
   other by repeated additions.
-:holds-by: step_takes_differences_to_the_next_place
+:holds-by: step_takes_differences_to_the_next_place table_after_any_number_of_steps
 :confirmed-by: additions_step_along_the_curve
 :figure: forward_differences
 :::
+
+:::{claim} table_after_any_number_of_steps
+:title: The table of a cubic after any number of steps, and at the other end
+:zh: 任意步之后的差分表
+:given: any four rows $d_0,\dots,d_3$, one coordinate, any number $i$ of steps, $\binom ij$ as a polynomial in $i$; and the rows of a cubic, $D$,
+  $A\delta^3+B\delta^2+C\delta$, $6A\delta^3+2B\delta^2$, $6A\delta^3$, any $A,B,C,D$ and $\delta$
+:then: if the rows after $i$ steps are $\sum_j\binom ijd_{k+j}$, they are these sums with $i+1$ after one more; the first row of the cubic is then
+  $P(i\delta)$, so for $i\delta=1$ it is $P(1)=A+B+C+D$
+:method: One step of the table with everything a variable; then induction.
+:degrees: 3..3
+:scope: every number of steps
+:over: d#: differences; i e: -; c#: coefficients
+:control: $\binom i3$ left out
+:::
+*/
+/* binom(i, j) for j <= 3 */
+static num G(binomial_in)(num i, int j)
+{
+    num product = from_int(1);
+    for (int m = 0; m < j; m++)
+        product = mul(product, div(sub(i, from_int(m)), from_int(m + 1)));
+    return product;
+}
+
+/* Row k after i steps. */
+static num G(row_after)(const trial *T, const num d[4], int k, num i)
+{
+    num sum = from_int(0);
+    for (int j = 0; k + j <= 3; j++)
+        if (!fault(T, 0, j == 3))
+            sum = add(sum, mul(G(binomial_in)(i, j), d[k + j]));
+    return sum;
+}
+
+CLAIM(table_after_any_number_of_steps)
+{
+    num d[4], row[4], c[4], i = whole(T, "i", 0, 40), next = add(i, from_int(1)), delta = positive(T, "e", 0);
+    for (int k = 0; k < 4; k++) {
+        d[k] = unknown(T, "d", k);
+        c[k] = unknown(T, "c", k);
+    }
+    for (int k = 0; k < 4; k++)
+        row[k] = G(row_after)(T, d, k, i);
+    G(power_difference_step)(3, 1, row);
+    about(T, "one more step");
+    for (int k = 0; k < 4; k++)
+        same(T, row[k], G(row_after)(T, d, k, next));
+    num square = mul(delta, delta), cube = mul(square, delta), six_A = mul(from_int(6), mul(c[3], cube));
+    num of_cubic[4] = {c[0], add(add(mul(c[3], cube), mul(c[2], square)), mul(c[1], delta)),
+                       add(six_A, mul(from_int(2), mul(c[2], square))), six_A};
+    about(T, "the first row of a cubic");
+    same(T, G(row_after)(T, of_cubic, 0, i), G(power_sum)(3, 1, c, 0, mul(i, delta)));
+}
+
+/*
 
 So a point costs $n$ additions for each coordinate.  The claim of the source that multiplications are not needed at all
 is about more than the step, because the table has to be begun.  With $\delta=2^{-m}$ its first column is made by shifts
@@ -407,7 +463,7 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :given: degree $n$, coordinates $d=1,\dots,D$, $\delta=2^{-m}$
 :data: D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts
-:method: The kernels are run in the number type that counts.
+:method: The kernels are run in the number type that counts, which knows of a step only that it is a power of two.
 :degrees: 1..12
 :scope: one to three coordinates
 :control: one addition more in the unscaled step, one shift more in the scaled one
@@ -428,14 +484,14 @@ CLAIM(step_costs_additions_only)
 :title: The table of a cubic costs shifts and additions
 :zh: 建立差分表的运算次数
 :kind: decision
-:given: one coordinate, $\delta$ a power of two, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
-:data: δ = 1/256
+:given: one coordinate, $\delta=2^{-m}$, $m=1,\dots,M$, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
+:data: M = 16
 :then: shifts and additions, and no multiplication
 :result: shifts = 6; additions = 4; multiplications = 0
 :method: The rows are formed in the number type that counts, and in rationals for any $A,B,C,D$, where they are the
   printed ones.
 :degrees: 3..3
-:scope: coordinate by coordinate, δ = 1/256
+:scope: δ = 2⁻ᵐ, m = 1 to 16
 :control: a step that is no power of two, and the coefficients taken backwards
 :::
 */
@@ -455,24 +511,27 @@ TABLE_BY_SHIFTS(q)
 CLAIM(table_costs_shifts_and_additions)
 {
     num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {fault(T, 1, 0)};
-    num x[4], d[4], table[4], delta = given(T, "δ"), power = from_int(1);
-    num used[4];
+    num x[4], d[4], table[4], used[4];
     for (int k = 0; k < 4; k++)
         x[k] = unknown(T, "c", k);
     for (int k = 0; k < 4; k++)
         used[k] = x[fault(T, k, 3 - k)];
-    table_by_shifts_q(used, delta, table);
-    counted = (struct operations){0};
-    table_by_shifts_c(c, step, e);
-    if (!T->faulty)
-        note_cost(4, table, counted);
+    int largest = given_whole(T, "M");
+    for (int m = 1; m <= largest; m++) {
+        num delta = from_ratio(1, 1L << m), power = from_int(1);
+        table_by_shifts_q(used, delta, table);
+        counted = (struct operations){0};
+        table_by_shifts_c(c, step, e);
+        if (!T->faulty)
+            note_cost(4, table, counted);
+        agree(T, counted.multiplications == 0 && counted.divisions == 0);
+        G(power_differences)(3, 1, x, delta, d);
+        for (int k = 0; k < 4; k++, power = mul(power, delta))
+            same(T, table[k], div(d[k], power));
+    }
     found_whole(T, "shifts", counted.shifts);
     found_whole(T, "additions", counted.additions);
     found_whole(T, "multiplications", counted.multiplications);
-    agree(T, counted.multiplications == 0 && counted.divisions == 0);
-    G(power_differences)(3, 1, x, delta, d);
-    for (int k = 0; k < 4; k++, power = mul(power, delta))
-        same(T, table[k], div(d[k], power));
 }
 
 /*

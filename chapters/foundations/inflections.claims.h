@@ -98,9 +98,9 @@ CLAIM(second_derivative_is_not_constant)
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed
 :corrected-by: curvature_and_torsion_belong_to_arc_length
+:meant: the letter, and the formula of the torsion below it, which has lost dots as well | $s$ is the length of the arc, with a dot lost over it.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else
 :reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say
-:meant: the formulas beside it, in which $s$ is the length of the arc | The first: $s$ is the length of the arc.
 :figure: curvature_and_the_speed
 
 One more dot is lost.  Without it the letter is the length of the arc, and then the quotient depends on where the length is

@@ -85,7 +85,8 @@ needs one thing that interpolation does without, a measure of the distance from 
 :title: Approximation
 :zh: 逼近的定义
 :definition: yes
-:printed: Approximation does not require that the curve passes through all data strictly, but only that it is nearest to them as a whole.
+:printed: Approximation does not require that the curve or surface passes through all data strictly, but only that the curve found is nearest
+  to them as a whole.
 :checked-by: nearest_line_meets_no_datum
 :example: nearest is read as the least sum of squares; for one set of data the nearest line passes through none of
   them.
@@ -102,9 +103,7 @@ the data as a whole although it is far from each of them.
 :title: Fitting is the common name of both
 :zh: 拟合的定义
 :definition: yes
-:printed: Interpolation and approximation of curves and surfaces together are called fitting.
-:checked-by: one_cubic_passes_through_four_data
-:confirmed-by: nearest_line_meets_no_datum
+:printed: In study and discussion interpolation and approximation of curves and surfaces together are usually called fitting.
 :figure: through_and_near
 :::
 */
@@ -113,15 +112,16 @@ the data as a whole although it is far from each of them.
 The plainest description needs neither: a curve can be kept as many points, joined by segments.
 
 :::{statement} hu-1987:1-1-point-sets
-:title: A curve as a set of points takes much memory
+:title: A curve as a set of points takes much memory, and other disadvantages
 :zh: 点集与折线表示的缺点
 :printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
   pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.
-:holds-by: polyline_of_a_parabola_needs_many_points
+:reading: polyline_of_a_parabola_needs_many_points | it takes much memory: true of a parabola, of which a polyline needs the more points the
+  less it may err, and which three coefficients keep exactly
+:reading: how much is much, what is inconvenient and what not easy: opinions, which no computation decides
 :figure: through_and_near
 
-Of the three disadvantages the first can be counted: for a tenth of the error more than three times as many points are needed,
-where three coefficients keep the parabola exactly.
+Of the three disadvantages the first can be counted: for a tenth of the error more than three times as many points are needed.
 :::
 
 :::{claim} polyline_of_a_parabola_needs_many_points

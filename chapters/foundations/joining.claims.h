@@ -19,7 +19,7 @@ enum { dim = 2, space = 3 };
 :::{statement} hu-1987:1-2-class-names
 :title: Continuity of position, slope and curvature is called C0, C1, C2
 :zh: 位置、斜率、曲率连续与 C0、C1、C2
-:printed: Pieces are to be joined with continuous position, slope and curvature, which is called $C^0$, $C^1$, $C^2$ continuity.
+:printed: In general the pieces should reach continuity of position, slope and curvature, called $C^0$, $C^1$, $C^2$ continuity, as the case demands.
 :refuted-by: continuous_slope_with_another_speed
 :class: false
 :corrected: Let $P_{\mathrm I}'(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the
@@ -516,10 +516,39 @@ CLAIM(curvature_vector_forces_the_condition)
 :title: The parameter of a piece
 :zh: 参数的线性变换
 :printed: For the piece from $t_0$ to $t_1$ and $0\le t^*\le1$: $t=(1-t^*)t_0+t^*t_1=t_0+(t_1-t_0)t^*$
-:holds-by: pieces_in_new_powers
+:holds-by: linear_change_runs_through_the_interval
+:confirmed-by: pieces_in_new_powers
 :figure: piece_of_a_cubic
 :::
 
+:::{claim} linear_change_runs_through_the_interval
+:title: The linear change of the parameter takes 0 and 1 to the ends of the interval, and keeps the order
+:zh: 线性参数变换
+:given: any $t_0$ and $t_1$, any $u$; and an interval, $t_1=t_0+h$, $h>0$
+:then: $(1-u)t_0+ut_1=t_0+(t_1-t_0)u$, which is $t_0$ for $u=0$ and $t_1$ for $u=1$; of two values of $u$ the larger one gives the larger value
+  where $t_0<t_1$, so that $0\le u\le1$ is taken to $t_0\le t\le t_1$, each value once; and then any curve at $t$ is a curve over $[0,1]$
+:method: Identities with everything a variable; the difference of two values is $h$ times that of the parameters, with $h>0$.
+:over: r s u: parameter value; d h: -
+:control: $t_0$ and $t_1$ exchanged in the first form
+:::
+*/
+CLAIM(linear_change_runs_through_the_interval)
+{
+    num t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u"), zero = from_int(0), one = from_int(1);
+    num places[3] = {u, zero, one}, values[3] = {add(t0, mul(sub(t1, t0), u)), t0, t1};
+    for (int k = 0; k < 3; k++) {
+        num first = fault(T, t0, t1), last = fault(T, t1, t0);
+        about(T, k == 0 ? "the two forms" : "an end");
+        same(T, add(mul(sub(one, places[k]), first), mul(places[k], last)), values[k]);
+    }
+    num h = positive(T, "h", 0), later = positive(T, "d", 0),
+        gap = sub(add(t0, mul(h, add(u, later))), add(t0, mul(h, u)));
+    about(T, "the order");
+    nonnegative(T, gap);
+    same(T, gap, mul(h, later));
+}
+
+/*
 :::{claim} pieces_in_new_powers
 :title: The kernel gives the piece between two parameters, in a parameter from 0 to 1
 :zh: 截取曲线段
@@ -644,19 +673,19 @@ CLAIM(derivatives_of_a_piece)
 :::{claim} length_of_a_piece_is_at_most_one
 :title: The interval of a piece out of the unit interval is no longer than 1
 :zh: 区间长度不超过一
-:given: $0\le t_0\le t_1\le1$ as $t_0=\frac a{1+a+b}$, $t_1=\frac{a+b'}{1+a+b}$ with $b'\le b$, that is $b=b'+b''$; $a,b',b''\ge0$
+:given: $0\le t_0\le t_1\le1$ as $t_0=a$, $t_1=a+b$, $1=a+b+c$ in units of $a+b+c$; $a,b,c\ge0$, not all 0
 :then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
-:method: Both have no negative coefficient in $a,b',b''$; every pair of parameters with $t_0\le t_1<1$ is of this form, and $t_1=1$ is a
-  limit.
-:scope: 0 ≤ t0 ≤ t1 < 1
-:over: a b#: -
+:method: Both have no negative coefficient in $a,b,c$; every pair of parameters with $t_0\le t_1$ is of this form, $a$, $b$, $c$ being the lengths of the three
+  parts of $[0,1]$, of which any may be 0.
+:scope: 0 ≤ t₀ ≤ t₁ ≤ 1
+:over: a b c: -
 :control: $t_0-t_1$
 :::
 */
 CLAIM(length_of_a_piece_is_at_most_one)
 {
-    num a = positive(T, "a", 0), b = positive(T, "b", 1), rest = positive(T, "b", 2);
-    num whole_length = add(from_int(1), add(a, add(b, rest)));
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), rest = positive(T, "c", 0);
+    num whole_length = add(a, add(b, rest));
     num t0 = div(a, whole_length), t1 = div(add(a, b), whole_length), length = fault(T, sub(t1, t0), sub(t0, t1));
     nonnegative(T, length);
     nonnegative(T, sub(from_int(1), length));
@@ -704,8 +733,10 @@ one of them.  The price is that the curve becomes a rational one, whose weights 
 :::{statement} hu-1987:1-5-rational-change
 :title: The parameter can be changed by a fractional linear map
 :zh: 双线性(同形)参数变换
-:printed: More generally the parameter can be changed by a bilinear or homographic transformation, a rational one.
-:holds-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
+:printed: More generally the parameter can be changed by, for example, a bilinear or homographic transformation, a rational one, as in the formula
+  that follows.
+:holds-by: bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+:confirmed-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
 :hypothesis: fractional_change_with_a_pole | The denominator has no zero on the interval.
 :figure: fractional_parameter
 

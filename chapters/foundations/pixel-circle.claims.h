@@ -13,7 +13,8 @@ should be as far as one pixel (象素).
 :title: A point turned again and again gives a circle
 :zh: 连续旋转生成圆
 :printed: With $R=\begin{pmatrix}\cos\theta&\sin\theta\\-\sin\theta&\cos\theta\end{pmatrix}$, $[x_n\;y_n]R=[x_{n+1}\;y_{n+1}]$, that is
-  $x_{n+1}=\cos\theta\,x_n-\sin\theta\,y_n$, $y_{n+1}=\sin\theta\,x_n+\cos\theta\,y_n$; turning a point continually gives a circle.
+  $x_{n+1}=\cos\theta\,x_n-\sin\theta\,y_n$, $y_{n+1}=\sin\theta\,x_n+\cos\theta\,y_n$; turning a point
+  continually, here about the $z$-axis, gives a circle as well.
 :holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
 :figure: three_generators
 :::
@@ -126,17 +127,17 @@ and the positive root.
   $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
 :holds-by: third_matrix_by_the_radius
 :needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
-  $0<\theta<\frac\pi2$, so that the cosine is the positive root; and $r\ge1$
+  $0<\theta\le\frac\pi2$, so that the cosine is the root that is not negative
 :figure: step_of_the_third_way
 :::
 
 :::{claim} third_matrix_by_the_radius
 :title: The three forms of the matrix agree
 :zh: 第三种方法矩阵的三种形式
-:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $0<a<1$, $r=\frac1{\sin\theta}$
-:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta>0$; the determinant is 1
-:method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive: it is the root.
-:scope: 0 < θ < π/2
+:given: $0<\theta\le\frac\pi2$ with the tangent $a$ of its half, $0<a\le1$, $r=\frac1{\sin\theta}$
+:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$; the determinant is 1
+:method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive, and for $a=1$, where it is 0: it is the root.
+:scope: 0 < θ ≤ π/2
 :over: a: -
 :control: $r^2+1$ in the place of $r^2-1$
 :::
@@ -144,13 +145,15 @@ and the positive root.
 CLAIM(third_matrix_by_the_radius)
 {
     num a = inside(T, "a"), one = from_int(1), M[4];
-    struct G(turn) angle = G(turn_by)(a);
-    num epsilon = angle.sin, r = div(one, epsilon), rr = mul(r, r), square = mul(angle.cos, angle.cos);
-    G(rotation)(angle, M);
-    same(T, sub(one, mul(epsilon, epsilon)), square);
-    same(T, div(fault(T, sub(rr, one), add(rr, one)), rr), square);
-    nonnegative(T, angle.cos);
-    same(T, G(cross2)(M, M + 2), one);
+    for (int right_angle = 0; right_angle < 2; right_angle++) {
+        struct G(turn) angle = G(turn_by)(right_angle ? one : a);
+        num epsilon = angle.sin, r = div(one, epsilon), rr = mul(r, r), square = mul(angle.cos, angle.cos);
+        G(rotation)(angle, M);
+        same(T, sub(one, mul(epsilon, epsilon)), square);
+        same(T, div(fault(T, sub(rr, one), add(rr, one)), rr), square);
+        nonnegative(T, angle.cos);
+        same(T, G(cross2)(M, M + 2), one);
+    }
 }
 
 #if RATIONAL

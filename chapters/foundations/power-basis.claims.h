@@ -72,10 +72,10 @@ one abscissa cannot.
 :::{statement} hu-1987:1-4-advantage-extent
 :title: The extent of a curve is given by an interval of its parameter
 :zh: 用参数区间指定曲线的延伸范围
-:printed: A piece of a curve is the part from $t=a$ to $t=b$, $a\le t\le b$; also where there are several values its extent can be given
-  conveniently.
-:holds-by: intervals_of_the_parameter_separate_the_values
-:example: one curve with several values, of which intervals of the parameter separate them.
+:printed: Where there are several values, the extent of a curve can be given conveniently: the piece of the curve in the plane that is studied
+  has $t=a$ for its beginning and $t=b$ for its end, $a\le t\le b$.
+:holds-by: linear_change_runs_through_the_interval
+:confirmed-by: intervals_of_the_parameter_separate_the_values pieces_in_new_powers
 :figure: infinite_slope_and_two_values
 :::
 
@@ -110,11 +110,13 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
 :::{statement} hu-1987:1-4-advantage-points
 :title: Points of a parametric curve are easily computed
 :zh: 曲线上点的计算容易
-:printed: For a curve $P(t)=[x(t)\;y(t)\;z(t)]$ the coordinates are explicit functions of $t$, so points are easily computed.
-:holds-by: horner_computes_the_sum_of_powers
+:printed: Points of a surface (曲面) are easily computed: for a space curve $P(t)=[x(t)\;y(t)\;z(t)]$ $x$, $y$, $z$ are explicit functions of the parameter
+  $t$, so that they are easy to compute.
+:holds-by: horner_step_keeps_the_sum
+:confirmed-by: horner_computes_the_sum_of_powers
 
-The word printed is "surface", the example is a curve; for a polynomial curve the points cost the operations that are
-counted below.
+The word printed is "surface", the reason is one for curves; "curve" must be meant.  Easy is read as: by as many products and sums as the degree has
+steps, without solving an equation, for curves given by polynomials; what they cost is counted below.
 :::
 
 The source says that curves of degree below three do not occur.  They do, as parabolas, and in a section of its own
@@ -281,6 +283,27 @@ Horner's rule (秦九韶算法) takes the powers apart: the cubic is written in 
 :holds-by: horner_computes_the_sum_of_powers
 :::
 
+:::{claim} horner_step_keeps_the_sum
+:title: Horner's step takes the sum of the terms so far to the sum with one term more, in every degree
+:zh: 秦九韶算法的一步(任意次数)
+:given: the sum $S=\sum_{k<j}c_kt^k$ of some terms, one more coefficient $c$ and power $p=t^j$, a further coefficient $d$, any $t$
+:then: $(S+cp)\,t+d=(St+d)+c\,(pt)$: if $d+t\sum_{k<j}c_kt^k$ is the sum with the coefficients $d,c_0,\dots,c_{j-1}$, the same is true with $c$ behind
+  them
+:method: An identity, everything a variable; by induction for any number of terms.  So each step of Horner's rule multiplies by $t$ once, adds one
+  coefficient, and after $n$ steps has $\sum_kc_kt^k$.
+:degrees: all
+:over: S# c# d#: coefficients; p: -
+:control: $d$ multiplied by $t$ as well
+:::
+*/
+CLAIM(horner_step_keeps_the_sum)
+{
+    num S = unknown(T, "S", 0), c = unknown(T, "c", 0), d = unknown(T, "d", 0), p = unknown(T, "p", 0);
+    num t = parameter(T, "t"), constant = fault(T, d, mul(d, t));
+    same(T, add(mul(add(S, mul(c, p)), t), constant), add(add(mul(S, t), d), mul(c, mul(p, t))));
+}
+
+/*
 :::{claim} horner_computes_the_sum_of_powers
 :title: Horner's rule computes the point of the curve
 :zh: 秦九韶算法求曲线上的点
@@ -317,12 +340,13 @@ claims carries no values at all and counts the operations of the very kernel tha
 :zh: 乘法次数由六次减为三次
 :printed: So the number of multiplications for a point is reduced from 6 to 3.
 :holds-by: multiplications_are_six_and_three
-:meant: the count of 6, which only powers multiplied out one by one have | $At^3+Bt^2+Ct+D$ as (1-4-1) writes it, one
-  coordinate, no power kept.
-:reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one
-  coordinate: 6 become 3.
-:reading: kept_powers_need_five | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and
-  $2+3d$ that become $3d$ for $d$ coordinates.
+:meant: the count of 6, which only powers multiplied out one by one have | The powers of $At^3+Bt^2+Ct+D$ are multiplied out one by one, and one
+  coordinate is counted.
+:reading: multiplications_are_six_and_three | powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one
+  coordinate: true, 6 become 3
+:reading: kept_powers_need_five | $t^2$ and $t^3=t^2\cdot t$ kept, one coordinate: false, it is 5 that become 3
+
+With the powers kept $2+3d$ multiplications become $3d$ for $d$ coordinates, counted for $d=1,2,3$: `multiplications_with_kept_powers`.
 :::
 */
 
@@ -389,7 +413,7 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
 :then: for degree $k$ the sum of powers takes $\frac{k(k+1)}2$ multiplications and $k$ additions, Horner's rule $k$ and $k$
 :result: multiplications of the sum = 6; of Horner's rule = 3
 :method: The definition's loop and the kernel are run in a number type that counts.
-:scope: degrees 1 to 12
+:scope: n = 1 to 12, one coordinate
 :control: the powers kept from term to term
 :::
 */

@@ -72,11 +72,12 @@ the line that turns back, the trouble begins where the point stands still.
 :title: Curves of class r
 :zh: 曲线的 C^r 级
 :definition: yes
-:printed: If all derivatives of $x(t),y(t),z(t)$ of positive order up to $r$ exist and are continuous, and the regularity condition
-  holds, the curve is of class $C^r$.
+:printed: If for a curve $P(t)$ ($a\le t\le b$) all derivatives of $x(t),y(t),z(t)$ "of order $r$ that are positive" (所有 r 阶为正的导数) exist and are
+  continuous, and the regularity condition above is satisfied, the curve is called continuous of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
 :figure: cusp_and_its_derivative
 
+The words are out of order: the derivatives of positive order up to $r$ must be meant.
 By this definition the cusp below, whose coordinates are polynomials, is of no class at all at $t=\frac12$.
 :::
 
@@ -89,14 +90,40 @@ direction; each of the two parameters has its one tangent, the point has two.
 :title: At a regular point there is one tangent
 :zh: 正则点处切线唯一
 :printed: At regular points of a curve a unique tangent can be determined.
-:holds-by: chord_turns_into_the_derivative
+:holds-by: quotient_of_a_power_tends_to_its_derivative
+:confirmed-by: chord_turns_into_the_derivative
 :meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve.
-:reading: chord_turns_into_the_derivative | A regular point is a parameter, as in the definition: it has one tangent.
+:reading: quotient_of_a_power_tends_to_its_derivative | A regular point is a parameter, as in the definition: it has one tangent.
 :reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
   though both parameters are regular.
 :figure: regular_double_point
 :::
 */
+
+/*
+:::{claim} quotient_of_a_power_tends_to_its_derivative
+:title: The quotient of differences of a power tends to its derivative, for every power
+:zh: 幂函数差商的极限(任意次数)
+:given: any $k\ge1$, $t$ and $h$; $p=t^k$, and $q$ with $(t+h)^k-t^k=hq$
+:then: $(t+h)^{k+1}-t^{k+1}=h\,\bigl((t+h)\,q+p\bigr)$; and where $q=k\,t^{k-1}$ for $h=0$, that bracket is $(k+1)\,t^k$ for $h=0$
+:method: One step from a power to the next, with $k$, $t^{k-1}$, $q$, $h$, $t$ variables; for $k=1$ is $q=1$.  By induction the quotient
+  $\frac{P(t+h)-P(t)}h$ of every polynomial is a polynomial in $h$ whose value for $h=0$ is $P'(t)$; so the direction of the chord has the limit $P'(t)$ from
+  both sides wherever this is not 0, coordinate by coordinate.
+:degrees: all
+:over: k q p: -; h; t
+:control: $t$ in the place of $t+h$ in the bracket
+:::
+*/
+CLAIM(quotient_of_a_power_tends_to_its_derivative)
+{
+    num k = whole(T, "k", 1, 9), t = parameter(T, "t"), h = positive(T, "h", 0), q = unknown(T, "q", 0);
+    num before = unknown(T, "p", 0), p = mul(before, t), there = add(p, mul(h, q)); /* t^{k-1}, t^k, (t+h)^k */
+    about(T, "the difference of the next power");
+    num bracket = add(mul(fault(T, add(t, h), t), q), p);
+    same(T, sub(mul(there, add(t, h)), mul(p, t)), mul(h, bracket));
+    about(T, "the bracket for h = 0");
+    same(T, add(mul(t, mul(k, before)), p), mul(add(k, from_int(1)), p));
+}
 
 #if FIELD
 /*
@@ -481,8 +508,8 @@ shows.
 :::{statement} hu-1987:1-4-line-motion
 :title: How the point moves along the line
 :zh: 点沿直线的运动
-:printed: From $t=0$ the point moves forward along the line with growing $t$; after $t$ has grown to $t_2=(5+\sqrt5)/10$, it continues to
-  move forward until $t=1$.
+:printed: From $t=0$ the point moves forward along the line with growing $t$; after $t$ has grown to $t_2=(5+\sqrt5)/10$, it again
+  moves on forward along the line until the end, $t=1$.
 :refuted-by: point_moves_backward_in_between
 :class: misprint
 :corrected: The point moves forward on $[0,t_1]$, backward on $[t_1,t_2]$, and forward again on $[t_2,1]$, with

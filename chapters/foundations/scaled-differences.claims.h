@@ -89,10 +89,9 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :::{statement} hu-1987:1-4-4
 :title: The step of the scaled table
 :zh: 规格化差分的递推
-:printed: P_1=P_0+\delta(\tfrac1\delta\Delta P_0),\ \ \tfrac1\delta\Delta P_1=\tfrac1\delta\Delta
-  P_0+\delta(\tfrac1{\delta^2}\Delta^2P_0),\ \
-  \tfrac1{\delta^2}\Delta^2P_1=\tfrac1{\delta^2}\Delta^2P_0+\delta(\tfrac1{\delta^3}\Delta^3P_0),\ \
-  \tfrac1{\delta^3}\Delta^3P_1=\tfrac1{\delta^3}\Delta^3P_0
+:printed: $P_1=P_0+\delta\bigl(\frac1\delta\Delta P_0\bigr)$, $\frac1\delta\Delta P_1=\frac1\delta\Delta
+  P_0+\delta\bigl(\frac1{\delta^2}\Delta^2P_0\bigr)$, $\frac1{\delta^2}\Delta^2P_1=\frac1{\delta^2}\Delta^2P_0+\delta\bigl(\frac1{\delta^3}\Delta^3P_0\bigr)$,
+  $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
 :holds-by: step_takes_differences_to_the_next_place
 :figure: forward_differences
 :::
@@ -141,9 +140,11 @@ belongs to the first, the formulas that stand above the sentence to the second.
 :zh: 差分矩阵
 :printed: Written as a matrix, the formulas above give the $4\times3$ matrix of differences (1-4-5).
 :holds-by: scaled_table_is_as_printed
-:reading: scaled_table_is_as_printed | the differences at $t=0$ as rows, in three coordinates: true; in the plane the matrix is $4\times2$
-:reading: step_multiplies_by_a_square_matrix | the step (1-4-4), which stands above, as a matrix: that one is $4\times4$
+:meant: the formula (1-4-5) that follows, and the number $4\times3$ | The differences at $t=0$ as rows, each with the three coordinates of space.
 :figure: forward_differences
+
+In the plane the matrix is $4\times2$.  The step (1-4-4), which stands above the sentence, has a matrix as well, with four rows and four columns:
+`step_multiplies_by_a_square_matrix`.
 :::
 
 :::{claim} step_multiplies_by_a_square_matrix
@@ -180,7 +181,8 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :title: With powers of two the points are computed at high speed
 :zh: 步长为 2 的幂时高速计算
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions stepping_reaches_the_other_end
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions table_after_any_number_of_steps
+:confirmed-by: stepping_reaches_the_other_end
 :hypothesis: short_words_lose_the_end | The words are long enough: $3m$ binary places more than the coefficients have.  Binary64 has
   them for coefficients of 20 bits and $m=8$; words with 16 places have not.
 :figure: stepping_and_rounding
@@ -223,14 +225,13 @@ CLAIM(stepping_reaches_the_other_end)
 :::{claim} stepping_is_exact_for_short_coefficients
 :title: For coefficients of 20 bits and 256 steps binary64 steps without any error
 :zh: 短系数时双精度差分无误差
-:kind: decision
+:types: rational
 :given: $N$ random cubics with coefficients of $b$ binary places in $[-1,1]$, $\delta=\frac1n$, $n$ steps
-:data: N = 50; b = 20; n = 256
+:data: N = 3; b = 20; n = 256
 :instead: n = 255
 :then: every one of the $n+1$ points of each by `power_difference_step` in binary64 is the exact value
 :method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
   $2^8$, and so have no more bits than a binary64.
-:scope: 50 random cubics
 :control: a number of steps that is no power of two
 :::
 */

@@ -23,12 +23,10 @@ a shape is not a function.
 :::{statement} hu-1987:1-2-interference
 :title: That two bodies have not one place has to be examined
 :zh: 空间唯一性与干涉检验
-:printed: Two objects cannot occupy one space at the same time; but in a computer shapes are equations and data, so that this is very
-  difficult to satisfy, and interference has to be examined.
-:holds-by: two_descriptions_may_claim_one_place
-:example: it can happen, and two bodies show it.
-
-Difficult is read as: it does not follow from the description of either.  Each body is well described, and both contain one point.
+:printed: Two objects cannot occupy one space at the same time; but as shapes are described in a computer by equations and data, by means of data
+  structures, this is very difficult to satisfy, and interference has to be examined.
+:reading: two_descriptions_may_claim_one_place | it does not follow from the descriptions: true, two bodies can be well described, and both contain one point
+:reading: what is very difficult: an opinion, which no computation decides
 :::
 
 :::{statement} hu-1987:1-2-shape-is-no-function
@@ -162,7 +160,7 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
 :::{statement} hu-1987:1-2-example-reason
 :title: That the factors are 1 and 0 at the ends is the reason for the straight line
 :zh: 由端值推出直线
-:printed: Because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve is the straight line that joins $P_0$ and $P_1$.
+:printed: Because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve is the straight line that joins the two points $P_0=[0,0]$ and $P_1=[10,10]$.
 :refuted-by: ends_alone_make_no_straight_line
 :class: invalid-proof
 :corrected: The curve is the segment $P_0P_1$ exactly when the origin is on this segment.  $P(t)$ is on the line through $P_0\ne P_1$
@@ -403,9 +401,14 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :::{statement} hu-1987:1-2-example-verdict
 :title: The formula of the example depends on the coordinates
 :zh: 式 1-2-1 不满足坐标独立性
-:printed: (1-2-1) with these factors does not satisfy the condition of coordinate independence, the invariance of shape.
-:holds-by: image_of_the_example_is_not_the_translated_curve
+:printed: (1-2-1) does not satisfy the condition of coordinate independence, that is, of the invariance of shape, so that it is not proper to
+  describe shapes by it.
+:holds-by: two_cubes_from_the_origin_trace_the_segment image_of_the_example_turns_everywhere new_coordinates_are_a_translation
+:confirmed-by: image_of_the_example_is_not_the_translated_curve
 :figure: two_cubes_and_their_image
+
+For the source's own points and translation the curve is a segment in the one system and, in the other, an arc that turns everywhere: the shape
+is another.  For other factors, of the sum 1, (1-2-1) is independent of the coordinates; the sentence is about $(1-t)^3$ and $t^3$.
 :::
 
 :::{claim} image_of_the_example_is_not_the_translated_curve
@@ -709,7 +712,8 @@ its values; section 1-2 has moved control points, which is another thing.
 :::{statement} hu-1987:1-4-advantage-invariance
 :title: Parametric curves are geometrically invariant
 :zh: 参数曲线的几何不变性
-:printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates.
+:printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates, and geometric properties
+  of a figure can be studied without relying on a coordinate system.
 :holds-by: image_of_a_power_curve_is_one
 :hypothesis: image_keeps_no_chord | Where a curve is given by points that are moved and functions that are not, these have
   the sum 1 (relation of Cauchy).  The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the
@@ -780,118 +784,6 @@ CLAIM(image_keeps_no_chord)
     about(T, "the vector product of the chord and of P*(t) - P*_0");
     vanishes(T, beside_chord(P, at));
 }
-
-/*
-An affine map is a matrix and a translation, so what has been said covers it.  A projective map (射影变换) is a matrix as
-well, but for homogeneous coordinates: afterwards one divides, and the division does not distribute over a sum.  The
-parabola below shows that the images of control points are not the control points of the image, unless each takes its
-denominator with it as a weight.
-
-:::{statement} hu-1987:1-4-advantage-transformations
-:title: Parametric curves are easily mapped by affine and projective maps
-:zh: 参数曲线易于作仿射与射影变换
-:printed: Affine and projective transformations of parametric curves are easily carried out.
-:holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one
-:confirmed-by: bezier_curve_moves_with_its_points
-:figure: projective_image_of_a_parabola
-
-The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.  Control
-points, of which the section does not speak yet, cannot be mapped so by a projective map, unless they are homogeneous:
-`projective_image_is_not_the_curve_of_the_images`.
-:::
-
-:::{claim} projective_image_is_not_the_curve_of_the_images
-:title: The projective images of the control points are not control points of the image
-:zh: 射影变换不保持多项式曲线
-:kind: counterexample
-:given: the parabola with the Bézier points $R$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, and $t$
-:data: R = (0,0) (1,0) (1,1); t = 1/2
-:then: the image of $P(t)$ is not the point $Q(t)$ of the polynomial curve of the three images
-:result: images of R = (0,0) (1,0) (1/2,1/2); image of P(t) = (3/5,1/5); Q(t) = (5/8,1/8)
-:method: Both points, exactly; with the control, the rational curve whose weights are the values $1+y$ of the points.
-:control: the weights $1+y$ for the images
-:::
-*/
-CLAIM(projective_image_is_not_the_curve_of_the_images)
-{
-    num R[6], images[6], w[3], P[2], Q[2], image[2], one = from_int(1);
-    given_points(T, "R", 3, 2, R);
-    num t = given(T, "t");
-    for (int i = 0; i < 3; i++) {
-        num below = add(one, R[2 * i + 1]);
-        for (int j = 0; j < dim; j++)
-            images[2 * i + j] = div(R[2 * i + j], below);
-        w[i] = fault(T, below, one);
-    }
-    G(bezier_casteljau)(2, dim, R, t, P);
-    G(rational_point)(2, dim, images, w, t, Q);
-    for (int j = 0; j < dim; j++)
-        image[j] = div(P[j], add(one, P[1]));
-    found_points(T, "images of R", 3, 2, images);
-    found_points(T, "image of P(t)", 1, 2, image);
-    found_points(T, "Q(t)", 1, 2, Q);
-    about(T, "the coordinates of the curve of the images, and of the image of the curve");
-    for (int j = 0; j < dim; j++)
-        same(T, Q[j], image[j]);
-}
 #endif
 
-/*
-## What is said of the descriptions that follow
-
-Two more sentences of the source look ahead, to curves that will be met later.  One says that a curve can be given more
-freedom without changing its shape, by a higher degree or by division; this is true of every polynomial curve.  The
-other praises the convex hull (凸包) and the diminishing of variation (变差减小), and says cautiously that certain curves have
-them.
-
-:::{statement} hu-1987:1-2-degree-and-subdivision
-:title: A curve can be given more freedom without changing its shape
-:zh: 升阶与分割不改变形状
-:printed: To describe more, one keeps the shape and raises the degree of the curve, or keeps the shape and divides the curve.
-:holds-by: bernstein_raised_by_one_degree division_keeps_power_curve
-:confirmed-by: elevation_keeps_bezier_curve split_gives_the_two_parts
-:::
-
-:::{claim} division_keeps_power_curve
-:title: The two halves of a curve in powers are the curve, at the cost of nothing
-:zh: 分割保持形状
-:given: a curve of degree $n$ in powers of $t$, any parameter $s$ of division, any $u$
-:then: its pieces over $[0,s]$ and $[s,1]$ at $u$ are the points $P(su)$ and $P(s+(1-s)u)$; a further coefficient $c_{n+1}=0$
-  changes nothing
-:method: `power_on_interval` and `power_point` against the sum of powers, everything a variable.
-:degrees: 1..6 sampled 10
-:over: x# y#: coefficients; s u: parameter value
-:control: the second piece at $su$
-:::
-*/
-CLAIM(division_keeps_power_curve)
-{
-    int n = T->degree;
-    num c[(MAX_DEGREE + 2) * dim], piece[(MAX_DEGREE + 1) * dim], P[dim], s = parameter(T, "s"), u = parameter(T, "u");
-    num one = from_int(1), places[2] = {mul(s, u), add(s, mul(sub(one, s), u))};
-    G(free_points)(T, n, dim, c);
-    c[(n + 1) * dim] = c[(n + 1) * dim + 1] = from_int(0);
-    for (int half = 0; half < 2; half++) {
-        G(power_on_interval)(n, dim, c, half ? s : from_int(0), half ? one : s, piece);
-        G(power_point)(n, dim, piece, u, P);
-        for (int j = 0; j < dim; j++)
-            same(T, P[j], G(power_sum)(n, dim, c, j, places[fault(T, half, 0)]));
-    }
-    G(power_point)(n + 1, dim, c, u, P);
-    for (int j = 0; j < dim; j++)
-        same(T, P[j], G(power_sum)(n, dim, c, j, u));
-}
-
-/*
-:::{statement} hu-1987:1-2-hull-and-variation
-:title: Some curves have the convex hull property and diminish variation
-:zh: 凸包性与变差减小性
-:printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
-:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry linear_factor_adds_a_change_of_sign
-:confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
-
-Bézier curves of every degree are such curves: their points are averages of the control points, and along a line $ax+by+c=0$
-the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.
-:::
-*/
 #include "chapters/judge/claims_off.h"

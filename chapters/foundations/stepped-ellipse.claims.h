@@ -138,7 +138,7 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :::{statement} hu-1987:1-3-ellipse
 :title: The equation of the ellipse
 :zh: 椭圆方程
-:printed: \frac{x^2}{(r\cos\frac{\Delta\theta}2)^2}+\frac{y^2}{(r\cos\frac{\Delta\theta}2)^2}-\frac{2\sin\frac{\Delta\theta}2}{(r\cos\frac{\Delta\theta}2)^2}\,xy=1
+:printed: Without $\theta$, and with $x$, $y$ for $x_{n+1}$, $y_{n+1}$, there is the equation of an ellipse, $\frac{x^2}{(r\cos\frac{\Delta\theta}2)^2}+\frac{y^2}{(r\cos\frac{\Delta\theta}2)^2}-\frac{2\sin\frac{\Delta\theta}2}{(r\cos\frac{\Delta\theta}2)^2}\,xy=1$
 :holds-by: second_orbit_satisfies_the_printed_equation second_form_is_invariant second_form_is_an_ellipse
 :figure: ellipse_of_the_second_way
 :::
@@ -194,7 +194,7 @@ CLAIM(second_form_is_invariant)
 :given: $0<s<1$, $s=\frac\varepsilon2$
 :then: $x^2+y^2-2sxy=\frac{1-s}2(x+y)^2+\frac{1+s}2(x-y)^2$, both coefficients positive
 :method: An identity in $s$, $x$, $y$; $s=\frac\sigma{1+\sigma}$ with $\sigma>0$ for the signs.
-:scope: 0 < s < 1
+:scope: 0 < Δθ < π
 :over: x y: point; s: -
 :control: $1-s$ and $1+s$ exchanged
 :::
@@ -221,12 +221,17 @@ of second order, and both are half the sine to first order.
 :::{statement} hu-1987:1-3-error
 :title: The error of the ellipse
 :zh: 椭圆与圆的误差公式
-:printed: $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse
+:printed: If $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$, then $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse
   and the exact circle.
 :holds-by: ellipse_lies_between_two_circles
-:hypothesis: ellipse_leaves_the_circle_by_more | The error is counted outwards, relative to $r$.  Inwards it is
-  $1-\sqrt{1-s}$, for every $s$ a little larger than the printed $\sqrt{1+s}-1$ (`inward_error_of_the_ellipse_is_larger`).
+:meant: the formula itself, in which $\cos\frac{\Delta\theta}2\big/\sqrt{1-\sin\frac{\Delta\theta}2}$ is the largest radius of the ellipse over $r$ | The
+  error is counted outwards, relative to $r$.
+:reading: ellipse_lies_between_two_circles | the largest distance outwards
+:reading: ellipse_leaves_the_circle_by_more | the largest distance of all: false, inwards it is larger
 :figure: ellipse_of_the_second_way
+
+With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ a little
+larger than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
 :::
 
 :::{claim} ellipse_lies_between_two_circles
@@ -236,7 +241,7 @@ of second order, and both are half the sine to first order.
 :then: $r^2(1+s)-(x^2+y^2)=\frac s{1-s}(x-y)^2$ and $(x^2+y^2)-r^2(1-s)=\frac s{1+s}(x+y)^2$; so the radius is between
   $r\sqrt{1-s}$ and $r\sqrt{1+s}$, both reached, on the diagonals, and $\frac{c^2}{1-s}=1+s$ makes $E=\sqrt{1+s}-1$
 :method: $r^2$ is eliminated by the equation; identities in $s$, $x$, $y$, with $s=\frac\sigma{1+\sigma}$.
-:scope: 0 < s < 1
+:scope: 0 < Δθ < π
 :over: x y: point; s: -
 :control: the two circles exchanged
 :::
@@ -268,7 +273,7 @@ static num G(square_above)(num k, num h)
 :given: $0<s<1$
 :then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
 :method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
-:scope: 0 < s < 1
+:scope: 0 < Δθ < π
 :over: s: -
 :control: $\frac s4$ in the place of $\frac s2$
 :::
@@ -389,7 +394,7 @@ CLAIM(printed_error_is_twice_the_error)
 :given: $0<s<1$
 :then: $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
 :method: $(1+\frac s2)^2-(1+s)=\frac{s^2}4$ and $(1+s)-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
-:scope: 0 < s < 1
+:scope: 0 < Δθ < π
 :over: s: -
 :control: $\frac{s^2}{16}$ in the place of $\frac{s^2}8$
 :::

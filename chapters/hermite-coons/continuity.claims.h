@@ -27,7 +27,8 @@ being continuous, one that has their limits without being continuous itself.
 :zh: 参数连续性 C^k 的定义
 :printed: A function that has equal left and right derivatives at $x_0$ up to the order $k$ is called $k$ times continuously differentiable
   at $x_0$, or continuous of order $k$, $C^k$.
-:holds-by: equal_derivatives_leave_a_power
+:holds-by: a_factor_raises_the_order_of_a_zero
+:confirmed-by: equal_derivatives_leave_a_power
 :hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$, as pieces that
   are polynomials have
 :hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
@@ -110,10 +111,37 @@ CLAIM(equal_limits_do_not_make_a_continuous_function)
 #endif
 
 /*
+:::{claim} a_factor_raises_the_order_of_a_zero
+:title: A factor x - x0 shifts the derivatives at x0 by one order, in every order
+:zh: 乘以 x-x0 使导数升高一阶(任意阶)
+:given: any function $s$, any $j\ge1$, any $x$ and $x_0$, $h=x-x_0$; the derivatives $s^{(j-1)},s^{(j)},s^{(j+1)}$ at $x$, any numbers
+:then: the derivative of $h\,s^{(j)}+j\,s^{(j-1)}$ is $h\,s^{(j+1)}+(j+1)\,s^{(j)}$; so $(hs)^{(j)}=h\,s^{(j)}+j\,s^{(j-1)}$ for every $j$, and
+  $j\,s^{(j-1)}(x_0)$ at $x_0$
+:method: A value and its derivative are one number $v+v'\epsilon$ with $\epsilon^2=0$; one step, then induction over $j$.  Hence if the derivatives of $s$ at $x_0$
+  are 0 below the order $k$, and $k!\,r(x_0)$ in the order $k$, those of $hs$ are 0 below the order $k+1$, and $(k+1)!\,r(x_0)$ there: so it is for
+  $(x-x_0)^{k+1}r(x)$, by induction over $k$, and $p$ and $p+(x-x_0)^{k+1}r$ have the same derivatives at $x_0$ up to the order $k$.  By Taylor's
+  formula every polynomial with these equalities is of this form.
+:scope: every order k
+:over: s#: derivatives; j: -; x#: x₀
+:control: the factor $j$ in the place of $j+1$
+:::
+*/
+CLAIM(a_factor_raises_the_order_of_a_zero)
+{
+    num j = whole(T, "j", 1, 12), one = from_int(1), h = sub(unknown(T, "x", 1), unknown(T, "x", 0));
+    num s[3] = {unknown(T, "s", 0), unknown(T, "s", 1), unknown(T, "s", 2)}; /* of the orders j-1, j, j+1 */
+    /* (h + eps)(s_j + s_{j+1} eps) + j (s_{j-1} + s_j eps): the part with eps */
+    num product = add(mul(one, s[1]), mul(h, s[2])), derivative = add(product, mul(j, s[1]));
+    about(T, "the next derivative");
+    same(T, derivative, add(mul(h, s[2]), mul(fault(T, add(j, one), j), s[1])));
+}
+
+/*
 :::{claim} equal_derivatives_leave_a_power
 :title: Polynomials with the same derivatives up to order k differ by a multiple of the next power
 :zh: 左右 k 阶导数相等的充要条件
 :given: any polynomial $p$ of degree 7, any $x_0$, any $r$ of degree 2; $q(x)=p(x)+(x-x_0)^{k+1}r(x)$
+:scope: polynomials of degree 7
 :then: $q^{(j)}(x_0)=p^{(j)}(x_0)$ for $j\le k$, and $q^{(k+1)}(x_0)-p^{(k+1)}(x_0)=(k+1)!\,r(x_0)$
 :method: $q$ is multiplied out in powers of $x$; everything a variable.  By Taylor's formula every $q$ with these $k+1$ equalities is of
   this form with some $r$.
@@ -152,14 +180,15 @@ is no way in either direction: the figure does not know how fast it is run throu
 :holds-by: curvature_of_a_graph
 :argued: | Slope and curvature are formed from $f'$ and $f''$ by sums, products and a root, divided by numbers that are not
   0, and so are continuous where $f'$ and $f''$ are.
-:hypothesis: tangent_turns_back_at_a_smooth_parameter | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
+:meant: the words "of the function" (该函数的图形), and "are continuous" | From the class to the figure, for graphs.
 :reading: curvature_of_a_graph | from the class to the figure, for graphs
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs
 :reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
 :reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter
-:meant: the words: the graph of the function | The first: from the class to the figure, for graphs.
 :figure: upright_cube_root
 
+A curve with a parameter needs $P'\ne0$, which graphs always have: without it the tangent may turn back,
+`tangent_turns_back_at_a_smooth_parameter`.
 A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
 $f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
 $(1+f'^2)^{3/2}$.
@@ -272,7 +301,6 @@ That is why a second kind of continuity is defined, by the one parameter that be
 :zh: 几何连续性 G^k 的定义
 :printed: Two segments are continuous of order $k$ geometrically, $G^k$, when their parametrizations by arc length are $C^k$ at the joint.
 :definition: yes
-:checked-by: conditions_make_one_curve_in_another_parameter
 
 Derivatives by the arc length are found from those by another parameter where $P'\ne0$.
 :::
@@ -281,7 +309,8 @@ Derivatives by the arc length are found from those by another parameter where $P
 :title: G0 and C0 are the same
 :zh: G0 与 C0 一致
 :printed: Geometric continuity of order zero is the same as parametric continuity of order zero.
-:holds-by: position_has_no_parameter
+:holds-by: end_of_a_curve_has_no_parameter
+:confirmed-by: position_has_no_parameter
 :::
 */
 
@@ -292,6 +321,34 @@ static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
     for (int k = p.n - 1; k >= 0; k--)
         sum = G(plus)(G(times)(sum, phi), G(constant)(p.c[k]));
     return sum;
+}
+
+/*
+:::{claim} end_of_a_curve_has_no_parameter
+:title: Whatever the parameter, the end of a curve is the same point
+:zh: 任意参数变换不改变端点位置
+:given: any change $\phi$ of the parameter with $\phi(0)=0$, any value $\lambda$ of $\phi'(0)$; polynomials $p$, and $q$ in $u$, with one value
+  at 0, and any values of the derivatives there, related by $q'(0)=\lambda p'(0)$; any $c$
+:then: $u\,p+c$ and $\phi\,q+c$ have one value at $u=0$ again, and derivatives there with the factor $\lambda$
+:method: A value and its derivative are one number $v+v'\epsilon$ with $\epsilon^2=0$.  A polynomial is built by such steps from its highest coefficient on, so that
+  $q=p\circ\phi$ in the end: by induction $P(\phi(0))=P(0)$ for every degree, and the derivative is kept only for $\lambda=1$ or where it is 0.
+:degrees: all
+:scope: every change of the parameter
+:over: p# c#: coefficients; l: -
+:control: the derivative expected to be kept
+:::
+*/
+CLAIM(end_of_a_curve_has_no_parameter)
+{
+    num value = unknown(T, "p", 0), slope = unknown(T, "p", 1), c = unknown(T, "c", 0), lambda = unknown(T, "l", 0);
+    num zero = from_int(0), one = from_int(1);
+    /* (0 + eps)(value + slope eps) + c and (0 + lambda eps)(value + lambda slope eps) + c */
+    num by_t[2] = {add(mul(zero, value), c), add(mul(one, value), mul(zero, slope))};
+    num by_u[2] = {add(mul(zero, value), c), add(mul(lambda, value), mul(zero, mul(lambda, slope)))};
+    about(T, "the value");
+    same(T, by_u[0], by_t[0]);
+    about(T, "the derivative");
+    same(T, by_u[1], fault(T, mul(lambda, by_t[1]), by_t[1]));
 }
 
 /*
@@ -329,9 +386,9 @@ provided that both have a direction.
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
 :needs: negative_ratio_turns_back | the words: the tangents have one direction | equal in direction: proportional with
   a negative factor is a curve that turns back
+:meant: the word that is explained, proportional (成比例) | The sizes may differ.
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ
 :reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
-:meant: the definition of $G^1$, which asks for proportional derivatives | The first: the sizes may differ.
 :figure: joints_of_order
 :::
 */
@@ -499,7 +556,7 @@ The section ends with the word fair (光顺), which is explained by three condit
 :::{statement} slides-ch4:1-fairness
 :title: Fair curves
 :zh: 光顺
-:printed: A fair curve has not too many inflections.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
+:printed: Fairness means that a curve has not too many inflections and is smooth and flowing.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
   points; (3) small changes of the curvature.
 :reading: unit_tangent_jumps_at_the_cusp | the second condition says more than the first: true of $G^2$ as the slides
   explain it, by proportional derivatives; at a cusp the derivatives of both sides are equal, hence proportional, and the

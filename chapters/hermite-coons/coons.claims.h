@@ -187,7 +187,7 @@ the straight one between two corners; and this is what the third surface has the
 :::{statement} slides-ch4:3-ruled
 :title: Two ruled surfaces and the surface of the corners
 :zh: 两张直纹面与角点曲面
-:printed: $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$, where $f_0+f_1=1$, $0\le u,w\le1$
+:printed: By linear interpolation in the direction $u$ the ruled surface $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, in the direction $w$ $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$, where $f_0+f_1=1$, $0\le u,w\le1$
 :definition: yes
 :checked-by: sum_of_ruled_surfaces_has_too_much
 :needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | $f_0+f_1=1$: else the
@@ -198,10 +198,13 @@ the straight one between two corners; and this is what the third surface has the
 :::{statement} slides-ch4:3-sum-of-ruled
 :title: The sum of the ruled surfaces is moved from the frame by an interpolation of the corners
 :zh: 叠加曲面 Ps 的位移
-:printed: In $P_s=P_1+P_2$ one part of the displacement is due to the linear interpolation and one to the border curves; to remove the
-  former $P_3$ is built.
+:printed: For any point of $P_s=P_1+P_2$ one part of the displacement is due to the linear interpolation and one to the border curves; to remove
+  the former a new surface $P_3$ is built.
 :holds-by: sum_of_ruled_surfaces_has_too_much
+:hypothesis: open_corner_loses_the_border | the curves meet at the corners
 :figure: boolean_sum
+
+The part due to the linear interpolation is read as $P_3$, which is what $P_1$ is on the borders $w=0,1$, and $P_2$ on the borders $u=0,1$.
 :::
 
 :::{claim} sum_of_ruled_surfaces_has_too_much
@@ -257,9 +260,10 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
   $f_0(1)=f_1(0)=0$
-:needs: blendings_without_sum_one_move_the_patch | the conditions printed with the functions | $f_0+f_1=1$: not for
-  the borders, but for a patch that moves with its frame
 :figure: boolean_sum
+
+The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its frame:
+`blendings_without_sum_one_move_the_patch`.
 :::
 
 :::{statement} slides-ch4:3-corner-points
@@ -367,8 +371,10 @@ CLAIM(blendings_without_sum_one_move_the_patch)
 :::{statement} slides-ch4:3-bicubic-degree
 :title: Cubic curves and cubic blendings give a bicubic patch
 :zh: 双三次多项式
-:printed: If the border curves and the blending functions are polynomials of degree at most 3, then so is the formula, in $u$ and in $w$.
+:printed: If the border curves are cubic polynomials and the blending functions polynomials of degree not above 3, the formula is a cubic
+  polynomial in $u$ and in $w$, a bicubic one.
 :holds-by: cubic_frame_gives_bicubic_patch
+:meant: the words "not above three" (不超过三次), said of the functions | Of degree at most 3 in each of the two parameters.
 :figure: worked_patch
 :::
 */

@@ -33,12 +33,13 @@ number of conditions is one more than $N$.
 :::{statement} slides-ch4:2-general-degree
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
-:printed: for the general problem the interpolating polynomial is in general of a rather high degree, which is inconvenient
-:holds-by: hermite_interpolant_exists_and_is_unique
+:printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
+:reading: hermite_interpolant_exists_and_is_unique | its degree grows with the data, by one with each value and each derivative: true, as the data of a
+  polynomial of degree $N=m_0+\dots+m_k-1$ give it back
+:reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
 :figure: hermite_blending_functions
 
-The data of a polynomial of degree $N=m_0+\dots+m_k-1$ give it back, so that the degree $N$ occurs: it grows by one with each
-value and each derivative.  The cubics of the next section stay cubics, however many nodes there are.
+The cubics of the next section stay cubics, however many nodes there are.
 :::
 */
 
@@ -327,8 +328,8 @@ CLAIM(cubic_coefficients_by_monomials)
 :corrected-by: cubic_coefficients_by_monomials
 :figure: square_without_its_prime
 
-Derivatives can be told from values in the text we have, because a prime leaves a gap there; the first term has none.  With either
-sign of that term the formula is false, and with a prime it is true.
+The primes are lost in the text we have, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
+$2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in $3f(t_0)t_1$.  With either sign of that term the formula is false, and with a prime it is true.
 :::
 */
 
@@ -478,21 +479,19 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :::{statement} slides-ch4:3-blending-ends
 :title: The same for the functions over the unit interval, as they are used for surfaces
 :zh: 单位区间上四个混合函数的端点性质
-:printed: $q_{00}(0)=1$, $q_{01}(0)=q_{10}(0)=q_{11}(0)=0$; $q_{01}(1)=1$, $q_{00}(1)=q_{10}(1)=q_{11}(1)=0$; $q_{10}'(0)=1$,
+:printed: The functions $q_{00},q_{01},q_{10},q_{11}$ of section 2 are cubic polynomials, continuously differentiable, and satisfy $q_{00}(0)=1$, $q_{01}(0)=q_{10}(0)=q_{11}(0)=0$; $q_{01}(1)=1$, $q_{00}(1)=q_{10}(1)=q_{11}(1)=0$; $q_{10}'(0)=1$,
   $q_{00}'(0)=q_{01}'(0)=q_{11}'(0)=0$; $q_{11}'(1)=1$, $q_{00}'(1)=q_{01}'(1)=q_{10}'(1)=0$
-:holds-by: blending_functions_are_dual_to_the_data
+:holds-by: unit_functions_are_dual_to_the_data
 :figure: hermite_blending_functions
-
-The case $t_0=0$, $t_1=1$.
 :::
 
 :::{claim} blending_functions_are_dual_to_the_data
 :title: Each blending function has one datum that is not 0, and three that are
 :zh: 四函数与四型值对偶
-:given: $t_0<t_1$, also $t_0=0$, $t_1=1$
+:given: $t_0<t_1$
 :then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are the matrix with the diagonal
-  $1,1,\frac1{t_1-t_0},\frac1{t_1-t_0}$ and 0 elsewhere; over the unit interval it is the unit matrix
-:method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables, then 0 and 1.
+  $1,1,\frac1{t_1-t_0},\frac1{t_1-t_0}$ and 0 elsewhere
+:method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables.
 :over: t# h#: different nodes
 :control: $h_{00}$ taken for $h_{01}$
 :::
@@ -500,15 +499,42 @@ The case $t_0=0$, $t_1=1$.
 CLAIM(blending_functions_are_dual_to_the_data)
 {
     num t0, t1, unit[4];
-    for (int over_unit = 0; over_unit < 2; over_unit++) {
-        G(interval)(T, &t0, &t1);
-        if (over_unit)
-            t0 = from_int(0), t1 = from_int(1);
-        for (int i = 0; i < 4; i++) {
-            for (int k = 0; k < 4; k++)
-                unit[k] = k != i ? from_int(0) : i < 2 ? from_int(1) : div(from_int(1), sub(t1, t0));
-            G(osculates)(T, G(printed_blending)(t0, t1, fault(T, i, i == 3 ? 2 : i)), t0, t1, unit);
+    G(interval)(T, &t0, &t1);
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 4; k++)
+            unit[k] = k != i ? from_int(0) : i < 2 ? from_int(1) : div(from_int(1), sub(t1, t0));
+        G(osculates)(T, G(printed_blending)(t0, t1, fault(T, i, i == 3 ? 2 : i)), t0, t1, unit);
+    }
+}
+
+/*
+:::{claim} unit_functions_are_dual_to_the_data
+:title: Over the unit interval the table of values and derivatives is the unit matrix
+:zh: 单位区间上四函数与四型值对偶
+:given: the functions $q$ as the columns of the printed matrix, coefficients of $u^3,u^2,u,1$, and once more as the printed functions over an interval,
+  $t_0=0$, $t_1=1$
+:then: each is a polynomial of degree 3 with one of the four data $q(0),q(1),q'(0),q'(1)$ equal to 1 and the others equal to 0
+:method: The polynomials and their derivatives at the two integers; the coefficient of $u^3$ is not 0.
+:scope: the four functions
+:control: $q_{10}$ taken for $q_{11}$
+:::
+*/
+CLAIM(unit_functions_are_dual_to_the_data)
+{
+    num zero = from_int(0), one = from_int(1), unit[4];
+    for (int i = 0; i < 4; i++) {
+        int taken = fault(T, i, i == 3 ? 2 : i);
+        struct G(poly) column = {3, {zero, zero, zero, zero}};
+        for (int k = 0; k < 4; k++) {
+            unit[k] = from_int(k == i);
+            column.c[k] = from_int(G(printed_matrix)(3 - k, taken));
         }
+        about(T, "the columns of the matrix");
+        G(osculates)(T, column, zero, one, unit);
+        about(T, "the functions over an interval");
+        G(osculates)(T, G(printed_blending)(zero, one, taken), zero, one, unit);
+        about(T, "the degree");
+        agree(T, G(printed_matrix)(0, i) != 0);
     }
 }
 
@@ -637,8 +663,8 @@ CLAIM(unit_blending_functions)
 :title: The cubic as a product of matrices
 :zh: 三次 Hermite 曲线的矩阵形式
 :printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
-:holds-by: one_choice_of_signs_in_the_matrix
-:example: the matrix is the one that is printed.
+:holds-by: unit_blending_functions
+:confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: hermite_blending_functions
 
 The signs are lost; of the 1024 ways to give the ten entries signs, one is true.

@@ -3,8 +3,9 @@
 
 The slides begin with a list of reasons for writing curves and surfaces with a parameter.  Most of them are half sentences:
 what a graph $y=f(x)$ cannot do, what an equation $f(x,y)=0$ makes inconvenient, what becomes easy with $P(t)$.  Read as
-mathematics each is a statement about what exists, and a curve that has it, or lacks it, decides it.  They turn out to be true,
-some of them only of explicit equations; and the one on space curves and cylinders says more than it seems to.
+mathematics some are statements about what exists, and a curve that has it, or lacks it, decides them; some are general, and proved; and
+some are opinions, of which a part can be decided and the rest is left open.  What can be decided turns out to be true,
+some of it only of explicit equations; and the sentence on space curves and cylinders says more than it seems to.
 */
 #include "chapters/hermite-coons/definition.h"
 
@@ -26,8 +27,8 @@ after a turn it need not be one.
 :title: Equations without a parameter depend on the axes
 :zh: 非参数方程依赖坐标轴
 :printed: $y=f(x)$ and $f(x,y)=0$ belong to the axes and are inconvenient when the coordinates are changed.
-:holds-by: turned_graph_is_no_graph
-:example: one graph that a turn makes no graph.
+:reading: turned_graph_is_no_graph | $y=f(x)$ belongs to the axes: true, a turn can take a graph to what is no graph
+:reading: what is inconvenient: an opinion, which no computation decides
 :figure: graphs_and_axes
 :::
 */
@@ -66,7 +67,7 @@ CLAIM(turned_graph_is_no_graph)
 :::{statement} slides-ch4:1-many-values
 :title: Several values in both directions
 :zh: 一个自变量对应多个值
-:printed: In some coordinates a curve may have several $y$ for some $x$ and several $x$ for some $y$.
+:printed: If functions without a parameter are used: in some coordinates a curve has several $y$ for some $x$ and several $x$ for some $y$.
 :holds-by: circle_has_two_values_each_way
 :example: it may happen, and one curve shows it.
 :figure: graphs_and_axes
@@ -105,6 +106,7 @@ tangent is a vector, and nothing happens: its length is never 0.
 :zh: 斜率无穷大
 :printed: Without a parameter an infinite slope may occur.
 :holds-by: circle_has_an_upright_tangent
+:example: it may happen, and one curve shows it.
 :figure: graphs_and_axes
 :::
 
@@ -147,12 +149,11 @@ an equation without a parameter.
 :title: Complicated shapes without a parameter
 :zh: 难以灵活地构造复杂的曲线、曲面
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
-:holds-by: parametric_cubic_crosses_itself
-:example: one curve that no graph is.
+:reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: true, a curve that crosses itself has none
+:reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
 :figure: graphs_and_axes
 
-Hard is read as what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has none.  An equation $f(x,y)=0$ it
-may have, as here, and the slides do not say that it has not: `nodal_cubic_has_an_equation`.
+An equation $f(x,y)=0$ a curve that crosses itself may have, as here, and the slides do not say that it has not: `nodal_cubic_has_an_equation`.
 :::
 */
 
@@ -221,8 +222,40 @@ CLAIM(parametric_cubic_crosses_itself)
 :title: With a parameter an infinite slope is easy to handle
 :zh: 参数方程便于处理斜率无穷大
 :printed: Parametric equations make it easy to deal with an infinite slope.
-:holds-by: circle_has_an_upright_tangent
+:holds-by: tangent_needs_no_slope
+:confirmed-by: circle_has_an_upright_tangent
+
+Easy is read as: the tangent is found without a slope, and no case has to be told from another.
 :::
+
+:::{claim} tangent_needs_no_slope
+:title: The tangent line by the derivative of the parameter, where there is a slope and where there is none
+:zh: 切线由参数导矢给出,与斜率是否存在无关
+:given: a point $(x,y)$ of a plane curve and its derivative $(x',y')\ne(0,0)$ there, any numbers; any $\lambda$
+:then: $(X-x)\,y'-(Y-y)\,x'=0$ for $(X,Y)=(x+\lambda x',y+\lambda y')$; where $x'\ne0$ it is $x'$ times $(X-x)\frac{y'}{x'}-(Y-y)$, which has the
+  slope $\frac{y'}{x'}$; where $x'=0$ it is $(X-x)\,y'=0$, the upright line
+:method: Identities with everything a variable, and once more with $x'=0$; the equation is that of a line, since one of its two factors is not 0.
+:over: x0 y0: point; x1 y1: derivative; X Y: -; l: lambda
+:control: the two components of the derivative exchanged
+:::
+*/
+CLAIM(tangent_needs_no_slope)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), X = unknown(T, "X", 0), Y = unknown(T, "Y", 0);
+    num lambda = unknown(T, "l", 0), dx = unknown(T, "x", 1), dy = positive(T, "y", 1), zero = from_int(0);
+    for (int upright = 0; upright < 2; upright++) {
+        num d[plane] = {upright ? zero : dx, dy};
+        num to[plane] = {mul(lambda, fault(T, d[0], d[1])), mul(lambda, fault(T, d[1], d[0]))};
+        about(T, "the points of the tangent");
+        vanishes(T, G(cross2)(to, d));
+        num from[plane] = {sub(X, x), sub(Y, y)}, equation = G(cross2)(from, d);
+        about(T, upright ? "the upright line" : "the line with a slope");
+        num with_slope = upright ? zero : mul(dx, sub(mul(from[0], div(dy, dx)), from[1]));
+        same(T, equation, upright ? mul(from[0], dy) : with_slope);
+    }
+}
+
+/*
 
 In space one equation is a surface, and two are needed.  The slides think of cylinders, each over a projection of the curve to a plane of two
 axes.  Every point of the curve is on both; the question is what else is.  For two graphs over one axis nothing else is.  For an ellipse and two
@@ -237,14 +270,12 @@ of its cylinders, and for a circle that is tilted against all three axes and any
 :hypothesis: closed_curve_is_no_pair_of_graphs | explicit equations $y=f(x)$, $z=g(x)$ mean one point for each $x$, or for each value of another coordinate
 :hypothesis: no_two_projections_give_the_circle | where cylinders are taken over two projections, the curve is all that they have in common; for some curves no choice
   of two will do
-:reading: two_cylinders_hold_more_than_the_curve | the cylinders over the projections of $x^2+y^2=1$, $z=y$ along $z$ and $y$: false, there is more
-:reading: two_cylinders_are_two_ellipses | what they have in common: the ellipses of $z=y$ and of $z=-y$
-:reading: two_cylinders_of_the_circle_hold_an_ellipse | for the circle of $x^2+y^2+z^2=2$, $x+y+z=0$, what two of its cylinders have in
-  common: the circle and an ellipse of a plane in which two coordinates are equal
-:meant: the words: defined as the intersection of two cylinders | The curve is all that the two cylinders have in
-  common.
 :figure: two_cylinders
 
+The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse,
+`two_cylinders_hold_more_than_the_curve`: the ellipses of $z=y$ and of $z=-y$, `two_cylinders_are_two_ellipses`.  Two of the cylinders of the
+circle $x^2+y^2+z^2=2$, $x+y+z=0$ have in common the circle and an ellipse of a plane in which two coordinates are equal,
+`two_cylinders_of_the_circle_hold_an_ellipse`.
 The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
 :::
 
@@ -482,28 +513,38 @@ CLAIM(segment_in_its_parameter)
 :::{statement} slides-ch4:1-parametric-transform
 :title: Transformations act on the parametric equations
 :zh: 可对参数方程直接进行几何变换
-:printed: Translation, scaling and rotation can be applied directly to the parametric equations.
-:holds-by: bezier_curve_moves_with_its_points
+:printed: Geometric transformations, such as translation, scaling and rotation, can be applied directly to the parametric equations of curves
+  and surfaces.
+:holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one
+:confirmed-by: bezier_curve_moves_with_its_points
+:argued: surfaces | In both claims a function, or a power, is any number; so it may be a function of two parameters, or a product $u^iw^k$.
+
+A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$, and thereby to the points or coefficients from which it is computed.
 :::
 
 :::{statement} slides-ch4:1-freedom
 :title: More freedom for the shape
 :zh: 参数形式自由度更大
-:printed: With a parameter there is more freedom to control the shape of curves and surfaces, and more that can be described.
-:holds-by: parametric_cubic_crosses_itself
-:example: one shape that no graph has.
+:printed: With a parameter there is more freedom to control the shape of curves and surfaces, a strong power to describe and a rich power to express.
+:reading: parametric_cubic_crosses_itself | more than graphs: true, there are shapes that no graph $y=f(x)$ has
+:reading: how much freedom, which power is strong or rich: the slides do not say, so that nothing is there to be decided
 :figure: graphs_and_axes
 
-A parametric cubic of the plane has eight coefficients, of which the graph of a cubic, $x=t$, has four.  The claim shows a shape that no
-graph has.
+A parametric cubic of the plane has eight coefficients, of which the graph of a cubic, $x=t$, has four.
 :::
 
 :::{statement} slides-ch4:1-dimensions
 :title: Any number of coordinates
 :zh: 变量个数不限,便于扩展到高维
-:printed: The variables are separated and their number is not limited, so curves and surfaces are easily taken from a space of few
-  dimensions to one of more.
-:holds-by: another_coordinate_changes_no_other
+:printed: In parametric equations the algebraic and the geometric, the dependent and the independent variables are completely separated, and
+  their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
+:holds-by: matrices_pass_to_the_points
+:confirmed-by: another_coordinate_changes_no_other
+:argued: any number of coordinates | In $\sum\varphi_iQ_i$ no coordinate of the $Q_i$ occurs in another coordinate of the sum; so one more leaves the
+  others as they are.
+
+With the matrix that leaves a coordinate out, a projection, the claim says that the curve or surface of the projected points is the projection;
+read backwards, that a further coordinate changes no other.  The functions are any, of one parameter or two.
 :::
 
 :::{claim} another_coordinate_changes_no_other
@@ -537,8 +578,10 @@ CLAIM(another_coordinate_changes_no_other)
 :::{statement} slides-ch4:1-matrices
 :title: Vectors and matrices
 :zh: 易于用矢量和矩阵表示
-:printed: The geometry is easily written, and computed, with vectors and matrices.
-:holds-by: unit_blending_functions small_degrees_written_out
+:printed: It is easy to represent the geometry by vectors and matrices, and the computation is simple.
+:reading: small_degrees_written_out | Bézier curves of the degrees 1, 2 and 3 as products with matrices
+:reading: unit_blending_functions | the cubic of two points and two tangents as such a product
+:reading: what is easy and what simple: an opinion, which no computation decides
 :::
 
 :::{statement} slides-ch4:1-bounded
@@ -556,8 +599,11 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :title: A part of a curve or of a surface
 :zh: 用参数范围界定曲线或曲面的一部分
 :printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
-:holds-by: interval_kernel_gives_the_part surface_part_is_the_piece
+:holds-by: bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers
+:confirmed-by: interval_kernel_gives_the_part surface_part_is_the_piece
+:argued: surfaces | With one of the parameters fixed a surface is a curve in the other; so it is cut in the one, and then in the other.
 
+The two parts of a cut at any parameter are curves of the same degree over $[0,1]$; a part from $a$ to $b$ is what two cuts leave.
 For a surface this is one range for each of the two parameters, when the part is a rectangle of them.
 :::
 
@@ -565,7 +611,16 @@ For a surface this is one range for each of the two parameters, when the part is
 :title: Pieces that are joined smoothly
 :zh: 便于分段、分片描述与光顺连接
 :printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
-:holds-by: interval_kernel_gives_the_part surface_part_is_the_piece three_points_make_c2
+:holds-by: bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers bernstein_recurrence
+  recurrence_keeps_sum_sign_ends_and_symmetry bernstein_derivative derivatives_go_down_through_the_differences
+  differences_lower_the_newton_functions
+:confirmed-by: interval_kernel_gives_the_part surface_part_is_the_piece three_points_make_c2
+:argued: surfaces | $P(u,w)=\sum_jB_j(w)\,c_j(u)$ with the curves $c_j$ of the rows of the net: where the rows join in $C^k$, so do the derivatives by $u$ of the
+  surfaces, for every $w$, and with them all others.
+
+Easy is read as: for every degree and every order.  A curve is cut into pieces over $[0,1]$ of the same degree.  At the joint of two pieces of degree $n$ the
+derivatives of order $r$ are $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$ and $\frac{n!}{(n-r)!}\Delta^rQ_0$; for $Q_i=\sum_j\binom ij\Delta^jP_{n-j}$, $i=0,\dots,k$, the differences of
+$Q$ are these, $\Delta^rQ_0=\Delta^rP_{n-r}$, so that the joint is $C^k$, whatever the other points are.
 :::
 
 Last come two pairs of words.  To interpolate is to pass through the points.  To approximate is used in two senses that exclude each

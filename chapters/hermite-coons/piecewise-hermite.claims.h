@@ -282,10 +282,12 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :::{statement} slides-ch4:2-scaled-tangents
 :title: The tangents of the piece over the unit interval
 :zh: 单段端点切向量的缩放
-:printed: $P_i=f(t_i)$, $P_{i+1}=f(t_{i+1})$, $P_i'=f'(t_i)(t_{i+1}-t_i)$, $P_{i+1}'=f'(t_{i+1})(t_{i+1}-t_i)$
+:printed: where $P_i=P(t_i)=f(t_i)$, $P_{i+1}=P(t_{i+1})=f(t_{i+1})$, $P_i'=f'(t_i)(t_{i+1}-t_i)$, $P_{i+1}'=f'(t_{i+1})(t_{i+1}-t_i)$
 :holds-by: unit_blending_functions
-:hypothesis: one_scaled_tangent_for_two_pieces_makes_a_jump | $P_i'$ belongs to one interval; for both intervals at $t_i$
-  it is one vector only if they have one length (or $f'(t_i)=0$)
+:meant: the word "where" (其中) below the formula of the piece $P_i(u)$ | The vectors $P_i'$ and $P_{i+1}'$ are those of the one piece over $[t_i,t_{i+1}]$.
+:reading: unit_blending_functions | the vectors of one piece
+:reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces at $t_i$: false, unless the intervals have one
+  length (or $f'(t_i)=0$)
 :figure: one_tangent_two_lengths
 
 The same letter is used for the tangent at the end of one piece, $f'(t_i)(t_i-t_{i-1})$, and at the start of the next, and before, in the sum

@@ -17,14 +17,16 @@ Bernstein basis of degree 8 function $i$ has the two coefficients $\nu_i/\binom8
 :::{statement} deng-zhang-2022:def-2.1
 :title: The eight functions with the parameter beta
 :zh: 带参数 β 的基函数的定义
-:printed: $\hat B_0=(1-\beta t)(1-t)^7$, $\hat B_1=(7+\beta-5\beta t)(1-t)^6t$, $\hat B_2=(21+4\beta-9\beta t)(1-t)^5t^2$,
-  $\hat B_3=(35+5\beta-9\beta t)(1-t)^4t^3$, $\hat B_4=(35+\beta t)(1-t)^3t^4$, $\hat B_5=(21-5\beta+9\beta t)(1-t)^2t^5$,
-  $\hat B_6=(7-4\beta+5\beta t)(1-t)t^6$, $\hat B_7=(1-\beta+\beta t)t^7$, with $-7\le\beta\le1$
+:printed: For $t\in[0,1]$, $\beta\in R$ the polynomials in $t$
+  $B_{0,7}(t)=(1-\beta t)(1-t)^7$, $B_{1,7}(t)=(7+\beta-5\beta t)(1-t)^6t$, $B_{2,7}(t)=(21+4\beta-9\beta t)(1-t)^5t^2$,
+  $B_{3,7}(t)=(35+5\beta-9\beta t)(1-t)^4t^3$, $B_{4,7}(t)=(35+\beta t)(1-t)^3t^4$, $B_{5,7}(t)=(21-5\beta+9\beta t)(1-t)^2t^5$,
+  $B_{6,7}(t)=(7-4\beta+5\beta t)(1-t)t^6$, $B_{7,7}(t)=(1-\beta+\beta t)t^7$ are called the basis functions with the parameter $\beta$, where $-7\le\beta\le1$.
 :definition: yes
 :checked-by: printed_kernel_is_formula_one
 :figure: eight_functions
 
-The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is taken as the range meant.
+The definition says both $\beta\in R$ and $-7\le\beta\le1$; the second is taken as the range meant.  Outside of what is quoted these functions
+are written $\hat B_i$, to be told from the corrected ones, $B_{i,7}$ or $B_{i,n}$.
 :::
 */
 
@@ -98,7 +100,7 @@ CLAIM(corrected_kernel_is_its_formula)
 :::{statement} deng-zhang-2022:sec-2-properties
 :title: The eight functions have the properties that follow
 :zh: 上述基函数具有以下性质
-:printed: the eight functions of formula (1) have all of the properties 2.1 to 2.7
+:printed: the functions above have the following properties: 2.1 to 2.7
 :refuted-by: printed_functions_do_not_sum_to_one printed_middle_functions_are_no_mirror_images
 :class: misprint
 :corrected: $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed;
@@ -184,7 +186,7 @@ $\beta$.
 :::{statement} deng-zhang-2022:def-2.1-degree
 :title: The functions are polynomials of degree eight
 :zh: 八次多项式
-:printed: the functions are polynomials in $t$ of degree eight
+:printed: a set of polynomial basis functions of degree eight with the shape parameter $\beta$ is given (abstract, introduction and summary)
 :holds-by: leading_coefficients_are_multiples_of_beta
 :hypothesis: degree_falls_for_beta_zero | $\beta\ne0$; for $\beta=0$ the degree is 7
 :figure: beta_zero
@@ -253,7 +255,7 @@ together gives the one exception, $\nu_2$ and $\varphi_5$ give the other.
 :::{statement} deng-zhang-2022:def-2.1-basis
 :title: The functions are a basis
 :zh: 基函数的线性无关性
-:printed: the eight polynomials are called basis functions with the parameter $\beta$, $-7\le\beta\le1$
+:printed: the polynomials (1) are called basis functions with the parameter $\beta$, where $-7\le\beta\le1$
 :holds-by: functions_are_independent_but_for_two_values
 :hypothesis: two_functions_coincide | $\beta\ne-7$
 :hypothesis: a_combination_vanishes | $\beta\ne-\frac{21}4$
@@ -387,7 +389,7 @@ print; but the whole geometry of the curve rests on the sum, and the next sectio
 :::{statement} deng-zhang-2022:property-2.2
 :title: The functions add up to one
 :zh: 权性，式 (3)
-:printed: \sum_{i=0}^7\hat B_i(t)\equiv1
+:printed: \sum_{i=0}^7B_{i,7}(t)\equiv1
 :refuted-by: printed_functions_do_not_sum_to_one
 :class: misprint
 :corrected: the printed functions add up to $1-4\beta(1-t)^3t^4$, which is 1 for all $t$ only if $\beta=0$; the corrected
@@ -477,7 +479,7 @@ difference of its sides has the factor $1-2t$, and in the middle of the interval
 :::{statement} deng-zhang-2022:property-2.3
 :title: The functions are mirror images of each other
 :zh: 对称性，式 (4)
-:printed: $\hat B_i(1-t)=\hat B_{7-i}(t)$ for $i=0,1,2,3$
+:printed: $B_{0,7}(1-t)=B_{7,7}(t)$, $B_{1,7}(1-t)=B_{6,7}(t)$, $B_{2,7}(1-t)=B_{5,7}(t)$, $B_{3,7}(1-t)=B_{4,7}(t)$
 :refuted-by: printed_middle_functions_are_no_mirror_images
 :class: misprint
 :corrected: for $i=0,1,2$ as printed; $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation needs
@@ -567,7 +569,7 @@ Function $i$ has the factor $t^i$ and the factor $(1-t)^{n-i}$, whatever $\beta$
 :::{statement} deng-zhang-2022:property-2.4-5
 :title: The first function is one at the beginning
 :zh: 式 (5)
-:printed: \hat B_0(0)=1
+:printed: B_{0,7}(0)=1
 :holds-by: functions_vanish_to_their_orders_at_the_ends
 :figure: eight_functions
 :::
@@ -619,7 +621,7 @@ CLAIM(functions_vanish_to_their_orders_at_the_ends)
 :::{statement} deng-zhang-2022:property-2.4-6
 :title: Values and derivatives that vanish at the beginning
 :zh: 式 (6)
-:printed: $\hat B_i(0)=0$ for $i=1,\dots,7$; $\hat B_i'(0)=0$ for $i=2,\dots,7$; $B_{j,j}^{(k)}(0)=0$ for
+:printed: $B_{i,7}(0)=0$ for $i=1,\dots,7$; $B_{i,7}'(0)=0$ for $i=2,\dots,7$; $B_{j,j}^{(k)}(0)=0$ for
   $2\le k<j\le7$
 :holds-by: functions_vanish_to_their_orders_at_the_ends functions_of_lower_degree_vanish_at_the_beginning
 :figure: eight_functions
@@ -655,7 +657,7 @@ CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
 :::{statement} deng-zhang-2022:property-2.4-7
 :title: The last function is one at the end
 :zh: 式 (7)
-:printed: \hat B_7(1)=1
+:printed: B_{7,7}(1)=1
 :holds-by: functions_vanish_to_their_orders_at_the_ends
 :figure: eight_functions
 :::
@@ -663,8 +665,8 @@ CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
 :::{statement} deng-zhang-2022:property-2.4-8
 :title: Values and derivatives that vanish at the end
 :zh: 式 (8)
-:printed: $\hat B_j(1)=0$ for $j\le6$; $\hat B_5'(1)=0$, and $B_{j,5}'(1)=0$ for $j\le4$; $\hat B_j''(1)=0$ for $j\le4$;
-  $B_{j,5}'''(1)=0$ for $j\le3$; $\hat B_j^{(k)}(1)=0$ for $j\le6-k$, $k=4,5,6$
+:printed: $B_{j,7}(1)=0$ for $j\le6$; $B_{5,7}'(1)=0$, and $B_{j,5}'(1)=0$ for $j\le4$; $B_{j,7}''(1)=0$ for $j\le4$;
+  $B_{j,5}'''(1)=0$ for $j\le3$; $B_{j,7}^{(k)}(1)=0$ for $j\le6-k$, $k=4,5,6$
 :refuted-by: derivative_of_degree_five_does_not_vanish
 :class: misprint
 :corrected: $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
@@ -717,7 +719,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :::{statement} deng-zhang-2022:property-2.7
 :title: For beta = 0 the functions are the Bernstein polynomials
 :zh: β=0 时退化为 Bernstein 基，式 (9)
-:printed: for $\beta=0$ and all $i=0,\dots,7$: $\hat B_{0}(t)=B_i^7(t)$
+:printed: for $\beta=0$ and every $i=0,\dots,7$: $B_{0,7}(t)=B_i^7(t)$
 :refuted-by: first_function_is_not_every_bernstein_polynomial
 :class: misprint
 :corrected: $\hat B_i(t)=B_i^7(t)$: the index 0 on the left is $i$; printed and corrected functions alike

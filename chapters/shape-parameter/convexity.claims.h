@@ -22,7 +22,8 @@ sense, for a triangle and its base.
 :::{statement} deng-zhang-2022:property-3.7
 :title: Convex polygons have convex curves
 :zh: 保凸性
-:printed: when the control polygon is convex, a line of the plane meets the curve at most twice, $-7\le\beta\le1$
+:printed: by property 3.6, when the control polygon is convex, any line of the plane has not more than two points of intersection with the curve, for the
+  $-7\le\beta\le1$ of definition 2.1
 :refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
   curve_of_a_triangle_meets_a_line_three_times
 :class: false
@@ -32,9 +33,9 @@ sense, for a triangle and its base.
   linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
   third_function_has_a_zero_for_every_smaller_beta
 :confirmed-by: roots_are_at_most_sign_changes
+:meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
   possible, at $\beta=-\frac{21}4,0,1$
-:meant: the words: a line of the plane meets the curve | Common points are points of the plane.
 :figure: convexity_lost
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
@@ -46,7 +47,7 @@ three changes.
 :::{statement} deng-zhang-2022:property-3.7-reason
 :title: A line meets a convex polygon at most twice
 :zh: 直线与凸控制多边形的交点
-:printed: a line meets the (convex) control polygon at most twice
+:printed: this is because a line and the (convex) control polygon have at most two points of intersection
 :holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
 :hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
 :figure: line_along_an_edge

@@ -38,6 +38,11 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
 :striking: 12
+
+With two neighbours $k_{i-1},k_i$ each Bernstein coefficient of $\sum k_iB_i$ is a multiple of an average of the two, not a negative one, where the entries of the
+matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.
+With the sum 1 this is said of $k_i=u\cdot(P_i-Q)$ and of the distance of the curve from $L$.  Below the range and above it one function has a zero inside,
+and three points or one make a polygon on one side of a line that its curve meets.
 :::
 */
 

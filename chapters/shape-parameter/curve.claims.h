@@ -19,7 +19,7 @@ their edges, and the curve depends on the place of the origin.
 :::{statement} deng-zhang-2022:def-3.1
 :title: The curve of eight points
 :zh: 八次 β-Bezier 曲线，式 (10)
-:printed: $B_1=\sum_{i=0}^7P_i\hat B_i(t)$ for $P_i\in\mathbb R^d$, $d=2,3$, $t\in[0,1]$
+:printed: $B_1=\sum_{i=0}^7P_iB_{i,7}(t)$ for eight control points $P_i\in\mathbb R^d$, $d=2,3$, $t\in[0,1]$
 :definition: yes
 :checked-by: printed_curve_kernel_is_the_sum curve_kernels_give_the_sum
 :figure: curves_for_several_beta
@@ -93,7 +93,7 @@ Its degree is at most 8; for $\beta=0$ it is at most 7.
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
 :then: the curve of degree $n+1$ of the points of `shape_bezier_points` is $\sum P_iB_{i,n}(t)$; they are the rows of
   `shape_matrix` applied to the $P_i$; and
-  $Q_k-P_{k-1}=\bigl(\tfrac{n+1-k}{n+1}+\beta\frac{a_k}{\binom{n+1}k}\bigr)(P_k-P_{k-1})$
+  $Q_k-P_{k-1}=\bigl(\frac{n+1-k}{n+1}+\beta\frac{a_k}{\binom{n+1}k}\bigr)(P_k-P_{k-1})$
 :method: The points as coefficients of Bernstein polynomials of degree $n+1$ against the formula of the functions,
   everything a variable.
 :degrees: 2..7 sampled 14
@@ -218,7 +218,7 @@ CLAIM(points_move_evenly_with_beta)
 :::{statement} deng-zhang-2022:abstract-adjustable
 :title: For a fixed polygon different beta give different curves
 :zh: 形状可调性
-:printed: with the control points fixed, different curves are produced by changing the parameter
+:printed: with the vertices of the control polygon unchanged, different curves that approximate the polygon can be produced by adjusting the parameter
 :holds-by: points_move_evenly_with_beta polygons_that_do_not_move
 :hypothesis: edges_that_do_not_move | corrected functions: not $P_0=P_1=P_2=P_3$ and $P_4=P_5=P_6=P_7$; printed functions: not
   $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
@@ -609,7 +609,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :::{statement} deng-zhang-2022:eq-12
 :title: The chain that proves the symmetry
 :zh: 式 (12)
-:printed: B_1(1-t)=\sum P_{7-i}B_i(1-t)=\sum P_jB_j(t)=B_1(t)
+:printed: B_1(1-t)=\sum_{i=0}^7P_{7-i}B_{i,7}(1-t)=\sum_{j=0}^7P_jB_{j,7}(t)=B_1(t)
 :refuted-by: curve_is_not_its_own_reverse
 :class: misprint
 :corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
@@ -657,7 +657,8 @@ where it is, do no harm.
 :::{statement} deng-zhang-2022:property-3.4
 :title: The curve does not depend on the coordinate system
 :zh: 几何不变性
-:printed: the curve depends only on the control points; its shape stays the same under translations and rotations
+:printed: the curve depends only on the control points and not on the position and direction of the coordinate system, that is, its shape stays
+  the same after translations and rotations of the coordinates
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
 :corrected: true for the corrected functions for every $\beta$; the printed curve of the points $P_i+v$ is the old one

@@ -21,8 +21,8 @@ are positive.  That the argument nowhere uses the range of $\beta$ could have be
 :::{statement} deng-zhang-2022:property-3.6-SA
 :title: Roots in (0,1) and changes of sign
 :zh: 根的个数与变号数，式 (13)、(14)、(16)、(17)
-:printed: $f=\sum k_i\hat B_i$ for the functions (13) and constants (14); $Z(f)$ is the number of roots of $f$ in $(0,1)$,
-  $SA(k_0,\dots,k_7)$ the number of changes of sign
+:printed: $f(t)=\sum_{i=0}^7k_iB_{i,7}(t)$ for the functions (13) and constants (14); Zeros$(0,1)\{f(t)\}$ is the number of roots of $f$ in the interval
+  $(0,1)$, $SA(k_0,\dots,k_7)$ the number of changes of sign of the sequence (14)
 :definition: yes
 :checked-by: combination_begins_and_ends_with_its_coefficients
 
@@ -100,7 +100,7 @@ CLAIM(parity_of_the_roots)
 :::{statement} deng-zhang-2022:eq-15
 :title: The rule of Descartes for the eight functions
 :zh: 笛卡尔符号法则，式 (15)
-:printed: Z_{(0,1)}\Bigl(\sum k_i\hat B_i\Bigr)\le SA(k_0,\dots,k_7)
+:printed: These functions obey the rule of signs of Descartes on $(0,1)$ altogether: Zeros$(0,1)\{\sum_{i=0}^7k_iB_{i,7}(t)\}\le SA(k_0,\dots,k_7)$ for the constants (14)
 :refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
 :class: false
 :corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
@@ -113,6 +113,9 @@ CLAIM(parity_of_the_roots)
 :figure: crossings_off_the_polygon
 
 The sum of the functions plays no part here, so that the misprints do no harm.
+
+With two neighbours $k_{i-1},k_i$ each Bernstein coefficient of $\sum k_iB_i$ is a multiple of an average of the two, not a negative one, where the entries of the
+matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.
 :::
 */
 
@@ -252,11 +255,12 @@ needed: seven changes among eight signs leave no other sign for $k_7$.
 :class: invalid-proof
 :corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
   when $k_7=0$ it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
-:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  linear_factor_adds_a_change_of_sign
+:corrected-by: combination_begins_and_ends_with_its_coefficients totally_positive_exactly_in_the_range
+  averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven
 
+With $k_0,k_7\ne0$ the number of roots, counted with multiplicity, is even or odd as $SA$ is, so that it is not $SA+1$.
 The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.
 :::
 

@@ -23,22 +23,22 @@ intersections" is true or false according to what is counted.
 :title: The line through a point with a normal vector
 :zh: 过点 Q、法向量为 u 的直线
 :printed: let $L$ be the line (or plane) through the point $Q$ with the normal vector $u$
-:holds-by: points_of_a_line_by_its_normal
+:definition: yes
+:checked-by: points_of_a_line_by_its_normal
 :figure: line_along_an_edge
 
-A normal vector is not 0; with $u=0$ all points would be on $L$, `no_normal_no_line`.  In the plane; in space
-$u\cdot(X-Q)=0$ is in the same way a plane.
+A normal vector is not 0; with $u=0$ all points would be on $L$, `no_normal_no_line`.
 :::
 
 :::{claim} points_of_a_line_by_its_normal
-:title: The points with u.(X-Q) = 0 are a line
-:zh: 由法向量确定的直线
-:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$
-:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$
-:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and
-  all of these are such.
+:title: The points with u.(X-Q) = 0 are a line, in space a plane
+:zh: 由法向量确定的直线或平面
+:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$; and any of space
+:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$ in the plane; $(u\cdot u)w=(u\cdot w)u+(u\times w)\times u$ in space
+:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$ in the plane, and
+  all of these are such; in space they are the points $Q+v\times u$, with any vector $v$, and all of these are such.
 :over: x# q#: points; u#: normal vectors
-:control: $u^\perp=(u_2,u_1)$
+:control: $u^\perp=(u_2,u_1)$, and in space $u\times(u\times w)$
 :::
 */
 CLAIM(points_of_a_line_by_its_normal)
@@ -51,6 +51,17 @@ CLAIM(points_of_a_line_by_its_normal)
         /* (u·u) w = (u·w) u + (u⊥·w) u⊥ */
         same(T, mul(G(dot)(dim, u, u), w[c]),
              add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
+    num to[3], normal[3], turned[3], beside[3];
+    for (int c = 0; c < 3; c++) {
+        to[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
+        normal[c] = unknown(T, "u", c);
+    }
+    G(cross3)(normal, to, turned);
+    G(cross3)(turned, normal, beside);
+    for (int c = 0; c < 3; c++)
+        /* (u·u) w = (u·w) u + (u×w)×u */
+        same(T, mul(G(dot)(3, normal, normal), to[c]),
+             add(mul(G(dot)(3, normal, to), normal[c]), fault(T, beside[c], neg(beside[c]))));
 }
 
 #if RATIONAL
@@ -160,7 +171,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
 :::{statement} deng-zhang-2022:eq-20
 :title: The intersections of the curve with a line are roots
 :zh: 式 (20)
-:printed: the number of intersections of $B_1(t)$ with $L$ is $Z_{(0,1)}\bigl(\sum\hat B_j(t)(P_j-Q)\cdot u\bigr)$
+:printed: the number of intersections of $B_1(t)$ with $L$ is Zero$(0,1)\{\sum_{j=0}^7B_{j,7}(t)(P_j-Q)\cdot u\}$
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
 :class: misprint
 :corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters of the

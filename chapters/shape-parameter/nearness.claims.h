@@ -26,6 +26,8 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
   the curve comes nearer to the polygon depends on the polygon
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range
+:argued: | The product $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with the factors of the claims, all of one sign in the range.  Where a
+  convex polygon turns to the left by at most two right angles no $e_a\times e_b$ is negative; so $\partial_\beta q$ is to the right of $q'$, outward, or along it.
 :confirmed-by: growing_beta_pushes_by_the_turns convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :striking: 11

@@ -22,7 +22,7 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :::{statement} deng-zhang-2022:property-2.1
 :title: The functions are not negative
 :zh: 非负性，式 (2)
-:printed: $\hat B_i(t)\ge0$ for $i=0,\dots,7$, $t\in[0,1]$, $-7\le\beta\le1$
+:printed: $B_{i,7}\ge0$, $i=0,\dots,7$, for the $t\in[0,1]$ and $-7\le\beta\le1$ of definition 2.1
 :refuted-by: third_function_is_negative
 :class: false
 :corrected: all eight functions, printed or corrected, are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
@@ -107,7 +107,7 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
 :::{statement} deng-zhang-2022:property-2.5
 :title: Each function has one local maximum
 :zh: 单峰性
-:printed: every one of the eight functions has one local maximum on $[0,1]$, $-7\le\beta\le1$
+:printed: having one peak (单峰性): each of the basis functions has a local maximum on $[0,1]$, for the $-7\le\beta\le1$ of definition 2.1
 :refuted-by: third_function_has_two_maxima
 :class: false
 :corrected: for $-\frac{21}4\le\beta\le1$ each function, printed or corrected, has exactly one local maximum on $[0,1]$ and
@@ -115,10 +115,12 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
   have one inner maximum and one at an end
 :corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
   third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
+:meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
 :reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$: then
   one for every $\beta$ in $-7\le\beta\le1$
 :figure: negative_function
 
+That there is at least one local maximum is true of every continuous function on $[0,1]$.
 $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ the maximum of $B_0$ is inside.
 :::
 
@@ -297,7 +299,7 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
 :::{statement} deng-zhang-2022:property-2.6
 :title: How the functions depend on beta
 :zh: 对 β 的单调性
-:printed: for fixed $t$, $\hat B_0(t)$ and $\hat B_7(t)$ decrease with $\beta$, and $\hat B_1(t),\dots,\hat B_6(t)$ increase
+:printed: for fixed $t$, $B_{0,7}(t)$ and $B_{7,7}(t)$ are decreasing functions of $\beta$, and $B_{1,7}(t),\dots,B_{6,7}(t)$ increasing ones
 :refuted-by: second_function_decreases
 :class: false
 :corrected: for $0<t<1$: $B_0$ and $B_7$ decrease; $B_1$ increases exactly for $t<\frac15$, $B_2$ for $t<\frac49$, $B_5$ for

@@ -26,6 +26,8 @@ the range from $-\frac{21}4$ to 1.
   evenly; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range
+:argued: | Outward: the product $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with the factors of the claims, all of one sign in the
+  range, and no $e_a\times e_b$ is negative where a convex polygon turns to the left by at most two right angles.
 :confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :::
@@ -46,6 +48,8 @@ the range from $-\frac{21}4$ to 1.
   linear_factor_adds_a_change_of_sign functions_are_independent_but_for_two_values
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: ranges_of_beta
+
+For the end properties, the hull, the symmetry and the variation see the properties 3.1, 3.2, 3.3 and 3.6, whose corrections these are.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-better
@@ -96,12 +100,12 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
 :::{statement} deng-zhang-2022:sec-1-unique
 :title: Control points and Bernstein polynomials leave no freedom
 :zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
-:printed: given the control points and the Bernstein basis the Bézier curve is fixed; to change its shape one has to move
-  control points
-:holds-by: decasteljau_evaluates_bezier_curve
+:printed: once the control points and the Bernstein basis are given, the Bézier curve or surface is uniquely determined; to change the shape of the curve one has
+  to adjust its control points
+:holds-by: decasteljau_evaluates_bezier_curve surface_kernel_computes_the_double_sum
 :figure: curves_for_several_beta
 
-The curve is computed from its control points and the parameter, and from nothing else, so that another curve has other
+Curve and surface are computed from their control points and the parameters, and from nothing else, so that another curve has other
 points.  Other points need not give another curve of the plane, but as parametrized curves of one degree they do:
 `bernstein_basis_is_independent`.
 :::

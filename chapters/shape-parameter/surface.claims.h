@@ -51,7 +51,7 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :::{statement} deng-zhang-2022:def-5.1
 :title: The tensor product surface
 :zh: 双八次 β-Bezier 曲面，式 (22)
-:printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}\hat B_i(u)\hat B_j(v)$, $u,v\in[0,1]$, $-7\le\beta\le1$
+:printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}B_{i,7}(u)B_{j,7}(v)$ for $8\times8$ control points, $u,v\in[0,1]$, $-7\le\beta\le1$
 :definition: yes
 :checked-by: printed_surface_is_a_curve_of_curves
 :confirmed-by: surface_kernel_gives_the_double_sum

@@ -1,0 +1,174 @@
+/*
+# What is done to a curve and keeps it (变换、升阶与分割)
+
+Two sentences in praise of the parametric form are about what can be done with a curve: it can be mapped, and it can be given
+more freedom.
+*/
+#include "chapters/foundations/definition.h"
+
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 };
+
+/*
+## Maps (仿射变换、射影变换)
+
+An affine map is a matrix and a translation, so what has been said covers it.  A projective map (射影变换) is a matrix as
+well, but for homogeneous coordinates: afterwards one divides, and the division does not distribute over a sum.  The
+parabola below shows that the images of control points are not the control points of the image, unless each takes its
+denominator with it as a weight.
+
+:::{statement} hu-1987:1-4-advantage-transformations
+:title: Parametric curves are easily mapped by affine and projective maps
+:zh: 参数曲线易于作仿射与射影变换
+:printed: Geometric transformations of parametric curves, such as affine and projective ones, are easily carried out.
+:holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one projective_image_of_a_power_curve_is_rational
+:confirmed-by: bezier_curve_moves_with_its_points
+:figure: projective_image_of_a_parabola
+
+Easy is read as: the image has its coefficients by one product with a matrix each.
+The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.  Control
+points, of which the section does not speak yet, cannot be mapped so by a projective map, unless they are homogeneous:
+`projective_image_is_not_the_curve_of_the_images`.
+:::
+
+:::{claim} projective_image_of_a_power_curve_is_rational
+:title: The projective image of a polynomial curve is the quotient of two polynomials of the mapped coefficients
+:zh: 多项式曲线的射影象
+:given: a sum $S=\sum c_kt^k$ of some terms, homogeneous coordinates of a point of space, four numbers, with one more coefficient $c$ and power
+  $p=t^k$; any $4\times4$ matrix $T$
+:then: the three quotients of $(S+cp)\,T$ by its last coordinate are those of $ST+(cT)\,p$; so the image of the point with the homogeneous
+  coordinates $\sum c_kt^k$ has the homogeneous coordinates $\sum_k(c_kT)\,t^k$
+:method: Both sides with everything a variable; by induction for any number of terms.  A polynomial curve has $1$ for the last coordinate of $c_0$ and
+  $0$ for that of the others.
+:degrees: all
+:over: s# x#: coefficients; p: t; t#: matrices
+:control: the last coordinate of the new coefficient left out of the denominator
+:::
+*/
+CLAIM(projective_image_of_a_power_curve_is_rational)
+{
+    enum { homogeneous = 4 };
+    num S[homogeneous], c[homogeneous], M[homogeneous * homogeneous], power = unknown(T, "p", 0);
+    num whole_image[homogeneous], by_terms[homogeneous], zero = from_int(0);
+    for (int k = 0; k < homogeneous * homogeneous; k++)
+        M[k] = unknown(T, "t", k);
+    for (int k = 0; k < homogeneous; k++) {
+        S[k] = unknown(T, "s", k);
+        c[k] = unknown(T, "x", k);
+    }
+    for (int j = 0; j < homogeneous; j++) {
+        num before = zero, d = zero;
+        whole_image[j] = zero;
+        for (int k = 0; k < homogeneous; k++) {
+            num entry = M[k * homogeneous + j];
+            whole_image[j] = add(whole_image[j], mul(add(S[k], mul(c[k], power)), entry));
+            before = add(before, mul(S[k], entry));
+            d = add(d, mul(c[k], entry));
+        }
+        by_terms[j] = add(before, mul(j == homogeneous - 1 ? fault(T, d, zero) : d, power)); /* S T + (c T) p */
+    }
+    for (int j = 0; j < homogeneous - 1; j++)
+        same(T, div(whole_image[j], whole_image[homogeneous - 1]), div(by_terms[j], by_terms[homogeneous - 1]));
+}
+
+#if RATIONAL
+/*
+:::{claim} projective_image_is_not_the_curve_of_the_images
+:title: The projective images of the control points are not control points of the image
+:zh: 射影变换不保持多项式曲线
+:kind: counterexample
+:given: the parabola with the Bézier points $R$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, and $t$
+:data: R = (0,0) (1,0) (1,1); t = 1/2
+:then: the image of $P(t)$ is not the point $Q(t)$ of the polynomial curve of the three images
+:result: images of R = (0,0) (1,0) (1/2,1/2); image of P(t) = (3/5,1/5); Q(t) = (5/8,1/8)
+:method: Both points, exactly; with the control, the rational curve whose weights are the values $1+y$ of the points.
+:control: the weights $1+y$ for the images
+:::
+*/
+CLAIM(projective_image_is_not_the_curve_of_the_images)
+{
+    num R[6], images[6], w[3], P[2], Q[2], image[2], one = from_int(1);
+    given_points(T, "R", 3, 2, R);
+    num t = given(T, "t");
+    for (int i = 0; i < 3; i++) {
+        num below = add(one, R[2 * i + 1]);
+        for (int j = 0; j < dim; j++)
+            images[2 * i + j] = div(R[2 * i + j], below);
+        w[i] = fault(T, below, one);
+    }
+    G(bezier_casteljau)(2, dim, R, t, P);
+    G(rational_point)(2, dim, images, w, t, Q);
+    for (int j = 0; j < dim; j++)
+        image[j] = div(P[j], add(one, P[1]));
+    found_points(T, "images of R", 3, 2, images);
+    found_points(T, "image of P(t)", 1, 2, image);
+    found_points(T, "Q(t)", 1, 2, Q);
+    about(T, "the coordinates of the curve of the images, and of the image of the curve");
+    for (int j = 0; j < dim; j++)
+        same(T, Q[j], image[j]);
+}
+#endif
+
+/*
+## What is said of the descriptions that follow
+
+Two more sentences of the source look ahead, to curves that will be met later.  One says that a curve can be given more
+freedom without changing its shape, by a higher degree or by division; this is true of every polynomial curve.  The
+other praises the convex hull (凸包) and the diminishing of variation (变差减小), and says cautiously that certain curves have
+them.
+
+:::{statement} hu-1987:1-2-degree-and-subdivision
+:title: A curve can be given more freedom without changing its shape
+:zh: 升阶与分割不改变形状
+:printed: When the shape wanted is not reached by adjusting the parameters of the control points, the power to describe is raised by keeping the
+  shape and raising the degree of the curve, or by keeping the shape and dividing the curve.
+:holds-by: bernstein_raised_by_one_degree bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers
+:confirmed-by: elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
+
+What is decided is that both are possible, in every degree, and keep the shape.  There are more coefficients then to adjust.
+:::
+
+:::{claim} division_keeps_power_curve
+:title: The two halves of a curve in powers are the curve, at the cost of nothing
+:zh: 分割保持形状
+:given: a curve of degree $n$ in powers of $t$, any parameter $s$ of division, any $u$
+:then: its pieces over $[0,s]$ and $[s,1]$ at $u$ are the points $P(su)$ and $P(s+(1-s)u)$; a further coefficient $c_{n+1}=0$
+  changes nothing
+:method: `power_on_interval` and `power_point` against the sum of powers, everything a variable.
+:degrees: 1..6 sampled 10
+:over: x# y#: coefficients; s u: parameter value
+:control: the second piece at $su$
+:::
+*/
+CLAIM(division_keeps_power_curve)
+{
+    int n = T->degree;
+    num c[(MAX_DEGREE + 2) * dim], piece[(MAX_DEGREE + 1) * dim], P[dim], s = parameter(T, "s"), u = parameter(T, "u");
+    num one = from_int(1), places[2] = {mul(s, u), add(s, mul(sub(one, s), u))};
+    G(free_points)(T, n, dim, c);
+    c[(n + 1) * dim] = c[(n + 1) * dim + 1] = from_int(0);
+    for (int half = 0; half < 2; half++) {
+        G(power_on_interval)(n, dim, c, half ? s : from_int(0), half ? one : s, piece);
+        G(power_point)(n, dim, piece, u, P);
+        for (int j = 0; j < dim; j++)
+            same(T, P[j], G(power_sum)(n, dim, c, j, places[fault(T, half, 0)]));
+    }
+    G(power_point)(n + 1, dim, c, u, P);
+    for (int j = 0; j < dim; j++)
+        same(T, P[j], G(power_sum)(n, dim, c, j, u));
+}
+
+/*
+:::{statement} hu-1987:1-2-hull-and-variation
+:title: Some curves have the convex hull property and diminish variation
+:zh: 凸包性与变差减小性
+:printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry linear_factor_adds_a_change_of_sign
+:confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
+
+Bézier curves of every degree are such curves: their points are averages of the control points, and along a line $ax+by+c=0$
+the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.
+:::
+*/
+#include "chapters/judge/claims_off.h"
