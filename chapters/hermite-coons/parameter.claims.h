@@ -267,6 +267,7 @@ of its cylinders, and for a circle that is tilted against all three axes and any
 :printed: Explicit equations without a parameter describe plane curves only; a space curve has to be defined as the intersection of two
   cylinders.
 :holds-by: graphs_over_one_axis_meet_in_one_curve
+:argued: all functions f and g | The points $(t,f(t),g(t))$ satisfy both equations, and of the points with $x=t$ no other does.
 :hypothesis: closed_curve_is_no_pair_of_graphs | explicit equations $y=f(x)$, $z=g(x)$ mean one point for each $x$, or for each value of another coordinate
 :hypothesis: no_two_projections_give_the_circle | where cylinders are taken over two projections, the curve is all that they have in common; for some curves no choice
   of two will do

@@ -176,7 +176,8 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :::{statement} deng-zhang-2022:fig-2
 :title: The curves of several beta from right to left
 :zh: 图 2
-:printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,\dots,-7$
+:printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
+:reading: that this order is from right to left: the polygon is not given, so that nothing is there to be decided
 :reading: points_move_evenly_with_beta | the points of one $t$ stand on a straight line in equal distances, in the order of
   $\beta$; on which side is a matter of the polygon, which the text does not give
 :figure: curves_for_several_beta

@@ -103,6 +103,7 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
 :printed: once the control points and the Bernstein basis are given, the Bézier curve or surface is uniquely determined; to change the shape of the curve one has
   to adjust its control points
 :holds-by: decasteljau_evaluates_bezier_curve surface_kernel_computes_the_double_sum
+:argued: every n | By its definition the sum has one value for given points and parameters, whatever the degree.
 :figure: curves_for_several_beta
 
 Curve and surface are computed from their control points and the parameters, and from nothing else, so that another curve has other
@@ -239,7 +240,8 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 :title: Weights adjust the shape of a rational Bézier curve
 :zh: 权因子可以调整有理 Bezier 曲线的形状
 :printed: rational Bézier curves, with the control points unmoved, have weights, which can adjust the shape of the curve
-:holds-by: growing_weight_pulls_each_point_straight_to_the_vertex
+:holds-by: more_weight_moves_a_mean_to_its_point
+:confirmed-by: growing_weight_pulls_each_point_straight_to_the_vertex
 :figure: geometric_weights
 
 They can, which does not say that every change of the weights does: weights changed from $w_i$ to $cr^iw_i$ give another

@@ -37,7 +37,8 @@ give the tangents.
 :::{statement} deng-zhang-2022:fig-3
 :title: The petals of closed curves
 :zh: 图 3 花瓣图形
-:printed: figure 3 shows the closed curves of $\beta=1,0,-1,\dots,-7$
+:printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
+:reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
 :reading: points_move_evenly_with_beta | the polygon is not given; for any polygon the points of one $t$ on the nine curves
   are on a straight line in equal distances
 :figure: petals
