@@ -71,7 +71,7 @@ static inline num_n root_n(int n, num_n a)
 #include "core/kernels/kernels.tmpl.h"
 #undef G
 
-enum { counted_points = 18, counted_knots = 2 * counted_points };
+enum { counted_points = 18, counted_knots = 2 * counted_points, counted_coordinates = 3 };
 
 /* One way to compute: the operations, and the number that comes out with the most roundings. */
 struct counted_way {
@@ -87,36 +87,38 @@ static inline void count_result(struct counted_way *way, num_n a)
     way->worst.cancels = cancels;
 }
 
-/* What one point of degree p < counted_points takes in the plane: way[0] by de Boor's algorithm on homogeneous points,
- * way[1] by the rational one, way[2] one insertion of a knot by the latter; *tree, the three coordinates of the first written out
- * in full. */
-static inline void counted_ways(int p, struct counted_way way[3], long *tree)
+/* What one point of degree p < counted_points and dim <= counted_coordinates coordinates takes: way[0] by de Boor's algorithm on
+ * homogeneous points, way[1] by the rational one, way[2] one insertion of a knot by the latter; *tree, the dim+1 coordinates of
+ * the first written out in full. */
+static inline void counted_ways(int p, int dim, struct counted_way way[3], long *tree)
 {
-    num_n u[counted_knots], v[counted_knots + 1], R[3 * counted_points], w[counted_points], P[3];
-    num_n S[2 * counted_points + 2], z[counted_points + 1];
+    enum { most = counted_coordinates + 1 };
+    num_n u[counted_knots], v[counted_knots + 1], R[most * counted_points], w[counted_points], P[most];
+    num_n S[counted_coordinates * (counted_points + 1)], z[counted_points + 1];
     for (int k = 0; k < 3; k++) {
         way[k] = (struct counted_way){.cost = 0};
         num_n fresh = {.steps = &way[k].cost};
         for (int i = 0; i < 2 * p + 2; i++)
             u[i] = fresh;
-        for (int i = 0; i < 3 * (p + 1); i++)
+        for (int i = 0; i < (dim + 1) * (p + 1); i++)
             R[i] = fresh;
         for (int i = 0; i <= p; i++)
             w[i] = fresh;
         if (k == 0)
-            bspline_deboor_n(on_span_n(p, 3, u, p, R), fresh, P);
+            bspline_deboor_n(on_span_n(p, dim + 1, u, p, R), fresh, P);
         else if (k == 1)
-            nurbs_deboor_n(nurbs_on_span_n(p, 2, u, p, R, w), fresh, P);
+            nurbs_deboor_n(nurbs_on_span_n(p, dim, u, p, R, w), fresh, P);
         else
-            nurbs_insert_n(&(struct spline_n){p, p + 1, 2, u, R, w}, p, fresh, v, S, z);
-        for (int c = 0; k < 2 && c < 3 - k; c++)
+            nurbs_insert_n(&(struct spline_n){p, p + 1, dim, u, R, w}, p, fresh, v, S, z);
+        for (int c = 0; k < 2 && c < dim + 1 - k; c++)
             count_result(&way[k], P[c]);
-        for (int i = 0; k == 2 && i < 2 * (p + 2); i++)
+        for (int i = 0; k == 2 && i < dim * (p + 2); i++)
             count_result(&way[k], S[i]);
         for (int i = 0; k == 2 && i < p + 2; i++)
             count_result(&way[k], z[i]);
-        if (k == 0)
-            *tree = P[0].tree + P[1].tree + P[2].tree;
+        *tree = k == 0 ? 0 : *tree;
+        for (int c = 0; k == 0 && c <= dim; c++)
+            *tree += P[c].tree;
     }
 }
 
@@ -136,10 +138,10 @@ static inline void counted_matrices(int p, long cost[2])
 }
 
 /* The operations of these three ways alone. */
-static inline void counted_work(int p, long cost[3], long *tree)
+static inline void counted_work(int p, int dim, long cost[3], long *tree)
 {
     struct counted_way way[3];
-    counted_ways(p, way, tree);
+    counted_ways(p, dim, way, tree);
     for (int k = 0; k < 3; k++)
         cost[k] = way[k].cost;
 }

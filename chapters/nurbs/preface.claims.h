@@ -29,32 +29,35 @@ this can be computed is decided here.
 :::{statement} wang-ch4:preface-geometric-definition
 :title: A geometric definition in the place of the recursion
 :zh: 由包络的存在唯一性给出几何定义
-:printed: Usually the recursion of de Boor and Cox defines NURBS curves, which lacks an intuitive geometric meaning; from the existence and uniqueness
-  of envelopes a new, intuitive geometric definition is given, for the first time
-:reading: every_level_divides_its_edges | that the recursion has no geometric meaning: it has one, which the chapter itself states for
-  algorithm 4.1.1, the corners of the polygon are cut
-:reading: convex_quartic_of_span_has_second_envelope | that the envelope is unique: false, see `thm-4.3.3` and `def-4.3.1`
-:reading: as history, that nobody gave such a definition before: no computation decides it.
+:printed: One usually defines NURBS curves by the recursion of de Boor and Cox, but it lacks an intuitive geometric meaning; from the existence and
+  uniqueness of the envelope of families of NURBS curves we give an entirely new, intuitive geometric definition of them, for the first time in the world; it is a
+  powerful tool for their study
+:reading: every_level_divides_its_edges | of the recursion for points: a meaning is there, which the chapter itself states for
+  algorithm 4.1.1: every level cuts the corners of the polygon
+:reading: convex_quartic_of_span_has_second_envelope | that the envelope on which the definition rests is unique, see `thm-4.3.3` and `def-4.3.1`
+:reading: that the meaning is not intuitive, and the definition a powerful tool: opinions; as history, that nobody gave such a definition before: no
+  computation decides it.
 :figure: deboor_triangle
 :::
 
 :::{statement} wang-ch4:preface-discrete
 :title: Convexity and variation diminution are seen from the discrete curves
 :zh: 以离散 NURBS 曲线为工具
-:printed: In homogeneous coordinates the geometric properties in space are hard to infer; with the discrete NURBS curve as a tool, that
-  convexity is kept and variation diminished is obvious
-:reading: every_level_divides_its_edges | that the discrete curves cut corners, in the space of the curve: true, and both properties
+:printed: One is used to computing with NURBS in homogeneous coordinates, but in these it is hard to infer their geometric properties in the
+  three-dimensional world; with the discrete NURBS curve as a tool, that convexity is kept and variation diminished is obvious
+:reading: insertion_cuts_the_corners | that the discrete curves cut corners, in the space of the curve; both properties
   follow, with the hypotheses of `thm-4.2.1` and `thm-4.2.2`
-:reading: polygon_that_turns_back_loses_convexity | that they are obvious, without hypotheses
-:reading: insertion_turns_like_its_triangles | that homogeneous coordinates hide them: the shortest proof of the first, by determinants,
-  is one in homogeneous coordinates
+:reading: polygon_that_turns_back_loses_convexity | that the first holds for every polygon that is convex by the letter of definition 4.2.1
+:reading: insertion_turns_like_its_triangles | of homogeneous coordinates: in them, too, that convexity is kept can be seen, by the determinants
+  of three points
+:reading: that it is hard there and obvious here: opinions.
 :figure: cutting_corners
 :::
 
 :::{statement} wang-ch4:preface-local-control
 :title: The shape is locally adjustable
 :zh: 形状局部可调
-:printed: NURBS curves share with B-spline curves that their shape can be adjusted locally
+:printed: NURBS curves have the merit of B-spline curves that their shape can be adjusted locally
 :holds-by: moved_point_changes_its_support
 :figure: local_control
 
@@ -64,12 +67,12 @@ Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
 :::{statement} wang-ch4:preface-continuity
 :title: The order of continuity is adjustable
 :zh: 连续阶数可调
-:printed: NURBS curves share with B-spline curves that their order of continuity can be chosen
+:printed: NURBS curves have the merit of B-spline curves that their order of continuity can be adjusted
 :holds-by: sides_agree_up_to_order_less_multiplicity
 :meant: the opening speaks of what B-splines are used for: an order that is guaranteed | An order of continuity that
   every such curve has.
 :reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion
-:reading: one_order_more_jumps | as the exact order: one order more is not continuous in general
+:reading: one_order_more_jumps | that every curve is continuous of one order more
 :argued: the quotient | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
   power of $w>0$.
 :figure: knot_sides
@@ -81,11 +84,12 @@ $m\le k-4$.
 :::{statement} wang-ch4:preface-conics
 :title: Rational Bézier curves, and so NURBS, represent conics exactly
 :zh: 可精确表示圆锥曲线
-:printed: NURBS curves share with rational Bézier curves that they can represent conic sections exactly
-:holds-by: circle_is_a_nurbs_curve circle_is_run_through_once tangent_conics_are_rational_quadratics
-:reading: ellipse_carries_no_polynomial_arc | as an advantage over B-spline curves: true, a polynomial arc on an ellipse is
+:printed: NURBS curves have as well the property of rational Bézier curves that they can represent conic sections exactly
+:holds-by: tangent_conics_are_rational_quadratics bezier_knots_give_rational_bezier
+:confirmed-by: circle_is_a_nurbs_curve circle_is_run_through_once
+:reading: ellipse_carries_no_polynomial_arc | as an advantage over B-spline curves, for ellipses: a polynomial arc on an ellipse is
   a point
-:reading: parabola_arcs_are_quadratic | as something that only rational curves can do: not for the parabola
+:reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
 :figure: nurbs_circle
 
 A whole circle is one NURBS curve, with rational points and weights, and with every choice of the knots.
@@ -177,15 +181,15 @@ The preface confuses the size of the expression with the number of operations; b
 :::{statement} wang-ch4:preface-complexity-recursion
 :title: The time of de Boor's and Boehm's recursions is exponential
 :zh: deBoor 与 Boehm 递推的时间复杂度为指数式
-:printed: As the recursion has to be carried out repeatedly, the time complexity of de Boor's formula and of Boehm's knot
-  insertion is exponential, that of the matrix form in the power basis is polynomial
+:printed: As the recursive algorithm has to be carried out repeatedly, the time complexity [12] of de Boor's formula and of Boehm's knot
+  insertion is exponential, compared with the matrix form in the power basis, of which it is polynomial
 :refuted-by: recursion_is_not_exponential
 :class: false
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
   dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying
 :corrected-by: recursion_is_quadratic
 :reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
-  occurs again: then the time does double with the order.  Nobody needs to do so, and the algorithm 4.1.1, level after
+  occurs again: then the time does double with the order.  Nobody needs to do so, and algorithm 4.1.1, level after
   level, does not.
 :figure: recursion_steps
 :striking: 40
@@ -200,25 +204,29 @@ The same source calls de Boor's recursion simple and stable; it is the way in wh
 :title: The recursion takes k(k-1)/2 times the steps of one division of an edge
 :zh: 递推求值的运算次数为阶数的二次式
 :kind: decision
-:given: the kernels `bspline_deboor` and `nurbs_deboor` in the plane, `nurbs_insert`, orders $k=2,\dots,17$
+:given: the kernels `bspline_deboor` and `nurbs_deboor`, `nurbs_insert`, on the line, in the plane and in space, orders $k=2,\dots,17$
 :then: with $c$ operations for $k=2$, they take $c\,\frac{k(k-1)}2$ for order $k$, and the insertion takes
-  $c\,(k-1)$
-:method: The kernels, which never look at a number, run on numbers that count.  For every $k$: the loops are over
-  $r=1,\dots,k-1$ and the $k-r$ points of level $r$, each point with the same operations.
+  $c\,(k-1)$; $c$ is another number for another dimension
+:method: The kernels, which never look at a number, run on numbers that count.
 :degrees: 1..16
-:control: the number of operations taken as $c\,(k-1)$ for a point
+:scope: one, two and three coordinates
+:argued: every k and every dimension | The loops are over $r=1,\dots,k-1$ and the $k-r$ points of level $r$, each point with the same operations, which are
+  so many for each coordinate.
+:control: the number of operations taken as $c\,(k-1)$ for a point and as $c\,k$ for an insertion
 :::
 */
 CLAIM(recursion_is_quadratic)
 {
     int p = T->degree;
-    long unit[3], cost[3], tree;
-    counted_work(1, unit, &tree);
-    counted_work(p, cost, &tree);
-    for (int way = 0; way < 2; way++)
-        agree(T, 2 * cost[way] == unit[way] * p * fault(T, p + 1, 2));
-    agree(T, cost[2] == unit[2] * p);
-    agree(T, unit[0] > 0 && unit[1] > 0 && unit[2] > 0);
+    for (int dim = 1; dim <= counted_coordinates; dim++) {
+        long unit[3], cost[3], tree;
+        counted_work(1, dim, unit, &tree);
+        counted_work(p, dim, cost, &tree);
+        for (int way = 0; way < 2; way++)
+            agree(T, 2 * cost[way] == unit[way] * p * fault(T, p + 1, 2));
+        agree(T, cost[2] == unit[2] * fault(T, p, p + 1));
+        agree(T, unit[0] > 0 && unit[1] > 0 && unit[2] > 0);
+    }
 }
 
 /*
@@ -241,7 +249,7 @@ CLAIM(recursion_is_not_exponential)
     int k[2] = {given_whole(T, "k"), given_whole(T, "k'")};
     long cost[2][3], tree[2];
     for (int m = 0; m < 2; m++)
-        counted_work(k[m] - 1, cost[m], &tree[m]);
+        counted_work(k[m] - 1, 2, cost[m], &tree[m]);
     found_whole(T, "operations, order k", (int)cost[0][0]);
     found_whole(T, "operations, order k'", (int)cost[1][0]);
     found_whole(T, "plain recursion, order k", (int)tree[0]);
@@ -258,17 +266,17 @@ CLAIM(recursion_is_not_exponential)
 :kind: decision
 :given: de Boor's formula for orders $k=2,\dots,17$, written out in full
 :then: from order $k$ to $k+1$ the number of operations at least doubles
-:method: The number of operations of the expression, common parts counted as often as they occur.  For every order: the formula for
-  $r^{[k]}$ contains two expressions $r^{[k-1]}$ of the order before.
+:method: The number of operations of the expression, common parts counted as often as they occur.
 :degrees: 1..16
+:argued: every k | The formula for $r^{[r]}$ contains two expressions $r^{[r-1]}$ of the level before.
 :control: the number of operations of a program that keeps what it has computed
 :::
 */
 CLAIM(plain_recursion_doubles)
 {
     long cost[2][3], tree[2];
-    counted_work(T->degree, cost[0], &tree[0]);
-    counted_work(T->degree + 1, cost[1], &tree[1]);
+    counted_work(T->degree, 2, cost[0], &tree[0]);
+    counted_work(T->degree + 1, 2, cost[1], &tree[1]);
     agree(T, fault(T, tree[1] >= 2 * tree[0], cost[1][0] >= 2 * cost[0][0]));
 }
 
@@ -280,8 +288,8 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :::{statement} wang-ch4:preface-stability
 :title: De Boor's and Boehm's recursions compute stably and simply
 :zh: deBoor 与 Boehm 递推计算稳定而简单
-:printed: De Boor's recursion and Boehm's insertion of a knot are the main tools for evaluating and converting NURBS; their merit is
-  that they compute stably and simply
+:printed: De Boor's recursion and Boehm's insertion of a knot are main tools for the evaluation, the conversion and the like of NURBS; their merit is
+  that the computation is stable and simple
 :holds-by: recursion_subtracts_data_only weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | positive weights, and $t$ in the interval: with
   weights of both signs a weight of a level may be a difference, even $0$
@@ -291,7 +299,8 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :figure: deboor_triangle
 
 Stable is read as: the rounded result is the exact one for points and weights that were changed relatively by a few
-roundings, how many depending on the order alone and not on the knots.
+roundings, how many depending on the order alone and not on the knots.  What is counted are curves of the plane.  That the recursions are simple, and main tools, is
+an opinion that nothing here decides.
 :::
 
 :::{claim} recursion_subtracts_data_only
@@ -303,9 +312,10 @@ roundings, how many depending on the order alone and not on the knots.
   points, $(k-1)(5k+2)$ for points with weights, and $12$ for the insertion
 :method: The kernels on numbers that count.  For $t$ in the interval the differences $t-t_i$, $t_{i+k-r}-t$ and $t_{i+k-r}-t_i$ are not
   negative, each with one rounding; everything else is products, quotients and sums.  So the result is the sum of
-  $N_{i,k}(t)$ times point $i$ with each term changed by at most that many factors $1\pm u$ or their reciprocals, $u$ the unit of rounding.  For
-  every $k$: level $r$ adds $5$, with weights $10r+2$.
+  $N_{i,k}(t)$ times point $i$ with each term changed by at most that many factors $1\pm u$ or their reciprocals, $u$ the unit of rounding.
 :degrees: 1..16
+:scope: curves of the plane
+:argued: every k | Level $r$ adds $5$ roundings, with weights $10r+2$, as each of its points is computed with the same operations.
 :control: four roundings a level
 :::
 */
@@ -314,7 +324,7 @@ CLAIM(recursion_subtracts_data_only)
     int k = T->degree + 1, homogeneous = fault(T, 5, 4) * (k - 1);
     struct counted_way way[3];
     long tree;
-    counted_ways(k - 1, way, &tree);
+    counted_ways(k - 1, 2, way, &tree);
     about(T, "a computed number is subtracted");
     for (int m = 0; m < 3; m++)
         agree(T, !way[m].worst.cancels);
@@ -332,6 +342,8 @@ CLAIM(recursion_subtracts_data_only)
 :printed: The matrix form in the power basis has polynomial time complexity and is suited to the algorithm of Qin
   Jiushao and Horner
 :holds-by: horner_takes_two_operations_a_degree matrices_take_polynomial_time
+:argued: every k | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
+  loops inside loops, as many as the exponent of the bound says.
 :reading: determinant_written_out_is_factorial | the explicit form (4.4.17) with $\det\mathbf G$ written out as a sum over permutations,
   as it is defined: then there are $k!$ terms, and the time is not polynomial
 :figure: recursion_steps
@@ -443,23 +455,24 @@ and references.
 :::{statement} wang-ch4:preface-matrices
 :title: Who gave which matrix
 :zh: 前人的系数矩阵表示
-:printed: De Boor [14] and Schumaker [15] gave numerical algorithms for the matrix, Cohen and Riesenfeld [16] the matrix for uniform knots,
-  Ding and Davies [17] for nonuniform ones in the cubic case, Choi [12] and Grabowski [13] recursive forms for any degree after
-  Boehm and de Boor, none of them explicit; here two explicit forms are given for the most general case
-:reading: both_explicit_matrices_agree | that the two forms of this chapter are explicit and are the matrix, whatever knots coincide
+:printed: An explicit matrix of NURBS in the power basis is needed.  De Boor [14] and Schumaker [15] gave numerical algorithms for it, Cohen and Riesenfeld [16] the matrix
+  for uniform knots, Ding and Davies [17] for nonuniform ones, but only of the third degree, Choi [12] and Grabowski [13] for nonuniform knots and any degree
+  recursive matrix forms after the algorithms of Boehm and of de Boor, which are still not analytic; we have given two explicit matrix forms of the most general
+  case, which help in the theory and the use of representation, evaluation, insertion of knots, elevation and conversion
+:reading: both_explicit_matrices_agree | that the two forms of this chapter are the matrix, whatever knots coincide
 :reading: as history: no computation decides it; the works are cited with these numbers.
 :figure: both_matrices
 :::
 
 :::{statement} wang-ch4:preface-step
-:title: In 1991 the ISO promulgated STEP, with NURBS as its only free-form geometry
+:title: In STEP, which ISO issued in 1991, NURBS are the only free-form geometry
 :zh: 1991 年 ISO 正式颁布的 STEP 标准以 NURBS 为自由曲线曲面的唯一定义
-:printed: In the STEP standard, formally issued by ISO in 1991, NURBS are the only definition of free-form curves and
-  surfaces [1]
+:printed: Because of these merits NURBS are the only definition of free-form curves and surfaces in the STEP standard for the exchange of product data, formally
+  issued by ISO in 1991 [1]; and well-known CAD companies, too, build their modelling systems first of all on the mathematical model of NURBS
 :reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP; the first
   parts of ISO 10303 are commonly dated 1994.
-:reading: as mathematics, that no other kind of curve is needed beside NURBS: B-spline and rational Bézier curves are
-  among them (see the first entry), offsets and helices are not.
+:reading: as mathematics, that no other kind of curve is needed beside NURBS: that is not said; B-spline and rational Bézier curves are
+  among them (see the first entry), a helix is known not to be.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -41,7 +41,7 @@ FIGURE(recursion_steps)
     int count = 0;
     for (int k = first; k <= last; k++, count++) {
         long cost[3], tree;
-        counted_work(k - 1, cost, &tree);
+        counted_work(k - 1, 2, cost, &tree);
         kept[2 * count] = again[2 * count] = horner[2 * count] = q(k);
         kept[2 * count + 1] = q(cost[0]);
         again[2 * count + 1] = q(tree);
