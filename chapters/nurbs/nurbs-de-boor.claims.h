@@ -18,9 +18,10 @@ ratio of the weights at its ends.
 :title: The weights of the levels
 :zh: 各层的权因子
 :definition: yes
-:printed: w_i^{[0]}=w_i,\quad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
-  w_{i-1}^{[r-1]}(t),\quad r=1,\dots,k-1,\ i=j-k+r+1,\dots,j
-:checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
+:printed: w_i^{[r]}(t)=w_i,\ r=0;\ i=j-k+1,\dots,j,\qquad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
+  w_{i-1}^{[r-1]}(t),\ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
+:checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span
+:confirmed-by: weights_of_levels_are_positive
 :figure: deboor_triangle
 
 The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t)=w(t)$.
@@ -30,8 +31,10 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :title: The points of the levels
 :zh: 各层的顶点
 :definition: yes
-:printed: r_i^{[0]}=r_i,\quad r_i^{[r]}(t)=\frac{(t-t_i)w_i^{[r-1]}r_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}r_{i-1}^{[r-1]}}
-  {(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}},\quad r=1,\dots,k-1,\ i=j-k+r+1,\dots,j
+:printed: r_i^{[r]}(t)=r_i,\ r=0;\ i=j-k+1,\dots,j,\qquad
+  r_i^{[r]}(t)=\frac{(t-t_i)w_i^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_i^{[r-1]}(t)
+  +\frac{(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_{i-1}^{[r-1]}(t),\
+  r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | positive weights: otherwise a weight of a level may
   vanish and stop the algorithm, where the curve has a point
@@ -113,7 +116,6 @@ CLAIM(rational_triangle_follows_the_recursion)
     }
 }
 
-#if RATIONAL
 /*
 That these numbers are defined at all depends on the range of $i$, which is printed with care: one index lower, and the divisor
 belongs to an interval that does not contain $[t_j,t_{j+1}]$, and may be $0$. Inside the range all knots but $t_j<t_{j+1}$ may
@@ -122,27 +124,28 @@ coincide.
 :::{claim} divisors_contain_the_span
 :title: In the printed ranges no divisor vanishes
 :zh: 所列指标范围内分母不为零
-:kind: decision
-:given: order $k$, $r=1,\dots,k-1$, $i=j-k+r+1,\dots,j$
-:then: $i\le j<j+1\le i+k-r$: the interval $[t_i,t_{i+k-r}]$ contains $[t_j,t_{j+1}]$, so that the divisor is at least
-  $t_{j+1}-t_j>0$, whatever knots coincide outside; and for $i=j-k+r$ it does not contain it
-:method: All indices of the ranges.  For every $k$: $i\le j$ is the upper end of the range, $i+k-r\ge j+1$ the lower one.
-:degrees: 1..24
+:types: field rational
+:given: $k$, $j$ and $r$; an index $i=j-k+r+1+m$ of the range, $m\ge0$, and so $i=j-l$ with $l=k-r-1-m\ge0$; all of them variables
+:then: $j-i=l$ and $(i+k-r)-(j+1)=m$, so that $i\le j<j+1\le i+k-r$: the interval $[t_i,t_{i+k-r}]$ contains $[t_j,t_{j+1}]$, and the divisor is at least
+  $t_{j+1}-t_j>0$, whatever knots coincide outside; for $i=j-k+r$ it is $i+k-r=j$, and the interval does not contain it
+:method: Identities in the indices, for every $k$ at once.
+:degrees: all
+:over: j; k: -; r; m: -
 :control: the range begun at $i=j-k+r$
 :::
 */
 CLAIM(divisors_contain_the_span)
 {
-    int k = T->degree + 1, j = 3 * k;
-    for (int r = 1; r < k; r++) {
-        int lowest = j - k + r + 1;
-        for (int i = fault(T, lowest, lowest - 1); i <= j; i++)
-            for (int end = 0; end < 2; end++) /* i <= j, j + 1 <= i + k - r */
-                nonnegative(T, sub(from_int(end ? i + k - r : j), from_int(end ? j + 1 : i)));
-        agree(T, compare_q(from_int(lowest - 1 + k - r), from_int(j + 1)) < 0);
-    }
+    num j = whole(T, "j", 40, 60), r = whole(T, "r", 1, 9), m = whole(T, "m", 0, 9), one = from_int(1);
+    num k = add(add(r, m), whole(T, "k", 1, 9)), l = sub(sub(k, r), add(m, one));
+    num lowest = add(sub(j, k), fault(T, add(r, one), r)), i = add(lowest, m), end = sub(add(i, k), r);
+    about(T, "i <= j");
+    same(T, sub(j, i), l);
+    about(T, "j + 1 <= i + k - r");
+    same(T, sub(end, add(j, one)), m);
+    about(T, "one index below the range");
+    same(T, sub(add(sub(lowest, one), k), r), j);
 }
-#endif
 
 /*
 :::{statement} wang-ch4:formula-4.1.5
@@ -203,8 +206,8 @@ this sentence has the wrong letter.
 :::{statement} wang-ch4:alg-4.1.1-interval
 :title: The interval of the algorithm
 :zh: 算法 4.1.1 的参数区间
-:printed: For any fixed $t\in[t_i,t_{i+1})$, $k\le j\le n$, compute recursively $w_i^{[r]}$, $r_i^{[r]}$,
-  $i=j-k+r+1,\dots,j$; then $r(t)$ is the last point
+:printed: For the curve (4.1.2) and any fixed parameter $t\in[t_i,t_{i+1})$, $k\le j\le n$, compute recursively $w_i^{[r]}(t)$ and $r_i^{[r]}(t)$ by (4.1.3) and (4.1.4), where
+  $i=j-k+r+1,\dots,j$; then (4.1.5)
 :refuted-by: other_interval_gives_other_point
 :class: misprint
 :corrected: For any fixed $t\in[t_j,t_{j+1})$, $k\le j\le n$
@@ -259,7 +262,7 @@ CLAIM(other_interval_gives_other_point)
   $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
 :meant: the intervals are printed | The parameters of the printed intervals.
-:reading: rational_triangle_gives_the_point | for the printed intervals
+:reading: rational_triangle_gives_the_point | for the parameters of the printed intervals
 :reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
 :figure: missing_end
 
@@ -454,7 +457,7 @@ CLAIM(negative_weight_divides_outside)
 :zh: 割角系数也与权因子有关
 :printed: The coefficients of corner cutting depend on the parameter $t$, the knots, the level $r$ and the number $i$ of the edge, and
   also on the weights of the curve
-:holds-by: weights_enter_the_coefficients
+:holds-by: weights_enter_the_coefficients every_level_divides_its_edges
 :figure: deboor_triangle
 
 With equal weights the coefficients are those of de Boor's algorithm, and conversely the edge $i$ of level $r$ is divided as without

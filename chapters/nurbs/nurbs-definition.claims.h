@@ -18,10 +18,11 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
 :title: NURBS curve, control points and control polygon
 :zh: NURBS 曲线、控制顶点与控制多边形
 :definition: yes
-:printed: Given $n\ge k$ points $\tilde r_i=(w_ix_i,w_iy_i,w_iz_i,w_i)$ in homogeneous coordinates, $w_i>0$, and a nonuniform
-  partition $T=\{t_i\}_{i=-\infty}^\infty$ of the $t$-axis, $t_j\le t_{j+1}$, with the B-splines $N_{i,k}$ of order $k$ of
-  $T$: the curve (4.1.1) is the NURBS curve of order $k$ of $T$, the $\tilde r_i$ are its control points and
-  $\tilde r_i\tilde r_2\cdots\tilde r_n$ is its control polygon
+:printed: Given, in homogeneous coordinates, $n$ points of $\Re^3$, $\tilde r_i=(w_ix_i,w_iy_i,w_iz_i,w_i)$, $w_i>0$, $i=1,2,\dots,n$, and a nonuniform
+  partition $T=\{t_i\}_{i=-\infty}^\infty$ of the $t$-axis, $t_j\le t_{j+1}$, with the B-splines $N_{i,k}(t)$ of order $k$ of
+  $T$: the rational parametric curve (4.1.1), $t_k\le t\le t_{n+1}$, $n\ge k$, is called the nonuniform rational B-spline curve of order $k$ (degree $k-1$) of the
+  knot vector $T$, the $\tilde r_i$ are called its control points and
+  $\tilde r_i\tilde r_2\cdots\tilde r_n$ its control polygon
 :checked-by: basis_is_a_partition_of_unity nurbs_point_is_the_weighted_mean
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights: with a negative one the
   denominator may vanish
@@ -240,8 +241,9 @@ word; the definition does not.
 :::{statement} wang-ch4:def-4.1.1-interval
 :title: The curve is defined for nondecreasing knots
 :zh: 节点向量非减即可定义曲线
-:printed: $t_j\le t_{j+1}$ for all $j$, $n\ge k$: the curve is defined for $t_k\le t\le t_{n+1}$
+:printed: With $t_j\le t_{j+1}$, $n\ge k$ and nothing more about the knots the curve is given for $t_k\le t\le t_{n+1}$
 :holds-by: basis_is_a_partition_of_unity
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise the domain is one value of $t$, at which every $N_{i,k}$,
   $1\le i\le n$, may be zero
 :hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
@@ -312,10 +314,11 @@ CLAIM(right_end_belongs_to_no_interval)
 :definition: yes
 :printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are called the control points of the curve
 :checked-by: every_point_counts
-:reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: false; for $t_i=t_{i+k}$ the function
-  $N_{i,k}$ is zero and $r_i$ has no share
-:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: false without $t_k<t_{k+1}$ and
-  $t_n<t_{n+1}$; else the support of the first or of the last function meets the domain in no interval
+:meant: the sentence gives a name | Nothing is said about a share in the curve; the readings say when the points that are called so have one.
+:reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: for $t_i=t_{i+k}$ the function
+  $N_{i,k}$ is zero and $r_i$ has none
+:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: without $t_k<t_{k+1}$ and
+  $t_n<t_{n+1}$ the support of the first or of the last function meets the domain in no interval
 :reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
 :meant: the definition, which asks for $t_j\le t_{j+1}$ and nothing else | Knots of any multiplicity; that every point
   has a share is not said.
@@ -586,18 +589,18 @@ but of other points; the star in the printed formula leaves open which is meant.
 :::{statement} wang-ch4:degenerate-bezier
 :title: n = k and (k-1)-fold ends give the rational Bézier curve
 :zh: n=k 且两端为 k-1 重节点时退化为有理 Bézier 曲线
-:printed: For $n=k$, $t_2=t_3=\dots=t_k<t_{k+1}=t_{k+2}=\dots=t_{2k-1}$ it degenerates to the rational Bézier curve of
+:printed: For $n=k$, $t_2=t_3=\dots=t_k<t_{k+1}=t_{k+2}=\dots=t_{2k-1}$ the curve (4.1.2) degenerates to the rational Bézier curve of
   degree $k-1$,
   $r(t)=\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*r_i^*\Big/\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*$,
   $t_k\le t\le t_{k+1}$
 :holds-by: bezier_knots_give_rational_bezier
 :meant: the range $t_k\le t\le t_{k+1}$ is printed closed | At $t=t_{k+1}$ the limit from the left, as `def-4.1.1-interval` says
   once for all curves; and the starred data are the given ones, since the sentence is about a special case of (4.1.2).
-:reading: bezier_knots_give_rational_bezier | the starred data are the given ones, $w_i^*=w_i$ and $r_i^*=r_i$: true, and the star is
+:reading: bezier_knots_give_rational_bezier | the starred data are the given ones, $w_i^*=w_i$ and $r_i^*=r_i$, and the star is
   idle
-:reading: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ by the letter of the half-open intervals, when $t_{2k}=t_{k+1}$: false,
+:reading: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ by the letter of the half-open intervals, when $t_{2k}=t_{k+1}$:
   all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
-:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots: true as well, but then
+:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots, but then
   they are not the given ones
 :needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | the
   condition on the knots: otherwise the starred data differ from the given ones

@@ -18,15 +18,15 @@ the curve itself rather than about its homogeneous form has to be carried throug
 :title: Properties similar to those of B-spline curves
 :zh: 与 B 样条曲线性质 2.3.1-2.3.7 类似的性质
 :printed: The curve (4.1.2) also has properties similar to 2.3.1-2.3.7
-:reading: moved_point_changes_its_support | local control: true; moving $r_i$, or changing $w_i$, changes the curve on
+:reading: moved_point_changes_its_support | local control: moving $r_i$, or changing $w_i$, changes the curve on
   $[t_i,t_{i+k})$ only
-:reading: point_is_in_the_hull_of_k_points | convex hull, span by span: true for positive weights
+:reading: point_is_in_the_hull_of_k_points | convex hull, span by span, for positive weights
 :reading: negative_weight_leaves_the_hull | the same for weights of both signs
 :reading: sides_agree_up_to_order_less_multiplicity | continuity of order $k-1-m$ at a knot of multiplicity $m$
 :reading: one_order_more_jumps | continuity of one order more
 :reading: nurbs_moves_with_its_points | affine invariance
-:reading: clamped_end_is_the_first_point | the ends of the polygon are the ends of the curve: true for $k$-fold and
-  $(k-1)$-fold ends
+:reading: clamped_end_is_the_first_point | the polygon begins with the curve, when $t_2=\dots=t_k$; and ends with it, by symmetry, when
+  $t_{n+1}=\dots=t_{n+k-1}$
 :reading: simple_knots_need_other_points | the same for simple knots
 :reading: reversed_data_reverse_the_nurbs | symmetry
 :reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere
@@ -36,10 +36,6 @@ Chapter 2 of the source is not part of the text at hand, so that the seven numbe
 usual properties is decided.  Convexity and the number of intersections follow in 4.2.
 :::
 */
-
-/* For each degree: the patterns of knots that are tried, with multiplicities up to the order. */
-static const char *const G(kinds)[][3] = {
-    {NULL}, {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL}, {"5125", NULL}, {"6136", NULL}};
 
 /*
 :::{claim} moved_point_changes_its_support
@@ -91,38 +87,57 @@ CLAIM(moved_point_changes_its_support)
     }
 }
 
-#if RATIONAL
+#if FIELD || RATIONAL
 /*
 :::{claim} point_is_in_the_hull_of_k_points
-:title: A point of the curve lies in the convex hull of the k points of its span
+:title: A point of the curve is a mean of the k points of its span, with shares that are not negative
 :zh: 分段凸包性
-:types: rational
-:given: random plane points and positive weights, patterns of the list, $t$ in each interval
-:then: $r(t)$ is in the convex hull of $r_{j-k+1},\dots,r_j$
-:method: Decided exactly, with a certificate, for each point.  In general: `nurbs_point_is_the_weighted_mean` with the signs of
-  `basis_is_a_partition_of_unity`.
+:types: field rational
+:given: several segments, with any positive gaps of the knots; positive weights, points of the plane; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval
+:then: $r(t)=\sum_{i=j-k+1}^j\lambda_ir_i$ with $\lambda_i=N_{i,k}(t)w_i/w(t)\ge0$ and $\sum_{i=j-k+1}^j\lambda_i=1$: $r(t)$ is in the convex hull of
+  $r_{j-k+1},\dots,r_j$
+:method: The point by the kernel; the shares by the recursion by its letter, $w(t)$ being the sum of all $n$ terms; signs are read off coefficients in $s$, the gaps and
+  the weights.
 :degrees: 1..5
-:control: the hull without the first of the points
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval; x: -
+:control: the share of the first of the $k$ points given to the second as well
 :::
 */
 CLAIM(point_is_in_the_hull_of_k_points)
 {
-    int p = T->degree, place[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2];
-    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
-        const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), 6, x);
-        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
-        G(weighted_points)(T, n, 2, R, w);
-        for (int interval = place[p]; interval < place[n]; interval++) {
-            int first = G(span_of_interval)(count, place, interval) - p;
-            num t = add(x[interval], mul(sub(x[interval + 1], x[interval]), parameter(T, "t")));
-            G(nurbs_by_definition)(n, p, 2, u, place, R, w, interval, t, P);
-            agree(T, hull_membership(2, fault(T, p + 1, p), R + 2 * fault(T, first, first + 1), P).inside);
+    int p = T->degree;
+    struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
+    num R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(weighted_points)(T, K.n, 2, R, w);
+        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
+            int mu = G(span_of_interval)(K.count, K.place, interval), first = mu - p;
+            num t = add(K.u[mu], mul(sub(K.u[mu + 1], K.u[mu]), inside(T, "s")));
+            num total = G(spline_value)(K.n, p, 1, K.u, K.place, w, 0, interval, t), sum = from_int(0);
+            num mean[2] = {sum, sum};
+            for (int i = first; i <= mu; i++) {
+                int from = fault(T, i, i == first + 1 ? first : i);
+                num share = div(mul(G(cox_de_boor)(p, K.u, K.place, from, interval, t), w[from]), total);
+                about(T, "the sign of a share");
+                nonnegative(T, share);
+                sum = add(sum, share);
+                for (int c = 0; c < 2; c++)
+                    mean[c] = add(mean[c], mul(share, R[2 * i + c]));
+            }
+            about(T, "the sum of the shares");
+            same(T, sum, from_int(1));
+            about(T, "the point");
+            G(nurbs_point)(G(nurbs_on_span)(p, 2, K.u, mu, R, w), t, P);
+            for (int c = 0; c < 2; c++)
+                same(T, P[c], mean[c]);
         }
     }
 }
+#endif
 
+#if RATIONAL
 /*
 :::{claim} negative_weight_leaves_the_hull
 :title: With a negative weight the curve leaves the hull
