@@ -21,6 +21,7 @@ becomes the point, and what has to be decided about it is the index.
 :printed: r_{j,k}^{(T,T')}=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)}r_{l,k}^{(T,T_1)}\Big/
   \sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)},\quad T'=T_1\oplus T_2
 :holds-by: steps_of_refinement_compose discrete_bsplines_compose
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights, as for (4.1.6)
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, for $T_1$ and for $T'$, as there: a knot of $T_1$ at a
   $k$-fold right end gives an $r_l^{(T,T_1)}$ that is $\frac00$, and the sum has it
 :figure: insertions_commute
@@ -134,11 +135,12 @@ CLAIM(steps_of_refinement_compose)
 :title: The theorem has a vivid geometric meaning
 :zh: 定理 4.1.1 的几何意义
 :printed: Theorem 4.1.1 has a vivid geometric meaning, as theorem 2.10.2 has
-:holds-by: insertion_cuts_the_corners insertions_commute
+:reading: steps_of_refinement_compose | of (4.1.7): knots may be inserted one after the other
+:reading: insertions_commute | and in any order
+:reading: insertion_cuts_the_corners | each step puts new points on the edges of the polygon before and cuts its corners
+:reading: repeated_insertion_reaches_the_curve | of (4.1.9): after $k-1$ of them a corner is a point of the curve
+:reading: that the meaning is vivid, and like that of theorem 2.10.2: no computation decides it; section 2.10 is not at hand.
 :figure: insertions_commute
-
-Read as: knots may be inserted one after the other and in any order; each step puts new points on the edges of the polygon before and
-cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section 2.10 is not at hand.
 :::
 
 :::{claim} insertions_commute
@@ -233,16 +235,18 @@ Insert one knot often enough and a new point is the point of the curve.
 :::{statement} wang-ch4:formula-4.1.9
 :title: After the (k-1)-fold insertion of t' a control point is the point of the curve
 :zh: k-1 次嵌入 t' 后,曲线上的点即控制顶点
-:printed: $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$ for $t'$ of the interval of the theorem, which is read as $(t_\mu,t_{\mu+1}]$
+:printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
 :holds-by: repeated_insertion_reaches_the_curve
+:meant: the index $\mu$ of the vertex, and the proof of lemma 4.2.1 | The interval is $(t_\mu,t_{\mu+1}]$; for the letter $u$ see the next entry.
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights, as for (4.1.6)
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no
   $r_0$; or, if copies of $t_k$ follow on an earlier $t_1$, it is the left limit, from outside the domain
-:reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: true for every
+:reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: for every
   multiplicity $0,\dots,k$ and at $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
-:reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: for a knot of multiplicity $m$ insert it $k-1-m$
-  times; true with the same $\mu$
+:reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: a knot of multiplicity $m$ is inserted $k-1-m$
+  times, with the same $\mu$
 :figure: insertion_to_the_curve
 :striking: 41
 
@@ -484,7 +488,9 @@ CLAIM(index_of_another_interval_is_another_point)
 :::{statement} wang-ch4:thm-4.1.1
 :title: The discrete structure of NURBS curves
 :zh: NURBS 曲线的离散结构
-:printed: Let $t'\in(t_u,t_{u+1}]$, read as $(t_\mu,t_{\mu+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights be (4.1.6): then (4.1.7), (4.1.8) and (4.1.9)
+:printed: Let $t'\in(t_u,t_{u+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights after the insertion of $T'$ be (4.1.6), with the notation of section 2.10: then (4.1.7),
+  (4.1.8) and (4.1.9)
+:meant: the index $\mu$ in (4.1.9), and the proof of lemma 4.2.1 | $t'\in(t_\mu,t_{\mu+1}]$, see `thm-4.1.1-index`.
 :holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot

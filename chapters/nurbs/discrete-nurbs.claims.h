@@ -23,11 +23,12 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
 :title: The discrete rational B-spline curve
 :zh: 有理离散 B 样条曲线的定义
 :definition: yes
-:printed: In imitation of (2.10.1) and (2.10.2) the discrete rational B-spline curve $\Gamma_k^{(T)}(T')$ of order $k$ can be defined
+:printed: Likewise, in imitation of (2.10.1) and (2.10.2), the discrete rational B-spline curve $\Gamma_\iota^{(T)}(T')$ of order $k$ can be defined, and with (2.10.4)
+  theorem 4.1.1 results, which describes the discrete structure of NURBS curves
 :checked-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :figure: nurbs_polygons_converge
 
-Printed is $\Gamma_\iota^{(T)}(T')$, see the next entry.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
+The index is $\iota$ for $k$, see the next entry.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
 $i=j$ and $0$ otherwise.
 :::
 */
@@ -185,20 +186,20 @@ which the later proof answers in another way than the definition of the $\alpha$
 :::{statement} wang-ch4:formula-4.1.6
 :title: The control points and weights after the insertion of knots
 :zh: 嵌入节点后的控制顶点与权因子
-:printed: r_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}r_{i,k}^{(T)}\Big/\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)},
-  \quad w_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}
+:printed: The new control points and weights after the transformation that inserts the knots $T'$ are
+  $r_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}r_{i,k}^{(T)}\Big/\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}$,
+  $w_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}$, all notation being that of section 2.10
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights: otherwise a new weight may
   be $0$, and there is no new point though the curve is there
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
 :hypothesis: knot_at_an_outer_end_has_no_shares | the same at ends that are single knots
-:reading: knots_outside_the_domain_cut_corners | with the $\alpha$ of 2.10 as they are read here, intervals closed on the left: true for
-  $T'$ outside the domain, too
+:meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, as they are read here: intervals closed on the left.
+:reading: knots_outside_the_domain_cut_corners | with these $\alpha$, for knots outside the domain, too
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
-  closed on the right: then $\tau=t_1$ is excluded
-:reading: clamped_end_may_be_inserted_again | with the same: and a $k$-fold right end may be inserted, which repeats $r_n$
-:meant: the intervals $t_j\le t<t_{j+1}$ of the section, closed on the left | The first.
+  closed on the right, for a knot at the start of a clamped curve: $\tau=t_1$ has to be excluded
+:reading: clamped_end_may_be_inserted_again | with the same $\alpha_i$ a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
 With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; one knot
@@ -285,6 +286,7 @@ CLAIM(knots_outside_the_domain_cut_corners)
 :then: `nurbs_insert` gives the knots $T\oplus\{\tau\}$ and the points and weights of (4.1.6)
 :method: The kernel against all sums by their letter.
 :degrees: 1..6 sampled 7
+:scope: clamped ends with one knot of every multiplicity below k between, or a simple one beside it
 :defines: nurbs_insert
 :control: the knot inserted at the next value
 :::
@@ -421,11 +423,12 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :zh: 嵌入节点后曲线不变
 :printed: r_k(t)=\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}r_{j,k}^{(T,T')}\Big/\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
-:reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: still true, the new $N_{j,k}$ between its
-  copies being zero; such $r_j$ do not count and are points of the curve
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights, as for (4.1.6)
+:reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: the new $N_{j,k}$ between its
+  copies are zero, and such $r_j$ do not count
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, as there; otherwise a term of the sum is
   $0\cdot\frac00$
-:reading: knots_outside_the_domain_cut_corners | $T'$ outside the domain, in $(t_1,t_{n+k})$
+:reading: knots_outside_the_domain_cut_corners | for $T'$ outside the domain, in $(t_1,t_{n+k})$, too
 :figure: insertions_commute
 :::
 

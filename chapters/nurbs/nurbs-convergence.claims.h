@@ -24,13 +24,12 @@ of the curve and the curve does not jump, and then with the square of the larges
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide: otherwise every
   polygon keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
-:reading: first_vertex_stays_off_the_curve | the polygon is the whole polygon, as after (4.1.1): the hypothesis is needed
-:reading: polygon_is_within_the_bound_of_the_spline | only the part of the polygon over the domain is meant: true for unclamped knots, too,
-  with the same bound
-:meant: the words after (4.1.1), by which the polygon is the whole polygon | The first.
+:meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that the first hypothesis is needed.
+:reading: first_vertex_stays_off_the_curve | the whole polygon, over any knots
+:reading: polygon_is_within_the_bound_of_the_spline | the part of the polygon over the domain, over any knots: with the same bound
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
-  all refinements, and $h_m\to0$.
+  all refinements, and $h_m\to0$.  For $k=2$ the curve over the domain is the polygon.
 :figure: nurbs_polygons_converge
 :striking: 42
 
@@ -42,9 +41,10 @@ the curve need not be: the limit is the curve together with the edges over its j
 :::{statement} wang-ch4:remark-4.1.1-convergence
 :title: Discrete rational B-spline curves must converge to the NURBS curve
 :zh: 有理离散 B 样条曲线必收敛到 NURBS 曲线
-:printed: We can also infer that rational discrete B-spline curves must converge to the NURBS curve
+:printed: We can also infer that rational discrete B-spline curves necessarily converge to the NURBS curve
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, $h_m\to0$; infinitely many do not suffice
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide
