@@ -210,8 +210,9 @@ another.
 :::{statement} wang-ch4:thm-4.2.1-step-intersection
 :title: The hulls of a growing sequence of knots
 :zh: 凸包之交
-:printed: A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))
+:printed: for the sequence of corollary 4.1.1, by lemma 4.2.1: $A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))$
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
@@ -238,9 +239,10 @@ corollary 4.1.1 is that of the $T'_m$.
 :::{statement} wang-ch4:thm-4.2.1-step-limit
 :title: The limit of the hulls is closed and convex
 :zh: 凸包的极限
-:printed: A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))
+:printed: hence $A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))$ is a closed convex set, too
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :confirmed-by: inserted_polygons_stay_convex
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
@@ -291,6 +293,9 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :holds-by: convex_polygons_lie_on_the_border_of_their_hull convex_polygons_have_splines_of_one_turn
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no inner knot has multiplicity $k$; else the polygons converge to the curve
   together with the segment over which it jumps
+:hypothesis: first_vertex_stays_off_the_curve | (4.1.10) is the limit of the whole polygon, so that the polygon has to begin and end with the curve, as for
+  corollary 4.1.1; else $A$ is the hull of more than the curve
+:meant: the step itself, which names $\boldsymbol r_k(t)$ | The polygons are those of one NURBS curve.
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
 :meant: the sentence, which is about the curve $\boldsymbol r_k(t)$ | The second.

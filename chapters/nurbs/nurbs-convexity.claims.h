@@ -22,17 +22,17 @@ the corners and pass to the curve.
 :definition: yes
 :printed: a continuous plane curve $\Gamma$ is called convex if it is the boundary of a convex set of the plane, or part of it
 :checked-by: convex_polygons_lie_on_the_border_of_their_hull
-:reading: polygon_that_turns_back_loses_convexity | by the letter, the set of points of $\Gamma$ is part of the boundary
-:reading: polygon_that_overlaps_itself_loses_convexity | the same, and $\Gamma$ never turns back
-:reading: turns_of_one_sign_are_not_enough | $\Gamma$ turns always to the same side, which the definition does not say but which
-  is often meant
-:reading: triangles_of_one_sign_make_a_polygon_convex | $\Gamma$ runs through the boundary or part of it once, coming to no
-  point twice except the end to the start
-:meant: the words of the definition, which speak of a set of points | The first.  The statements of the section need
-  the last.
+:meant: the words of the definition, which speak of a set | The first reading.  The entries that follow are decided with it, and the last reading is the
+  hypothesis that they need.
+:reading: polygon_that_turns_back_loses_convexity | that the set of points of $\Gamma$ is part of the boundary: with it lemma 4.2.1
+:reading: polygon_that_overlaps_itself_loses_convexity | the same, and $\Gamma$ never turns back: with it lemma 4.2.1
+:reading: turns_of_one_sign_are_not_enough | that $\Gamma$ turns always to the same side, which the definition does not say but which
+  is often meant: with it lemma 4.2.1
+:reading: triangles_of_one_sign_make_a_polygon_convex | that $\Gamma$ runs through the boundary or part of it once, coming to no
+  point twice except the end to the start: it can be told from the areas of triangles, and lemma 4.2.1 holds with it
 :figure: what_convex_must_mean
 
-What fails in this section with the other readings, and because of them alone, is true with the last one.  A straight curve is convex: it is
+As a definition it states nothing; what the readings say is whether lemma 4.2.1, that convexity is kept, is true or false with them.  A straight curve is convex: it is
 part of the boundary of a half plane.
 :::
 */
@@ -133,6 +133,8 @@ static int every_edge_on_the_border(int n, const num_q R[])
   `exact/decide/hull.h`.
 :degrees: points = 3..6
 :scope: the stated polygons
+:argued: every polygon | All $D_{ijl}$ having one sign, so have the areas $D_{i,i+1,l}$ of an edge and a later vertex and $D_{l,i,i+1}$ of an edge and an earlier
+  one: every vertex is on one side of the edge.
 :control: the converse: every polygon on the boundary of its hull runs through once
 :::
 */
@@ -212,12 +214,11 @@ and is then this hull. So "smallest" hides a hypothesis, the same that is to be 
 :title: The smallest closed convex set with the curve on its boundary
 :zh: 以 Γ 为边界的最小凸闭集
 :definition: yes
-:printed: $A(\Gamma)$ is the smallest closed convex set that has $\Gamma$ as its boundary or as part of its boundary
+:printed: if $\Gamma$ is convex, $A(\Gamma)$ is the smallest closed convex set that has $\Gamma$ as its boundary or as part of its boundary
 :checked-by: convex_polygons_lie_on_the_border_of_their_hull
-:reading: curve_inside_its_hull_has_no_smallest_set | $\Gamma$ need not be convex: then there is no such set, and $A(\Gamma)$ is
-  not defined
-:reading: convex_polygons_lie_on_the_border_of_their_hull | $\Gamma$ is convex: then there is one, the convex hull of $\Gamma$
-:meant: the sentence, which speaks of the convex curve that it has just defined | The second.
+:meant: the sentence itself, which begins with a curve that is part of the boundary of a convex set | $\Gamma$ is convex.
+:reading: curve_inside_its_hull_has_no_smallest_set | for a $\Gamma$ that need not be convex: there may be no such set
+:reading: convex_polygons_lie_on_the_border_of_their_hull | for a convex $\Gamma$: there is one, the convex hull of $\Gamma$
 :figure: where_hypotheses_are_needed
 
 Let $\Gamma$ be compact and part of the boundary of a convex set $C$.  Every closed convex set that contains $\Gamma$ contains its

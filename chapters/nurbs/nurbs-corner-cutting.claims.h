@@ -20,20 +20,18 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :::{statement} wang-ch4:lemma-4.2.1
 :title: A convex polygon stays convex when knots are inserted
 :zh: 嵌节点保持控制多边形的凸性
-:printed: if the control polygon $\Gamma_k^{(T)}(\Phi)$ of a plane NURBS curve is a convex curve, then $\Gamma_k^{(T)}(T')$ is a
-  convex curve for every finite set $T'$ of knots
+:printed: let $\Phi$ be the empty set, and let the initial control polygon $\Gamma_k^{(T)}(\Phi)$ of the plane NURBS curve (4.1.2) be a convex curve; then for every
+  finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and the hulls decrease (see the next entry)
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one printed_insertion_keeps_the_curve knots_outside_the_domain_cut_corners
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
-:reading: knots_outside_the_domain_cut_corners | $\Gamma_k^{(T)}(T')$ is made of (4.1.6), with intervals closed on the left: knots
-  outside the domain are allowed
-:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof and for knots before the domain with the
-  edge $r_0r_1$: then the knots have to be in the domain, $t_k\le\tau\le t_{n+1}$
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same with intervals closed on the right, and $\tau=t_1$ excluded as well; when $t_k$ is a
-  $k$-fold knot it is not inserted again
-:meant: (4.1.6), by which $\Gamma_k^{(T)}(T')$ is made | The first.
+:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
+  again
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :argued: every order and every number of points and knots | One corner after the other is cut, and neither the triangles nor the
   identities of one insertion know how many points there are; their other cases are those of the claims.
@@ -114,36 +112,35 @@ CLAIM(printed_insertion_keeps_the_curve)
 :::{claim} insertion_ratios_are_between_zero_and_one
 :title: The printed factors are between 0 and 1
 :zh: 0≤α_i≤1
-:given: order $k$; $\tau-t_\mu>0$, $t_{\mu+1}-\tau>0$ or $=0$, all other differences of neighbours among
-  $t_{\mu-k+2},\dots,t_{\mu+k-1}$ positive
-:then: $0\le\alpha_i\le1$ for $\mu-k+2\le i\le\mu$; for $\tau=t_{\mu+1}$ the first of them is $1$
-:method: Numerators and denominators of $\alpha_i$ and $1-\alpha_i$ are sums of these differences, so that it remains true when some
-  of them are $0$, knots being multiple; no denominator vanishes, as each contains $\tau-t_\mu$.
-:degrees: k = 2..8
+:given: an index $i=\mu-k+2+m$ of the middle case, $m\ge0$, and so $i+k-1=\mu+1+m$; the distances $a=t_\mu-t_i$, $b=\tau-t_\mu$, $c=t_{\mu+1}-\tau$ and
+  $d=t_{i+k-1}-t_{\mu+1}$, with $b>0$ and each of the others positive or $0$
+:then: $0\le\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
+:method: $\alpha_i=\frac{a+b}{a+b+c+d}$, whose divisor is not $0$, since $b>0$.  Nothing else of the knots enters, so this is for every $k$ and all knots,
+  multiple ones among them.
+:degrees: all
+:over: g#: gaps of the knots; mu k m: -
 :control: $i=\mu+1$ taken with the formula of the middle case
 :::
 */
 CLAIM(insertion_ratios_are_between_zero_and_one)
 {
-    enum { SIZE = 32 };
-    int k = T->degree, mu = k;
-    for (int at_knot = 0; at_knot <= 1; at_knot++) {
-        num t[SIZE], tau = from_int(0);
-        t[2] = from_int(0);
-        for (int i = 3; i <= mu; i++)
-            t[i] = add(t[i - 1], positive(T, "h", i));
-        tau = add(t[mu], positive(T, "h", 0));
-        t[mu + 1] = at_knot ? tau : add(tau, positive(T, "h", mu + 1));
-        for (int i = mu + 2; i < fault(T, mu + k, mu + k + 1); i++)
-            t[i] = add(t[i - 1], positive(T, "h", i));
-        for (int i = mu - k + 2; i <= fault(T, mu, mu + 1); i++) {
-            int middle = i == mu + 1 ? mu + 1 : mu; /* the control takes the middle case one too far */
-            num alpha = G(printed_alpha)(k, middle, t, tau, i);
-            nonnegative(T, alpha);
-            nonnegative(T, sub(from_int(1), alpha));
-        }
-        if (at_knot)
-            same(T, G(printed_alpha)(k, mu, t, tau, mu - k + 2), from_int(1));
+    num zero = from_int(0), one = from_int(1), gap[4];
+    num mu = whole(T, "mu", 30, 40), k = whole(T, "k", 2, 20), m = whole(T, "m", 0, 9);
+    num i = add(add(sub(mu, k), from_int(2)), m);
+    about(T, "i + k - 1 = mu + 1 + m");
+    same(T, sub(add(i, k), one), add(add(mu, one), m));
+    for (int g = 0; g < 4; g++)
+        gap[g] = positive(T, "g", g);
+    for (int bits = 0; bits < 8; bits++) { /* which of a, c, d are not 0 */
+        num a = bits & 1 ? gap[0] : zero, b = gap[1], c = bits & 2 ? gap[2] : zero, d = bits & 4 ? gap[3] : zero;
+        num above = add(a, b), alpha = div(above, add(above, add(c, d)));
+        alpha = fault(T, alpha, div(neg(gap[2]), gap[3])); /* i = mu+1: (tau - t_{mu+1}) / (t_{mu+k} - t_{mu+1}) */
+        about(T, "the factor is in [0, 1]");
+        nonnegative(T, alpha);
+        nonnegative(T, sub(one, alpha));
+        about(T, "the factor at a knot");
+        if (!(bits & 2) && !(bits & 4))
+            same(T, alpha, one);
     }
 }
 
@@ -318,10 +315,11 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
   exist; or $A$ is taken as the hull
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
-:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
-:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
-:meant: (4.1.6), by which $\Gamma_k^{(T)}(T')$ is made | The first.
+:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
+  again
 :figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
@@ -334,7 +332,7 @@ Every new vertex is on an edge, hence in the hull; for hulls it is true of every
 :then: $w'=(1-\alpha)w_{i-1}+\alpha w_i$ and $r'=(1-s)r_{i-1}+sr_i$ satisfy $w'r'=(1-\alpha)w_{i-1}r_{i-1}+\alpha w_ir_i$; and
   $w'>0$, $s\ge0$, $1-s\ge0$
 :method: Identities in the field, and signs of coefficients.  For $\alpha=0$ and $\alpha=1$ it is $s=\alpha$.
-:over: a: ratio of α to 1-α; r#: points
+:over: a#: ratios of α to 1-α; r#: points
 :control: $s$ taken as $\alpha$, without weights
 :::
 */
@@ -356,15 +354,15 @@ CLAIM(inserted_points_divide_the_edges)
 :::{statement} wang-ch4:lemma-4.2.1-step-points
 :title: The points after one insertion
 :zh: 嵌入一个节点后的顶点
-:printed: \boldsymbol r_{i,k}^{(T,T')}=(1-s_i)\boldsymbol r_{i-1}+s_i\boldsymbol r_i,\qquad
-  s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]
+:printed: for $T'=\{\tau_1\}$, $\tau_1\in(t_\mu,t_{\mu+1}]$, in imitation of (2.9.1): $\boldsymbol r_{i,k}^{(T,T')}=(1-s_i)\boldsymbol r_{i-1}+s_i\boldsymbol r_i$,
+  $s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]$
 :holds-by: inserted_points_divide_the_edges printed_insertion_keeps_the_curve
 :needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: where_hypotheses_are_needed
 
-The same as (2.9.1) in homogeneous coordinates; the new weights are the denominators.
+The new weights are the denominators.  (2.9.1) is not in the text at hand; in homogeneous coordinates this is the insertion of a knot into a B-spline curve.
 :::
 */
 
@@ -402,11 +400,11 @@ CLAIM(vanishing_weight_loses_the_new_point)
 :zh: α_i 的分段公式
 :printed: \tau_1\in(t_\mu,t_{\mu+1}];\quad\alpha_i=1,\ i\le\mu-k+1;\quad\alpha_i=\frac{\tau_1-t_i}{t_{i+k-1}-t_i},\ \mu-k+2\le i\le\mu;
   \quad\alpha_i=0,\ i\ge\mu+1
-:holds-by: printed_insertion_keeps_the_curve both_conventions_of_the_span_are_right
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$ and $t_k\le\tau_1\le t_{n+1}$, so that neither
-  $r_0$ nor $r_{n+1}$ is asked for
-:reading: both_conventions_of_the_span_are_right | the formula with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in the chapter's
-  other sections
+:holds-by: printed_insertion_keeps_the_curve
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
+:reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in the chapter's
+  other sections, the formula gives the same factors, or repeats another of two points
 :figure: where_hypotheses_are_needed
 
 At a knot of multiplicity $m\le k-1$ both conventions give the same numbers $\alpha_i$; for $m\ge k$ the closed end decides
@@ -482,6 +480,8 @@ CLAIM(clamped_end_may_be_inserted_again)
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :figure: mixed_weights_and_convexity
+
+This is about the $s_i$ that exist; for which knots the line before asks for a weight $w_0$ is the matter of `lemma-4.2.1-step-points`.
 :::
 
 :::{statement} wang-ch4:lemma-4.2.1-step-inscribed
@@ -502,7 +502,9 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :zh: 归纳法第一步
 :printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\Phi)$, the lemma is true for one knot
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :confirmed-by: inserted_polygons_stay_convex
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | not turning back is not enough: its end does not run over its start
 :argued: every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
@@ -574,7 +576,7 @@ of the same curve over the knots with the new one, with its new weights, and if 
 :::{statement} wang-ch4:lemma-4.2.1-step-induction
 :title: Knots may be inserted one after the other
 :zh: 归纳步
-:printed: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$ for $T''=T'\oplus\{\tau_m\}$, and
+:printed: for $T'=\{\tau_1,\tau_2,\dots,\tau_{m-1}\}$ and $T''=T'\oplus\{\tau_m\}$: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$, and
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
 :holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve
 :figure: cutting_corners
@@ -660,10 +662,11 @@ CLAIM(knots_are_inserted_in_any_order)
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
-:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
-:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
-:meant: (4.1.6), by which $\Gamma_k^{(T)}(T')$ is made | The first.
+:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
+  again
 :figure: hulls_of_knot_sets
 :::
 */

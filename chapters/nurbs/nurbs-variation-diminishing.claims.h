@@ -32,17 +32,17 @@ counted, or, for insertion, if it counts as infinitely many points.
 :printed: $I(\Gamma,\boldsymbol L)$ is the number of points of intersection of the plane curve $\Gamma$ and a line $\boldsymbol L$ of its
   plane
 :checked-by: designed_splines_cross_no_more designed_splines_meet_no_more
-:reading: designed_splines_cross_no_more | crossings: how often the curve changes sides, counted along the curve
-:reading: designed_splines_meet_no_more | common points counted along the curve, a piece on the line counting once
-:reading: touching_point_is_no_crossing | the first two are one: false, a curve may touch the line, in a common point that is no crossing
-:reading: self_crossing_polygon_gains_points_on_a_line | points of the plane, each counted once
-:reading: edge_on_the_line_must_be_counted | points that are not on an edge or piece of curve on the line
-:reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many
-:meant: property 3.2.7 of the same book, which counts how often the line is crossed | The first: crossings.
+:meant: the words 交点个数, number of points of intersection | Points of the plane; the entries that use the number take it so, and say what else has to be counted.
+:reading: designed_splines_cross_no_more | crossings, how often the curve changes sides, counted along the curve: with it lemma 4.2.2 and theorem 4.2.2
+:reading: designed_splines_meet_no_more | common points counted along the curve, a piece on the line counting once: with it lemma and theorem
+:reading: touching_point_is_no_crossing | that these two are one: a curve may touch the line, in a common point that is no crossing
+:reading: self_crossing_polygon_gains_points_on_a_line | points of the plane, each counted once: with it the lemma
+:reading: edge_on_the_line_must_be_counted | points that are not on an edge or piece of curve on the line: with it lemma and theorem
+:reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many: with it the lemma
 :figure: what_must_be_counted
 
-With the first two meanings the statements below are true; with the third and the fourth the lemma and the theorem are
-false; with the last the lemma is false, and the step that uses it, while the theorem is true: over a piece of the
+As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.  As points of the
+plane the theorem is false, too; where an edge on the line has infinitely many points it is true: over a piece of the
 curve on the line an edge lies there. Points of the plane will do, an edge or piece on the line counting once, for a
 polygon that does not meet itself on the line.  The source's chapter on Bézier curves means crossings, and says so.
 :::
@@ -394,8 +394,8 @@ change can arise.
 :::{statement} wang-ch4:lemma-4.2.2
 :title: Inserting knots adds no intersection with a line (4.2.1)
 :zh: 嵌节点过程的变差缩减性
-:printed: for every line $\boldsymbol L$ and every set $T'$ of knots to be inserted
-  $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
+:printed: for the control polygon of the NURBS curve $\boldsymbol r_t(t)$ the insertion of any set $T'$ of knots is always variation diminishing: for every line $\boldsymbol L$ of
+  the plane $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges knots_outside_the_domain_cut_corners
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
@@ -405,19 +405,18 @@ change can arise.
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when
   $t_1=t_k$
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | positive weights
-:reading: averages_between_neighbours_keep_sign_changes | crossings
-:reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
-:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
-:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the
-  knots have to be in the domain
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
-:meant: property 3.2.7 of the same book, which counts how often the line is crossed; and (4.1.6), by which the polygon
-  is made | The first and the third.
+:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
+:reading: averages_between_neighbours_keep_sign_changes | of crossings
+:reading: cut_corners_meet_a_line_no_more | of common points, a piece on the line counting once
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof of lemma 4.2.1, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
+  again
 :argued: every order and every number of points and knots | An insertion puts a point on each of some edges and takes the old
   vertices away; one after the other these are the cases that were decided.
 :figure: line_and_cut_corners
 
-The source gives no proof.  Any multiplicities are allowed.  The argument is about one corner at a time and holds
+The source gives no proof; the index $t$ of the curve is $k$, see `notation-order`.  Any multiplicities are allowed.  The argument is about one corner at a time and holds
 for polygons of every length.
 :::
 
@@ -507,22 +506,23 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :::{statement} wang-ch4:thm-4.2.2
 :title: A line meets the curve no more often than the polygon (4.2.2)
 :zh: 平面 NURBS 曲线的变差缩减性
-:printed: $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
+:printed: plane NURBS curves are variation diminishing: with the notation of lemma 4.2.2
+  $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
 :needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | positive weights
-:reading: designed_splines_cross_no_more | crossings
-:reading: designed_splines_meet_no_more | common points, a piece on the line counting once
+:reading: designed_splines_cross_no_more | of crossings
+:reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
 :argued: | Insert parameters where the curve is on alternating sides until these points are vertices: the new polygon changes sides as
   often as the curve, and the old one no less often.
 :figure: line_and_cut_corners
 
-A proof for every order with the first reading: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$
+A proof for every order, for crossings: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$
 where it is on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$
-times, so the old one does.  With the second reading take one parameter of each intersection and one, off the line,
+times, so the old one does.  For common points take one parameter of each intersection and one, off the line,
 between any two. No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the
 polygon crosses with it.
 :::
@@ -618,7 +618,8 @@ point.
 :printed: otherwise there is a line $\boldsymbol L_0$ with $N\equiv I(\Gamma_k^{(T)}(\Phi),\boldsymbol L_0)<I(\boldsymbol r_k(t),\boldsymbol L_0)$,
   so there are at least $N+1$ intersections of the curve with $\boldsymbol L_0$; let $t_i'$, $i=1,2,\dots,N+1$, be the parameters of
   these points
-:holds-by: polygon_through_the_crossings_crosses_as_often designed_splines_meet_no_more
+:holds-by: polygon_through_the_crossings_crosses_as_often
+:confirmed-by: designed_splines_meet_no_more
 :hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are
   not counted; a jump has no point on the line
 :argued: every curve | What is counted are parameters of the curve, so that so many intersections have so many parameters.
@@ -773,7 +774,8 @@ changes sides where the curve does.
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | counted along the polygon; as points of the plane there is
   no contradiction, and there cannot be
-:hypothesis: cut_corner_lies_on_the_line | an edge on the line counts as one intersection
+:hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
+:hypothesis: cut_corner_lies_on_the_line | and counts as one intersection
 :figure: what_must_be_counted
 :::
 
