@@ -33,13 +33,13 @@ vanishing curvature or torsion, and its members have them.
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope twisted_sextic_has_second_envelope
 :reading: convex_quartic_of_span_has_second_envelope | all joint solutions, for plane curves without inflections:
-  false for $k=5$, $r=2$
+  a counterexample for $k=5$, $r=2$
 :reading: twisted_sextic_has_second_envelope | all joint solutions, for curves of space with $\kappa\ne0$ and torsion
-  $\ne0$ everywhere: false for $k=7$, $r=3$
+  $\ne0$ everywhere: a counterexample for $k=7$, $r=3$
 :reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
-  meant: false for $k=6$, $r=3$, with an inflection
+  meant: a counterexample for $k=6$, $r=3$, with an inflection
 :reading: curvatures_have_a_fixed_ratio | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
-  closed span and $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through
+  closed span and $\tau(t)$ continuous on it, by an argument in words: there is a fixed point $\tau(t)=t$, and a second solution through
   it needs $\mathbf r'\times\mathbf r''=0$ there
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
   solutions.
@@ -191,22 +191,25 @@ CLAIM(general_condition_is_that_of_the_level_before)
 
 /*
 :::{statement} wang-ch4:formula-4.3.15
-:title: The condition of the envelope for every r
-:zh: 一般 r 的包络条件
-:printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
-  r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1},\ j=k,k+1,\dots,n
-:definition: yes
-:checked-by: touching_curve_satisfies_the_condition envelope_condition_holds_on_the_diagonal
+:title: For every r the envelope is the joint solution of (4.3.3) and (4.3.15)
+:zh: 一般 r 时包络为 (4.3.3) 与 (4.3.15) 的联合解
+:printed: for $r\ge1$ the right side of (4.3.2) is the joint solution of (4.3.3) and
+  $\frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
+  r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0$, $t_j\le t,\tau<t_{j+1}$, $j=k,k+1,\dots,n$
+:holds-by: touching_curve_satisfies_the_condition
+:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-r]}\ne0$, as for (4.3.9), which is $r=1$
+:meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each.
+:confirmed-by: envelope_condition_holds_on_the_diagonal
 :figure: nurbs_envelope_square
 :::
 
 :::{statement} wang-ch4:formula-4.3.16
 :title: The solutions as functions of t
 :zh: 解写成 τ=τ(t)
-:printed: \tau=\tau(t)
+:printed: in the joint solution of (4.3.3) and (4.3.15) $\tau=\tau(t)$
 :reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: an agreement, as
   (4.3.10)
-:reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: false, with
+:reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: with
   $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form
 :figure: nurbs_envelope_square
 
@@ -220,9 +223,11 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 :title: How a weight of level r changes with its parameter
 :zh: 第 r 层权随参数的变化
 :printed: (t_{i+k-r}-t_i)(w_i^{[r]}(\tau)-w_i^{[r]}(t))=(\tau-t)(w_i^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(\tau))+(t-t_i)(w_i^{[r-1]}(\tau)-w_i^{[r-1]}(t))
-  +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t))
+  +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t)),\quad i=j-k+r+1,j-k+r+2,\dots,j;\ t_i\le t,\tau<t_{i+1}
 :holds-by: weights_of_two_parameters_differ_as_printed
 :figure: nurbs_envelope_square
+
+An identity for any $t$ and $\tau$; the span is that of $t_j$, see `notation-4.3`.
 :::
 
 :::{claim} weights_of_two_parameters_differ_as_printed
@@ -273,13 +278,18 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
 :::{statement} wang-ch4:thm-4.3.3-chain
 :title: The denominator of level r by sums over level r-1
 :zh: 第 r 层分母用第 r-1 层表示
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=i-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)
+  =\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(t)+\sum_{i=j-k+r+1}^jN_{i,k-r}(t)(w_i^{[r]}(\tau)-w_i^{[r]}(t))
+  =\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(t)
+  +(\tau-t)\sum_{i=j-k+r}^j\left[\frac{N_{i,k-r}(t)}{t_{i+k-r}-t_i}-\frac{N_{i+1,k-r}(t)}{t_{i+k-r+1}-t_{i+1}}\right]w_i^{[r-1]}(\tau)
+  +\sum_{i=j-k+r}^j\left[\frac{t_{i+k-r+1}-t}{t_{i+k-r+1}-t_{i+1}}N_{i+1,k-r}(t)+\frac{t-t_i}{t_{i+k-r}-t_i}N_{i,k-r}(t)\right](w_i^{[r-1]}(\tau)-w_i^{[r-1]}(t))
+  =\frac{\tau-t}{k-r}\sum_{i=i-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
   +\sum_{i=i-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
 :class: misprint
 :refuted-by: sum_begins_at_no_index
 :corrected: the last two sums begin at $i=j-k+r$, as those of the lines before
 :corrected-by: level_by_sums_over_the_level_before
-:reading: first_term_of_the_chain_divides_by_zero | with division by its letter: false at multiple knots, as the terms $i=j-k+r$
+:reading: first_term_of_the_chain_divides_by_zero | with division by its letter, at multiple knots: the terms $i=j-k+r$
   and $i=j$ contain B-splines that vanish on the span over differences of knots that may be $0$; but by (2.1.1) $0/0$ counts as $0$
 :meant: (2.1.1), by which $0/0$ counts as $0$ | No division by its letter: a term with a B-spline that vanishes is
   left out.
@@ -487,19 +497,19 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
 :title: Denominator and numerator of the member of level r-1
 :zh: 第 r-1 层的分母与分子
 :printed: w^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\qquad\mathbf
-  p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau)
+  p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau),\quad t_i\le t,\tau<t_{i+1}
 :definition: yes
 :checked-by: member_of_span_is_polar
 :figure: order_and_level
 
-Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
+The span is that of $t_j$, see `notation-4.3`.  Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
 :::
 
 :::{statement} wang-ch4:formula-4.3.18
 :title: From one level to the next
 :zh: 相邻两层的递推
 :printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
-  p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau)
+  p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau),\quad t_j\le t,\tau<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: family_steps_along_the_tangent
 :figure: nurbs_envelope_square
 :::

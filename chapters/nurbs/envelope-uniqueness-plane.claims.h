@@ -19,7 +19,7 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
 :class: invalid-proof
 :refuted-by: osculating_plane_meets_the_origin_once
 :reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises
-:reading: points_are_polar_values_of_the_segment | for all $t$ of the span: true, but not for this reason, the
+:reading: points_are_polar_values_of_the_segment | for all $t$ of the span, but not for this reason, the
   coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants
 :meant: the proof, in which (4.3.12) is the alternative to $\tau=t$ | The first: at one $t$.
 :corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
@@ -259,16 +259,18 @@ CLAIM(family_moves_with_its_points)
 
 /*
 :::{statement} wang-ch4:formula-4.3.13
-:title: The condition in the plane
-:zh: 平面情形的包络条件
-:printed: \frac{\partial x^{[k-1]}(t,\tau)}{\partial\tau}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial
-  t}=\frac{\partial x^{[k-1]}(t,\tau)}{\partial t}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial\tau},\quad t_j\le
-  t,\tau<t_{j+1}
-:definition: yes
-:checked-by: touching_curve_satisfies_the_condition
+:title: In the plane the envelope is the joint solution of (4.3.3) and (4.3.13)
+:zh: 平面情形包络为 (4.3.3) 与 (4.3.13) 的联合解
+:printed: by [18] the envelope of this family is the joint solution of the equation (4.3.3), $r=1$, of plane curves and
+  $\frac{\partial x^{[k-1]}(t,\tau)}{\partial\tau}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial
+  t}=\frac{\partial x^{[k-1]}(t,\tau)}{\partial t}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial\tau}$, $t_j\le
+  t,\tau<t_{j+1}$, where $\tau=\tau(t)$
+:holds-by: touching_curve_satisfies_the_condition
+:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$, as for (4.3.9)
+:meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each; for $\tau=\tau(t)$ see (4.3.10).
 :figure: nurbs_second_line
 
-The third coordinate of (4.3.9), the two others being 0.
+(4.3.13) is the third coordinate of (4.3.9), the two others being 0.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-plane-condition
@@ -287,10 +289,9 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :printed: if $x'(t)y''(t)-x''(t)y'(t)=0$ (4.3.14) holds, then $\mathbf r(t)$ is a segment of a straight line
 :class: invalid-proof
 :refuted-by: inflected_cubic_is_not_straight
-:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: false, every
+:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: every
   inflection is a counterexample
 :reading: slope_is_constant_where_nothing_turns | for all $t$
-:meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
 :figure: nurbs_second_line
@@ -383,7 +384,7 @@ CLAIM(inflected_cubic_is_not_straight)
 :::{statement} wang-ch4:thm-4.3.2-on-a-line
 :title: If all members are on a line, their envelope is the segment
 :zh: 族曲线均在一直线上时包络即 r(t)
-:printed: if every member is on the straight line of $\mathbf r(t)$, the envelope of the family is $\mathbf r(t)$
+:printed: every member of the family being on the straight line of $\mathbf r(t)$, its envelope is $\mathbf r(t)$
 :class: false
 :refuted-by: folded_line_has_another_solution
 :corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of
@@ -437,7 +438,7 @@ CLAIM(folded_line_has_another_solution)
 :::{statement} wang-ch4:thm-4.3.2-otherwise
 :title: If (4.3.14) does not hold, τ = t
 :zh: 否则必有 τ=t
-:printed: if (4.3.14) does not hold, (4.3.11) must hold, and the envelope of the family is $\mathbf r(t)$
+:printed: if (4.3.14) does not hold, (4.3.11) must hold, and put into (4.3.3), $r=1$, it shows that the envelope of the family is $\mathbf r(t)$
 :holds-by: first_level_condition_factors member_of_span_touches_curve
 :hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
   identically is not enough

@@ -83,7 +83,7 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :class: invalid-proof
 :refuted-by: member_osculates_a_plane_through_the_origin
 :reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, as the alternative to $\tau=t$ arises
-:reading: points_are_polar_values_of_the_segment | for all pairs of the square: true, as in theorem 4.3.2, each member
+:reading: points_are_polar_values_of_the_segment | for all pairs of the square, as in theorem 4.3.2, each member
   being in a plane through the origin and its points with it, but not by linear independence
 :meant: the proof, in which the sum is the alternative to $\tau=t$ | The first: at one pair $(t,\tau)$.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
@@ -145,9 +145,11 @@ CLAIM(member_osculates_a_plane_through_the_origin)
 :::{statement} wang-ch4:thm-4.3.3-split
 :title: By the recursion each term is a mean of two of the level before
 :zh: 按递推分解为上一层两项
-:printed: by (4.1.3) and (4.1.4): $\bigl(1-\frac{\tau-t_i}{t_{i+k-r+1}-t_i}\bigr)(w_{i-1}^{[r-2]}(\tau)\mathbf
-  p_{i-1}^{[r-2]}(\tau),\dots)+ \frac{\tau-t_i}{t_{i+k-r+1}-t_i}(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$,
-  $i=j-k+r,\dots,j$
+:printed: hence by (4.1.3) and (4.1.4): $\bigl(1-\frac{\tau-t_i}{t_{i+k-r+1}-t_i}\bigr)\bigl(w_{i-1}^{[r-2]}(\tau)\mathbf
+  p_{i-1}^{[r-2]}(\tau),\frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)+\frac{\tau-t_i}{t_{i+k-r+1}-t_i}\bigl(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$,
+  $i=j-k+r,j-k+r+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
 :holds-by: weighted_points_follow_the_recursion
 :figure: points_off_the_plane
 
@@ -206,12 +208,14 @@ CLAIM(weighted_points_follow_the_recursion)
 :::{statement} wang-ch4:thm-4.3.3-descent
 :title: From the means to the terms, down to the control points
 :zh: 逐层下降至控制顶点
-:printed: this gives $(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$ for $i=j-k+r-1,\dots,j$ and, continued,
-  $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
+:printed: this gives $\bigl(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$ for $i=j-k+r-1,j-k+r,\dots,j$, $t_i\le t,\tau<t_{i+1}$, and, continued,
+  $\bigl(w_i(\tau)\mathbf p_i(\tau),\frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$ for $i=j-k+1,j-k+2,\dots,j$, $t_j\le t,\tau<t_{j+1}$
 :class: invalid-proof
 :refuted-by: level_one_in_a_plane_and_the_points_not
 :reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$
-:reading: span_derivatives_are_parallel | for all pairs of the square: true, because on the diagonal it says that the
+:reading: span_derivatives_are_parallel | for all pairs of the square, because on the diagonal it says that the
   curve is in a plane through the origin; not by solving for the terms
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
@@ -219,7 +223,7 @@ CLAIM(weighted_points_follow_the_recursion)
 :corrected-by: general_condition_is_that_of_the_level_before
 :figure: points_off_the_plane
 
-$k-r+1$ equations do not determine $k-r+2$ unknowns.
+$k-r+1$ equations do not determine $k-r+2$ unknowns.  No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
 :::
 */
 

@@ -26,15 +26,13 @@ inflection: it is touched by every member.
   curve
 :class: false
 :refuted-by: inflected_cubic_has_second_envelope folded_line_has_another_solution
-:reading: inflected_cubic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9): false at an inflection, in
+:reading: inflected_cubic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9), at an inflection, in
   the plane
-:reading: space_quartic_has_second_envelope | the same for curves that are not plane: false where the curvature
+:reading: space_quartic_has_second_envelope | the same for curves that are not plane, where the curvature
   vanishes
 :reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as
-  (4.3.10) may be meant: then a line $t=t_0$ is left out, and true if $\mathbf r'\times\mathbf r''$ is not 0
-  identically
-:reading: folded_line_has_another_solution | the same when it is 0 identically, a case which the proof includes
-:meant: (4.3.3) and (4.3.9), by which the section determines the envelope | The first: all joint solutions.
+  (4.3.10) may be meant, if $\mathbf r'\times\mathbf r''$ is not 0 identically: the lines $t=t_0$ are then left out
+:reading: folded_line_has_another_solution | the same when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
   points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless
   $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone if and only if $\mathbf r'\times\mathbf r''=0$
@@ -53,17 +51,19 @@ tangent are on it.
 :::
 
 :::{statement} wang-ch4:formula-4.3.9
-:title: The condition of the envelope for r = 1
-:zh: r=1 时的包络条件
-:printed: \frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
-  r^{[k-1]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1}
-:definition: yes
-:checked-by: touching_curve_satisfies_the_condition
+:title: For r = 1 the envelope is the joint solution of (4.3.3) and (4.3.9)
+:zh: r=1 时包络为 (4.3.3) 与 (4.3.9) 的联合解
+:printed: by [18] the envelope of the family $\{\mathbf r^{[k-1]}(t,\tau),\ t_j\le t<t_{j+1}\mid t_j\le\tau<t_{j+1}\}$ is the joint solution of (4.3.3), $r=1$, and
+  $\frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
+  r^{[k-1]}(t,\tau)}{\partial t}=\mathbf 0$, $t_j\le t,\tau<t_{j+1}$
+:holds-by: touching_curve_satisfies_the_condition
+:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$: where a member stands still the condition is satisfied, and the
+  member may have another direction
+:meant: [18] is not at hand; this is the usual notion of an envelope | A curve $\mathbf r^{[k-1]}(t(s),\tau(s))$ that passes from member to member, $\tau'\ne0$, and is tangent
+  to each member where it passes it.
 :figure: nurbs_second_line
 
-It is quoted from elsewhere as what an envelope is.  It is necessary: where a curve $\mathbf r^{[k-1]}(t(s),\tau(s))$
-with $\tau'\ne0$ is tangent to the members it passes, the two derivatives are parallel.  It is sufficient where
-$\partial_t\mathbf r^{[k-1]}\ne0$.
+The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$.  The section uses it as what an envelope is.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -93,14 +93,47 @@ CLAIM(touching_curve_satisfies_the_condition)
         same(T, left[c], mul(fault(T, ds, dt), right[c]));
 }
 
+#if RATIONAL
+/*
+:::{claim} member_that_stands_still_is_not_touched
+:title: Where a member stands still the condition is satisfied, and the member is not touched
+:zh: 族曲线的驻点处满足包络条件而不相切
+:kind: counterexample
+:given: the cubic $\sum a_mt^m$, which is $(t+t^2,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, its inflection $t$ and the member $\tau$
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (1,0) (0,1); t = 0; τ = -1
+:instead: τ = -1/2
+:then: (4.3.9) is satisfied because $\partial_tX=0$; the solutions about the pair are the line $t=0$, whose points run along the axis, and the
+  member runs there in another direction, that of $\partial_t^2X$
+:result: r_i = (14/3,-15) (-4/3,3) (2/3,-3) (32/3,15); point of the member = (-1/3,0); its derivatives by t and τ = (0,0) (1/3,0); direction of the member = (2/3,-2)
+:method: Member and derivatives by its points over the knots.  The direction of the member is its first derivative that is not 0; the determinant of it and of the derivative by
+  $\tau$ is compared with 0.  With the same $t$ every $\tau$ gives a pair: `first_level_condition_factors`.
+:control: another member, which does not stand still
+:::
+*/
+CLAIM(member_that_stands_still_is_not_touched)
+{
+    num u[8], R[8], w[4], Rr[8], wr[4], D[6], E[6], X[2], t = given(T, "t"), tau = given(T, "τ");
+    G(given_curve_of_powers)(T, 3, 2, u, R, w);
+    if (!G(pair_of_the_envelope)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
+        return;
+    G(family_derivatives)(3, 2, u, 3, R, w, 1, tau, t, D);
+    G(level_of_curve)(3, 2, u, 3, R, w, 1, tau, Rr, wr);
+    G(curve_derivatives)(2, 2, u, 3, Rr, wr, t, 2, E);
+    const num *direction = is_zero_q(E[2]) && is_zero_q(E[3]) ? E + 4 : E + 2;
+    found_points(T, "direction of the member", 1, 2, direction);
+    about(T, "the determinant of the directions of the solutions and of the member");
+    vanishes(T, G(cross2)(D + 4, direction));
+}
+#endif
+
 /*
 :::{statement} wang-ch4:formula-4.3.10
 :title: The solutions as functions of t
 :zh: 解写成 τ=τ(t)
-:printed: \tau=\tau(t)
+:printed: in the joint solution of (4.3.3) and (4.3.9) $\tau=\tau(t)$
 :reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it cannot be false,
   but then a line $t=t_0$ of the square is left out of the envelope by agreement
-:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: false, the lines
+:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: the lines
   $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
@@ -114,7 +147,7 @@ CLAIM(touching_curve_satisfies_the_condition)
 :title: The derivative as a sum over differences
 :zh: 导矢的差分表示
 :printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i-w_{i-1}}{t_{i+k-1}-t_i}=\frac{w'(t)}{k-1},\qquad
-  \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i\mathbf r_i-w_{i-1}\mathbf r_{i-1}}{t_{i+k-1}-t_i}=\frac{\mathbf p'(t)}{k-1}
+  \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i\mathbf r_i-w_{i-1}\mathbf r_{i-1}}{t_{i+k-1}-t_i}=\frac{\mathbf p'(t)}{k-1},\quad t_j\le t<t_{j+1}
 :holds-by: differences_of_span_give_the_derivative
 :figure: nurbs_second_line
 :::
@@ -215,14 +248,16 @@ tangent of the curve at $t$.
   r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member
 :figure: nurbs_second_line
+
+The words before it are lost in the copy at hand.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-by-t
 :title: The derivative of the member by t
 :zh: 族曲线对 t 的偏导矢
-:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]^2\frac{\partial\mathbf r^{[k-1]}}{\partial
-  t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]\mathbf p'' -w''\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf
-  p\Bigr]\Bigr\}+(k-2)w^2\mathbf r'
+:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial
+  t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]\mathbf p''(t)-w''(t)\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf
+  p(t)\Bigr]\Bigr\}+(k-2)w^2(t)\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member
 :figure: nurbs_second_line
 :::
@@ -240,7 +275,7 @@ tangent of the curve at $t$.
 :method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
   $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
 :degrees: all
-:over: p# w#: coefficients
+:over: k: -; p# w#: coefficients
 :control: $k-1$ in the place of $k-2$
 :::
 */
@@ -274,8 +309,8 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :::{statement} wang-ch4:thm-4.3.2-equivalent
 :title: The condition with the factor τ-t
 :zh: 包络条件的等价形式
-:printed: (\tau-t)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr][\mathbf r'\times\mathbf p'']=(\tau-t)\,w''\Bigl\{\mathbf
-  r'\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}
+:printed: (4.3.9) is equivalent to $(\tau-t)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr][\mathbf r'(t)\times\mathbf p''(t)]=(\tau-t)\,w''(t)\Bigl\{\mathbf
+  r'(t)\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)\Bigr]\Bigr\}$
 :holds-by: first_level_condition_as_printed
 :figure: nurbs_second_line
 :::
@@ -343,7 +378,7 @@ r''$, so that the other case is the inflections of the curve and nothing else.
 :method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
   are positive on the span.
 :degrees: all
-:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the sign of the second term
 :::
 */
@@ -370,7 +405,7 @@ CLAIM(first_level_condition_as_printed)
   function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
   $\tau(t)=t$.
 :degrees: all
-:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w^2$ in the place of $w^3$
 :::
 */
@@ -405,7 +440,7 @@ inflection is touched by all.
 :method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
 :degrees: all
-:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w$ left out
 :::
 */
@@ -442,7 +477,7 @@ is one equation in the place of three: what is lost is what decides, $\mathbf r'
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
 :method: Everything a variable.
 :degrees: all
-:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w''$ left out
 :::
 */
@@ -464,7 +499,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
   is 0.
 :degrees: all
-:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w$ in the place of $W$
 :::
 */
@@ -491,10 +526,9 @@ multiplies by $w''$ what is to be shown to vanish, and for a polynomial curve $w
 :instead: a = (0,0,0) (1,0,0) (0,1,0) (0,0,1)
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$
 :result: r_i = (-3,23/3,-14) (-1,-1/3,4) (1,-1/3,-2) (3,23/3,16); p, p', p'' = (0,0,1) (1,0,0) (0,2,0); left side
-  times p'' = 0; right side times p'' = 0
-:method: The derivatives of the curve by its points over uniform knots; the triple product is compared with 0 after
-  the other equation has been found to be true.
-:control: the curve moved so that its osculating plane at $t$ passes through the origin, where $r'$, $A$ and $p''$ are dependent
+  times p'' = 0; right side times p'' = 0; (τ-t)(r', A, p'') = -2
+:method: The derivatives of the curve by its points over uniform knots; that both sides have the same product is compared together with the triple product.
+:control: the product with $A$, the numerator of the member, in the place of that with $p''$
 :::
 */
 CLAIM(product_with_second_derivative_says_nothing)
@@ -507,15 +541,15 @@ CLAIM(product_with_second_derivative_says_nothing)
         A[c] = add(D[c], mul(div(e, from_int(3)), D[3 + c]));
     G(cross3)(D + 3, D + 6, left);
     G(cross3)(D + 3, A, right);
-    num side = G(dot)(3, left, D + 6), other = mul(zero, G(dot)(3, right, D + 6)); /* w'' = 0 */
+    const num *factor = fault(T, A, D + 6); /* with what both sides are multiplied */
+    num side = G(dot)(3, left, factor), other = mul(zero, G(dot)(3, right, factor)); /* w'' = 0 */
     num triple = mul(e, G(det3)(D + 3, A, D + 6));
     found_points(T, "p, p', p''", 3, 3, D);
     found(T, "left side times p''", side);
     found(T, "right side times p''", other);
-    if (!equal_q(side, other))
-        return;
-    about(T, "(τ-t)(r', A, p'')");
-    vanishes(T, triple);
+    found(T, "(τ-t)(r', A, p'')", triple);
+    about(T, "the products of both sides being equal, (τ-t)(r', A, p'') is 0");
+    refute(T, equal_q(side, other) && !is_zero_q(triple));
 }
 #endif
 
@@ -555,7 +589,7 @@ osculating plane passes through it, and is therefore weaker than (4.3.9), which 
 :scope: k = 2 to 4 for the sum over the points
 :argued: every order | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
   $N_{i,k}(t)w_ir_i$.
-:over: e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the sign
 :::
 */

@@ -17,9 +17,10 @@ envelope.
 :::{statement} wang-ch4:def-4.3.1-polygon
 :title: The polygon is the curve of order 2
 :zh: 控制多边形即二阶 NURBS 曲线
-:printed: with $w_i>0$ and knots $t_j\le t_{j+1}$ the polygon $\mathbf r_1\mathbf r_2\cdots\mathbf r_n$ is called the
-  NURBS curve $\mathbf r(t)$, $t_2\le t\le t_{n+1}$, of order 2; its segments are the straight segments $\mathbf
-  r_{j-1}\mathbf r_j$
+:printed: for $\{\mathbf r_i\}_{i=1}^n\in\Re^3$, $\{w_i\}_{i=1}^n\in\Re$, $w_i>0$, and a nonuniform partition $T=\{t_j\}_{j=-\infty}^\infty$ of the $t$-axis, $t_j\le t_{j+1}$, the
+  polygon $\mathbf r_1\mathbf r_2\cdots\mathbf r_n$ is called the
+  NURBS curve $\mathbf r(t)$, $t_2\le t\le t_{n+1}$, of order 2 (degree 1) of the knot vector $T$ with the control points $\{\mathbf r_i\}_{i=1}^n$ and the weights
+  $\{w_i\}_{i=1}^n$; its segments are the straight segments $\mathbf r_{j-1}\mathbf r_j$
 :definition: yes
 :checked-by: polygon_is_the_curve_of_order_two legs_are_run_through
 :hypothesis: double_knot_skips_a_leg | $t_2<t_3<\dots<t_{n+1}$; where two of these knots are one the curve jumps over
@@ -162,7 +163,7 @@ CLAIM(double_knot_skips_a_leg)
 :holds-by: polygon_is_the_curve_of_order_two
 :meant: the range $t_2\le t\le t_{n+1}$ is printed closed | At its end the limit from the left, as `def-4.1.1-interval` says once for all
   curves.
-:reading: polygon_end_belongs_to_no_interval | at $t=t_{n+1}=t_{n+2}$ by the letter of the half-open intervals: false, the sum is
+:reading: polygon_end_belongs_to_no_interval | at $t=t_{n+1}=t_{n+2}$ by the letter of the half-open intervals: the sum is
   $0/0$ there, and the polygon lacks $\mathbf r_n$
 :figure: nurbs_polygons
 :::
@@ -199,7 +200,7 @@ CLAIM(polygon_end_belongs_to_no_interval)
 :::{statement} wang-ch4:def-4.3.1-index
 :title: The indices of the recursion
 :zh: 递推的下标范围
-:printed: for $r=1,2,\dots,k-2$ compute $w_i^{[r]}(\tau)$, $\mathbf r_i^{[r]}(\tau)$ for $i=2,3,\dots,n$
+:printed: for every fixed $t=\tau\in[t_k,t_{n+1}]$ compute recursively by (4.1.3), (4.1.4), for $r=1,2,\dots,k-2$, $w_i^{[r]}(\tau)$, $\mathbf r_i^{[r]}(\tau)$, $i=2,3,\dots,n$
 :class: misprint
 :refuted-by: recursion_asks_for_a_point_that_is_missing
 :corrected: $i=r+1,r+2,\dots,n$
@@ -252,8 +253,9 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 :::{statement} wang-ch4:def-4.3.1-family
 :title: The family of polygons
 :zh: 二阶 NURBS 曲线族
-:printed: \mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
-  r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)
+:printed: then make the family of NURBS curves of order 2, for $\tau\in[t_k,t_{n+1}]$,
+  $\mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
+  r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)$
 :definition: yes
 :checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
@@ -322,13 +324,14 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 :::{statement} wang-ch4:def-4.3.1-exists-unique
 :title: The definition rests on existence and uniqueness
 :zh: 因为包络存在且唯一
-:printed: since the envelope exists and is unique, NURBS curves can be defined as envelopes
+:printed: since the envelope exists and is unique, intuitive geometric definitions of NURBS curves can be given by different kinds of envelopes; one, based on corollary 4.3.1, is
+  listed here
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope extrapolated_weight_vanishes
 :reading: convex_quartic_of_span_has_second_envelope | unique on every span for every $r$
-:reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: false, a leg
+:reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: a leg
   of one of the polygons is another
-:reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition,
+:reading: extrapolated_weight_vanishes | existence for every family that is used: not for that of the definition,
   with positive weights
 :meant: theorems 4.3.1 to 4.3.3, which it sums up | All three: for every $r$, for all joint solutions, for every
   family.

@@ -19,10 +19,9 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 :zh: 权相等时即 B 样条曲线的包络定理
 :printed: when the $w_i$ are constant, theorem 2.2.2 results
 :holds-by: equal_weights_give_the_polynomial_family
+:meant: theorem 2.2.2 is not at hand; it belongs to the section on B-spline curves | The same theorem for B-spline curves: the family is that of de Boor's
+  algorithm without weights.
 :figure: nurbs_envelope_contact
-
-Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theorem for B-spline curves and their
-recursion.
 :::
 
 :::{claim} equal_weights_give_the_polynomial_family
@@ -67,18 +66,19 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :::{statement} wang-ch4:cor-4.3.1-bezier
 :title: Between (k-1)-fold knots the theorem on rational Bézier curves results
 :zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
-:printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
-:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2
-:reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches:
-  true, wherever $\mathbf r'\ne0$
-:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2, with contact of order $n-r$, $n=k-1$: false,
-  there as here
+:printed: or when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
+:holds-by: bezier_span_gives_the_bezier_family member_of_span_touches_curve
+:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$, as for theorem 4.3.1
+:meant: it is a corollary of theorem 4.3.1, which says that the curve is the envelope of a family, and nothing about the order of contact | What theorem 3.3.2
+  says of the envelope, (3.3.4): the family and the curve that its members touch.
+:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2 by its letter, with contact of order $n-r$, $n=k-1$: it is not there, and nothing in theorem
+  4.3.1 gives it
 :figure: bezier_knots
 :::
 
 Between two $(k-1)$-fold knots all knots that a span can see are its ends, and the recursion is that of de Casteljau.
-So the theorem of the chapter on Bézier curves is a special case as far as it is true: the contact of order $n-r$ that
-is claimed there does not exist, here as there.
+So (3.3.4) of the chapter on Bézier curves is a special case; the contact of order $n-r$ that theorem 3.3.2 claims besides
+does not exist, here as there.
 
 :::{claim} bezier_span_gives_the_bezier_family
 :title: Between (k-1)-fold knots level r is level r of the rational de Casteljau triangle, and the basis is Bernstein's
@@ -134,7 +134,7 @@ CLAIM(bezier_span_gives_the_bezier_family)
 :::{statement} wang-ch4:cor-4.3.1-lines
 :title: For k-r = 2 the curve is an envelope of straight lines
 :zh: k-r=2 时曲线是直线族的包络
-:printed: for $k-r=2$ the curve $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
+:printed: for $k-r=2$ one learns that $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
 :holds-by: member_of_span_touches_curve lines_of_the_family_by_two_points
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
 :figure: nurbs_envelope_families

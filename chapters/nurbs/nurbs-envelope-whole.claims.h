@@ -14,9 +14,9 @@ span; what has to be asked is whether the members exist.
 :::{statement} wang-ch4:thm-4.3.1-whole
 :title: The whole curve is an envelope of the families with all points
 :zh: 整条曲线的包络
-:printed: for the whole curve put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), take $[t_k,t_{n+1}]$ as the domain
-  in (4.3.2) and (4.3.3) and let the sums of (4.3.3) run from $r+1$ to $n$; the same holds
-:holds-by: whole_member_is_polar_on_every_span member_of_span_touches_curve
+:printed: for the whole curve $\mathbf r(t)$, $t_k\le t\le t_{n+1}$, it is enough to put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), to take $[t_k,t_{n+1}]$ as the domain
+  in (4.3.2) and (4.3.3) and to let the sums of (4.3.3) run from $r+1$ to $n$; the same conclusion holds
+:holds-by: whole_member_is_polar_on_every_span member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
 :hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$, $\rho=r$;
   outside its own span the recursion extrapolates, and a point of the member may not exist although all weights are
   positive
@@ -27,9 +27,9 @@ span; what has to be asked is whether the members exist.
 :hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with
   $t_i=t_{i+k-r}$, whose $N_{i,k-r}$ is 0, are left out; else (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
+:meant: the domain $[t_k,t_{n+1}]$ is printed closed | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval` says.
 :reading: whole_member_ends_in_no_interval | at $t=t_{n+1}=\dots=t_{n+k-r}$ by the letter of the half-open intervals: (4.3.3) is
-  $0/0$ there; the limit from the left is meant, as `def-4.1.1-interval` says
-:meant: `def-4.1.1-interval`, once for all: the domain is closed | At its right end the limit from the left.
+  $0/0$ there
 :figure: nurbs_envelope_whole
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On

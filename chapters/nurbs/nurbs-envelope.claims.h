@@ -13,6 +13,8 @@ families are.
 */
 #include "chapters/nurbs/family.h"
 
+#include "chapters/judge/elementary.h"
+
 #include <stdio.h>
 
 #include "chapters/judge/claims_on.h"
@@ -174,10 +176,10 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
             G(level_of_curve)(p, 1, u, mu, R, w, r, a[1], Rr, wr);
             about(T, "the weights of level r");
             for (int m = 0; m <= p - r; m++)
-                nonnegative(T, wr[m]);
+                G(must_be_positive)(T, wr[m]);
             about(T, "the denominator of the member");
             G(sums)(p - r, 1, u, mu, Rr, wr, a[0], S);
-            nonnegative(T, S[1]);
+            G(must_be_positive)(T, S[1]);
         }
     }
 }
@@ -241,7 +243,8 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :::{statement} wang-ch4:formula-4.3.4
 :title: On the diagonal the denominators of all levels agree
 :zh: t=τ 时各层分母相等
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t)
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t),\quad t_j\le t<t_{j+1},\
+  j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
 :figure: nurbs_envelope_growing
 :::
@@ -250,7 +253,7 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :title: On the diagonal the numerators of all levels agree
 :zh: t=τ 时各层分子相等
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,
-  w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t)
+  w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t),\quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
 :figure: nurbs_envelope_growing
 :::
@@ -300,7 +303,7 @@ CLAIM(levels_keep_weight_and_point)
 :title: The derivative of the basis at each level gives a fixed part of w'
 :zh: 各层基函数求导所得为 w' 的固定倍数
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)=\frac{k-r-1}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,
-  w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t)
+  w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t),\quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
 
@@ -311,7 +314,8 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :title: The derivative of the basis at each level gives a fixed part of p'
 :zh: 各层基函数求导所得为 p' 的固定倍数
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\frac{k-r-1}{k-r}
-  \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t)
+  \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t),\quad t_j\le t<t_{j+1},\
+  j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
 :::
@@ -371,9 +375,12 @@ CLAIM(levels_shrink_the_derivative)
 :title: At τ = t the derivative of the member is a fixed part of that of the curve
 :zh: τ=t 时族曲线的导矢与曲线的导矢平行
 :printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial t}\Big|_{\tau=t}=\frac{k-r-1}{k-1}\,
-  \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t)
+  \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t),\quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
 :figure: nurbs_envelope_contact
+
+In the copy at hand a torn line stands before the display, $\tau=k-r-1\ w(t)\mathbf p'(t)-w'(t)\mathbf p(t)\ k-r-1$: numerators of its fractions, once more.  It says
+nothing by itself.
 :::
 */
 
@@ -455,7 +462,7 @@ the right and knows nothing of the other; the source says so in passing, and it 
 :::{statement} wang-ch4:thm-4.3.1-right-limit
 :title: At a knot the derivatives are limits from the right
 :zh: 节点处的偏导矢取右极限
-:printed: the partial derivatives at a point $t_i$ are understood as limits from the right
+:printed: here the partial derivatives at a point $t_i$ are understood as limits from the right
 :holds-by: member_of_span_touches_curve
 :needs: corner_has_two_tangents | the limit is printed from the right | the limit is from the right; from the left the
   curve has, at a $(k-1)$-fold knot, another direction than the member of the span on the right
@@ -504,8 +511,10 @@ CLAIM(corner_has_two_tangents)
 :::{statement} wang-ch4:thm-4.3.1
 :title: On a span the NURBS curve is an envelope of its family of order k-r
 :zh: 一段 NURBS 曲线是其 k-r 阶曲线族的包络
-:printed: \mathbf r(t)=\mathbf p(t)/w(t)=\operatorname{env}\{\mathbf r^{[k-r]}(t,\tau),\ t_j\le t<t_{j+1}\mid
-  t_j\le\tau<t_{j+1}\},\quad j=k,k+1,\dots,n,\ r=1,\dots,k-2,\ k\ge3
+:printed: with $w_i^{[r]}(\tau)$, $\mathbf r_i^{[r]}(\tau)$ by (4.1.3), (4.1.4) for $t=\tau$ and with (4.3.1), a segment $\mathbf r(t)$, $t_j\le t<t_{j+1}$, of the NURBS curve (4.1.2) of
+  order $k\ge3$ is the envelope of a family of NURBS curves of order $k-r$, $r=1,2,\dots,k-2$:
+  $\mathbf r(t)=\mathbf p(t)/w(t)=\operatorname{env}\{\mathbf r^{[k-r]}(t,\tau),\ t_j\le t<t_{j+1}\mid
+  t_j\le\tau<t_{j+1}\}$, $j=k,k+1,\dots,n$, with (4.3.3)
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
 :needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
