@@ -17,8 +17,9 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :::{statement} wang-ch4:bernstein-omega
 :title: Marsden's coefficients for the knots of Bernstein
 :zh: Bernstein 节点的 ω
-:printed: \omega_{i,k}(x)=x^{k-1-i}(x-1)^i,\quad i=0,\dots,k-1
+:printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.14): $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, $i=0,1,\dots,k-1$
 :holds-by: bernstein_coefficients_and_g
+:argued: every k | Of the knots $t_{i+1},\dots,t_{i+k-1}$ the first $k-1-i$ are $0$ and the last $i$ are $1$.
 :needs: bernstein_knots_from_one_shift_the_index | the knots printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are
   numbered from 0, $t_0=\dots=t_{k-1}=0$, as $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
 :figure: bernstein_matrix
@@ -27,8 +28,9 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :::{statement} wang-ch4:bernstein-g
 :title: The matrix G for the knots of Bernstein
 :zh: Bernstein 情形的矩阵 G
-:printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j)
+:printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j),\quad i,j=0,1,\dots,k-1
 :holds-by: bernstein_coefficients_and_g
+:argued: every k | $g_{ji}$ is the symmetric function $j$ of $k-1-i$ numbers $0$ and $i$ numbers $1$, over $\binom{k-1}j$, and this function is the number of subsets of $j$ out of $i$.
 :figure: bernstein_matrix
 :::
 
@@ -37,6 +39,7 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :zh: G 为上三角阵
 :printed: \mathbf G_{k-1,k,T}\text{ is upper triangular}
 :holds-by: bernstein_coefficients_and_g
+:argued: every k | $\binom ij=0$ for $i<j$.
 :figure: bernstein_matrix
 
 $j$ is the row, $i$ the column.
@@ -111,7 +114,8 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
 :::{statement} wang-ch4:bernstein-matrix
 :title: The coefficient matrix for the knots of Bernstein
 :zh: Bernstein 情形的系数矩阵
-:printed: a_{ji}=0\ (i<j),\quad a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij\ (i\ge j),\quad i,j=0,\dots,k-1
+:printed: by (4.4.17), on the interval $[t_{k-1},t_k)=[0,1)$ the elements of $\mathbf A_{r,k,T}$ are $a_{ji}=0$ $(i<j)$, $a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij$ $(i\ge j)$,
+  $i,j=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
 :corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
@@ -238,7 +242,7 @@ CLAIM(printed_bernstein_quotient_fails)
 :::{statement} wang-ch4:bernstein-basis
 :title: The B-splines are then the Bernstein polynomials
 :zh: 退化为 Bernstein 基
-:printed: N_{i,k}(t)=B_i^{k-1}(t),\quad t\in[t_{k-1},t_k)=[0,1)
+:printed: compared with (1.6.9), the B-splines degenerate to the Bernstein polynomials, $N_{i,k}(t)=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
 :holds-by: bsplines_are_bernstein_polynomials
 :figure: bernstein_matrix
 :::
@@ -266,9 +270,11 @@ CLAIM(bsplines_are_bernstein_polynomials)
 :::{statement} wang-ch4:bernstein-basis-sum
 :title: The Bernstein polynomials from the printed matrix
 :zh: 由印出的矩阵得到的和式
-:printed: \sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)
-:class: invalid-proof
+:printed: in the same line: $N_{i,k}(t)=\sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)$
+:class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed
+:meant: the entries were printed two lines before | These $a_{ji}$.
+:reading: bernstein_matrix_is_the_matrix | with the entries of the coefficient matrix as they are, whatever is printed
 :corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
 :corrected-by: bernstein_matrix_is_the_matrix
 :figure: bernstein_matrix

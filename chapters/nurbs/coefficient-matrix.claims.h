@@ -21,7 +21,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :zh: 规范化参数变换
 :printed: u=(t-t_r)/(t_{r+1}-t_r),\quad t_r\le t<t_{r+1}
 :holds-by: span_parameter_is_a_bijection
-:needs: empty_span_has_no_parameter | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span
+:needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span
   $[t_r,t_{r+1})$ is not empty
 :figure: matrices_of_merging_knots
 :::
@@ -32,7 +32,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :given: any two different knots $t_r,t_{r+1}$, any $s$
 :then: $t=t_r+s(t_{r+1}-t_r)$ has the parameter $u=s$; so $u$ is 0 at $t_r$, 1 at $t_{r+1}$ and between them in between
 :method: The formula at a variable $s$: each of the two affine maps undoes the other.
-:over: t#: knots; s
+:over: t#: knots; s: u
 :control: the roles of the two knots exchanged
 :::
 */
@@ -75,8 +75,8 @@ CLAIM(empty_span_has_no_parameter)
 :::{statement} wang-ch4:def-4.4.1
 :title: The representation in powers and the coefficient matrix
 :zh: 幂基表示与系数矩阵
-:printed: the curve on $[t_r,t_{r+1})$ written in the powers $1,u,\dots,u^{k-1}$ is its representation in powers, and
-  the matrix of (4.4.3) its coefficient matrix
+:printed: if, for a segment of the NURBS curve (4.1.1), in homogeneous coordinates, on the nonempty interval $[t_r,t_{r+1})$, the normalised parameter (4.4.1) is introduced, so
+  that it becomes (4.4.2), then (4.4.2) is called the representation of the curve (4.1.1) on $[t_r,t_{r+1})$ in the power basis, and (4.4.3) its coefficient matrix
 :definition: yes
 :checked-by: matrix_holds_the_powers_of_the_basis
 :confirmed-by: coefficient_matrix_is_affinely_invariant
@@ -259,7 +259,8 @@ CLAIM(affine_points_need_the_weights)
 :::{statement} wang-ch4:formula-4.4.3
 :title: The rows and columns of the coefficient matrix
 :zh: 系数矩阵的行列标号
-:printed: \mathbf A_{r,k,T}=(a_{j,i})_{k\times k},\quad j=0,\dots,k-1,\quad i=r-k+1,\dots,r
+:printed: \mathbf A_{r,k,T}=(a_{j,i})_{k\times k}=\begin{pmatrix}a_{0,r-k+1}&a_{0,r-k+2}&\dots&a_{0,r}\\a_{1,r-k+1}&a_{1,r-k+2}&\dots&a_{1,r}\\
+  \dots&\dots&\dots&\dots\\a_{k-1,r-k+1}&a_{k-1,r-k+2}&\dots&a_{k-1,r}\end{pmatrix}
 :definition: yes
 :checked-by: matrix_holds_the_powers_of_the_basis
 :confirmed-by: coefficient_rows_have_fixed_sums
@@ -312,19 +313,22 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :::{statement} wang-ch4:formula-4.4.10
 :title: The knots of one function grouped by their values
 :zh: 单个基函数的节点分组
-:printed: T_i=\{t_i,\dots,t_{i+k}\}=\{\tau_1(T_i),\dots,\tau_{d(T_i)}(T_i)\}\text{ with multiplicities }l_q(T_i)>0,\quad
-  \textstyle\sum_ql_q(T_i)=k+1
+:printed: suppose that the B-spline $N_{i,k}(t)$ of order $k$ is defined on the knot vector $T_i=\{t_i,t_{i+1},\dots,t_{i+k}\}$, that is $\tau_1(T_i)$ taken $l_1(T_i)$ times, …,
+  $\tau_{d(T_i)}(T_i)$ taken $l_{d(T_i)}(T_i)$ times, where $l_a(T_i)>0$, $q=1,2,\dots,d(T_i)$; $l_1(T_i)+l_2(T_i)+\dots+l_{d(T_i)}(T_i)=k+1$,
+  $\tau_1(T_i)<\tau_2(T_i)<\dots<\tau_{d(T_i)}(T_i)$
 :definition: yes
 :checked-by: compositions_are_all_multiplicities
 :figure: matrices_of_merging_knots
+
+Printed is $l_a$ for $l_q$, see `notation-4.4`.
 :::
 
 :::{statement} wang-ch4:formula-4.4.11
 :title: On a span a B-spline is a polynomial of u
 :zh: B 样条基在区间上为 u 的多项式
-:printed: N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}a_{ji}u^j,\quad t\in[t_r,t_{r+1})
+:printed: for $i=r-k+1,r-k+2,\dots,r$ there is $N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}a_{ji}u^j$, $u=(t-t_r)/(t_{r+1}-t_r)\in[0,1)$, $t\in[t_r,t_{r+1})$
 :holds-by: printed_double_sum_gives_the_basis
-:needs: empty_span_has_no_parameter | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+:needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
 :::
@@ -445,11 +449,13 @@ the sums has room for.
 :title: The coefficients by divided differences
 :zh: 定理 4.4.1 基于差商的系数矩阵
 :printed: a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
-  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j}
-:holds-by: printed_double_sum_gives_the_basis column_by_differences_is_the_function
+  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j},\quad
+  i=r-k+1,\dots,r;\ j=0,1,\dots,k-1
+:holds-by: printed_double_sum_gives_the_basis
+:confirmed-by: column_by_differences_is_the_function
 :needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
   summed
-:needs: empty_span_has_no_parameter | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+:needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: matrices_of_merging_knots
 
@@ -557,6 +563,8 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at
   such a knot the derivative of order $k-1$ of the truncated power does not exist
 :figure: zero_power_at_a_knot
+
+The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.
 :::
 */
 
@@ -780,6 +788,7 @@ CLAIM(full_powers_sum_to_nothing)
 :then: the two sides agree, and $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{j!(k-1-\mu-j)!}$
 :method: Both sides at $t=t_r+u(t_{r+1}-t_r)$.
 :degrees: 0..6 sampled 12
+:argued: every k | It is the binomial theorem for $\tau-t=(\tau-t_r)+(t_r-t_{r+1})u$.
 :over: t#: knots
 :control: $t_{r+1}-t_r$ in the place of $t_r-t_{r+1}$
 :::
@@ -826,8 +835,9 @@ $\mu$ a given $j$ occurs.
 :kind: decision
 :given: $1\le l\le k$
 :then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
-:method: Both sets are listed.  For every $k$: $\mu\le k-1-\max(j,k-l)$ says $\mu\le k-1-j$ and $\mu\le l-1$.
+:method: Both sets are listed.
 :degrees: k = 1..12
+:argued: every k | $\mu\le k-1-\max(j,k-l)$ says $\mu\le k-1-j$ and $\mu\le l-1$.
 :control: $\max$ replaced by $\min$
 :::
 */

@@ -21,10 +21,11 @@ numbers than those of the field beyond $k=4$ through random ones.  The degree th
 :::{statement} wang-ch4:def-4.4.2
 :title: Two functions osculate on a set of nodes
 :zh: 函数在节点向量上密切
-:printed: p^{(j)}(t)=q^{(j)}(t),\quad j=0,1,\dots,m-1,\quad\text{at every node }t\text{ of multiplicity }m\text{ of }
-  T=\{t_i\}_{i=0}^k
+:printed: let $T=\{t_i\}_{i=0}^k$ be a knot vector, in which knots may be equal; if the functions $p$ and $q$ have at every knot $t$ of multiplicity $m$ in $T$ equal derivatives
+  up to the order $m-1$, that is (4.4.4), then they are said to osculate on the knot vector $T$
 :definition: yes
-:checked-by: osculation_is_divisibility
+:checked-by: derivative_lowers_the_multiplicity_by_one
+:confirmed-by: osculation_is_divisibility
 :figure: osculating_polynomial
 
 With $m-1$ as the last order the number of conditions is the number of nodes.  For polynomials it says that $p-q$ is
@@ -36,7 +37,8 @@ divisible by the product of all $t-t_i$.
 :zh: 单个节点处的密切条件
 :printed: p^{(j)}(t)=q^{(j)}(t),\quad j=0,1,\dots,m-1
 :definition: yes
-:checked-by: osculation_is_divisibility
+:checked-by: derivative_lowers_the_multiplicity_by_one
+:confirmed-by: osculation_is_divisibility
 :figure: osculating_polynomial
 
 $m$ conditions at a node of multiplicity $m$; with one more the nodes would have one more.
@@ -60,8 +62,37 @@ static int G(composition)(int k, int m, int l[])
 #if FIELD
 /*
 To osculate is to have common zeros of the difference, counted with multiplicity.  For polynomials this is
-divisibility, and that is what is tried: a multiple of the product of all $t-t_i$ has just so many vanishing
-derivatives, and the next one does not vanish.
+divisibility: a multiple of the product of all $t-t_i$ has just so many vanishing
+derivatives, and the next one does not vanish.  At one node that is an induction on its multiplicity; for all nodes together it is tried for every set of multiplicities.
+
+:::{claim} derivative_lowers_the_multiplicity_by_one
+:title: A derivative lowers the multiplicity of a zero by one
+:zh: 求导使零点重数减一
+:given: $f(t)=(t-\tau)^mh(t)$ for a node $\tau$ and a multiplicity $m\ge1$; $m$, $\tau$, $t$, the power $P=(t-\tau)^{m-1}$, $h$ and $h'$ at $t$ variables
+:then: $f'(t)=(t-\tau)^{m-1}h_1(t)$ with $h_1=m\,h+(t-\tau)h'$, and $h_1(\tau)=m\,h(\tau)$
+:method: The product rule with $P'=(m-1)P/(t-\tau)$ against the product.  By induction $f,f',\dots,f^{(m-1)}$ vanish at $\tau$, and $f^{(m)}(\tau)=m!\,h(\tau)$: a difference
+  $p-q$ of polynomials has so many derivatives 0 just when it is divisible by $(t-\tau)^m$.
+:types: field
+:degrees: all
+:over: m: multiplicity; t0: node; x P h#: -
+:control: $m+1$ in the place of $m$ in $h_1$
+:::
+*/
+CLAIM(derivative_lowers_the_multiplicity_by_one)
+{
+    num m = unknown(T, "m", 0), tau = unknown(T, "t", 0), x = unknown(T, "x", 0), P = unknown(T, "P", 0);
+    num h = unknown(T, "h", 0), h1 = unknown(T, "h", 1), one = from_int(1), gap = sub(x, tau);
+    num slope = div(mul(sub(m, one), P), gap); /* P' */
+    /* f = (t-τ) P h */
+    num derivative = add(mul(P, h), mul(gap, add(mul(slope, h), mul(P, h1))));
+    num quotient = add(mul(fault(T, m, add(m, one)), h), mul(gap, h1));
+    about(T, "the derivative");
+    same(T, derivative, mul(P, quotient));
+    about(T, "the quotient at the node");
+    same(T, substitute_f(quotient, x, tau), mul(m, h));
+}
+
+/*
 
 :::{claim} osculation_is_divisibility
 :title: A multiple of the product of all t - t_i has the derivatives that osculation asks to vanish
@@ -90,11 +121,12 @@ CLAIM(osculation_is_divisibility)
                 first = b == i ? first : mul(first, G(power)(sub(tau[i], tau[b]), l[b]));
             }
             about(T, "derivatives that vanish");
-            for (int j = 0; j < l[i] + fault(T, 0, i == d - 1); j++, D = derivative_f(D, t))
+            int orders = l[i] + fault(T, 0, i == d - 1);
+            for (int j = 0; j < orders; j++, D = derivative_f(D, t))
                 vanishes(T, substitute_f(D, t, tau[i]));
             about(T, "the first that does not");
             /* l_i! (s_0 + s_1 τ_i) times the product of (τ_i - τ_m)^l_m over m ≠ i */
-            same(T, substitute_f(D, t, tau[i]), mul(G(factorial)(l[i]), first));
+            same(T, substitute_f(D, t, tau[i]), mul(G(factorial)(orders), first));
         }
     }
 }
@@ -104,8 +136,8 @@ CLAIM(osculation_is_divisibility)
 :::{statement} wang-ch4:formula-4.4.5
 :title: The nodes grouped by their values
 :zh: 节点按重数分组
-:printed: T=\{t_0,\dots,t_k\}=\{\tau_1,\dots,\tau_1,\dots,\tau_d,\dots,\tau_d\},\quad l_1+\dots+l_d=k+1,\quad
-  \tau_1<\dots<\tau_d
+:printed: suppose $T=\{t_0,t_1,\dots,t_k\}=\{\tau_1,\dots,\tau_1,\dots,\tau_d,\dots,\tau_d\}$, where $\tau_i$ has the multiplicity $l_i>0$, $i=1,2,\dots,d$; $l_1+\dots+l_d=k+1$,
+  $\tau_1<\tau_2<\dots<\tau_d$
 :definition: yes
 :checked-by: compositions_are_all_multiplicities
 :figure: osculating_polynomial
@@ -124,6 +156,7 @@ The order of the $\tau_i$ is used nowhere in the identities of this section; tha
 :then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
 :method: All patterns are listed and their lists of sizes compared two by two.
 :degrees: k = 0..7
+:argued: every k | Whether a node differs from the one before is a choice at each of $k$ places, and the sizes of the groups tell the places.
 :control: a pattern of $k+1$ bits, where only $k$ count
 :::
 */
@@ -153,8 +186,15 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
 :::{statement} wang-ch4:formula-4.4.6-matrix
 :title: The matrix H of the values and derivatives of given functions
 :zh: 密切插值矩阵 H
-:printed: H(T;f_0,\dots,f_k):\ \text{for each }\tau_i\text{ the rows }f_0^{(j)}(\tau_i),\dots,f_k^{(j)}(\tau_i),\quad
-  j=0,\dots,l_i-1
+:printed: H(T;f_0,f_1,\dots,f_k)=\begin{pmatrix}f_0(\tau_1)&f_1(\tau_1)&\dots&f_{k-1}(\tau_1)&f_k(\tau_1)\\
+  f'_0(\tau_1)&f'_1(\tau_1)&\dots&f'_{k-1}(\tau_1)&f'_k(\tau_1)\\
+  \dots&\dots&\dots&\dots&\dots\\
+  f_0^{(l_1-1)}(\tau_1)&f_1^{(l_1-1)}(\tau_1)&\dots&f_{k-1}^{(l_1-1)}(\tau_1)&f_k^{(l_1-1)}(\tau_1)\\
+  \dots&\dots&\dots&\dots&\dots\\
+  f_0(\tau_d)&f_1(\tau_d)&\dots&f_{k-1}(\tau_d)&f_k(\tau_d)\\
+  f'_0(\tau_d)&f'_1(\tau_d)&\dots&f'_{k-1}(\tau_d)&f'_k(\tau_d)\\
+  \dots&\dots&\dots&\dots&\dots\\
+  f_0^{(l_d-1)}(\tau_d)&f_1^{(l_d-1)}(\tau_d)&\dots&f_{k-1}^{(l_d-1)}(\tau_d)&f_k^{(l_d-1)}(\tau_d)\end{pmatrix}
 :definition: yes
 :checked-by: confluent_vandermonde_holds_derivatives system_says_osculation
 :figure: confluent_row
@@ -250,7 +290,8 @@ CLAIM(system_says_osculation)
 :::{statement} wang-ch4:formula-4.4.6
 :title: The last row of each node in the matrix
 :zh: 方程组 (4.4.6) 中各节点的末行
-:printed: \left(0,\ \dots,\ 0,\ \dots,\ \frac{k!}{(k-l_i-1)!}\tau_i^{k-l_i+1}\right)
+:printed: in the matrix on the left, which begins with the rows $1,\tau_1,\tau_1^2,\dots,\tau_1^k$ and $0,1,2\tau_1,\dots,k\tau_1^{k-1}$, the last row of $\tau_1$ is
+  $0,0,0,\dots,\frac{k!}{(k-l_1-1)!}\tau_1^{k-l_1+1}$, and that of $\tau_d$ is $0,0,0,\dots,\frac{k!}{(k-l_d-1)!}\tau_d^{k-l_d+1}$
 :class: misprint
 :refuted-by: printed_last_row_has_wrong_factor
 :corrected: the last entry is $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$, the derivative of order $l_i-1$ of $t^k$
@@ -295,16 +336,16 @@ CLAIM(printed_last_row_has_wrong_factor)
 :::{statement} wang-ch4:formula-4.4.6-right-side
 :title: The unknowns and the right side of the system
 :zh: 方程组的未知量与右端
-:printed: H\cdot(c_0,c_1,c_2,\dots,f^{(l_1-1)}(\tau_1),\dots,f(\tau_d),\dots,f^{(l_d-1)}(\tau_d))^T,\ \text{without an
-  equals sign}
+:printed: by definition 4.4.2 one has a system of $k+1$ linear equations in the $k+1$ unknowns $c_0,c_1,\dots,c_k$: the matrix times the column
+  $(c_0,c_1,c_2,\dots,f^{(l_1-1)}(\tau_1),\dots,f(\tau_d),\dots,f^{(l_d-1)}(\tau_d))^T$
 :class: misprint
 :refuted-by: mixed_column_is_no_system
 :corrected: H(T;1,t,\dots,t^k)\,(c_0,\dots,c_k)^T=(f(\tau_1),\dots,f^{(l_1-1)}(\tau_1),\dots,f^{(l_d-1)}(\tau_d))^T
 :corrected-by: system_says_osculation
 :figure: osculating_polynomial
 
-Two columns have run into one: the unknowns $c_0,\dots,c_k$, an equals sign, and the values of $f$ and its derivatives.  As
-printed, nothing is equated; and with the values of $f$ in the places of $c_3,\dots$ the product is not the vector of values.
+No equals sign is printed.  Two columns have run into one, in the copy at hand if not in the book: the unknowns $c_0,\dots,c_k$, which the sentence names, an equals sign, and
+the values of $f$ and its derivatives.  With the values of $f$ in the places of $c_3,\dots$ the product is not the vector of values.
 :::
 */
 
@@ -426,7 +467,7 @@ CLAIM(confluent_vandermonde_determinant_is_product)
 :zh: 方程组有唯一解
 :printed: hence (4.4.6) has exactly one solution
 :holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
-:needs: node_listed_twice_makes_h_singular | the sentence itself: different $\tau_i$ | the $\tau_i$ differ: equal
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | the $\tau_i$ differ: equal
   nodes have to be counted by multiplicity
 :figure: osculating_polynomial
 
@@ -472,7 +513,8 @@ CLAIM(node_listed_twice_makes_h_singular)
 :::{statement} wang-ch4:divided-difference-is-leading-coefficient
 :title: The divided difference is the leading coefficient of the osculating polynomial
 :zh: 广义差商即密切插值多项式的首项系数
-:printed: if $f$ and $g(t)=c_0+c_1t+\dots+c_kt^k$ osculate on $T$, then $[t_0,t_1,\dots,t_k]f=c_k$
+:printed: by [14]: if $f(t)$ and the polynomial $g(t)=c_0+c_1t+\dots+c_kt^k$ of degree $k$ osculate on $T$, then the generalised divided difference of $f(t)$ at the knots
+  $\{t_0,t_1,\dots,t_k\}$ is $[t_0,t_1,\dots,t_k]f=c_k$
 :holds-by: divided_difference_is_leading_coefficient
 :figure: osculating_polynomial
 
@@ -556,7 +598,8 @@ CLAIM(cramers_rule_gives_divided_difference)
 :::{statement} wang-ch4:lemma-4.4.1
 :title: The divided difference as a sum over values and derivatives
 :zh: 引理 4.4.1 差商的显式表示
-:printed: [t_0,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
+:printed: the divided difference of order $k$ of a function $f$ on the knot vector $T$ of (4.4.5) is explicitly
+  $[t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)$
 :holds-by: printed_weights_give_divided_difference
 :figure: osculating_polynomial
 :::
@@ -646,6 +689,7 @@ These are $k+1$ terms, as many as there are nodes.
 :then: the printed $b(i,j)$ is the number of the row of $f^{(j)}(\tau_i)$, counted from 0
 :method: The rows are counted one by one.
 :degrees: k = 0..7
+:argued: every k | Before the rows of node $i$ stand those of the nodes $1,\dots,i-1$, $l_c$ of each.
 :control: $b(i,j)=j$ for all $i$
 :::
 */
@@ -674,8 +718,10 @@ CLAIM(places_count_the_rows)
 :printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
   \prod_{v=0}^{l_u-1}v!\Big)
 :holds-by: printed_weights_give_divided_difference
-:needs: counting_from_one_shifts_the_weights | the range printed beside it, $i=0,1,\dots,k$ | the elements of the last
+:needs: counting_from_one_shifts_the_weights | the line below: the $\beta_i$, $i=0,1,\dots,k$ | the elements of the last
   column are counted from 0, as $i=0,1,\dots,k$ says
+
+$\beta_i$ is the cofactor of element $i$ of the last column of $H(T;1,t,\dots,t^k)$.  The formula is printed twice.
 :::
 
 :::{claim} counting_from_one_shifts_the_weights
@@ -711,8 +757,9 @@ CLAIM(counting_from_one_shifts_the_weights)
 :::{statement} wang-ch4:formula-4.4.9-index
 :title: The place of a derivative in the column
 :zh: 行标 b(i,j)
-:printed: b(i,j)=j\ (i=1),\quad b(i,j)=j+\sum_{c=1}^{i-1}l_c\ (i>1),\quad j=0,\dots,l_i-1
-:holds-by: places_count_the_rows printed_weights_give_divided_difference
+:printed: b(i,j)=j\ (i=1),\quad b(i,j)=j+\sum_{c=1}^{i-1}l_c\ (i>1),\quad i=1,2,\dots,d;\ j=0,1,\dots,l_i-1
+:holds-by: printed_weights_give_divided_difference
+:confirmed-by: places_count_the_rows
 
 The places are the numbers $0,\dots,k$, each once.
 :::

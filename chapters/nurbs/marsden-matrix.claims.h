@@ -14,7 +14,8 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :::{statement} wang-ch4:formula-4.4.18
 :title: The matrix G
 :zh: 矩阵 G
-:printed: \mathbf G_{r,k,T}=(g_{\mu,i}),\quad\mu=0,\dots,k-1,\quad i=r-k+1,\dots,r
+:printed: \mathbf G_{r,k,T}=\begin{pmatrix}g_{0,r-k+1}&g_{0,r-k+2}&\dots&g_{0,r}\\g_{1,r-k+1}&g_{1,r-k+2}&\dots&g_{1,r}\\
+  \dots&\dots&\dots&\dots\\g_{k-1,r-k+1}&g_{k-1,r-k+2}&\dots&g_{k-1,r}\end{pmatrix}
 :definition: yes
 :checked-by: marsden_matrix_holds_derivatives
 :figure: both_matrices
@@ -23,7 +24,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :::{statement} wang-ch4:formula-4.4.19
 :title: The entries of G
 :zh: 矩阵 G 的元素
-:printed: g_{\mu i}=\frac{(-1)^\mu\mu!}{(k-1)!}\,\omega_{i,k}^{(k-1-\mu)}(0)
+:printed: g_{\mu i}=\frac{(-1)^\mu\mu!}{(k-1)!}\,\omega_{i,k}^{(k-1-\mu)}(0),\quad\mu=0,1,\dots,k-1;\ i=r-k+1,r-k+2,\dots,r
 :definition: yes
 :checked-by: marsden_matrix_holds_derivatives
 :figure: both_matrices
@@ -104,23 +105,25 @@ CLAIM(cofactor_is_signed_minor)
 :::{statement} wang-ch4:formula-4.4.16
 :title: On a span a B-spline is a polynomial of u
 :zh: B 样条基的幂基表示
-:printed: N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}\bar a_{ji}u^j,\quad u=\frac{t-t_r}{t_{r+1}-t_r}\in[0,1)
+:printed: if the interval $[t_r,t_{r+1})$ is not empty, then for $i=r-k+1,r-k+2,\dots,r$ there is
+  $N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}\bar a_{ji}u^j$, $u=\frac{t-t_r}{t_{r+1}-t_r}\in[0,1)$, $t\in[t_r,t_{r+1})$
 :holds-by: printed_cofactor_formula_gives_the_basis
+:needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
+  empty
 :figure: both_matrices
 :::
 
 :::{statement} wang-ch4:thm-4.4.3
 :title: The coefficients by Marsden's identity
 :zh: 定理 4.4.3 基于 Marsden 恒等式的系数矩阵
-:printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i},\quad
-  j=0,\dots,k-1
+:printed: the $\bar a_{ji}$ of (4.4.16) are $\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}$, $j=0,1,\dots,k-1$, where
+  $\mathbf G_{r,k,T}$ is the $k\times k$ matrix (4.4.18), (4.4.19), $g_\mu^*$ is the cofactor of its element $g_\mu$, and $\omega_{i,k}(x)$ is as in (4.4.14)
 :holds-by: printed_cofactor_formula_gives_the_basis
-:needs: empty_span_makes_g_singular | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+:needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
 
-For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$; where the source says so, both have
-lost the index $i$.
+For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$: both have lost the index $i$, see `notation-4.4`.
 :::
 */
 
@@ -205,8 +208,11 @@ CLAIM(printed_cofactor_formula_gives_the_basis)
 :::{statement} wang-ch4:formula-4.4.17
 :title: The entries from the cofactors of G
 :zh: 由 G 的代数余子式给出矩阵元素
-:printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}
-:holds-by: printed_cofactor_formula_gives_the_basis both_explicit_matrices_agree
+:printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i},\quad j=0,1,\dots,k-1
+:holds-by: printed_cofactor_formula_gives_the_basis
+:confirmed-by: both_explicit_matrices_agree
+:needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
+  empty
 :figure: both_matrices
 
 The entries do not change when all knots move by one number, although $t_r$ stands in the formula.
@@ -215,7 +221,7 @@ The entries do not change when all knots move by one number, although $t_r$ stan
 :::{statement} wang-ch4:thm-4.4.3-equal
 :title: Two explicit matrices for the same representation
 :zh: 两种显式矩阵表示
-:printed: (4.4.12) and (4.4.17) are two explicit forms of the coefficient matrix in the most general case
+:printed: Marsden's identity gives another explicit form of the coefficient matrix (4.4.2); with (4.4.12) these are the two explicit matrix forms of the most general case (preface)
 :holds-by: both_explicit_matrices_agree
 :figure: both_matrices
 
@@ -314,8 +320,10 @@ CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
 :title: The determinant of G is not 0
 :zh: det G ≠ 0
 :printed: \det\mathbf G_{r,k,T}\ne0
-:holds-by: marsden_determinant_is_product marsden_determinant_is_positive
-:needs: empty_span_makes_g_singular | the span is written $[t_r,t_{r+1})$, with a parameter in it | the span is not
+:holds-by: marsden_determinant_is_product
+:confirmed-by: marsden_determinant_is_positive
+:argued: every k | $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$ by (4.4.21), which is true for every $k$, and so $c=0$.
+:needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
 
@@ -435,6 +443,8 @@ CLAIM(empty_span_makes_g_singular)
 :printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
 :class: invalid-proof
 :refuted-by: independent_functions_do_not_suffice
+:meant: the words basis functions (基函数), which in these sections are the B-splines | The independence of the $N_{i,k}$.
+:reading: singular_g_makes_powers_dependent | if the powers on the left of (4.4.21) are counted among the basis functions
 :corrected: by the linear independence of the powers on the left of (4.4.21), $\det\mathbf G_{r,k,T}\ne0$: a vector $c$ with
   $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$
 :corrected-by: singular_g_makes_powers_dependent
@@ -569,6 +579,7 @@ CLAIM(cofactors_give_powers_of_t)
 :then: $t^\mu=\sum_j\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j$
 :method: Both sides at a variable $u$, also with $t_r=0$, where $t_r^0=1$.
 :degrees: 0..8 sampled 12
+:argued: every k | It is the binomial theorem.
 :over: t#: knots
 :control: the roles of the two knots exchanged
 :::

@@ -315,33 +315,37 @@ functions is one level of de Boor's algorithm for the coefficients.
 :::{statement} wang-ch4:thm-4.4.2-proof
 :title: The proof needs nothing but the recursion of de Boor
 :zh: 证明只用 deBoor 递推公式
-:printed: a short new proof is given, which needs only de Boor's formula (2.1.1)
+:printed: [15] proves it by induction; now we give a short new proof, which needs only de Boor's formula (2.1.1)
 :holds-by: marsden_step_for_every_order
 :confirmed-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
-:needs: one_level_needs_the_span | (2.1.1), which the proof cites | that $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on
-  the span, which (2.1.1) says with the functions of order 1, by induction
+:meant: (2.1.1) is not at hand; a definition by recursion has a beginning | The recursion together with the functions of order 1: these say, by induction, that
+  $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span.
+:reading: one_level_needs_the_span | (2.1.1) as the step of the recursion alone, without the interval: the supports are used as well
 :figure: marsden_identity
 
-(2.1.1) is not in the text at hand; it is read as the recursion together with the functions of order 1 from which it
-begins.  As the step of the recursion alone it does not suffice: then the supports are used as well.
+That one formula suffices is what is decided.  That the proof is short and new, how [15] proves the identity, and that it is a beautiful result, first used for the convergence of
+an approximation, are history and opinion.
 :::
 
 :::{statement} wang-ch4:thm-4.4.2-order-1
 :title: For k = 1 the identity is obvious
 :zh: k=1 时恒等式显然
-:printed: k=1:\quad(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)
-:holds-by: marsden_identity_for_every_pattern
+:printed: for $k=1$ (4.4.13) is obvious
+:holds-by: marsden_step_for_every_order
+:confirmed-by: marsden_identity_for_every_pattern
+
+It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span.
 :::
 
 :::{statement} wang-ch4:formula-4.4.15
 :title: One level of the recursion, moved to the coefficients
 :zh: 递推转移到系数
-:printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
-  W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
+:printed: for $k>1$, by (2.1.1): $\sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t)$,
+  $W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0$
 :holds-by: marsden_step_for_every_order
 :confirmed-by: one_level_moves_to_the_coefficients
-:needs: one_level_needs_the_span | (2.1.1), which the proof cites | the functions at the ends, $N_{r-k+1,k-1}$ and
-  $N_{r+1,k-1}$, vanish on the span
+:needs: one_level_needs_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ is in the span, on which the functions at the ends, $N_{r-k+1,k-1}$ and
+  $N_{r+1,k-1}$, vanish
 :figure: marsden_identity
 
 The denominators that occur are differences of knots on the two sides of the span.
@@ -432,13 +436,12 @@ CLAIM(one_level_needs_the_span)
 :::{statement} wang-ch4:thm-4.4.2-step-omega
 :title: For the coefficients of the identity one level takes off a factor
 :zh: ω 经一层递推降一阶
-:printed: W_i^0=\omega_{i,k}(x)\ \Rightarrow\ W_i^1=(x-t)\,\omega_{i,k-1}(x)
+:printed: let $W_i^0=\omega_{i\,\iota}(x)$; then $W_i^1=(x-t)\,\omega_{i,k-1}(x)$
 :holds-by: marsden_step_for_every_order
 :confirmed-by: one_level_takes_off_a_factor
 :figure: marsden_identity
 
-The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is
-the constant 1.
+The second index of the first $\omega$ is an iota; the order $k$ is meant, see `notation-4.4`.
 :::
 
 For the products $\omega_{i,k}$ one such step takes $x-t$ out: two neighbouring products have all factors in common
@@ -473,8 +476,8 @@ CLAIM(one_level_takes_off_a_factor)
 :::{statement} wang-ch4:thm-4.4.2-step-chain
 :title: The chain of the proof
 :zh: 逐层递推的等式链
-:printed: \sum_{i=r-k+1}^r\omega_{i,k}N_{i,k}=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}N_{i,k-1}=\dots=(x-t)^{k-1}\omega_{r,1}
-  N_{r,1}=(x-t)^{k-1}
+:printed: \sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t)=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}(x)N_{i,k-1}(t)=\dots=(x-t)^{k-1}\omega_{r,1}(x)
+  N_{r,1}(t)=(x-t)^{k-1}
 :holds-by: marsden_step_for_every_order
 :confirmed-by: every_link_of_the_chain
 :figure: marsden_identity
@@ -516,7 +519,8 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :::{statement} wang-ch4:formula-4.4.20
 :title: The powers of t in the B-spline basis
 :zh: 幂函数由 B 样条基表示
-:printed: t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t),\quad\mu=0,\dots,k-1
+:printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of $x$ on both sides of (4.4.13) gives
+  $t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t)$, $\mu=0,1,\dots,k-1$
 :holds-by: powers_of_t_from_derivatives
 :figure: powers_from_averages
 :::
@@ -524,7 +528,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :::{statement} wang-ch4:formula-4.4.21
 :title: The same in matrix form
 :zh: 矩阵形式
-:printed: (1,t,\dots,t^{k-1})=(N_{r-k+1,k}(t),\dots,N_{r,k}(t))\,\mathbf G_{r,k,T}^T
+:printed: (1,t,\dots,t^{k-1})=(N_{r-k+1,k}(t),N_{r-k+2,k}(t),\dots,N_{r,k}(t))\,\mathbf G_{r,k,T}^T
 :holds-by: powers_of_t_from_derivatives
 :figure: powers_from_averages
 :::
@@ -549,6 +553,7 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
 :types: field
 :degrees: 0..5
+:argued: every k and every pattern of knots | Both sides of Marsden's identity, which `marsden_step_for_every_order` proves for every $k$, differentiated $k-1-\mu$ times by $x$ at $0$.
 :scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x: -
 :control: the sign $(-1)^\mu$ left out
@@ -597,6 +602,7 @@ knots.  This is a polar form in disguise: the control value of $t^j$ at the inne
 :then: (4.4.22) for every $j$
 :method: The symmetric functions as sums over subsets, the B-splines by definition.
 :degrees: 0..5 sampled 7
+:argued: every k and every pattern of knots | The coefficients of the powers of $x$ on both sides of Marsden's identity, which `marsden_step_for_every_order` proves for every $k$.
 :scope: every pattern of the knots around a span up to order 3, simple knots above
 :over: t#: knots
 :control: the knots $t_i,\dots,t_{i+k-2}$
@@ -656,6 +662,7 @@ That the two forms (4.4.20) and (4.4.22) agree is a matter of one derivative at 
 :method: The formal derivative in the field against the sum over subsets.
 :types: field
 :degrees: 0..6
+:argued: every k | By Vieta $(-1)^j\mathrm{Sym}_j$ is the coefficient of $x^{k-1-j}$ in the product $\omega_{i,k}(x)$.
 :over: t#: knots; x: -
 :control: the sign $(-1)^j$ left out
 :::

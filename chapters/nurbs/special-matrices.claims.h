@@ -18,7 +18,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :::{statement} wang-ch4:simple-vandermonde
 :title: For simple nodes the determinant is that of Vandermonde
 :zh: 单节点时为 Vandermonde 行列式
-:printed: when all nodes of $T$ are simple, $\det H(T;1,t,\dots,t^k)$ is Vandermonde's determinant
+:printed: when all knots of $T$ are simple, $\det H(T;1,t,\dots,t^k)$ is Vandermonde's determinant
 :holds-by: simple_determinant_is_vandermonde
 :::
 
@@ -57,7 +57,7 @@ CLAIM(simple_determinant_is_vandermonde)
 :::{statement} wang-ch4:simple-divided-difference
 :title: The divided difference over simple nodes
 :zh: 单节点差商公式
-:printed: [t_i,\dots,t_{i+k}]f=\sum_{l=i}^{i+k}\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_j-t_l)\Bigr]^{-1}f(t_l)
+:printed: [t_i,t_{i+1},\dots,t_{i+k}]f=\sum_{l=i}^{i+k}\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_j-t_l)\Bigr]^{-1}f(t_l)
 :class: misprint
 :refuted-by: printed_simple_difference_has_wrong_sign
 :corrected: the factors are $t_l-t_j$; there are $k$ of them, so the printed formula has the wrong sign for odd $k$ and is
@@ -144,9 +144,8 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :title: The B-spline of simple knots
 :zh: 单节点 B 样条基
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}
-:reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$; so
-  read it is true
-:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$; so
+:reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$
+:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$: so
   read it is $-N_{i,k}$ for odd $k$
 :corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
 :corrected-by: simple_basis_from_weights
@@ -231,7 +230,7 @@ CLAIM(printed_weights_give_the_negative_basis)
 :title: The B-spline of simple knots in powers of u
 :zh: 单节点 B 样条基的展开式
 :printed: N_{i,k}(t)=\sum_{j=0}^{k-1}u^j\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-1-j}
-  \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
+  \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r
 :class: misprint
 :refuted-by: printed_weights_give_the_negative_basis
 :corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
@@ -299,7 +298,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
 :title: The entries of the coefficient matrix for simple knots
 :zh: 单节点系数矩阵的元素
 :printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
-  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
+  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,\dots,r;\ j=0,1,\dots,k-1
 :class: misprint
 :refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
 :corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha\ne l}
@@ -308,7 +307,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
 :striking: 9
 :figure: simple_knots_sign
 
-Two faults: the sign, wrong for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, which for even
+Two faults: the sign, wrong for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, in the copy at hand if not in the book, which for even
 $k$ is wrong alone.
 :::
 */
@@ -353,7 +352,7 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :::{statement} wang-ch4:uniform-wlog
 :title: Equidistant knots may be taken as the integers
 :zh: 等距时不妨设 t_i=i
-:printed: for equidistant knots one may take $t_i=i$
+:printed: when the knots of $T$ are equidistant, one may put $t_i=i$
 :holds-by: coefficient_matrix_is_affinely_invariant uniform_matrix_is_the_matrix
 :figure: uniform_matrices
 :::
@@ -458,6 +457,8 @@ of the matrix.  The sign with which the chain begins is the right one, so it doe
   $t_l-t_\alpha$
 :method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it; the degree below is $k-1$.
 :degrees: 0..8
+:scope: r = 0 and r = k+2
+:argued: every r | The sums know $r$ by the differences $l-r$ and $i-r$ only, term by term: `uniform_terms_pass_into_one_another`.
 :control: the sign $(-1)^s$ left out of the third sum
 :::
 */
@@ -657,22 +658,62 @@ CLAIM(uniform_letter_in_last_sum_fails)
 :::{statement} wang-ch4:uniform-substitutions
 :title: The three substitutions
 :zh: 三次变量替换
-:printed: in turn $i=r-k+1+s$, $v=l-r-1$, $l=s-v$
-:holds-by: uniform_chain_gives_the_matrix
+:printed: changing the variables in (4.4.23), one puts in turn $i=r-k+1+s$, $v=l-r-1$, $l=s-v$
+:holds-by: uniform_terms_pass_into_one_another
+:confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_matrices
 
-The last $l$ is a new one: it is $r+1+s$ minus the old.
+The last $l$ is a new one: it is $r+1+s$ minus the old.  With the digit 1 in the exponents, see the entries before, each term of a sum is one of the next.
 :::
+
+:::{claim} uniform_terms_pass_into_one_another
+:title: Each substitution takes every term of a sum to a term of the next
+:zh: 三次替换逐项成立
+:given: $k$, $r$, $s$ and $v$, variables; $i=r-k+1+s$, $l=r+1+v$ for the old $l$, $s-v$ for the new one
+:then: base, factorials and exponents of the term $l$ of the first sum are those of the term $l$ of the second, $v$ of the third and $s-v$ of the fourth, and the exponents of $-1$ differ by even
+  numbers; the terms $l=r+1,\dots,i+k$ are $l=r+1,\dots,r+1+s$, then $v=0,\dots,s$, then $s,\dots,0$
+:method: Identities in the four letters, factor by factor, the digit 1 where the letter $l$ stands for it.  The factor $(-1)^j$, the binomial coefficient, $k$ and the exponent $k-1-j$ stand in
+  all four.
+:degrees: all
+:over: r s v: -; k: -
+:control: $i=r-k+s$
+:::
+*/
+CLAIM(uniform_terms_pass_into_one_another)
+{
+    num k = whole(T, "k", 9, 20), r = whole(T, "r", 0, 30), s = whole(T, "s", 4, 8), v = whole(T, "v", 0, 3);
+    num one = from_int(1), two = from_int(2), i = add(sub(add(r, s), k), fault(T, one, from_int(0)));
+    num l = add(add(r, one), v), fourth = sub(s, v);
+    about(T, "the base");
+    same(T, sub(l, r), add(v, one));
+    same(T, add(v, one), add(sub(s, fourth), one));
+    about(T, "the first factorial");
+    same(T, sub(l, i), sub(sub(sub(add(l, k), r), one), s));
+    same(T, sub(l, i), sub(add(v, k), s));
+    same(T, sub(l, i), sub(k, fourth));
+    about(T, "the second factorial");
+    same(T, sub(add(i, k), l), sub(add(add(r, s), one), l));
+    same(T, sub(add(i, k), l), fourth);
+    about(T, "the exponents of -1"); /* j+k+l-i, then j and l+r+s+1, v+s, l */
+    num sign[] = {sub(add(k, l), i), add(add(add(l, r), s), one), add(v, s), fourth};
+    same(T, sub(sign[0], sign[1]), mul(two, sub(sub(sub(k, r), s), one)));
+    same(T, sub(sign[1], sign[2]), mul(two, add(r, one)));
+    same(T, sub(sign[2], sign[3]), mul(two, v));
+    about(T, "the last term");
+    same(T, add(i, k), add(add(r, one), s));
+}
+
+/*
 
 :::{statement} wang-ch4:uniform-matrix
 :title: The coefficient matrix of equidistant knots
 :zh: 等距节点的系数矩阵
-:printed: a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j},\quad i,j=0,\dots,k-1
+:printed: simplified and rearranged, on the interval $[t_r,t_{r+1})=[r,r+1)$ the elements of $\mathbf A_{r,t,T}$ are
+  $a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j}$, $i,j=0,1,\dots,k-1$
 :holds-by: uniform_matrix_is_the_matrix
 :figure: uniform_matrices
 
-Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in this place, with a $t$ for the order
-$k$.
+Here the exponent is printed right.  The index $t$ of the matrix is the order $k$, see `notation-4.4`.
 :::
 
 :::{statement} wang-ch4:uniform-matrix-independent
