@@ -83,56 +83,56 @@ CLAIM(cited_label_is_not_printed)
 :::{statement} wang-ch4:notation-4.4
 :title: Indices of section 4.4
 :zh: 4.4 节若干记号的下标
-:printed: $\omega_{i,\iota}(x)$ in the proof of theorem 4.4.2; the cofactors $g^*_\mu$ of $g_\mu$ below theorem 4.4.3; $\alpha_{ii}(T)$ below
-  lemma 4.4.1; $\mathbf A_{r,t,T}$ for equidistant knots
+:printed: $\omega_{i\,\iota}(x)$ in the proof of theorem 4.4.2; the cofactors $g^*_\mu$ of $g_\mu$ below theorem 4.4.3; $\alpha_{ii}(T)$ below
+  lemma 4.4.1; $l_a(T_i)>0$, $q=1,2,\dots,d(T_i)$, in theorem 4.4.1; $\mathbf A_{r,t,T}$ for equidistant knots
 :class: misprint
-:refuted-by: four_names_have_other_indices
-:corrected: $\omega_{i,k}(x)$, $g^*_{\mu i}$ of $g_{\mu i}$, $\alpha_{ij}(T)$, $\mathbf A_{r,k,T}$
-:corrected-by: four_names_have_their_indices
+:refuted-by: five_names_have_other_indices
+:corrected: $\omega_{i,k}(x)$, $g^*_{\mu i}$ of $g_{\mu i}$, $\alpha_{ij}(T)$, $l_q(T_i)$, $\mathbf A_{r,k,T}$
+:corrected-by: five_names_have_their_indices
 :::
 */
 
-/* Whether each of the four names has the indices that it has elsewhere in the section. */
+/* Whether each of the five names has the indices that it has elsewhere in the section. */
 static int names_have_their_indices(trial *T)
 {
-    static const char *const name[] = {"ω", "g*", "α", "A"}, *const indices[] = {"i,k", "μi", "ij", "r,k,T"};
+    static const char *const name[] = {"ω", "g*", "α", "l", "A"}, *const indices[] = {"i,k", "μi", "ij", "q", "r,k,T"};
     int all = 1;
-    for (int m = 0; m < 4; m++)
+    for (int m = 0; m < 5; m++)
         all &= strcmp(given_text(T, name[m]), indices[m]) == 0;
     about(T, "the indices are those of the other formulas");
     return all;
 }
 
 /*
-:::{claim} four_names_have_other_indices
-:title: Four names have other indices than everywhere else
-:zh: 四处记号的下标有误
+:::{claim} five_names_have_other_indices
+:title: Five names have other indices than everywhere else
+:zh: 五处记号的下标有误
 :kind: counterexample
-:given: the indices of four names, each in one place of section 4.4
-:data: ω = "i,ι"; g* = "μ"; α = "ii"; A = "r,t,T"
-:instead: ω = "i,k"; g* = "μi"; α = "ij"; A = "r,k,T"
+:given: the indices of five names, each in one place of section 4.4
+:data: ω = "i,ι"; g* = "μ"; α = "ii"; l = "a"; A = "r,t,T"
+:instead: ω = "i,k"; g* = "μi"; α = "ij"; l = "q"; A = "r,k,T"
 :then: none of them are those of the definitions
 :method: Name by name.
-:control: the four indices corrected
+:control: the five indices corrected
 :::
 */
-CLAIM(four_names_have_other_indices) { agree(T, names_have_their_indices(T)); }
+CLAIM(five_names_have_other_indices) { agree(T, names_have_their_indices(T)); }
 
 /*
-:::{claim} four_names_have_their_indices
+:::{claim} five_names_have_their_indices
 :title: With the indices corrected the names are those of the definitions
 :zh: 更正后记号一致
 :kind: decision
-:given: the indices of the four names, corrected
-:data: ω = "i,k"; g* = "μi"; α = "ij"; A = "r,k,T"
-:instead: ω = "i,ι"; g* = "μ"; α = "ii"; A = "r,t,T"
+:given: the indices of the five names, corrected
+:data: ω = "i,k"; g* = "μi"; α = "ij"; l = "q"; A = "r,k,T"
+:instead: ω = "i,ι"; g* = "μ"; α = "ii"; l = "a"; A = "r,t,T"
 :then: each has the indices of its definition
 :method: Name by name.
-:scope: the four names
+:scope: the five names
 :control: the indices as printed
 :::
 */
-CLAIM(four_names_have_their_indices) { agree(T, names_have_their_indices(T)); }
+CLAIM(five_names_have_their_indices) { agree(T, names_have_their_indices(T)); }
 
 /*
 The keys of the main references contain a year.  One key is cited that the list does not have; with another year it
@@ -284,10 +284,36 @@ rule of its journal, and is wrong.
 :::{statement} wang-ch4:references-volumes
 :title: Years and volumes of Computer Aided Design
 :zh: 期刊 CAD 的年份与卷号
-:printed: 1991, 23; 1987, 19; 1989, 21; 1989, 21; 1992, 24; 1990, 22; 1992, 24
-:holds-by: volumes_follow_the_years
+:printed: in Computer Aided Design: 1991, 23; 1987, 19; 1989, 21; 1989, 21; 1992, 24; 1990, 22; 1992, 24
+:holds-by: volumes_of_one_journal_follow_the_years
+
+These are year and volume of the references 1, 3, 5, 6, 10, 12 and 13.
+:::
+
+:::{claim} volumes_of_one_journal_follow_the_years
+:title: The volumes of Computer Aided Design are the year less a constant
+:zh: 期刊 CAD 的卷号等于年份减常数
+:kind: decision
+:given: the years and volumes of the references in Computer Aided Design, as printed
+:data: Computer Aided Design = (1991,23) (1987,19) (1989,21) (1989,21) (1992,24) (1990,22) (1992,24)
+:instead: Computer Aided Design = (1991,23) (1987,19) (1989,21) (1989,21) (1992,24) (1990,22) (1992,23)
+:then: the year less the volume is the same for all
+:result: year less volume = 1968
+:method: The seven differences.
+:scope: the seven references in this journal
+:control: another volume of the last
 :::
 */
+CLAIM(volumes_of_one_journal_follow_the_years)
+{
+    enum { REFERENCES = 7 };
+    num issue[2 * REFERENCES];
+    given_points(T, "Computer Aided Design", REFERENCES, 2, issue);
+    num constant = sub(issue[0], issue[1]);
+    for (int k = 0; k < REFERENCES; k++)
+        same(T, sub(issue[2 * k], issue[2 * k + 1]), constant);
+    found(T, "year less volume", constant);
+}
 
 /*
 :::{claim} volumes_follow_the_years
