@@ -289,6 +289,7 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :printed: if $x'(t)y''(t)-x''(t)y'(t)=0$ (4.3.14) holds, then $\mathbf r(t)$ is a segment of a straight line
 :class: invalid-proof
 :refuted-by: inflected_cubic_is_not_straight
+:meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
 :reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: every
   inflection is a counterexample
 :reading: slope_is_constant_where_nothing_turns | for all $t$

@@ -26,6 +26,7 @@ inflection: it is touched by every member.
   curve
 :class: false
 :refuted-by: inflected_cubic_has_second_envelope folded_line_has_another_solution
+:meant: (4.3.3) and (4.3.9), by which the section determines the envelope | The first: all joint solutions.
 :reading: inflected_cubic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9), at an inflection, in
   the plane
 :reading: space_quartic_has_second_envelope | the same for curves that are not plane, where the curvature
@@ -526,9 +527,10 @@ multiplies by $w''$ what is to be shown to vanish, and for a polynomial curve $w
 :instead: a = (0,0,0) (1,0,0) (0,1,0) (0,0,1)
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$
 :result: r_i = (-3,23/3,-14) (-1,-1/3,4) (1,-1/3,-2) (3,23/3,16); p, p', p'' = (0,0,1) (1,0,0) (0,2,0); left side
-  times p'' = 0; right side times p'' = 0; (τ-t)(r', A, p'') = -2
-:method: The derivatives of the curve by its points over uniform knots; that both sides have the same product is compared together with the triple product.
-:control: the product with $A$, the numerator of the member, in the place of that with $p''$
+  times p'' = 0; right side times p'' = 0
+:method: The derivatives of the curve by its points over uniform knots; the triple product is compared with 0 after
+  the other equation has been found to be true.
+:control: the curve moved so that its osculating plane at $t$ passes through the origin, where $r'$, $A$ and $p''$ are dependent
 :::
 */
 CLAIM(product_with_second_derivative_says_nothing)
@@ -541,15 +543,15 @@ CLAIM(product_with_second_derivative_says_nothing)
         A[c] = add(D[c], mul(div(e, from_int(3)), D[3 + c]));
     G(cross3)(D + 3, D + 6, left);
     G(cross3)(D + 3, A, right);
-    const num *factor = fault(T, A, D + 6); /* with what both sides are multiplied */
-    num side = G(dot)(3, left, factor), other = mul(zero, G(dot)(3, right, factor)); /* w'' = 0 */
+    num side = G(dot)(3, left, D + 6), other = mul(zero, G(dot)(3, right, D + 6)); /* w'' = 0 */
     num triple = mul(e, G(det3)(D + 3, A, D + 6));
     found_points(T, "p, p', p''", 3, 3, D);
     found(T, "left side times p''", side);
     found(T, "right side times p''", other);
-    found(T, "(τ-t)(r', A, p'')", triple);
-    about(T, "the products of both sides being equal, (τ-t)(r', A, p'') is 0");
-    refute(T, equal_q(side, other) && !is_zero_q(triple));
+    if (!equal_q(side, other))
+        return;
+    about(T, "(τ-t)(r', A, p'')");
+    vanishes(T, triple);
 }
 #endif
 

@@ -298,7 +298,6 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :meant: the step itself, which names $\boldsymbol r_k(t)$ | The polygons are those of one NURBS curve.
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
-:meant: the sentence, which is about the curve $\boldsymbol r_k(t)$ | The second.
 :argued: | A limit of points of the boundaries is on the boundary of the limit, as the remarks say.
 :figure: where_hypotheses_are_needed
 

@@ -24,15 +24,15 @@ the corners and pass to the curve.
 :checked-by: convex_polygons_lie_on_the_border_of_their_hull
 :meant: the words of the definition, which speak of a set | The first reading.  The entries that follow are decided with it, and the last reading is the
   hypothesis that they need.
-:reading: polygon_that_turns_back_loses_convexity | that the set of points of $\Gamma$ is part of the boundary: with it lemma 4.2.1
-:reading: polygon_that_overlaps_itself_loses_convexity | the same, and $\Gamma$ never turns back: with it lemma 4.2.1
-:reading: turns_of_one_sign_are_not_enough | that $\Gamma$ turns always to the same side, which the definition does not say but which
-  is often meant: with it lemma 4.2.1
-:reading: triangles_of_one_sign_make_a_polygon_convex | that $\Gamma$ runs through the boundary or part of it once, coming to no
-  point twice except the end to the start: it can be told from the areas of triangles, and lemma 4.2.1 holds with it
+:reading: polygon_that_turns_back_loses_convexity | that convexity is kept by insertion, lemma 4.2.1, when the set of points of $\Gamma$ has to be part of the boundary
+:reading: polygon_that_overlaps_itself_loses_convexity | the same, when besides $\Gamma$ must never turn back
+:reading: turns_of_one_sign_are_not_enough | that the curve of a convex polygon is convex, theorem 4.2.1, when $\Gamma$ has to turn always to the same side, which the
+  definition does not say but which is often meant
+:reading: triangles_of_one_sign_make_a_polygon_convex | when $\Gamma$ has to run through the boundary or part of it once, coming to no
+  point twice except the end to the start: this can be told from the areas of triangles, by which lemma 4.2.1 is decided
 :figure: what_convex_must_mean
 
-As a definition it states nothing; what the readings say is whether lemma 4.2.1, that convexity is kept, is true or false with them.  A straight curve is convex: it is
+As a definition it states nothing; what the readings say is whether lemma and theorem are true or false with them.  A straight curve is convex: it is
 part of the boundary of a half plane.
 :::
 */

@@ -320,8 +320,6 @@ CLAIM(right_end_belongs_to_no_interval)
 :reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: without $t_k<t_{k+1}$ and
   $t_n<t_{n+1}$ the support of the first or of the last function meets the domain in no interval
 :reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
-:meant: the definition, which asks for $t_j\le t_{j+1}$ and nothing else | Knots of any multiplicity; that every point
-  has a share is not said.
 :figure: idle_point
 
 The source does not say that every control point counts, and the curve exists when one does not.

@@ -33,12 +33,12 @@ counted, or, for insertion, if it counts as infinitely many points.
   plane
 :checked-by: designed_splines_cross_no_more designed_splines_meet_no_more
 :meant: the words 交点个数, number of points of intersection | Points of the plane; the entries that use the number take it so, and say what else has to be counted.
-:reading: designed_splines_cross_no_more | crossings, how often the curve changes sides, counted along the curve: with it lemma 4.2.2 and theorem 4.2.2
-:reading: designed_splines_meet_no_more | common points counted along the curve, a piece on the line counting once: with it lemma and theorem
-:reading: touching_point_is_no_crossing | that these two are one: a curve may touch the line, in a common point that is no crossing
-:reading: self_crossing_polygon_gains_points_on_a_line | points of the plane, each counted once: with it the lemma
-:reading: edge_on_the_line_must_be_counted | points that are not on an edge or piece of curve on the line: with it lemma and theorem
-:reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many: with it the lemma
+:reading: designed_splines_cross_no_more | lemma and theorem 4.2.2 for crossings: how often the curve changes sides, counted along the curve
+:reading: designed_splines_meet_no_more | lemma and theorem for common points counted along the curve, a piece on the line counting once
+:reading: touching_point_is_no_crossing | that these two counts are one: a curve may touch the line, in a common point that is no crossing
+:reading: self_crossing_polygon_gains_points_on_a_line | the lemma for points of the plane, each counted once
+:reading: edge_on_the_line_must_be_counted | lemma and theorem for points that are not on an edge or piece of curve on the line
+:reading: cut_corner_lies_on_the_line | the lemma for points, of which an edge on the line has infinitely many
 :figure: what_must_be_counted
 
 As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.  As points of the
