@@ -70,7 +70,9 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :holds-by: bezier_span_gives_the_bezier_family member_of_span_touches_curve
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$, as for theorem 4.3.1
 :meant: it is a corollary of theorem 4.3.1, which says that the curve is the envelope of a family, and nothing about the order of contact | What theorem 3.3.2
-  says of the envelope, (3.3.4): the family and the curve that its members touch.
+  says of the envelope, (3.3.4): the first and the second reading.
+:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2
+:reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches wherever $\mathbf r'\ne0$
 :reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2 by its letter, with contact of order $n-r$, $n=k-1$: it is not there, and nothing in theorem
   4.3.1 gives it
 :figure: bezier_knots
