@@ -33,8 +33,8 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :definition: yes
 :printed: r_i^{[r]}(t)=r_i,\ r=0;\ i=j-k+1,\dots,j,\qquad
   r_i^{[r]}(t)=\frac{(t-t_i)w_i^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_i^{[r-1]}(t)
-  +\frac{(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_{i-1}^{[r-1]}(t),\
-  r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
+  +\frac{(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_{i-1}^{[r-1]}(t),
+  \ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | positive weights: otherwise a weight of a level may
   vanish and stop the algorithm, where the curve has a point

@@ -243,8 +243,8 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :::{statement} wang-ch4:formula-4.3.4
 :title: On the diagonal the denominators of all levels agree
 :zh: t=τ 时各层分母相等
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t),\quad t_j\le t<t_{j+1},\
-  j=k,k+1,\dots,n
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t),
+  \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
 :figure: nurbs_envelope_growing
 :::
@@ -253,7 +253,8 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :title: On the diagonal the numerators of all levels agree
 :zh: t=τ 时各层分子相等
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,
-  w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t),\quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
+  w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t),
+  \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
 :figure: nurbs_envelope_growing
 :::
@@ -303,7 +304,8 @@ CLAIM(levels_keep_weight_and_point)
 :title: The derivative of the basis at each level gives a fixed part of w'
 :zh: 各层基函数求导所得为 w' 的固定倍数
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)=\frac{k-r-1}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,
-  w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t),\quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
+  w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t),
+  \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
 
@@ -314,8 +316,8 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :title: The derivative of the basis at each level gives a fixed part of p'
 :zh: 各层基函数求导所得为 p' 的固定倍数
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\frac{k-r-1}{k-r}
-  \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t),\quad t_j\le t<t_{j+1},\
-  j=k,k+1,\dots,n
+  \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t),
+  \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
 :::
@@ -375,7 +377,8 @@ CLAIM(levels_shrink_the_derivative)
 :title: At τ = t the derivative of the member is a fixed part of that of the curve
 :zh: τ=t 时族曲线的导矢与曲线的导矢平行
 :printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial t}\Big|_{\tau=t}=\frac{k-r-1}{k-1}\,
-  \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t),\quad t_j\le t<t_{j+1}
+  \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t),
+  \quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
 :figure: nurbs_envelope_contact
 

@@ -103,7 +103,7 @@ class Words(unittest.TestCase):
 
     def test_steps_are_told_with_evidence_of_their_own(self):
         """Where it is not that of the verdict; the verdict has what is common to them."""
-        page = show("wang-ch4:lemma-4.2.1-step-alpha").split("\nVerdict\n")[1]
+        page = show("wang-ch4:lemma-4.2.1-step-induction").split("\nVerdict\n")[1]
         self.assertIn("each step for its own cases", " ".join(page.split("\n\n")[0].split()))
         steps = re.split(r"(?m)^    \d+   ", page.split("\nWhy\n")[1])[1:]
         computed = [" ".join(step.split()) for step in steps if "\n        given " in step]
