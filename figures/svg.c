@@ -181,6 +181,8 @@ struct layout {
     long before;                              /* what the first panels need on the left of the window  */
     long width;                               /* of the widest row                                     */
     struct string around[MAX_PANELS];         /* headings and captions                                 */
+    struct string title;                      /* its lines, around x = 0, below y = 0                  */
+    long title_width, title_height;
 };
 
 /* A row: its panels, and what it needs above and below the windows' top. */
@@ -278,6 +280,45 @@ static long middle_of(const struct layout *y, const struct row *row, int k)
     return x;
 }
 
+/* One line of the title; its width.  A title is text: what markup takes for a sign stands behind a backslash. */
+static long set_title_line(svg *s, struct string *out, long base, const char *words, size_t n)
+{
+    char *line = calloc(2 * n + 1, 1), *end = line;
+    if (line == NULL) {
+        svg_fail(s, "memory is short");
+        return 0;
+    }
+    for (size_t k = 0; k < n; *end++ = words[k++])
+        if (words[k] == '$' || words[k] == '\\')
+            *end++ = '\\';
+    long width = put_text(s, out, 0, base, SVG_MIDDLE, KIND_TITLE, SVG_POINT, false, line);
+    free(line);
+    return width;
+}
+
+/* The title in as few lines as the width of the rows takes, but not narrower than NARROWEST: broken at blanks. */
+static void set_title(svg *s, struct layout *y)
+{
+    enum { NARROWEST = 26000, LINE = 2000, BELOW = 1400 };
+    long room = larger(y->width, NARROWEST);
+    for (const char *at = s->title; *at != '\0'; y->title_height += LINE) {
+        size_t n = strlen(at);
+        struct string draft = {0};
+        while (set_title_line(s, &draft, 0, at, n) > room) {
+            size_t shorter = n;
+            while (shorter > 0 && at[--shorter] != ' ')
+                ;
+            if (shorter == 0)
+                break;
+            n = shorter;
+        }
+        free_string(&draft);
+        y->title_width = larger(y->title_width, set_title_line(s, &y->title, y->title_height + TITLE_SIZE, at, n));
+        at += n + (at[n] == ' ');
+    }
+    y->title_height += y->title_height > 0 ? BELOW : 0;
+}
+
 static int lay_out(svg *s, struct layout *y, struct row rows[MAX_PANELS])
 {
     int count = 0;
@@ -289,6 +330,7 @@ static int lay_out(svg *s, struct layout *y, struct row rows[MAX_PANELS])
         int last = rows[i].end - 1;
         y->width = larger(y->width, middle_of(y, &rows[i], last) + y->right[last]);
     }
+    set_title(s, y);
     return count;
 }
 
@@ -328,7 +370,7 @@ static int put_legend(const svg *s, struct string *out, long room, long middle, 
 static void put_document(svg *s, const struct layout *y, int count, const struct row rows[])
 {
     struct string *out = &s->text;
-    long room = y->width, row_end = MARGIN;
+    long room = larger(y->width, y->title_width), row_end = MARGIN + y->title_height;
     for (int i = 0; i < count; i++)
         row_end += (i > 0 ? GAP : 0) + rows[i].above + rows[i].below;
     for (int k = 0; k < s->keys; k++)
@@ -344,7 +386,9 @@ static void put_document(svg *s, const struct layout *y, int count, const struct
         width, height, width, height, s->name, s->name, s->name, s->title, s->name, s->description);
     put_style(s, out);
     put(out, "<rect class=\"paper\" width=\"100%%\" height=\"100%%\" rx=\"5\"/>\n");
-    long x = (width - y->width) / 2, top = MARGIN;
+    if (y->title_height > 0)
+        put(out, "<g class=\"title\" transform=\"translate(%h %h)\">\n%s</g>\n", width / 2, MARGIN, content(&y->title));
+    long x = (width - y->width) / 2, top = MARGIN + y->title_height;
     for (int i = 0; i < count; i++) {
         for (int k = rows[i].first; k < rows[i].end; k++)
             put_panel(s, k, x + middle_of(y, &rows[i], k) - y->half[k], top + rows[i].above, content(&y->around[k]));
@@ -379,6 +423,9 @@ const char *svg_text(svg *s)
             svg_fail(s, "memory is short");
         free_string(&y.around[k]);
     }
+    if (y.title.broken)
+        svg_fail(s, "memory is short");
+    free_string(&y.title);
     if (!whole(s))
         svg_fail(s, "memory is short");
     return s->failure == NULL ? s->text.at : NULL;

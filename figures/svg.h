@@ -69,7 +69,8 @@ enum svg_anchor { SVG_START, SVG_MIDDLE, SVG_END };
 /* ---- The figure ------------------------------------------------------------------------------- */
 
 /* name: letters, digits, '-' and '_', beginning with a letter; it prefixes the ids, so it is to be unique
- * in a page.  title and description are read aloud, not shown.  NULL when memory is short. */
+ * in a page.  title stands above the panels; it is read aloud, as the description is, which is not shown.  NULL when memory is
+ * short. */
 svg *svg_new(const char *name, const char *title, const char *description);
 void svg_free(svg *s);
 

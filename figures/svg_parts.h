@@ -99,8 +99,15 @@ void put_style(svg *s, struct string *out);
 
 /* ---- Words (svg_words.c) ---------------------------------------------------------------------- */
 
-enum { NOTE_SIZE = 1250, HEADING_SIZE = 1350 };
-enum text_kind { KIND_LABEL, KIND_NOTE, KIND_TICK, KIND_HEADING, KIND_PLAIN }; /* plain: a note without a halo */
+enum { NOTE_SIZE = 1250, HEADING_SIZE = 1350, TITLE_SIZE = 1600 };
+enum text_kind {
+    KIND_LABEL,
+    KIND_NOTE,
+    KIND_TICK,
+    KIND_HEADING,
+    KIND_PLAIN,
+    KIND_TITLE
+}; /* plain: a note without a halo */
 
 /* Puts the tspans of the markup; returns the usual width of the words. */
 long put_markup(struct string *out, const char *markup, bool mathematics, long size);

@@ -9,30 +9,26 @@ enum theme { LIGHT, DARK, PRINT, THEMES };
 static const struct role {
     const char *name, *colour[THEMES], *line;
     enum svg_shape shape;
-    long size; /* radius of its points */
 } roles[SVG_ROLES] = {
-    [SVG_CURVE] = {"curve", {"#0b5cad", "#6db3f8", "#000"}, "stroke-width:2.2", SVG_DISC, 330},
+    [SVG_CURVE] = {"curve", {"#0b5cad", "#6db3f8", "#000"}, "stroke-width:2.2", SVG_DISC},
     [SVG_CURVE_2] = {"curve-2",
                      {"#c2570c", "#f0a35e", "#333"},
                      "stroke-width:2;stroke-dasharray:9 4;stroke-linecap:butt",
-                     SVG_SQUARE,
-                     330},
-    [SVG_POLYGON] = {"polygon", {"#64708a", "#98a4b8", "#555"}, "stroke-width:1.1", SVG_RING, 330},
-    [SVG_FAMILY] = {"family", {"#7299c2", "#5f8cba", "#888"}, "stroke-width:.95", SVG_DISC, 220},
-    [SVG_POINT] = {"point", {"#1d2433", "#e7eaf0", "#000"}, "stroke-width:1.3", SVG_DISC, 330},
+                     SVG_SQUARE},
+    [SVG_POLYGON] = {"polygon", {"#64708a", "#98a4b8", "#555"}, "stroke-width:1.1", SVG_RING},
+    [SVG_FAMILY] = {"family", {"#7299c2", "#5f8cba", "#888"}, "stroke-width:.95", SVG_DISC},
+    [SVG_POINT] = {"point", {"#1d2433", "#e7eaf0", "#000"}, "stroke-width:1.3", SVG_DISC},
     [SVG_WRONG] = {"wrong",
                    {"#b3186d", "#f27fb2", "#333"},
                    "stroke-width:2;stroke-dasharray:5 3.5;stroke-linecap:butt",
-                   SVG_CROSS,
-                   400},
-    [SVG_RIGHT] = {"right", {"#00735c", "#4fd0ae", "#000"}, "stroke-width:2.2", SVG_DIAMOND, 420},
+                   SVG_CROSS},
+    [SVG_RIGHT] = {"right", {"#00735c", "#4fd0ae", "#000"}, "stroke-width:2.2", SVG_DIAMOND},
     [SVG_MUTED] = {"muted",
                    {"#6d7787", "#8590a3", "#777"},
                    "stroke-width:1;stroke-dasharray:1.2 3;stroke-linecap:butt",
-                   SVG_RING,
-                   280},
-    [SVG_AXIS] = {"axis", {"#5b6576", "#97a1b2", "#444"}, "stroke-width:.9", SVG_DISC, 250},
-    [SVG_FILL] = {"fill", {"#0b5cad", "#6db3f8", "#666"}, "stroke-width:1", SVG_DISC, 330},
+                   SVG_RING},
+    [SVG_AXIS] = {"axis", {"#5b6576", "#97a1b2", "#444"}, "stroke-width:.9", SVG_DISC},
+    [SVG_FILL] = {"fill", {"#0b5cad", "#6db3f8", "#666"}, "stroke-width:1", SVG_DISC},
 };
 
 /* The colours of what is no role. */
@@ -63,25 +59,27 @@ void put_area_class(svg *s, struct string *out, enum svg_role role)
 void put_mark(svg *s, struct string *out, long x, long y, enum svg_role role, enum svg_shape shape)
 {
     const char *class = role_class(s, role);
-    long r = roles[role].size, d = r * 9 / 10;
+    /* Points are of one scale: shapes of the same weight to the eye, for a disc of radius 3.3. */
+    enum { DISC = 330, SQUARE = 297, DIAMOND = 420, CROSS = 360 };
     switch (shape == SVG_USUAL ? roles[role].shape : shape) {
     case SVG_RING:
-        put(out, "<circle class=\"o %s\" cx=\"%h\" cy=\"%h\" r=\"%h\"/>\n", class, x, y, r);
+        put(out, "<circle class=\"o %s\" cx=\"%h\" cy=\"%h\" r=\"%h\"/>\n", class, x, y, (long)DISC);
         break;
     case SVG_SQUARE:
-        put(out, "<path class=\"m %s\" d=\"M%h %hH%hV%hH%hZ\"/>\n", class, x - d, y - d, x + d, y + d, x - d);
+        put(out, "<path class=\"m %s\" d=\"M%h %hH%hV%hH%hZ\"/>\n", class, x - SQUARE, y - SQUARE, x + SQUARE,
+            y + SQUARE, x - SQUARE);
         break;
     case SVG_DIAMOND:
-        put(out, "<path class=\"m %s\" d=\"M%h %hL%h %hL%h %hL%h %hZ\"/>\n", class, x - r, y, x, y - r, x + r, y, x,
-            y + r);
+        put(out, "<path class=\"m %s\" d=\"M%h %hL%h %hL%h %hL%h %hZ\"/>\n", class, x - DIAMOND, y, x, y - DIAMOND,
+            x + DIAMOND, y, x, y + DIAMOND);
         break;
     case SVG_CROSS: /* on a disc of paper, which parts it from a line through the point */
-        put(out, "<circle class=\"paper\" cx=\"%h\" cy=\"%h\" r=\"%h\"/>\n", x, y, r * 5 / 4);
-        put(out, "<path class=\"x %s\" d=\"M%h %hL%h %hM%h %hL%h %h\"/>\n", class, x - d, y - d, x + d, y + d, x - d,
-            y + d, x + d, y - d);
+        put(out, "<circle class=\"paper\" cx=\"%h\" cy=\"%h\" r=\"%h\"/>\n", x, y, (long)(CROSS * 4 / 3));
+        put(out, "<path class=\"x %s\" d=\"M%h %hL%h %hM%h %hL%h %h\"/>\n", class, x - CROSS, y - CROSS, x + CROSS,
+            y + CROSS, x - CROSS, y + CROSS, x + CROSS, y - CROSS);
         break;
     default:
-        put(out, "<circle class=\"m %s\" cx=\"%h\" cy=\"%h\" r=\"%h\"/>\n", class, x, y, r);
+        put(out, "<circle class=\"m %s\" cx=\"%h\" cy=\"%h\" r=\"%h\"/>\n", class, x, y, (long)DISC);
     }
 }
 
@@ -145,6 +143,7 @@ void put_style(svg *s, struct string *out)
              ".cagd text.n{font-size:12.5px}\n"
              ".cagd text.k{font-size:11.5px}\n"
              ".cagd text.d{font-size:13.5px;font-weight:600}\n"
+             ".cagd text.t{font-size:16px;font-weight:600}\n"
              ".cagd .i,.cagd .u{font-family:\"STIX Two Text\",\"Times New Roman\",Times,serif;font-size:1.12em}\n"
              ".cagd .i{font-style:italic}\n"
              ".cagd .s{font-size:.8em}\n");

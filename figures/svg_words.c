@@ -154,7 +154,7 @@ static const struct {
     long size;
 } kinds[] = {
     [KIND_LABEL] = {"halo", 1450},        [KIND_NOTE] = {"halo n", NOTE_SIZE}, [KIND_TICK] = {"halo k", 1150},
-    [KIND_HEADING] = {"d", HEADING_SIZE}, [KIND_PLAIN] = {"n", NOTE_SIZE},
+    [KIND_HEADING] = {"d", HEADING_SIZE}, [KIND_PLAIN] = {"n", NOTE_SIZE},     [KIND_TITLE] = {"t", TITLE_SIZE},
 };
 
 long put_text(svg *s, struct string *out, long x, long y, enum svg_anchor anchor, enum text_kind kind,

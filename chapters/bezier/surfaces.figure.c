@@ -5,7 +5,7 @@
 /* A parallel projection: x to the right, y into the page, z up. */
 static svg_point seen(const num_q X[])
 {
-    return at(add_q(X[0], mul_q(r(9, 20), X[1])), add_q(mul_q(r(7, 10), X[2]), mul_q(r(2, 5), X[1])));
+    return at(add_q(X[0], mul_q(r(9, 20), X[1])), add_q(mul_q(r(11, 20), X[2]), mul_q(r(13, 20), X[1])));
 }
 
 /* The polygon or the curve of count points of space. */

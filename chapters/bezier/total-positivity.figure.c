@@ -1,6 +1,6 @@
 #include "chapters/judge/figure.h"
-#include "exact/record/crossings.h"
 #include "exact/kernels_q.h"
+#include "exact/record/crossings.h"
 #include "figures/svg.h"
 
 #include <stdio.h>

@@ -3,6 +3,8 @@
 #include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
+#include <stdio.h>
+
 /* The claims that have in their data what is printed in a row: the parameter, x, y. */
 static const char *const printed_in[7][3] = {
     {"table_row_of_start", "table_row_of_start", "table_row_of_start"},
@@ -30,22 +32,23 @@ FIGURE(worked_table)
     svg_panel(s, window(r(1, 2), r(1, 2), r(9, 2), r(7, 2)), 380, 0, "the curve of the table");
     svg_control_polygon(s, 3, b, "P");
     svg_bezier(s, 3, b, SVG_CURVE);
-    for (int k = 0; k < 7; k++) {
-        svg_mark(s, svg_pair(P[k]), SVG_CURVE, SVG_USUAL);
-        svg_mark(s, svg_pair(printed[k]), SVG_WRONG, SVG_USUAL);
-    }
-    svg_panel(s, window(q(-1), q(-16), q(7), q(12)), 300, 240,
-              "printed less exact, in thousandths,\nfor $t=0,0.15,...,1$");
-    svg_axes(s, q(0), q(5), NULL, NULL);
     for (int k = 0; k < 7; k++)
+        svg_mark(s, svg_pair(printed[k]), SVG_WRONG, SVG_USUAL);
+    svg_panel(s, window(q(-1), q(-18), q(7), q(14)), 340, 260, "printed less exact, in thousandths");
+    svg_axes(s, q(0), q(5), "t", NULL);
+    for (int k = 0; k < 7; k++) {
+        char name[16];
+        snprintf(name, sizeof name, "%.4g", cagd_to_double_q(t[k]));
+        svg_note(s, at(q(k), q(-16)), SVG_S, SVG_AXIS, name);
         for (int c = 0; c < 2; c++) {
             num_q gap = mul_q(q(1000), sub_q(printed[k][c], P[k][c]));
             num_q x = add_q(q(k), c ? r(1, 8) : r(-1, 8));
             svg_segment(s, at(x, q(0)), at(x, gap), SVG_FAMILY);
             svg_mark(s, at(x, gap), c ? SVG_CURVE_2 : SVG_CURVE, SVG_USUAL);
         }
-    svg_legend_mark(s, SVG_CURVE, SVG_USUAL, "points of the curve; right, $x$");
-    svg_legend_mark(s, SVG_CURVE_2, SVG_USUAL, "right, $y$");
+    }
     svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "printed points");
+    svg_legend_mark(s, SVG_CURVE, SVG_USUAL, "error of $x$");
+    svg_legend_mark(s, SVG_CURVE_2, SVG_USUAL, "error of $y$");
     return s;
 }

@@ -54,12 +54,15 @@ FIGURE(two_twists)
                      "derivative at the corner is 1.  With the twist 0 in M the first is missed, with the twist 1 the "
                      "second.");
     for (int twist = 0; twist < 2; twist++) {
-        svg_panel(s, window(q(0), r(-1, 12), q(1), r(1, 4)), 280, 180,
-                  twist ? "twist 1: $P_w(u,0)$" : "twist 0: $P_u(0,w)$");
-        svg_axes(s, q(1), r(1, 4), twist ? "u" : "w", NULL);
+        svg_panel(s, window(q(0), q(0), q(1), r(1, 5)), 280, 180,
+                  twist ? "the derivative across $w=0$,\n$P_w(u,0)$" : "the derivative across $u=0$,\n$P_u(0,w)$");
+        svg_heading(s, SVG_POINT, twist ? "the twist in $M$ is 1" : "the twist in $M$ is 0");
+        svg_axes(s, q(1), r(1, 10), twist ? "u" : "w", NULL);
         num_q bump[4] = {q(0), q(0), q(1), q(0)}, none[4] = {q(0), q(0), q(0), q(0)};
         put_hermite_graph(s, q(0), q(1), twist ? bump : none, SVG_CURVE);
         put_hermite_graph(s, q(0), q(1), twist ? none : bump, SVG_WRONG);
+        svg_label(s, at(r(1, 3), r(4, 27)), SVG_N, twist ? SVG_CURVE : SVG_WRONG, "q_{10}");
+        svg_label(s, at(r(1, 3), q(0)), SVG_N, twist ? SVG_WRONG : SVG_CURVE, "0");
     }
     svg_legend_line(s, SVG_CURVE, "asked for");
     svg_legend_line(s, SVG_WRONG, "what the patch has");

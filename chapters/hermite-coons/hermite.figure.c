@@ -10,8 +10,8 @@ FIGURE(hermite_blending_functions)
                                            "the derivatives: $q_{10}$ and $q_{11}$"};
     static const char *const name[4] = {"q_{00}", "q_{01}", "q_{10}", "q_{11}"};
     for (int panel = 0; panel < 2; panel++) {
-        svg_panel(s, window(q(0), panel ? r(-1, 4) : q(0), q(1), panel ? r(1, 4) : q(1)), 300, 220, caption[panel]);
-        svg_axes(s, q(1), panel ? r(1, 4) : q(1), "u", NULL);
+        svg_panel(s, window(q(0), panel ? r(-1, 5) : q(0), q(1), panel ? r(1, 5) : q(1)), 300, 220, caption[panel]);
+        svg_axes(s, q(1), panel ? r(1, 10) : q(1), "u", NULL);
         for (int i = 0; i < 2; i++) {
             num_q unit[4];
             for (int k = 0; k < 4; k++)
@@ -21,6 +21,11 @@ FIGURE(hermite_blending_functions)
             hermite_blending_q(q(0), q(1), u, 0, B);
             svg_label(s, at(u, B[2 * panel + i]), panel == 0 ? (i ? SVG_SE : SVG_SW) : (i ? SVG_S : SVG_N),
                       i ? SVG_CURVE_2 : SVG_CURVE, name[2 * panel + i]);
+            if (panel == 1) { /* the extremes, at u = 1/3 and 2/3 */
+                svg_point top = at(r(1 + i, 3), r(i ? -4 : 4, 27));
+                svg_mark(s, top, i ? SVG_CURVE_2 : SVG_CURVE, SVG_USUAL);
+                svg_note(s, top, i ? SVG_SW : SVG_NE, SVG_POINT, i ? "$-4/27$ at $u=2/3$" : "$4/27$ at $u=1/3$");
+            }
         }
     }
     return s;

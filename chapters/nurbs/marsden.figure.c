@@ -1,6 +1,8 @@
 /* marsden.figure.c -- drawings for marsden.claims.h. */
 #include "chapters/nurbs/matrix-figures.h"
 
+#include <stdio.h>
+
 enum { p = 2, k = 3, SPANS = 3 };
 static const int knots[2 * k + SPANS - 1] = {-3, -2, 0, 3, 4, 6, 7, 8}; /* spans [0,3], [3,4], [4,6] */
 
@@ -13,7 +15,15 @@ FIGURE(marsden_identity)
         "Over the knots 0, 3, 4 and 6 the quadratic B-splines, each multiplied by its coefficient, and their sum, "
         "which is the parabola (2-t)².");
     integers(2 * k + SPANS - 1, knots, u);
-    svg_panel(s, window(r(-1, 2), q(-6), r(13, 2), q(17)), 440, 300, "$k=3$, $x=2$, simple knots");
+    static const struct {
+        int t[2], y[2];
+        enum svg_direction towards;
+    } beside[] = {{{1, 4}, {9, 2}, SVG_NE},
+                  {{3, 2}, {-4, 3}, SVG_S},
+                  {{16, 5}, {17, 10}, SVG_N},
+                  {{5, 1}, {16, 3}, SVG_N},
+                  {{28, 5}, {17, 2}, SVG_SE}};
+    svg_panel(s, window(r(-1, 2), q(-3), r(13, 2), q(17)), 440, 320, "$k=3$, $x=2$, simple knots");
     svg_axes(s, q(1), q(5), "t", NULL);
     for (int mu = p; mu < p + SPANS; mu++) {
         num_q sum[k] = {q(0), q(0), q(0)};
@@ -29,8 +39,15 @@ FIGURE(marsden_identity)
         svg_mark(s, at(u[mu], q(0)), SVG_POINT, SVG_RING);
     }
     svg_mark(s, at(u[p + SPANS], q(0)), SVG_POINT, SVG_RING);
+    for (int i = 0; i < k + SPANS - 1; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "ω_%dN_%d", i + 1, i + 1);
+        svg_label(s, at(r(beside[i].t[0], beside[i].t[1]), r(beside[i].y[0], beside[i].y[1])), beside[i].towards,
+                  SVG_CURVE_2, name);
+    }
+    svg_label(s, at(r(9, 2), r(25, 4)), SVG_NW, SVG_CURVE, "(x-t)^2");
     svg_legend_line(s, SVG_CURVE, "the sum: $(x-t)^2$");
-    svg_legend_line(s, SVG_CURVE_2, "$ω_i(x)N_{i,3}(t)$");
+    svg_legend_line(s, SVG_CURVE_2, "its terms $ω_i(x)N_{i,3}(t)$");
     svg_legend_mark(s, SVG_POINT, SVG_RING, "knots");
     return s;
 }

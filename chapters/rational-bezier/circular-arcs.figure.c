@@ -6,6 +6,22 @@
 static const char other_arc[] = "negative_weight_gives_the_other_arc",
                   ellipse[] = "isosceles_triangle_with_another_angle";
 
+/* An angle at the point, by an arc of that radius from the direction of parameter a to that of b, of
+ * ((1 - t²)/(1 + t²), 2t/(1 + t²)) turned by a quarter where it is upright. */
+static void put_angle(svg *s, svg_point corner, num_q radius, num_q a, num_q b, int upright)
+{
+    enum { PARTS = 12 };
+    num_q P[2 * (PARTS + 1)];
+    for (int k = 0; k <= PARTS; k++) {
+        num_q t = add_q(a, mul_q(r(k, PARTS), sub_q(b, a))), whole = add_q(q(1), mul_q(t, t));
+        num_q along = div_q(mul_q(radius, sub_q(q(1), mul_q(t, t))), whole),
+              across = div_q(mul_q(radius, mul_q(q(2), t)), whole);
+        P[2 * k] = add_q(corner.x, upright ? across : along);
+        P[2 * k + 1] = add_q(corner.y, upright ? along : across);
+    }
+    svg_polyline(s, PARTS + 1, P, SVG_POINT);
+}
+
 FIGURE(circular_arc)
 {
     svg *s =
@@ -31,8 +47,11 @@ FIGURE(circular_arc)
     svg_mark(s, svg_at(0, 0), SVG_MUTED, SVG_USUAL);
     svg_label(s, (svg_point){r(1, 2), r(-3, 8)}, SVG_SE, SVG_POINT, "r");
     svg_label(s, (svg_point){r(1, 2), q(0)}, SVG_N, SVG_POINT, "l");
-    svg_label(s, (svg_point){r(-4, 5), q(0)}, SVG_NE, SVG_POINT, "θ");
-    svg_label(s, (svg_point){q(0), r(-11, 20)}, SVG_N, SVG_POINT, "2θ");
+    /* tan θ/2 = 1/2, for cos θ = 3/5 */
+    put_angle(s, svg_pair(R), r(1, 4), q(0), r(1, 2), 0);
+    put_angle(s, svg_pair(C), r(1, 4), r(-1, 2), r(1, 2), 1);
+    svg_label(s, (svg_point){r(-3, 4), r(1, 20)}, SVG_E, SVG_POINT, "θ");
+    svg_label(s, (svg_point){q(0), r(-1, 2)}, SVG_N, SVG_POINT, "2θ");
     svg_legend_line(s, SVG_CURVE, "weights 1, 3/5, 1: the arc of angle $2θ$");
     svg_legend_line(s, SVG_WRONG, "weights 1, $-3/5$, 1: the arc of angle $2π-2θ$");
     return s;

@@ -50,13 +50,23 @@ FIGURE(convex_hull)
     svg_mark(s, svg_pair(x), SVG_WRONG, SVG_USUAL);
     svg_label(s, svg_pair(x), SVG_S, SVG_WRONG, "R(1/2)");
     num_q line[] = {q(0), q(0), q(1), q(0)};
-    svg_panel(s, (svg_window){r(-1, 2), r(-5, 4), r(5, 2), r(5, 4)}, 240, 0, "a segment at $t = 2$");
+    svg_panel(s, (svg_window){r(-1, 4), r(-9, 8), r(9, 4), r(9, 8)}, 280, 0,
+              "the hull of $R_0$, $R_1$ is the segment;\nfor $t = 2$ the point is beyond it");
     svg_heading(s, SVG_WRONG, "outside $0 ≤ t ≤ 1$");
+    num_q band[] = {q(0), r(-1, 12), q(1), r(-1, 12), q(1), r(1, 12), q(0), r(1, 12)};
+    svg_area(s, 4, band, SVG_FILL);
+    for (int k = 1; k < 4; k++) {
+        svg_mark(s, (svg_point){r(k, 2), q(0)}, k > 2 ? SVG_WRONG : SVG_CURVE, SVG_USUAL);
+        svg_note(s, (svg_point){r(k, 2), r(1, 12)}, SVG_N, SVG_POINT,
+                 k == 1   ? "$t=1/2$"
+                 : k == 2 ? "$t=1$"
+                          : "$t=3/2$");
+    }
     svg_control_polygon_towards(s, 1, line, "R", below);
     svg_segment(s, svg_at(1, 0), svg_at(2, 0), SVG_WRONG);
     svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_CURVE);
     svg_mark(s, svg_at(2, 0), SVG_WRONG, SVG_USUAL);
-    svg_label(s, svg_at(2, 0), SVG_N, SVG_WRONG, "R(2)");
+    svg_label(s, svg_at(2, 0), SVG_S, SVG_WRONG, "R(2)");
     svg_legend_line(s, SVG_CURVE, "weights $1$");
     svg_legend_line(s, SVG_CURVE_2, "$1, 9, 1, 9, 1$");
     svg_legend_line(s, SVG_RIGHT, "$1, 1, 9, 1, 1$");

@@ -37,6 +37,9 @@ static xmlDocPtr parsed(svg *s)
     return document;
 }
 
+/* All words but those of the title. */
+#define WORDS "//s:g[not(@class='title')]/s:text"
+
 static xmlXPathObjectPtr found(xmlDocPtr document, const char *path)
 {
     xmlXPathContextPtr context = xmlXPathNewContext(document);
@@ -107,7 +110,7 @@ static void strings_are_escaped_and_repaired(void **state)
     svg_panel(s, svg_integer_window(0, 0, 1, 1), 100, 0, "$x_{<}$ & \xf0\x9d\x92\xb3");
     assert_string_equal(value(s, "string(//s:title)"), "a < b && \"c\" > 'd' \uFFFD\uFFFD\uFFFD ω \uFFFD");
     assert_string_equal(value(s, "string(//s:desc)"), "]]> <script/>");
-    assert_string_equal(value(s, "string(//s:text)"), "x< & \U0001D4B3");
+    assert_string_equal(value(s, "string(" WORDS ")"), "x< & \U0001D4B3");
     svg_free(s);
 }
 
@@ -132,21 +135,21 @@ static void markup_becomes_spans(void **state)
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         svg *s = square(100);
         svg_label(s, svg_at(50, 50), SVG_E, SVG_POINT, cases[k].markup);
-        assert_string_equal(value(s, "string(//s:text)"), cases[k].text);
+        assert_string_equal(value(s, "string(" WORDS ")"), cases[k].text);
         assert_int_equal(count(s, "//s:tspan"), cases[k].spans);
         svg_free(s);
     }
     svg *s = square(100);
     svg_label(s, svg_at(50, 50), SVG_HERE, SVG_POINT, "ω_1");
-    assert_string_equal(value(s, "string(//s:text/@x)"), "50.00");
+    assert_string_equal(value(s, "string(" WORDS "/@x)"), "50.00");
     assert_string_equal(value(s, "string(//s:tspan[1]/@class)"), "i");
     assert_string_equal(value(s, "string(//s:tspan[2]/@class)"), "u s");
     assert_string_equal(value(s, "string(//s:tspan[2]/@dy)"), "3.48");
     svg_label(s, svg_at(50, 50), SVG_HERE, SVG_POINT, "R_{12}^3x"); /* what follows stands behind the longer script */
-    assert_string_equal(value(s, "string(//s:text[2]/s:tspan[3]/@dx)"), "-11.16");
-    assert_string_equal(value(s, "string(//s:text[2]/s:tspan[3]/@dy)"), "-9.57");
-    assert_string_equal(value(s, "string(//s:text[2]/s:tspan[4]/@dx)"), "5.36");
-    assert_string_equal(value(s, "string(//s:text[2]/s:tspan[4]/@dy)"), "6.09");
+    assert_string_equal(value(s, "string(" WORDS "[2]/s:tspan[3]/@dx)"), "-11.16");
+    assert_string_equal(value(s, "string(" WORDS "[2]/s:tspan[3]/@dy)"), "-9.57");
+    assert_string_equal(value(s, "string(" WORDS "[2]/s:tspan[4]/@dx)"), "5.36");
+    assert_string_equal(value(s, "string(" WORDS "[2]/s:tspan[4]/@dy)"), "6.09");
     svg_free(s);
 }
 
@@ -518,10 +521,10 @@ static void ticks_are_exact_numbers(void **state)
     svg_panel(s, (svg_window){r(-3, 50), r(-1, 3), r(11, 100), r(2, 3)}, 300, 200, NULL);
     svg_axes(s, r(1, 20), r(1, 3), "x", NULL);
     static const char *const expected[] = {"−0.05", "0", "0.05", "0.1", "x", "−1/3", "0", "1/3", "2/3"};
-    assert_int_equal(count(s, "//s:text"), 9);
+    assert_int_equal(count(s, WORDS ""), 9);
     for (int k = 0; k < 9; k++) {
-        char path[40];
-        snprintf(path, sizeof path, "string((//s:text)[%d])", k + 1);
+        char path[80];
+        snprintf(path, sizeof path, "string((" WORDS ")[%d])", k + 1);
         assert_string_equal(value(s, path), expected[k]);
     }
     assert_int_equal(svg_overlaps(s), 0);
@@ -537,8 +540,8 @@ static void scales_stand_around_a_frame(void **state)
     svg_scales(s, q(1), q(2), "x", "y");
     assert_int_equal(count(s, "//s:rect[contains(@class,'axis')]"), 1);
     assert_int_equal(count(s, "//s:path[contains(@class,'axis')]"), 5 + 3); /* ticks, and no axes */
-    assert_int_equal(count(s, "//s:text[contains(@class,'k')]"), 5 + 3);
-    assert_int_equal(count(s, "//s:text[not(contains(@class,'k'))]"), 2);
+    assert_int_equal(count(s, WORDS "[contains(@class,'k')]"), 5 + 3);
+    assert_int_equal(count(s, WORDS "[not(contains(@class,'k'))]"), 2);
     svg_free(s);
 }
 
@@ -556,11 +559,53 @@ static void a_cloud_is_one_path_of_dots(void **state)
     svg_free(s);
 }
 
+/* Above everything, in as many lines as it takes. */
+static void the_title_stands_above(void **state)
+{
+    (void)state;
+    static const char title[] = "A title that is much longer than $100$ units are and so is broken at a blank";
+    svg *s = svg_new("title", title, "d");
+    svg_panel(s, svg_integer_window(0, 0, 100, 100), 100, 0, NULL);
+    svg_frame(s);
+    enum { LINES = 3 };
+    assert_int_equal(count(s, "//s:g[@class='title']/s:text"), LINES);
+    char whole[200] = "";
+    for (int k = 1; k <= LINES; k++) {
+        char path[80];
+        snprintf(path, sizeof path, "string(//s:g[@class='title']/s:text[%d])", k);
+        snprintf(whole + strlen(whole), sizeof whole - strlen(whole), "%s%s", k > 1 ? " " : "", value(s, path));
+    }
+    assert_string_equal(whole, title);
+    char place[80];
+    snprintf(place, sizeof place, "%s", value(s, "string(/s:svg/s:g[not(@class)]/@transform)"));
+    svg_free(s);
+    s = svg_new("title", "", "d"); /* without one the panel stands three lines higher */
+    svg_panel(s, svg_integer_window(0, 0, 100, 100), 100, 0, NULL);
+    svg_frame(s);
+    assert_int_equal(count(s, "//s:g[@class='title']"), 0);
+    assert_string_not_equal(value(s, "string(/s:svg/s:g[not(@class)]/@transform)"), place);
+    svg_free(s);
+}
+
+/* A point of a role is as large as that of any other; only its shape differs. */
+static void points_are_of_one_scale(void **state)
+{
+    (void)state;
+    svg *s = square(100);
+    for (int role = 0; role < SVG_ROLES; role++) {
+        svg_mark(s, svg_at(50, 50), (enum svg_role)role, SVG_DISC);
+        svg_mark(s, svg_at(50, 50), (enum svg_role)role, SVG_RING);
+    }
+    assert_int_equal(count(s, "//s:circle"), 2 * SVG_ROLES);
+    assert_int_equal(count(s, "//s:circle[@r='3.30']"), 2 * SVG_ROLES);
+    svg_free(s);
+}
+
 /* Where the panel k, from 1, is put: the numbers of its translation. */
 static svg_point place(svg *s, int k)
 {
     char path[80], x[40] = "", y[40] = "";
-    snprintf(path, sizeof path, "string(/s:svg/s:g[%d]/@transform)", k);
+    snprintf(path, sizeof path, "string(/s:svg/s:g[not(@class)][%d]/@transform)", k);
     assert_int_equal(sscanf(value(s, path), "translate(%39[0-9.-] %39[0-9.-])", x, y), 2);
     return (svg_point){from_string_q(x), from_string_q(y)};
 }
@@ -597,12 +642,12 @@ static void a_matrix_shows_its_entries_or_their_signs(void **state)
     svg_panel(s, svg_integer_window(0, 0, 3, 2), 150, 0, NULL);
     svg_heat(s, 2, 3, m);
     assert_int_equal(count(s, "//s:rect[@fill-opacity]"), 5);
-    assert_int_equal(count(s, "//s:text"), 6);
-    assert_string_equal(value(s, "string((//s:text)[2])"), "−1/3");
-    assert_string_equal(value(s, "string((//s:text)[5])"), "0.001");
+    assert_int_equal(count(s, WORDS ""), 6);
+    assert_string_equal(value(s, "string((" WORDS ")[2])"), "−1/3");
+    assert_string_equal(value(s, "string((" WORDS ")[5])"), "0.001");
     svg_panel(s, svg_integer_window(0, 0, 3, 2), 60, 0, NULL);
     svg_heat(s, 2, 3, m);
-    assert_int_equal(count(s, "//s:text"), 6);
+    assert_int_equal(count(s, WORDS ""), 6);
     assert_int_equal(count(s, "//s:path[@class='x curve-2']"), 2);
     svg_free(s);
 }
@@ -780,6 +825,8 @@ int main(void)
         unit(scales_stand_around_a_frame),
         unit(a_cloud_is_one_path_of_dots),
         unit(rows_stand_below_one_another),
+        unit(the_title_stands_above),
+        unit(points_are_of_one_scale),
         unit(a_matrix_shows_its_entries_or_their_signs),
         unit(overlaps_are_counted_and_words_never_cut_off),
         unit(the_bytes_are_always_the_same),
