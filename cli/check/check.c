@@ -1,43 +1,98 @@
 /* check.c -- cagd check: decides the formulas of a file. */
+#include "chapters/judge/memory_text.h"
 #include "cli/check/sheet.h"
 #include "cli/check/verdict.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/junit.h"
 #include "cli/output.h"
 #include "cli/report.h"
 #include "exact/words.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
 
 static int is_as_expected(const struct formula *s, const cagd_finding *f)
 {
     return s->expected == EXPECT_NOTHING ? f->answer == CAGD_HOLDS : (int)s->expected == (int)f->answer;
 }
 
-/* One statement: its page or its entry of the list, which may be NULL; whether it is as expected. */
-static int check_one(const struct document *d, const struct formula *s, json_t *list)
+/* Where what was found goes: onto pages, or into a list of JSON; and into a file of JUnit, or NULL. */
+struct report {
+    json_t *list;
+    struct junit *junit;
+    const char *path; /* of the file of formulas */
+};
+
+static double now(void)
+{
+    struct timespec t;
+    timespec_get(&t, TIME_UTC);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* "t = 1/10; b = -243/5000 < 0", or why nothing was decided: from the entry of the list. */
+static char *text_of_failure(const json_t *entry)
+{
+    const json_t *example = json_object_get(entry, "counterexample"), *value;
+    const char *reason = json_string_value(json_object_get(entry, "reason"));
+    char *text = NULL;
+    size_t room, k;
+    FILE *out = text_open(&text, &room);
+    if (reason != NULL)
+        fputs(reason, out);
+    json_array_foreach(json_object_get(example, "values"), k, value)
+        fprintf(out, "%s%s = %s", k > 0 ? "; " : "", json_string_value(json_object_get(value, "name")),
+                json_string_value(json_object_get(value, "value")));
+    if (json_is_object(example))
+        fprintf(out, "; left = %s; right = %s", json_string_value(json_object_get(example, "left")),
+                json_string_value(json_object_get(example, "right")));
+    text_close(out, &text);
+    return text;
+}
+
+/* Puts the entry of the statement into the list and the file, where there are any; it is given away. */
+static void put_entry(const struct report *to, json_t *entry, const char *name, double start, const char *failure)
+{
+    if (to->junit != NULL) {
+        char *text = text_of_failure(entry);
+        junit_add(to->junit, to->path, name, now() - start, failure, text);
+        free(text);
+    }
+    if (to->list != NULL)
+        json_array_append(to->list, entry);
+    json_decref(entry);
+}
+
+/* One statement; whether it is as expected. */
+static int check_one(const struct document *d, const struct formula *s, const struct report *to)
 {
     cagd_finding found;
+    double start = now();
     cagd_check(&s->scope, s->tree, s->seconds, &found);
     if (found.answer == CAGD_HOLDS)
         cagd_check_changes(&s->scope, s->tree, s->seconds / 10, &found);
-    if (list != NULL)
-        json_array_append_new(list, finding_json(d, s, &found));
-    else
+    int good = is_as_expected(s, &found);
+    char failure[64];
+    snprintf(failure, sizeof failure, "%s, expected %s", verdict_of(&found),
+             expected_name[s->expected == EXPECT_NOTHING ? EXPECT_HOLDS : s->expected]);
+    put_entry(to, finding_json(d, s, &found), s->name, start, good ? NULL : failure);
+    if (to->list == NULL)
         print_finding_page(d, s, &found);
-    return is_as_expected(s, &found);
+    return good;
 }
 
 /* One that asks for values: it is as expected when they were found. */
-static int find_one(const struct document *d, const struct formula *s, json_t *list)
+static int find_one(const struct document *d, const struct formula *s, const struct report *to)
 {
     cagd_found *found = region_bytes(sizeof *found);
+    double start = now();
     if (found == NULL)
         return 0;
     cagd_find(&s->scope, s->tree, s->find, s->seconds, found);
-    if (list != NULL)
-        json_array_append_new(list, found_json(s, found));
-    else
+    put_entry(to, found_json(s, found), s->name, start, found->known ? NULL : "undecided, expected its values");
+    if (to->list == NULL)
         print_found_page(d, s, found);
     return found->known;
 }
@@ -45,7 +100,7 @@ static int find_one(const struct document *d, const struct formula *s, json_t *l
 struct arguments {
     struct asked asked;
     int basis;
-    const char *picture;
+    const char *picture, *junit;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -58,14 +113,19 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 's':
         a->picture = arg;
         return 0;
+    case 'u':
+        a->junit = arg;
+        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
 }
 
 /* The sheets of the bases; whether all of it was decided. */
-static int check_sheets(const struct arguments *a, const struct document *d, int behind, json_t *list, int *code)
+static int check_sheets(const struct arguments *a, const struct document *d, int behind, const struct report *to,
+                        int *code)
 {
+    json_t *list = to->list;
     int good = 1;
     svg *picture = a->picture != NULL
                        ? svg_new("basis", "The functions of a basis", "The functions for some values of the parameter.")
@@ -74,7 +134,12 @@ static int check_sheets(const struct arguments *a, const struct document *d, int
         region_mark mark = region_open();
         if (list == NULL && (behind || k > 0))
             puts("\n");
-        good &= check_sheet(d, &d->sheet[k], list, picture);
+        double start = now();
+        int all = check_sheet(d, &d->sheet[k], list, picture);
+        if (to->junit != NULL)
+            junit_add(to->junit, to->path, d->sheet[k].name, now() - start,
+                      all ? NULL : "undecided, expected an answer to everything", "");
+        good &= all;
         region_drop(mark);
     }
     if (picture != NULL) {
@@ -100,16 +165,20 @@ static int check(const cagd_register *reg, const struct arguments *a)
         return EXIT_USAGE;
     }
     json_t *list = a->asked.json ? json_array() : NULL, *sheets = a->asked.json ? json_array() : NULL;
+    struct report to = {list, a->junit != NULL ? junit_new() : NULL, a->asked.path};
     int count = a->basis ? 0 : d.count;
     for (int k = 0; k < count; k++) {
         const struct formula *s = &d.formula[k];
         region_mark mark = region_open();
         if (list == NULL && k > 0)
             puts("\n");
-        good &= (s->find != NULL ? find_one : check_one)(&d, s, list);
+        good &= (s->find != NULL ? find_one : check_one)(&d, s, &to);
         region_drop(mark);
     }
-    good &= check_sheets(a, &d, count > 0, sheets, &code);
+    to.list = sheets;
+    good &= check_sheets(a, &d, count > 0, &to, &code);
+    if (to.junit != NULL && junit_write(to.junit, "cagd check", a->junit) != 0)
+        code = EXIT_INTERNAL;
     if (a->asked.json)
         print_json(json_pack("{s:s, s:s, s:b, s:o, s:o}", "schema", "cagd-check-1", "file", a->asked.path,
                              "as_expected", good, "statements", list, "bases", sheets));
@@ -152,6 +221,7 @@ static const struct topic topics[] = {
 static const struct argp_option options[] = {
     {"basis", 'b', 0, 0, "The sheets of the bases alone, without the statements", 0},
     {"svg", 's', "FILE", 0, "Draw the functions of the bases", 0},
+    {"junit", 'u', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
     {0}};
 
 const struct command command_check = {

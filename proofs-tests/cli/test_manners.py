@@ -24,6 +24,7 @@ import termios
 import threading
 import unicodedata
 import unittest
+import xml.etree.ElementTree
 
 try:
     import jsonschema
@@ -315,6 +316,43 @@ class Help(Case):
         self.refuses("verify", "--json", "--tap", NAME, words=["--json", "--tap"])
         self.refuses("ledger", "--json", "--summary", words=["one form"])
         self.refuses("figures", "--list", "--out", self.folder, words=["--out"])
+
+
+class Formulas(Case):
+    FILE = """:::{statement} square
+:printed: (1+2)^2 = 9
+:::
+
+:::{let}
+x \\in \\mathbb{R}
+:::
+
+:::{statement} <wrong>
+:printed: x^2 \\ge x
+:::
+
+:::{statement} known
+:printed: x = x + 1
+:expected: fails
+:::
+"""
+
+    def test_junit(self):
+        file, out = self.folder / "f.md", self.folder / "r.xml"
+        file.write_text(self.FILE)
+        r = run("check", file, "--junit", out)
+        self.assertEqual((r.returncode, r.stderr), (1, ""))
+        self.assertEqual(r.stdout, run("check", file).stdout)
+        suite = xml.etree.ElementTree.parse(out).getroot()
+        self.assertEqual([suite.get(key) for key in ("name", "tests", "failures", "errors")], ["cagd check", "3", "1", "0"])
+        self.assertEqual([(case.get("classname"), case.get("name"), len(case)) for case in suite],
+                         [(str(file), "square", 0), (str(file), "<wrong>", 1), (str(file), "known", 0)])
+        failure = suite[1][0]
+        self.assertEqual(failure.get("message"), "fails, expected holds")
+        x = fractions.Fraction(re.match(r"x = (\S+); left", failure.text)[1])
+        self.assertLess(x * x, x)
+        self.refuses("check", file, "--junit", file, words=[file, "read"])
+        self.refuses("check", file, "--junit", self.folder / "no" / "x", code=3, words=["make it first"])
 
 
 class Completion(Case):
