@@ -5,6 +5,7 @@
 #include "cli/screen.h"
 
 #include <locale.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -67,6 +68,7 @@ int main(int argc, char **argv)
 {
     memory_begin();
     setlocale(LC_CTYPE, "");
+    signal(SIGXFSZ, SIG_IGN); /* a file beyond the limit is an error of writing, told as others are */
     screen_begin();
     if (argc < 2) {
         print_help(stderr);

@@ -241,6 +241,17 @@ class Output(Case):
         self.is_picture(writable.read_text())
         self.assertEqual((writable.stat().st_uid, stat.S_IMODE(writable.stat().st_mode)), (0, 0o666))
 
+    def test_where_a_file_finds_no_room_the_old_one_stays(self):
+        """A disk that is full while a file is written: here the limit on the size of files takes its part."""
+        old, new = self.folder / "old.svg", self.folder / "new.svg"
+        old.write_text("kept")
+        for name, words in (old, "what was there is unchanged"), (new, "nothing was left there"):
+            r = run("fit", ARCH, "--svg", name, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
+            self.assertEqual((r.returncode, len(r.stderr.splitlines())), (3, 1), r)
+            self.assertIn(f"{name}: File too large; {words}", r.stderr)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["old.svg"])
+        self.assertEqual(old.read_text(), "kept")
+
     def test_a_full_disk_is_noticed(self):
         for args in (["--help"], ["--version"], ["help", "fit"], ["fit", "--help"], ["list"], ["show", NAME],
                      ["curve", CIRCLE, "--elevate"]):
