@@ -293,7 +293,7 @@ static long set_title_line(svg *s, struct string *out, long base, const char *wo
             *end++ = '\\';
     long width = put_text(s, out, 0, base, SVG_MIDDLE, KIND_TITLE, SVG_POINT, false, line);
     free(line);
-    return width;
+    return width * 13 / 10; /* bold, and in a wide face if the usual ones are not there */
 }
 
 /* The title in as few lines as the width of the rows takes, but not narrower than NARROWEST: broken at blanks. */
