@@ -27,12 +27,13 @@ static char *beside(const char *path, const char *name)
     return full;
 }
 
-/* Its exit code, or -1 when it could not be started. */
+/* Its exit code, or -1 and errno when it could not be started. */
 static int run(char *const word[])
 {
     pid_t child;
     int status;
-    if (posix_spawn(&child, word[0], NULL, NULL, word, environ) != 0)
+    errno = posix_spawn(&child, word[0], NULL, NULL, word, environ);
+    if (errno != 0)
         return -1;
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR)
@@ -45,7 +46,7 @@ struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, con
 {
     char folder[SCRATCH], driver[IN_SCRATCH], object[IN_SCRATCH], *word[MOST_WORDS], *made[MOST_WORDS];
     struct cagd_code_program *p = NULL;
-    int words = 0, count = 0, status = -1;
+    int words = 0, count = 0, status = -1, cause = 0;
     if (make_scratch(folder, "cagd-exactly") != 0) {
         snprintf(message, room, "no temporary folder: %s", strerror(errno));
         return NULL;
@@ -57,6 +58,8 @@ struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, con
         cagd_code_write_driver(h, path, out);
         status = fclose(out);
     }
+    if (status != 0)
+        cause = errno;
     word[words++] = (char *)(uintptr_t)compiler;
     word[words++] = "-o";
     word[words++] = object;
@@ -74,13 +77,16 @@ struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, con
             word[words++] = h->flag.text[k];
         }
     word[words] = NULL;
-    if (status == 0)
+    if (status == 0) {
         status = run(word);
+        cause = errno;
+    }
     if (status == 0)
         p = cagd_code_load(object, room, message);
     else if (status < 0)
-        snprintf(message, room, "%s cannot be started; it is built where LLVM 14 or newer and its clang are installed",
-                 compiler);
+        snprintf(message, room,
+                 "%s cannot be started: %s; it is built where LLVM 14 or newer and its clang are installed", compiler,
+                 strerror(cause));
     else
         snprintf(message, room, "the sources were not compiled");
     for (int k = 0; k < count; k++)
