@@ -1,5 +1,6 @@
 #include "exact/record/trace.h"
 
+#include "exact/number/memory.h"
 #include "exact/number/recorder.h"
 #include "exact/words.h"
 
@@ -38,6 +39,8 @@ static _Thread_local struct cagd_trace *tracing; /* NULL when no trace is open i
 static void listen(void) { tracing->recorder.noting = tracing->paused == 0 && !tracing->gave_up; }
 static void give_up(unsigned fault)
 {
+    if (fault == FAULT_MEMORY)
+        cagd_memory_is_refused();
     tracing->gave_up = 1;
     region_faults |= fault;
     listen();
@@ -255,6 +258,7 @@ void cagd_trace_open(size_t most)
     if (T == NULL || place == NULL) {
         free(T);
         free(place);
+        cagd_memory_is_refused();
         region_faults |= FAULT_MEMORY;
         return;
     }
