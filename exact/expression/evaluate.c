@@ -551,6 +551,31 @@ static cagd_value of_component(cagd_context *c, const cagd_tree *t, const frame 
                                  : cross(c, t->at[0], t->at[1], c->component - 1, f);
 }
 
+/* The determinant of the rows from `row` on without the columns used: by its first row (Laplace). */
+static cagd_value minor(const cagd_value entry[], int rows, int row, unsigned used)
+{
+    cagd_value r = cagd_value_int(row == rows);
+    for (int k = 0, sign = 1; k < rows && row < rows; k++) {
+        if (used >> k & 1)
+            continue;
+        cagd_value a = entry[row * rows + k];
+        if (!cagd_value_is_zero(a)) {
+            cagd_value term = cagd_value_mul(a, minor(entry, rows, row + 1, used | 1u << k));
+            r = sign > 0 ? cagd_value_add(r, term) : cagd_value_sub(r, term);
+        }
+        sign = -sign;
+    }
+    return r;
+}
+
+static cagd_value determinant(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    cagd_value entry[CAGD_MOST_CHILDREN];
+    for (int k = 0; k < t->count; k++)
+        entry[k] = evaluate(c, t->at[k], f);
+    return region_faults != 0 ? cagd_value_int(0) : minor(entry, t->order, 0, 0);
+}
+
 /* ---- angles -------------------------------------------------------------------------------------------- */
 
 /* The cosine and the sine of an angle. */
@@ -873,6 +898,8 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return dot(c, t->at[0], t->at[1], f);
     case CAGD_MIXED:
         return mixed(c, t, f);
+    case CAGD_DETERMINANT:
+        return determinant(c, t, f);
     case CAGD_COSINE:
     case CAGD_SINE:
         return circular(c, t, f);

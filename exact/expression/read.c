@@ -378,6 +378,8 @@ static const cagd_tree *integral(cagd_reader *r, int from)
     return t;
 }
 
+enum { MOST_ROWS = 6 };
+
 /* ---- brackets, lists, cases ---------------------------------------------------------------------------- */
 
 static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const char *close, int from)
@@ -441,6 +443,36 @@ static int environment(cagd_reader *r, const char *name)
     return cagd_pass(r, "}");
 }
 
+/* \begin{vmatrix} a & b \\ c & d \end{vmatrix}, the first word being passed. */
+static const cagd_tree *determinant(cagd_reader *r, int from)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0, rows = 0, in_row = 0;
+    do {
+        if (cagd_next_is(r, "\\end"))
+            break;
+        rows++, in_row = 0;
+        do {
+            if (count == MOST_ROWS * MOST_ROWS)
+                return cagd_refuse_token(r, "a determinant of more than %d rows", MOST_ROWS);
+            list[count] = cagd_read_sum(r);
+            if (list[count++] == NULL)
+                return NULL;
+            in_row++;
+        } while (cagd_pass(r, "&"));
+        if (in_row * rows != count)
+            return cagd_refuse_token(r, "rows of different lengths");
+    } while (cagd_pass(r, "\\\\"));
+    if (!cagd_expect(r, "\\end", "the determinant") || !environment(r, "vmatrix"))
+        return cagd_refuse_token(r, "expected \\end{vmatrix}");
+    if (rows != in_row || rows > MOST_ROWS)
+        return cagd_refuse_token(r, "a determinant has as many columns as rows, at most %d", MOST_ROWS);
+    cagd_tree *t = cagd_new_of(r, CAGD_DETERMINANT, from, count, list);
+    if (t != NULL)
+        t->order = rows;
+    return t;
+}
+
 static const cagd_tree *cases(cagd_reader *r, int from)
 {
     static const char *const otherwise[] = {"otherwise", "else", "otherwise.", "elsewhere", NULL};
@@ -448,7 +480,7 @@ static const cagd_tree *cases(cagd_reader *r, int from)
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
     if (!environment(r, "cases"))
-        return cagd_refuse_token(r, "of the environments only {cases} is understood here");
+        return cagd_refuse_token(r, "of the environments only {cases} and {vmatrix} are understood here");
     do {
         if (cagd_next_is(r, "\\end"))
             break;
@@ -515,7 +547,7 @@ static const cagd_tree *word(cagd_reader *r)
     if (strcmp(w, "\\lceil") == 0)
         return r->token++, bracketed(r, CAGD_CEILING, "\\rceil", from);
     if (strcmp(w, "\\begin") == 0)
-        return r->token++, cases(r, from);
+        return r->token++, environment(r, "vmatrix") ? determinant(r, from) : cases(r, from);
     if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
         return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
     static const char *const others[] = {"\\tan", "\\exp", "\\log", "\\ln", NULL};

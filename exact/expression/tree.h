@@ -26,16 +26,17 @@ typedef enum cagd_tree_kind {
     CAGD_MINIMUM,   /* [a, b, ...] */
     CAGD_SUM_OVER,  /* [low, high, body, conditions ...] over the index `head`                                    */
     CAGD_PRODUCT_OVER,
-    CAGD_DERIVATIVE, /* [a]: `order` times by the variable `head`                                                 */
-    CAGD_INTEGRAL,   /* [low, high, a] by the variable `head`                                                     */
-    CAGD_AT,         /* [a, b]: a with b in the place of the variable `head`                                      */
-    CAGD_POINT,      /* [x, y, ...]: a vector by its components                                                   */
-    CAGD_COMPONENT,  /* [a]: component number `order` of a vector, from 0                                         */
-    CAGD_DOT,        /* [a, b] */
-    CAGD_CROSS,      /* [a, b], of space */
-    CAGD_MIXED,      /* [a, b, c]: (a, b, c) = (a x b) . c */
-    CAGD_NORM,       /* [a]: the length of a vector                                                               */
-    CAGD_COSINE,     /* [a]: of an angle, a sum of names and of halves of names                                  */
+    CAGD_DERIVATIVE,  /* [a]: `order` times by the variable `head`                                                 */
+    CAGD_INTEGRAL,    /* [low, high, a] by the variable `head`                                                     */
+    CAGD_AT,          /* [a, b]: a with b in the place of the variable `head`                                      */
+    CAGD_POINT,       /* [x, y, ...]: a vector by its components                                                   */
+    CAGD_COMPONENT,   /* [a]: component number `order` of a vector, from 0                                         */
+    CAGD_DOT,         /* [a, b] */
+    CAGD_CROSS,       /* [a, b], of space */
+    CAGD_MIXED,       /* [a, b, c]: (a, b, c) = (a x b) . c */
+    CAGD_NORM,        /* [a]: the length of a vector                                                               */
+    CAGD_DETERMINANT, /* [a_11, a_12, ...]: of `order` rows, one behind the other                                  */
+    CAGD_COSINE,      /* [a]: of an angle, a sum of names and of halves of names                                  */
     CAGD_SINE,
     CAGD_CASES,    /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
     CAGD_RELATION, /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */

@@ -97,6 +97,9 @@ static void test_values(void **state)
     has_value("w_1^2 + w_3^2(x) + w_1^{*2}", 394, 27);
     has_value("\\sum_{k=1}^2 k/\\sum_{k=1}^3 k + \\mathbf{0}", 1, 2);
     has_value("\\sin(2P_1) - 2\\sin P_1 \\cos P_1 + \\cos^2\\frac{P_2}2 + \\sin^2(-\\frac12 P_2)", 1, 1);
+    has_value("\\begin{vmatrix} 0 & 2 \\\\ 3 & x \\end{vmatrix} + \\begin{vmatrix} 1 & 2 & 3 \\\\ 0 & y & 1 \\\\ 2 & 0 "
+              "& 4 \\end{vmatrix}",
+              8, 1);
     has_value("|-x^2 (1-x)|", 4, 27);
     has_value("Z_s(3) + \\dot Z_{\\mathrm{I}}(x) + \\Delta Z_s(y) + \\Delta^2Z_s(7)", 9 * 3 + 10 - 21, 3);
     has_value("B_1^3{}'(1/2) + (B_1^3)'(1) + B_1^{3\\prime\\prime}(0)", -3 - 48, 4);
