@@ -58,7 +58,8 @@ static void fill_criteria(const cagd_fit_data *data, const cagd_fit_options *opt
         fit_loss(options->loss, options->loss_scale, scaled_square(data, result, i), value);
         sum += value[0];
     }
-    int d = result->degrees_of_freedom = equations(data, result) - (int)rint(result->effective);
+    int fitted = k >= 0 && k <= result->unknowns ? (int)rint(k) : result->unknowns;
+    int d = result->degrees_of_freedom = equations(data, result) - fitted;
     result->chi_squared = sum;
     result->reduced_chi_squared = d > 0 ? sum / d : NAN;
     result->aic = known ? sum + 2 * k : n * log(sum / n) + 2 * (k + 1);

@@ -53,8 +53,8 @@ class Everything(unittest.TestCase):
     def test_conditions_follow_from_their_facts(self):
         """By their formulas; those with variables of the program are counted."""
         r = recheck(WHOLE_RUN / "certificates")
-        known, every = map(int, re.search(r"^(\d+) of (\d+) conditions about facts evaluated", r.stdout, re.M).groups())
-        self.assertGreater(known, every // 4)
+        known = int(re.search(r"^(\d+) of \d+ conditions about facts evaluated", r.stdout, re.M)[1])
+        self.assertGreater(known, 3000)
 
 
 class Patterns(unittest.TestCase):

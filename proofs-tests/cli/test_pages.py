@@ -119,8 +119,8 @@ class Words(unittest.TestCase):
         self.assertIn("    What fails: the common points are four.\n", page)
         self.assertIn("    Without it: only two of the four points exist\n", page)
 
-    def test_of_one_reading_no_number_is_said(self):
-        self.assertIn("It can be read in one way, which is true.", show("deng-zhang-2022:fig-2"))
+    def test_readings_that_are_known_and_that_are_not(self):
+        self.assertIn("It can be read in two ways: 2 is true, 1 is not decided.", show("deng-zhang-2022:fig-2"))
 
     def test_a_definition_is_checked(self):
         page = show("wang-ch4:formula-4.4.19")
