@@ -608,8 +608,9 @@ At most 1 because the others are not negative.  Outside the interval the signs a
 */
 CLAIM(function_is_negative_outside_the_interval)
 {
-    num B[2];
-    G(bernstein_basis)(given_whole(T, "n"), given(T, "t"), B);
+    int n = given_whole(T, "n");
+    num t = given(T, "t"), B[2];
+    G(bernstein_basis)(n, t, B);
     found_points(T, "B", 2, 1, B);
     about(T, "whether the first is not negative, or the second at most 1");
     refute(T, sign_q(B[0]) < 0 && sign_q(sub(B[1], from_int(1))) > 0);
