@@ -133,13 +133,16 @@ def outcomes(formula, facts):
     return set()
 
 evaluated = [0, 0]  # conditions: by their formula, and all that have one
+formulas = {}  # each of these formulas once: whether it is evaluated
 def follows(step, facts):
     """Whether a condition is what its formula says of the facts before it; it has a formula where there are any."""
     if not facts or "formula" not in step:
         return not facts and "formula" not in step
     found = outcomes(step["formula"], facts)
+    formulas[step["formula"]] = found is not None
     evaluated[0] += found is not None
     evaluated[1] += 1
     return found is None or step["agree"] in found
 def told():
-    return f"{evaluated[0]} of {evaluated[1]} conditions about facts evaluated by their formulas; in the others the program combines them"
+    return (f"{evaluated[0]} of {evaluated[1]} conditions about facts evaluated by their formulas, {sum(formulas.values())} of {len(formulas)} different ones; "
+            "in the others the program combines them")
