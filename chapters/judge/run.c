@@ -4,6 +4,7 @@
 #include "chapters/judge/scope.h"
 #include "chapters/judge/witness.h"
 #include "chapters/judge/words.h"
+#include "core/clock.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"
 #include "exact/record/trace.h"
@@ -12,7 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /* ---- one case --------------------------------------------------------------------------------- */
 
@@ -105,13 +105,6 @@ outcome judged_case(trial *T)
     return T->outcome;
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* ---- one claim in one number type --------------------------------------------------------------- */
 
 /* Adds to a list of words, separated by blanks, those of another one that it lacks.  Frees the other one. */
@@ -154,7 +147,7 @@ void show_degree(const claim *c, trial *T)
 
 static type_result judge_type(const struct plan *p)
 {
-    double start = now();
+    double start = cagd_seconds();
     int cases = cases_of(p), genuine = 0;
     type_result r = {.ran = 1, .outcome = HOLDS, .degree_low = p->claim->degree_low};
     for (int k = 0; k < cases && r.outcome != FAILS; k++) {
@@ -200,7 +193,7 @@ static type_result judge_type(const struct plan *p)
             break;
         }
     }
-    r.seconds = now() - start;
+    r.seconds = cagd_seconds() - start;
     return r;
 }
 

@@ -4,11 +4,11 @@
 #include "chapters/judge/case.h"
 #include "chapters/judge/memory_text.h"
 #include "chapters/judge/words.h"
+#include "core/clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { MOST_INPUTS = 4096, MOST_RUNS = 400, LARGEST_RANK = 6, DRAWS = 24 };
 static const double MOST_SECONDS = 2;
@@ -64,14 +64,7 @@ struct search {
     double end;
 };
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int is_over(const struct search *s) { return s->runs >= MOST_RUNS || now() > s->end; }
+static int is_over(const struct search *s) { return s->runs >= MOST_RUNS || cagd_seconds() > s->end; }
 
 /* Whether the identity fails with these data, by comparison; then *T is the case, whose exhibits the caller frees. */
 static int fails(struct search *s, trial *T)
@@ -178,7 +171,7 @@ void find_witness(const claim *c, exhibit **shown, int *count)
     *count = 0;
     if (c->kind != IDENTITY || c->body[RATIONAL_TYPE] == NULL)
         return;
-    struct search s = {.plan = {c, RATIONAL_TYPE, 0, &s.data}, .end = now() + MOST_SECONDS};
+    struct search s = {.plan = {c, RATIONAL_TYPE, 0, &s.data}, .end = cagd_seconds() + MOST_SECONDS};
     s.data.at = calloc(MOST_INPUTS, sizeof *s.data.at);
     if (s.data.at == NULL)
         abort();

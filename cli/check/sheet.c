@@ -6,12 +6,12 @@
 #include "cli/layout.h"
 #include "cli/terminal.h"
 #include "cli/tex.h"
+#include "core/clock.h"
 #include "exact/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { WIDTH = 92, INDENT = 4, LONGEST = 4096, LABEL = 26 };
 
@@ -113,13 +113,6 @@ static const struct property properties[] = {
 enum { DEFINED = 0, NONNEGATIVE = 3, PROPERTIES = sizeof properties / sizeof *properties };
 
 /* ---- deciding ------------------------------------------------------------------------------------------ */
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* Without a parameter there is one cell, and what holds in it. */
 static void decide_formula(struct answer *a, const struct sheet *s, const cagd_basis *b, double seconds)
@@ -498,7 +491,7 @@ int check_sheet(const struct document *d, const struct sheet *s, json_t *list, s
 {
     struct answer *answer = cagd_region_array(PROPERTIES, 1, sizeof *answer);
     cagd_basis *b = region_bytes(sizeof *b);
-    double until = now() + s->seconds;
+    double until = cagd_seconds() + s->seconds;
     int all = 1;
     const char *why = NULL;
     if (answer == NULL || b == NULL)
@@ -507,7 +500,7 @@ int check_sheet(const struct document *d, const struct sheet *s, json_t *list, s
         struct answer *a = &answer[k];
         *a = (struct answer){.property = &properties[k], .formula = {.find = s->find}};
         why = cagd_basis_read(&s->scope, s->tree, s->first, s->last, s->find, b);
-        double left = until - now();
+        double left = until - cagd_seconds();
         if (why != NULL)
             a->found.why = why;
         else if (a->property->write != NULL)

@@ -1,20 +1,11 @@
 #include "core/fit/candidate.h"
 
+#include "core/fit/keyed.h"
+
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct keyed {
-    double key;
-    int index;
-} keyed;
-
-static int by_key(const void *a, const void *b)
-{
-    const keyed *x = a, *y = b;
-    return x->key != y->key ? (x->key > y->key) - (x->key < y->key) : (x->index > y->index) - (x->index < y->index);
-}
 
 static const double LONGEST = 1.26; /* see cagd_fit_length_ratio */
 
@@ -27,7 +18,7 @@ static double ratio_by_feet(const cagd_fit_data *data, const cagd_fit_result *r)
     if (list != NULL && points != NULL) {
         for (size_t i = 0; i < n; i++)
             list[i] = (keyed){r->feet[i], (int)i};
-        qsort(list, n, sizeof *list, by_key);
+        qsort(list, n, sizeof *list, fit_by_key);
         for (size_t i = 0; i < n; i++)
             memcpy(points + i * dim, data->points + (size_t)list[i].index * dim, dim * sizeof *points);
         ratio = cagd_fit_length_ratio(&(cagd_fit_data){r->count, data->dim, points, NULL}, r);

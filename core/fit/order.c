@@ -1,21 +1,10 @@
 #include "core/fit/order.h"
 
 #include "core/fit/ceres.h"
+#include "core/fit/keyed.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* A point and the number by which it is sorted. */
-typedef struct keyed {
-    double key;
-    int index;
-} keyed;
-
-static int by_key(const void *a, const void *b)
-{
-    const keyed *x = a, *y = b;
-    return x->key != y->key ? (x->key > y->key) - (x->key < y->key) : (x->index > y->index) - (x->index < y->index);
-}
 
 static void find_centre(const fit_problem *p, double centre[])
 {
@@ -94,7 +83,7 @@ static int order_by_axes(const fit_problem *p, int by_angle, int order[])
         list[i] = (keyed){by_angle ? atan2(y, x) : x, i};
     }
     if (good) {
-        qsort(list, (size_t)n, sizeof *list, by_key);
+        qsort(list, (size_t)n, sizeof *list, fit_by_key);
         int from = by_angle ? after_widest_gap(n, list) : 0;
         for (int i = 0; i < n; i++)
             order[i] = list[(i + from) % n].index;

@@ -1,21 +1,11 @@
 #include "core/fit/cagd_fit.h"
-
+#include "core/fit/keyed.h"
 #include "core/require.h"
+
 #include <math.h>
 #include <stdlib.h>
 
 /* runs.c -- whether the residuals of neighbours are independent. */
-
-typedef struct keyed {
-    double key;
-    int index;
-} keyed;
-
-static int by_key(const void *a, const void *b)
-{
-    const keyed *x = a, *y = b;
-    return x->key != y->key ? (x->key > y->key) - (x->key < y->key) : (x->index > y->index) - (x->index < y->index);
-}
 
 /* P(X >= k), X binomial with n trials of probability 1/2, from its logarithms. */
 static double upper_tail(int n, int k)
@@ -34,7 +24,7 @@ cagd_status cagd_fit_runs_of(const cagd_fit_result *r, cagd_fit_runs *runs)
     REQUIRE(list != NULL, CAGD_NO_MEMORY);
     for (int i = 0; i < n; i++)
         list[i] = (keyed){r->feet[i], i};
-    qsort(list, (size_t)n, sizeof *list, by_key);
+    qsort(list, (size_t)n, sizeof *list, fit_by_key);
     for (int i = 1; i < n; i++) {
         const int a = list[i - 1].index, b = list[i].index;
         double inner = r->distances[a] * r->distances[b];

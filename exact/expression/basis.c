@@ -1,20 +1,13 @@
 #include "exact/expression/basis.h"
 
+#include "core/clock.h"
 #include "exact/decide/resultant.h"
 #include "exact/words.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 enum { FIELD_ROOM = 32, MOST_DEGREE = 64, MOST_STEPS = 60 };
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- reading ------------------------------------------------------------------------------------------- */
 
@@ -293,7 +286,7 @@ static void combine(cagd_cells *c, const cagd_cells *weak)
 
 void cagd_basis_totally_positive(const cagd_basis *b, double seconds, cagd_found *out, cagd_negative_minor *minor)
 {
-    double until = now() + seconds;
+    double until = cagd_seconds() + seconds;
     num_f p[CAGD_MOST_FUNCTIONS], poles;
     int n = b->count, blocks = n * (n + 1) / 2, count = 0;
     cagd_constraint *one_of = cagd_region_array((2 * blocks + 1), 1, sizeof *one_of);
@@ -306,7 +299,7 @@ void cagd_basis_totally_positive(const cagd_basis *b, double seconds, cagd_found
     cagd_side_of_box x = {.variable = b->t.variable, .has_low = 1, .low_open = 1, .low = from_int_q(0)};
     for (int order = 1; order <= n; order++)
         for (int i = 0; i + order <= n; i++, count++) {
-            if (now() > until) {
+            if (cagd_seconds() > until) {
                 not_known(out, "the time was over");
                 return;
             }

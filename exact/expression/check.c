@@ -1,11 +1,11 @@
 #include "exact/expression/check.h"
 
+#include "core/clock.h"
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
 #include "exact/words.h"
 
 #include <string.h>
-#include <time.h>
 
 enum { MOST_WHOLE = 8, FIRST_CASES = 8, QUICK_CASES = 16, MOST_CHANGES = 60, MOST_CONSTRAINTS = 200, FIELD_ROOM = 32 };
 
@@ -31,13 +31,6 @@ struct collection {
     int count;
     cagd_side_of_box domain;
 };
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- what a statement depends on ----------------------------------------------------------------------- */
 
@@ -279,7 +272,7 @@ static cagd_answer split(struct run *r, const struct part *p, const char *key, n
     r->out->bounded = 1;
     for (int which = 0; which < 3; which++) {
         struct part q = *p;
-        if (q.pieces == CAGD_MOST_PIECES || q.numbers == CAGD_MOST_PIECES || now() > r->until)
+        if (q.pieces == CAGD_MOST_PIECES || q.numbers == CAGD_MOST_PIECES || cagd_seconds() > r->until)
             return CAGD_UNDECIDED;
         if (which == 1)
             q.number[q.numbers++] = (cagd_given){key, at};
@@ -392,7 +385,7 @@ static void decide_cases(struct run *r, int level)
         return;
     if (level == r->wholes) {
         struct part all = {0};
-        if (now() > r->until) {
+        if (cagd_seconds() > r->until) {
             r->out->out_of_time = 1;
             return;
         }
@@ -445,7 +438,8 @@ static int proved_for_every(struct run *r)
 
 static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
 {
-    struct run r = {.scope = scope, .statement = statement, .out = out, .until = now() + seconds, .quick = quick};
+    struct run r = {
+        .scope = scope, .statement = statement, .out = out, .until = cagd_seconds() + seconds, .quick = quick};
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     for (int room = FIELD_ROOM;; room = CAGD_FIELD_MAX_VARIABLES) {
         *out = (cagd_finding){.answer = CAGD_UNDECIDED};
@@ -484,15 +478,15 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
 
 void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
-    double until = now() + seconds;
+    double until = cagd_seconds() + seconds;
     int same = statement->kind == CAGD_RELATION && statement->count == 2 &&
                cagd_tree_equal(statement->at[0], statement->at[1]);
-    for (int k = 0; k < MOST_CHANGES && now() < until; k++) {
+    for (int k = 0; k < MOST_CHANGES && cagd_seconds() < until; k++) {
         region_mark mark = region_open();
         cagd_finding *f = region_bytes(sizeof *f);
         const cagd_tree *changed = f != NULL ? cagd_changed(statement, k) : NULL;
         if (changed != NULL) {
-            check(scope, changed, until - now(), 1, f);
+            check(scope, changed, until - cagd_seconds(), 1, f);
             out->changes++;
             out->noticed += f->answer == CAGD_FAILS;
         }
@@ -500,7 +494,7 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
         if (changed == NULL)
             break;
     }
-    out->says_nothing = same || (out->changes > 0 && out->noticed == 0 && now() < until);
+    out->says_nothing = same || (out->changes > 0 && out->noticed == 0 && cagd_seconds() < until);
 }
 
 void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
@@ -513,7 +507,7 @@ void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *
         return;
     *f = (cagd_finding){0};
     *into = (struct collection){.parameter = parameter};
-    struct run r = {.scope = scope, .statement = statement, .out = f, .until = now() + seconds, .into = into};
+    struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds, .into = into};
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     field_open(FIELD_ROOM);
     if (r.wholes >= 0)
