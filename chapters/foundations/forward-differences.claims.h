@@ -312,8 +312,11 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :title: One step of the table
 :zh: 差分递推
 :printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
-:holds-by: step_takes_differences_to_the_next_place
+:holds-by: printed_lines_step_a_cubic
+:confirmed-by: step_takes_differences_to_the_next_place
 :figure: forward_differences
+
+Four lines are those of a cubic; of degree $n$ there are $n+1$.
 :::
 
 :::{claim} step_takes_differences_to_the_next_place
@@ -349,6 +352,37 @@ CLAIM(step_takes_differences_to_the_next_place)
             num there = G(alternating_sum)(n, dim, c, j, k, next, delta);
             same(T, d[k * dim + j], there);
             same(T, e[k * dim + j], div(there, G(power)(delta, k)));
+        }
+}
+
+/*
+:::{claim} printed_lines_step_a_cubic
+:title: The four lines of the table, and the four scaled ones, for a cubic
+:zh: 三次曲线差分表的四式
+:given: any coefficients of a cubic in the plane, any $t$ and $\delta\ne0$; $P_0,\Delta P_0,\Delta^2P_0,\Delta^3P_0$ the differences at $t$,
+  $P_1,\dots,\Delta^3P_1$ those at $t+\delta$
+:then: $\Delta^kP_1=\Delta^kP_0+\Delta^{k+1}P_0$ for $k=0,1,2$ and $\Delta^3P_1=\Delta^3P_0$; divided by $\delta^k$ these are
+  $\frac1{\delta^k}\Delta^kP_1=\frac1{\delta^k}\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\Delta^{k+1}P_0$
+:method: Both sides by the alternating sums of the definition; no kernel is used.
+:degrees: 3..3
+:over: x# y#: coefficients; d: δ
+:control: the differences at $t+2\delta$
+:::
+*/
+CLAIM(printed_lines_step_a_cubic)
+{
+    enum { dim = 2, last = 3 };
+    num c[(last + 1) * dim], t = parameter(T, "t"), delta = positive(T, "d", 0), zero = from_int(0);
+    num next = add(t, fault(T, delta, add(delta, delta)));
+    G(free_points)(T, last, dim, c);
+    for (int j = 0; j < dim; j++)
+        for (int k = 0; k <= last; k++) {
+            num here = G(alternating_sum)(last, dim, c, j, k, t, delta);
+            num there = G(alternating_sum)(last, dim, c, j, k, next, delta);
+            num above = k < last ? G(alternating_sum)(last, dim, c, j, k + 1, t, delta) : zero;
+            same(T, there, add(here, above));
+            num scale = G(power)(delta, k), scaled = div(above, G(power)(delta, k + 1));
+            same(T, div(there, scale), add(div(here, scale), mul(delta, scaled)));
         }
 }
 

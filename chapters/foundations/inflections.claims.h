@@ -96,7 +96,7 @@ CLAIM(second_derivative_is_not_constant)
 :printed: K=\frac{|\dot P\times\ddot P|}{s^3}
 :refuted-by: printed_letter_spoils_the_curvature
 :class: misprint
-:corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed
+:corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed, at points with $\dot P\ne0$
 :corrected-by: curvature_and_torsion_belong_to_arc_length
 :meant: the letter, and the formula of the torsion below it, which has lost dots as well | $s$ is the length of the arc, with a dot lost over it.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else
@@ -104,7 +104,7 @@ CLAIM(second_derivative_is_not_constant)
 :figure: curvature_and_the_speed
 
 One more dot is lost.  Without it the letter is the length of the arc, and then the quotient depends on where the length is
-measured from, and is not bounded near that point.
+measured from, and is not bounded near that point unless $K$ is 0 there.
 :::
 
 :::{claim} printed_letter_spoils_the_curvature

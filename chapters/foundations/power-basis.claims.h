@@ -338,7 +338,7 @@ claims carries no values at all and counts the operations of the very kernel tha
 :::{statement} hu-1987:1-4-horner-count
 :title: Horner's rule saves half of the multiplications
 :zh: 乘法次数由六次减为三次
-:printed: So the number of multiplications for a point is reduced from 6 to 3.
+:printed: So the number of multiplications in computing is reduced from the former 6 to 3.
 :holds-by: multiplications_are_six_and_three
 :meant: the count of 6, which only powers multiplied out one by one have | The powers of $At^3+Bt^2+Ct+D$ are multiplied out one by one, and one
   coordinate is counted.

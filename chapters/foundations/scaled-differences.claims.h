@@ -92,7 +92,8 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :printed: $P_1=P_0+\delta\bigl(\frac1\delta\Delta P_0\bigr)$, $\frac1\delta\Delta P_1=\frac1\delta\Delta
   P_0+\delta\bigl(\frac1{\delta^2}\Delta^2P_0\bigr)$, $\frac1{\delta^2}\Delta^2P_1=\frac1{\delta^2}\Delta^2P_0+\delta\bigl(\frac1{\delta^3}\Delta^3P_0\bigr)$,
   $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
-:holds-by: step_takes_differences_to_the_next_place
+:holds-by: printed_lines_step_a_cubic
+:confirmed-by: step_takes_differences_to_the_next_place
 :figure: forward_differences
 :::
 

@@ -225,6 +225,7 @@ CLAIM(parametric_cubic_crosses_itself)
 :printed: Parametric equations make it easy to deal with an infinite slope.
 :holds-by: tangent_needs_no_slope
 :confirmed-by: circle_has_an_upright_tangent
+:hypothesis: cusp_has_no_equation_of_the_tangent | The derivative is not $(0,0)$; where it is, the slope may be infinite as well, and the equation says nothing.
 
 Easy is read as: the tangent is found without a slope, and no case has to be told from another.
 :::
@@ -255,6 +256,35 @@ CLAIM(tangent_needs_no_slope)
         same(T, equation, upright ? mul(from[0], dy) : with_slope);
     }
 }
+
+#if RATIONAL
+/*
+:::{claim} cusp_has_no_equation_of_the_tangent
+:title: At a cusp the derivative gives no tangent
+:zh: 尖点处导矢不给出切线
+:kind: counterexample
+:data: R = (0,0) (0,0) (0,1/3) (1,1); t = 0; Q = (1,0)
+:instead: R = (0,0) (0,1/3) (0,2/3) (1,1)
+:given: the cubic with the points $R$, which has a cusp at $t$ and an upright tangent there, and a point $Q$ that is not on it
+:then: the equation of the tangent, $(X-x)\,y'-(Y-y)\,x'=0$, is not satisfied at $Q$
+:result: derivative = (0,0); left side at Q = 0
+:method: The kernel's point and derivative, put into the equation.
+:control: a cubic with the same tangent and a derivative that is not 0
+:::
+*/
+CLAIM(cusp_has_no_equation_of_the_tangent)
+{
+    num R[4 * plane], Q[plane], D[2 * plane], t = given(T, "t");
+    given_points(T, "R", 4, plane, R);
+    given_points(T, "Q", 1, plane, Q);
+    G(bezier_derivatives)(3, plane, R, t, 1, D);
+    num from[plane] = {sub(Q[0], D[0]), sub(Q[1], D[1])}, left = G(cross2)(from, D + plane);
+    found_points(T, "derivative", 1, plane, D + plane);
+    found(T, "left side at Q", left);
+    about(T, "whether the equation is not satisfied");
+    refute(T, is_zero_q(left));
+}
+#endif
 
 /*
 

@@ -480,6 +480,8 @@ CLAIM(one_level_takes_off_a_factor)
   N_{r,1}(t)=(x-t)^{k-1}
 :holds-by: marsden_step_for_every_order
 :confirmed-by: every_link_of_the_chain
+:needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
+  summed
 :figure: marsden_identity
 :::
 

@@ -217,9 +217,11 @@ another.
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
+:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; in a decreasing
+  sequence of sets the intersection of the first $m$ is the last.
 :figure: hulls_of_knot_sets
 
-In a decreasing sequence of sets the intersection of the first $m$ is the last.
+What is computed is one knot.
 :::
 
 :::{statement} wang-ch4:thm-4.2.1-step-nested
@@ -230,6 +232,7 @@ In a decreasing sequence of sets the intersection of the first $m$ is the last.
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
 :corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.
 :figure: hulls_of_knot_sets
 
 $T_1$ and $T_2$ are in theorem 4.1.1 the two parts of one set of knots, and need not contain one another; the sequence of

@@ -41,14 +41,14 @@ usual properties is decided.  Convexity and the number of intersections follow i
 :::{claim} moved_point_changes_its_support
 :title: A moved point and a changed weight act on k intervals of knots only
 :zh: 局部性
-:given: several segments, the distinct knots variables; points, weights; $\Delta$, $\delta$; every $i$, interval and $t$
+:given: several segments, the distinct knots variables; points, weights; any $\Delta$, positive $\delta$; every $i$, interval and $t$
 :then: $r_i+\Delta$ in the place of $r_i$ changes $r(t)$ by $N_{i,k}w_i\Delta/w(t)$; $w_i+\delta$ in the place of $w_i$ changes it
   by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
 :method: All terms of the definition, before and after.
 :degrees: 1..6 sampled 6
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
   the distinct knots variables up to order 3, numbers above
-:over: d: shift of a point; e: increment of a weight
+:over: d: shift of a point; e: positive increment of a weight
 :control: $\Delta$ doubled on the right
 :::
 */

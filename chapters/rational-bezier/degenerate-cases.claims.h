@@ -17,6 +17,7 @@ arise so.
 :holds-by: change_of_parameter_acts_on_one_factor mean_grows_by_one_term
 :confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
+:needs: weights_that_are_zero_have_no_curve | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega\ne0$
 :reading: polynomial_line_with_unequal_weights | read as "exactly when", which is not claimed
 :figure: equal_weights
 
@@ -83,6 +84,30 @@ CLAIM(polynomial_line_with_unequal_weights)
     about(T, "ω_1 and ω_0");
     if (poly_equal(above, poly_mul(poly_variable(), below)))
         same(T, w[1], w[0]);
+}
+
+/*
+:::{claim} weights_that_are_zero_have_no_curve
+:title: With the weight 0 at every point there is no curve
+:zh: 权全为零时无曲线
+:kind: counterexample
+:data: ω = 0; t = 1/2
+:instead: ω = 1
+:result: ω(t) = 0
+:given: the weight $\omega$ at both points of a line, and a $t$
+:then: the denominator $\omega(t)=(1-t)\omega+t\omega$ is not 0
+:method: The sum of the definition.
+:control: the weight 1
+:::
+*/
+CLAIM(weights_that_are_zero_have_no_curve)
+{
+    num weight = given(T, "ω"), t = given(T, "t"), B[2];
+    G(bernstein_basis)(1, t, B);
+    num total = add(mul(B[0], weight), mul(B[1], weight));
+    found(T, "ω(t)", total);
+    about(T, "whether the denominator is not 0");
+    refute(T, is_zero_q(total));
 }
 #endif
 

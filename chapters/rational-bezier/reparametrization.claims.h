@@ -819,6 +819,10 @@ CLAIM(reversal_exchanges_invariants)
 :zh: n=2 时不变量的几何意义
 :printed: For $n=2$ the geometric meaning of $I_1$ has been discussed in section 3.1.
 :holds-by: first_invariant_is_the_tangent_ratio
+:needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as
+  quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
+  lengths.
+:needs: ratios_do_not_exist_at_the_ends | § 3.1, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$
 
 What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $1/I_1$.
 :::

@@ -173,9 +173,9 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
 :zh: 式 (20)
 :printed: the number of intersections of $B_1(t)$ with $L$ is Zero$(0,1)\{\sum_{j=0}^7B_{j,7}(t)(P_j-Q)\cdot u\}$
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
-:class: misprint
-:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters of the
-  common points other than the ends; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
+:class: false
+:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters $t$ of common
+  points with $0<t<1$; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
 :corrected-by: line_function_of_the_curve
 :figure: crossings_off_the_polygon
 
