@@ -230,7 +230,8 @@ typedef struct cagd_fit_result {
     double
         *covariance;  /* unknowns x unknowns, by rows: the generalised inverse of J^T J, J the Jacobian of the scaled */
                       /* residuals without feet; times scale_squared                                 */
-    double effective; /* how many unknowns the points determine: the rank, with a smoothing term less      */
+    double effective; /* how many unknowns the points determine: the rank, with a smoothing term less; NaN where its */
+                      /* matrix is singular, and then every unknown counts as one                         */
     double roughness; /* the integral of the smoothing term                                              */
     int flat;         /* unknowns that are not at a bound, less the rank                             */
     double *free_directions; /* flat x unknowns, by rows: orthonormal directions in which F is flat         */

@@ -58,7 +58,7 @@ static void fill_criteria(const cagd_fit_data *data, const cagd_fit_options *opt
         fit_loss(options->loss, options->loss_scale, scaled_square(data, result, i), value);
         sum += value[0];
     }
-    int fitted = k >= 0 && k <= result->unknowns ? (int)rint(k) : result->unknowns;
+    int fitted = isfinite(k) ? (int)rint(k) : result->unknowns; /* without a number all count */
     int d = result->degrees_of_freedom = equations(data, result) - fitted;
     result->chi_squared = sum;
     result->reduced_chi_squared = d > 0 ? sum / d : NAN;

@@ -108,6 +108,9 @@ static void unknown_standard_deviations(void **state)
     assert_true(result.quantile == fit_student_quantile(5));
     assert_true(near(covariance[0], 0.04 * chi / 5) && near(covariance[2], 0.02 * chi / 5));
     assert_true(near(invariant[0], 0.25) && near(invariant_error[0], 0.25 * 2 * sqrt(0.04 * chi / 5)));
+    result.effective = NAN; /* a smoothing term whose matrix is singular */
+    fit_statistics(&data, &options, &result);
+    assert_true(result.degrees_of_freedom == 5 && isnan(result.aic) && isnan(result.bic));
     result.rank = 8, result.effective = 8; /* as many unknowns as equations */
     fit_statistics(&data, &options, &result);
     assert_true(isnan(result.scale_squared) && isnan(result.quantile) && isnan(invariant_error[0]));
