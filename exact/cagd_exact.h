@@ -62,6 +62,7 @@ extern "C" {
 #include "exact/decide/sign.h"
 #include "exact/decide/sturm.h"
 #include "exact/decide/hull.h"
+#include "exact/decide/linear.h"
 #include "exact/decide/crossings.h"
 #include "exact/decide/resultant.h"
 #include "exact/decide/total_positivity.h"

@@ -41,6 +41,16 @@ static int run(char *const word[])
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/* What is left when the program ends while it builds; nothing that is not allowed in a handler of a signal. */
+static char unfinished[3][IN_SCRATCH];
+void cagd_code_build_forget(void)
+{
+    for (int k = 0; k < 2 && unfinished[0][0] != '\0'; k++)
+        unlink(unfinished[k + 1]);
+    if (unfinished[0][0] != '\0')
+        rmdir(unfinished[0]);
+}
+
 struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, const char *path, const char *compiler,
                                           size_t room, char message[])
 {
@@ -53,6 +63,8 @@ struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, con
     }
     snprintf(driver, sizeof driver, "%s/driver%s", folder, cagd_code_is_cpp(h) ? ".cc" : ".c");
     snprintf(object, sizeof object, "%s/object.so", folder);
+    memcpy(unfinished[1], driver, sizeof driver), memcpy(unfinished[2], object, sizeof object);
+    memcpy(unfinished[0], folder, strlen(folder) + 1);
     FILE *out = fopen(driver, "w");
     if (out != NULL) {
         cagd_code_write_driver(h, path, out);
@@ -91,8 +103,7 @@ struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, con
         snprintf(message, room, "the sources were not compiled");
     for (int k = 0; k < count; k++)
         free(made[k]);
-    unlink(driver);
-    unlink(object);
-    rmdir(folder);
+    cagd_code_build_forget();
+    unfinished[0][0] = '\0';
     return p;
 }

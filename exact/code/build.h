@@ -9,4 +9,7 @@
  * standard error.  NULL, and what is wrong. */
 struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, const char *path, const char *compiler,
                                           size_t room, char message[]);
+
+/* Removes what a build has made, for a program that ends before the build does: allowed in a handler of a signal. */
+void cagd_code_build_forget(void);
 #endif

@@ -208,6 +208,7 @@ int main(int argc, char **argv)
                                            "-ffp-model=strict",
                                            "-ftrivial-auto-var-init=pattern",
                                            "-fno-builtin",
+                                           "-fno-discard-value-names",
                                            "-g",
                                            "-fPIC",
                                            "-c",
@@ -215,7 +216,7 @@ int main(int argc, char **argv)
                                            "-o",
                                            bitcode,
                                            name};
-            int words = 12;
+            int words = 13;
             for (int f = flags; f < argc; f++)
                 word[words++] = argv[f];
             run(word);

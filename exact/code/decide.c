@@ -1,17 +1,21 @@
 /* decide.c -- see decide.h. */
 #include "exact/code/decide.h"
 
+#include "exact/code/conditions.h"
+
 #include "exact/number/rational.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static struct cagd_code_outcome *run_at(const struct cagd_code_program *p, const struct cagd_code_harness *h,
-                                        const struct cagd_code_point *at, enum cagd_code_numbers numbers)
+static struct cagd_code_outcome *run_noting(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                                            const struct cagd_code_point *at, enum cagd_code_numbers numbers,
+                                            int certify)
 {
     struct cagd_code_job job = {.entry = "cagd_code_entry",
                                 .numbers = numbers,
+                                .certify = certify,
                                 .enclose = !h->refuse_roots,
                                 .inputs = at->inputs,
                                 .input = at->input};
@@ -19,6 +23,18 @@ static struct cagd_code_outcome *run_at(const struct cagd_code_program *p, const
     if (o == NULL)
         abort();
     return o;
+}
+
+static struct cagd_code_outcome *run_at(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                                        const struct cagd_code_point *at, enum cagd_code_numbers numbers)
+{
+    return run_noting(p, h, at, numbers, 0);
+}
+
+struct cagd_code_outcome *cagd_code_certify(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                                            const struct cagd_code_path *path)
+{
+    return run_noting(p, h, path->point, CAGD_CODE_FIELD, 1);
 }
 
 static int has(const struct cagd_code_outcome *o, enum cagd_code_answer answer)
@@ -72,154 +88,6 @@ static void make_small(const struct cagd_code_program *p, const struct cagd_code
                 }
         }
     }
-}
-
-/* ---- conditions that need not be said --------------------------------------------------------------------- */
-
-enum { MOST_NODES = 400 };
-
-/* x < y and x <= y, from the preconditions and among numbers, as a graph on texts. */
-struct order {
-    int nodes;
-    const char *node[MOST_NODES];
-    unsigned char below[MOST_NODES][MOST_NODES]; /* 1: <=, 2: < */
-};
-
-static int node_of(struct order *o, const char *text)
-{
-    for (int k = 0; k < o->nodes; k++)
-        if (strcmp(o->node[k], text) == 0)
-            return k;
-    if (o->nodes == MOST_NODES)
-        return -1;
-    o->node[o->nodes] = text;
-    return o->nodes++;
-}
-
-static int is_plain_number(const char *text) { return text[strspn(text, "-0123456789/")] == 0; }
-
-static void close_order(struct order *o)
-{
-    cagd_region_mark mark = cagd_region_open();
-    for (int a = 0; a < o->nodes; a++)
-        for (int b = 0; b < o->nodes; b++)
-            if (a != b && is_plain_number(o->node[a]) && is_plain_number(o->node[b]) &&
-                cagd_compare_q(cagd_from_string_q(o->node[a]), cagd_from_string_q(o->node[b])) < 0)
-                o->below[a][b] = 2;
-    cagd_region_drop(mark);
-    for (int m = 0; m < o->nodes; m++)
-        for (int a = 0; a < o->nodes; a++)
-            for (int b = 0; o->below[a][m] != 0 && b < o->nodes; b++)
-                if (o->below[m][b] != 0) {
-                    unsigned char both = o->below[a][m] > o->below[m][b] ? o->below[a][m] : o->below[m][b];
-                    if (both > o->below[a][b])
-                        o->below[a][b] = both;
-                }
-}
-
-static int follows(const struct order *o, int a, int b, const char *relation)
-{
-    if (strcmp(relation, "<") == 0)
-        return o->below[a][b] == 2;
-    if (strcmp(relation, "<=") == 0)
-        return o->below[a][b] != 0;
-    if (strcmp(relation, ">") == 0)
-        return o->below[b][a] == 2;
-    if (strcmp(relation, ">=") == 0)
-        return o->below[b][a] != 0;
-    return strcmp(relation, "!=") == 0 && (o->below[a][b] == 2 || o->below[b][a] == 2);
-}
-
-static void add_to_order(struct order *o, const struct cagd_code_condition *c)
-{
-    int a = node_of(o, c->left), b = node_of(o, c->right), less = c->relation[0] == '<', more = c->relation[0] == '>';
-    if (a < 0 || b < 0 || (!less && !more))
-        return;
-    unsigned char strength = c->relation[1] == '=' ? 1 : 2;
-    unsigned char *edge = less ? &o->below[a][b] : &o->below[b][a];
-    if (strength > *edge)
-        *edge = strength;
-}
-
-/* Whether a condition says that the difference of this text is not 0. */
-static int is_said(const struct cagd_code_outcome *o, const char *text, size_t length)
-{
-    for (const struct cagd_code_condition *c = o->conditions; c != NULL; c = c->next)
-        if ((strlen(c->difference) == length && strncmp(c->difference, text, length) == 0) ||
-            (strlen(c->opposite) == length && strncmp(c->opposite, text, length) == 0))
-            if (strcmp(c->relation, "<") == 0 || strcmp(c->relation, ">") == 0 || strcmp(c->relation, "!=") == 0)
-                return 1;
-    return 0;
-}
-
-/* Denominators that cannot be 0 by what the conditions say are dropped. */
-static void drop_denominators(struct cagd_code_outcome *o)
-{
-    if (o->denominators == NULL)
-        return;
-    char *to = (char *)(uintptr_t)o->denominators;
-    for (const char *from = o->denominators; *from != 0;) {
-        size_t length = strcspn(from, "\n");
-        if (!is_said(o, from, length)) {
-            memmove(to, from, length + 1);
-            to += length + 1;
-        }
-        from += length + 1;
-    }
-    *to = 0;
-}
-
-/* x != y where x <= y is known is x < y. */
-static void sharpen(struct cagd_code_outcome *outcome, struct order *o)
-{
-    for (struct cagd_code_condition *c = outcome->conditions; c != NULL; c = c->next) {
-        int a = node_of(o, c->left), b = node_of(o, c->right);
-        if (c->given || strcmp(c->relation, "!=") != 0 || a < 0 || b < 0)
-            continue;
-        if (o->below[a][b] != 0 && o->below[b][a] == 0) {
-            c->relation = "<";
-        } else if (o->below[b][a] != 0 && o->below[a][b] == 0) { /* the smaller one to the left */
-            const char *left = c->left, *difference = c->difference;
-            c->left = c->right, c->right = left;
-            c->difference = c->opposite, c->opposite = difference;
-            c->relation = "<";
-        }
-    }
-}
-
-/* Each condition of the code is dropped that follows, by chains of inequalities, from the preconditions and from those of the
- * code that are kept. */
-static void simplify(struct cagd_code_outcome *outcome)
-{
-    struct order *o = calloc(1, sizeof *o);
-    if (o == NULL)
-        abort();
-    for (struct cagd_code_condition *c = outcome->conditions; c != NULL; c = c->next)
-        if (!c->given)
-            node_of(o, c->left), node_of(o, c->right);
-    for (struct cagd_code_condition *c = outcome->conditions; c != NULL; c = c->next)
-        if (c->given)
-            add_to_order(o, c);
-    close_order(o);
-    for (struct cagd_code_condition *c = outcome->conditions; c != NULL; c = c->next) {
-        int a = node_of(o, c->left), b = node_of(o, c->right);
-        c->implied = !c->given && a >= 0 && b >= 0 && follows(o, a, b, c->relation);
-    }
-    sharpen(outcome, o);
-    drop_denominators(outcome);
-    /* of those that stay, one that follows from the others */
-    for (struct cagd_code_condition *c = outcome->conditions; c != NULL; c = c->next) {
-        if (c->given || c->implied)
-            continue;
-        memset(o, 0, sizeof *o);
-        for (struct cagd_code_condition *d = outcome->conditions; d != NULL; d = d->next)
-            if (d != c && !d->implied)
-                add_to_order(o, d);
-        int a = node_of(o, c->left), b = node_of(o, c->right);
-        close_order(o);
-        c->implied = a >= 0 && b >= 0 && follows(o, a, b, c->relation);
-    }
-    free(o);
 }
 
 /* ---- points and paths -------------------------------------------------------------------------------------- */
@@ -326,7 +194,7 @@ static void prove(const struct cagd_code_program *p, const struct cagd_code_harn
             say(sizeof v->message, v->message, path->field);
             continue;
         }
-        simplify(path->field);
+        cagd_code_simplify(path->field);
         path->proved = !has(path->field, CAGD_CODE_DIFFERENT) && !has(path->field, CAGD_CODE_UNKNOWN);
         v->proved += path->proved;
         unknown += !path->proved;
@@ -339,6 +207,172 @@ static void prove(const struct cagd_code_program *p, const struct cagd_code_harn
     else if (v->untold > 0 && v->message[0] == 0)
         snprintf(v->message, sizeof v->message, "%d points took ways beyond the first %d", v->untold,
                  CAGD_CODE_MOST_PATHS);
+}
+
+/* ---- all ways ---------------------------------------------------------------------------------------------- */
+
+enum { MOST_LEAVES = 1024, MOST_RUNS = 600 };
+
+/* The runs in the field; those that are no paths of the verdict are ours. */
+struct leaves {
+    int count, runs;
+    struct cagd_code_leaf at[MOST_LEAVES];
+    struct cagd_code_outcome *outcome[MOST_LEAVES];
+    struct cagd_code_point *point[MOST_LEAVES];
+};
+
+static void leave_open(struct cagd_code_verdict *v, const char *why)
+{
+    v->exhaustive = 0;
+    if (v->open[0] == 0)
+        snprintf(v->open, sizeof v->open, "%s", why);
+}
+
+/* A way that ended with a result: one more path, proved or not. */
+static void add_path(const struct cagd_code_program *p, const struct cagd_code_harness *h, struct cagd_code_verdict *v,
+                     struct cagd_code_point *point, struct cagd_code_outcome *o)
+{
+    cagd_code_simplify(o);
+    int good = !has(o, CAGD_CODE_DIFFERENT) && !has(o, CAGD_CODE_UNKNOWN);
+    v->path[v->paths++] = (struct cagd_code_path){o->path, cagd_code_point_copy(point), o, good};
+    v->proved += good;
+    if (good)
+        return;
+    struct cagd_code_outcome *there = run_at(p, h, point, CAGD_CODE_RATIONAL);
+    if (!differs(there)) {
+        cagd_code_outcome_free(there);
+        v->word = CAGD_CODE_SAMPLED;
+        if (v->message[0] == 0)
+            snprintf(v->message, sizeof v->message,
+                     "on a way the two sides are different functions that are equal at its point");
+        return;
+    }
+    cagd_code_point_free(v->point);
+    cagd_code_outcome_free(v->outcome);
+    v->word = CAGD_CODE_DIFFERS;
+    v->point = cagd_code_point_copy(point);
+    v->outcome = there;
+    make_small(p, h, v);
+}
+
+/* Something that cannot be carried, or is no memory of its own, on a way that inputs can take: then nothing is proved. */
+static void refuse_path(struct cagd_code_verdict *v, struct cagd_code_point *point, struct cagd_code_outcome *o)
+{
+    say(sizeof v->message, v->message, o);
+    cagd_code_point_free(v->point);
+    cagd_code_outcome_free(v->outcome);
+    v->word = CAGD_CODE_UNDECIDED;
+    v->point = cagd_code_point_copy(point);
+    v->outcome = o;
+}
+
+/* Runs the code at the point, which becomes ours: a leaf, unless it takes a way that is known (0). */
+static int add_leaf(const struct cagd_code_program *p, const struct cagd_code_harness *h, struct cagd_code_verdict *v,
+                    struct leaves *l, struct cagd_code_point *point)
+{
+    struct cagd_code_outcome *o = run_at(p, h, point, CAGD_CODE_FIELD);
+    const struct cagd_code_leaf leaf = {o, point};
+    l->runs++;
+    for (int k = 0; k < l->count; k++)
+        if (cagd_code_is_same_way(&leaf, &l->at[k])) {
+            cagd_code_point_free(point);
+            cagd_code_outcome_free(o);
+            return 0;
+        }
+    int is_path = o->end == CAGD_CODE_FINISHED, is_refused = o->end == CAGD_CODE_REFUSED || o->end == CAGD_CODE_CRASHED;
+    l->at[l->count] = leaf;
+    l->outcome[l->count] = is_path || is_refused ? NULL : o;
+    l->point[l->count++] = point;
+    if (is_path && v->paths == CAGD_CODE_MOST_PATHS) {
+        l->outcome[l->count - 1] = o;
+        leave_open(v, "there are more ways than are followed");
+    } else if (is_path) {
+        add_path(p, h, v, point, o);
+    } else if (is_refused) {
+        refuse_path(v, point, o);
+    } else if (o->end == CAGD_CODE_BOUND) {
+        leave_open(v, o->message);
+    } else if (o->end == CAGD_CODE_UNDEFINED) {
+        v->undefined++;
+        say(sizeof v->hole_message, v->hole_message, o);
+        if (v->hole == NULL)
+            v->hole = cagd_code_point_copy(point);
+    }
+    return 1;
+}
+
+static int is_met(const struct leaves *l, int leaf, int k)
+{
+    for (int j = 0; j < l->count; j++)
+        if (cagd_code_branches_off(&l->at[leaf], k, &l->at[j]))
+            return 1;
+    return 0;
+}
+
+/* The other branch of each condition of a leaf: met, taken by no inputs, or taken now. */
+static void follow_leaf(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                        struct cagd_code_verdict *v, struct leaves *l, int leaf)
+{
+    int conditions = cagd_code_count_conditions(l->at[leaf].outcome);
+    for (int k = 0; k < conditions && v->word == CAGD_CODE_PROVED; k++) {
+        struct cagd_code_point *point = NULL;
+        char text[600];
+        if (is_met(l, leaf, k))
+            continue;
+        int found = cagd_code_branch(h, &l->at[leaf], k, &point, sizeof text, text);
+        v->closed += found == 0;
+        if (found < 0) {
+            leave_open(v, text);
+        } else if (found == 1 && (l->count == MOST_LEAVES || l->runs == MOST_RUNS)) {
+            cagd_code_point_free(point);
+            leave_open(v, "there are more ways than are followed");
+        } else if (found == 1) {
+            int is_new = add_leaf(p, h, v, l, point);
+            if (v->word == CAGD_CODE_PROVED &&
+                (!is_new || !cagd_code_branches_off(&l->at[leaf], k, &l->at[l->count - 1])))
+                leave_open(v, text);
+        }
+    }
+}
+
+/* Of each pattern of equal neighbours there has to be a leaf. */
+static void begin_patterns(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                           struct cagd_code_verdict *v, struct leaves *l)
+{
+    for (long k = 0; v->patterns > 1 && k < v->patterns && v->word == CAGD_CODE_PROVED; k++) {
+        struct cagd_code_point *point = cagd_code_point_new(h, k, 0);
+        int known = 0;
+        for (int j = 0; j < l->count && !known; j++)
+            known = cagd_code_is_of_one_pattern(l->at[j].point, point);
+        if (known || l->count == MOST_LEAVES) {
+            cagd_code_point_free(point);
+            if (!known)
+                leave_open(v, "there are more patterns of equal neighbours than are followed");
+        } else {
+            add_leaf(p, h, v, l, point);
+        }
+    }
+}
+
+/* What was proved on the paths that were met becomes proved for all inputs, or it is said which branch is open. */
+static void follow_all_ways(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                            struct cagd_code_verdict *v)
+{
+    struct leaves *l = calloc(1, sizeof *l);
+    if (l == NULL)
+        abort();
+    v->exhaustive = 1;
+    for (int k = 0; k < v->paths; k++)
+        l->at[l->count++] = (struct cagd_code_leaf){v->path[k].field, v->path[k].point};
+    begin_patterns(p, h, v, l);
+    for (int k = 0; k < l->count && v->word == CAGD_CODE_PROVED; k++)
+        follow_leaf(p, h, v, l, k);
+    v->exhaustive = v->exhaustive && v->word == CAGD_CODE_PROVED;
+    for (int k = 0; k < l->count; k++) {
+        cagd_code_outcome_free(l->outcome[k]);
+        cagd_code_point_free(l->point[k]);
+    }
+    free(l);
 }
 
 /* ---- rounding -------------------------------------------------------------------------------------------- */
@@ -438,6 +472,8 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
             prove(p, h, v);
             if (before == CAGD_CODE_COMPUTED)
                 v->word = before;
+            else if (v->word == CAGD_CODE_PROVED)
+                follow_all_ways(p, h, v);
         }
     }
     if (rounding > 0 && v->word != CAGD_CODE_UNDECIDED)

@@ -42,6 +42,9 @@ struct cagd_code_verdict {
     int paths, proved;   /* ways through the code that were met; in the field                       */
     int untold;          /* ways beyond those in the list                                           */
     struct cagd_code_path path[CAGD_CODE_MOST_PATHS];
+    int exhaustive;  /* no inputs that satisfy the preconditions take another way: proved for all of them */
+    int closed;      /* branches that no inputs take, which is proved                                     */
+    char open[1000]; /* not exhaustive: a branch of which it is not known, or why                         */
     struct cagd_code_point *point;     /* that differs, or that could not be done, or was computed            */
     struct cagd_code_outcome *outcome; /* of that point                                                  */
     char message[1000];                /* why it is not proved, or not decided; else empty               */
@@ -54,5 +57,8 @@ struct cagd_code_verdict {
 /* points, at least 1; rounding: how many points in binary64, 0 for none. */
 struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, const struct cagd_code_harness *h,
                                            long points, long rounding);
+/* The path once more, with its operations noted (run.h: trace); the caller's. */
+struct cagd_code_outcome *cagd_code_certify(const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                                            const struct cagd_code_path *path);
 void cagd_code_verdict_free(struct cagd_code_verdict *v);
 #endif

@@ -411,7 +411,8 @@ double cagd_code_lib_frexp(double x, int *n)
     long guess = (long)mpz_sizeinbase(mpq_numref(a.q.at), 2) - (long)mpz_sizeinbase(mpq_denref(a.q.at), 2);
     if (cagd_code_compare(size, cagd_code_power(2, (int32_t)guess), 3))
         guess++;
-    cagd_code_compare(size, cagd_code_power(2, (int32_t)guess - 1), 3);
+    cagd_code_compare(size, cagd_code_power(2, (int32_t)guess - 1), 3); /* both are true, and conditions */
+    cagd_code_compare(size, cagd_code_power(2, (int32_t)guess), 4);
     *n = (int)guess;
     return cagd_code_lib_scalbln(x, -guess);
 }

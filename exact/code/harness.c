@@ -75,7 +75,7 @@ static int read_count(const char **at, int *count)
 
 /* ---- inputs -------------------------------------------------------------------------------------------- */
 
-static int is_number(const char *text)
+int cagd_code_is_number(const char *text)
 {
     cagd_region_mark mark = cagd_region_open();
     unsigned faults = cagd_region_faults;
@@ -103,7 +103,7 @@ static int read_values(struct cagd_code_asked_input *in, const char *at, int lin
         if (k == wanted)
             return wrong(error, line, "%s has more values than the %d expected", in->name, wanted);
         in->value[k] = copied(at, length);
-        if (!is_number(in->value[k]))
+        if (!cagd_code_is_number(in->value[k]))
             return wrong(error, line, "\"%s\" is no number; one like 3, -3/7 or 0.35 was expected", in->value[k]);
         at += length;
     }
@@ -114,7 +114,7 @@ static int is_end(const struct cagd_code_harness *h, const char *text)
 {
     char name[CAGD_CODE_MOST_NAME + 1];
     const char *at = text;
-    if (is_number(text))
+    if (cagd_code_is_number(text))
         return 1;
     if (read_name(&at, name) != 0)
         return 0;
@@ -337,7 +337,7 @@ struct cagd_code_harness *cagd_code_read_harness(const char *text, struct cagd_c
     if (h != NULL)
         wrong(error, h->line, "%s: the block does not end", h->name);
     else if (first == NULL)
-        wrong(error, number, "no block :::{exactly} NAME is in it");
+        wrong(error, number, "no block is in it; expected one that begins with :::{exactly} NAME");
     if (h != NULL) {
         free(entry);
         cagd_code_harness_free(first);
@@ -402,7 +402,7 @@ int cagd_code_is_cpp(const struct cagd_code_harness *h)
 static void write_end(const char *text, FILE *out)
 {
     cagd_region_mark mark = cagd_region_open();
-    if (is_number(text)) {
+    if (cagd_code_is_number(text)) {
         cagd_num_q q = cagd_from_string_q(text);
         char *numerator = mpz_get_str(NULL, 10, mpq_numref(q.at)),
              *denominator = mpz_get_str(NULL, 10, mpq_denref(q.at));

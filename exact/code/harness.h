@@ -77,6 +77,9 @@ void cagd_code_harness_free(struct cagd_code_harness *h);
 void cagd_code_write_driver(const struct cagd_code_harness *h, const char *path, FILE *out);
 int cagd_code_is_cpp(const struct cagd_code_harness *h);
 
+/* Whether a text is a number: "3", "-3/7", "0.35". */
+int cagd_code_is_number(const char *text);
+
 /* How many variables the inputs are. */
 int cagd_code_variables(const struct cagd_code_harness *h);
 #endif

@@ -39,6 +39,15 @@ void cagd_code_refuse(const char *what); /* does not return; no attribute, as th
 /* `size` bytes at p are about to be taken for an integer: refused when they are part of a number.  object: they are a variable. */
 void cagd_code_look(const char *p, int32_t size, int32_t object);
 
+/* Addresses and objects (objects.h).  A variable of a function, or of all, that begins at p and has a margin on both sides. */
+void cagd_code_local(const char *p, int64_t size, int64_t margin, const char *name);
+void cagd_code_global(const char *p, int64_t size, int64_t margin, const char *name);
+/* `to` is computed from `from`; so many bytes at p are about to be read or written; element `index` of `count` is used, or (0) only
+ * its address is taken, which may be that of the one behind the last. */
+void cagd_code_step(const char *from, const char *to);
+void cagd_code_reach(const char *p, int64_t bytes, int32_t writes);
+void cagd_code_index(int64_t index, int64_t count, int32_t is_used);
+
 /* ---- what the driver of a harness calls ---------------------------------------------------------------- */
 
 /* The inputs of that name, x[0..count), as the run has them; elsewhere a run is refused. */

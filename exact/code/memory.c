@@ -1,47 +1,103 @@
-/* memory.c -- memory of the rewritten code: filled with what is recognised as never computed, with a margin behind it. */
+/* memory.c -- memory of the rewritten code: filled with what is recognised as never computed, an object with margins. */
+#include "exact/code/objects.h"
 #include "exact/code/value.h"
 
-#include <malloc.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MARGIN = 32, MARGIN_BYTE = 0xFE, NEVER_FILLED = 0xAA };
+enum { LEAST_MARGIN = 64, MOST_MARGIN = 4096, MARGIN_BYTE = 0xFE, NEVER_FILLED = 0xAA, USUAL_ALIGNMENT = 16 };
 
 void *cagd_code_lib_malloc(size_t n);
+void *cagd_code_lib_calloc(size_t count, size_t n);
 void *cagd_code_lib_realloc(void *p, size_t n);
 void *cagd_code_lib_aligned_alloc(size_t alignment, size_t n);
+int cagd_code_lib_posix_memalign(void **p, size_t alignment, size_t n);
+void cagd_code_lib_free(void *p);
 void *cagd_code_lib__Znwm(size_t n);
 void *cagd_code_lib__Znam(size_t n);
+void cagd_code_lib__ZdlPv(void *p);
+void cagd_code_lib__ZdaPv(void *p);
+void cagd_code_lib__ZdlPvm(void *p, size_t n);
+void cagd_code_lib__ZdaPvm(void *p, size_t n);
 int cagd_code_lib_memcmp(const void *a, const void *b, size_t n);
+void *cagd_code_lib_memcpy(void *to, const void *from, size_t n);
+void *cagd_code_lib_memmove(void *to, const void *from, size_t n);
+void *cagd_code_lib_memset(void *to, int byte, size_t n);
 
-/* From byte `from` on: n - from bytes of no contents, and the rest margin. */
-static void *filled(void *p, size_t from, size_t n)
+/* As wide as the memory itself, within bounds: who walks in rows takes the last step that far beyond the end. */
+static size_t margin_of(size_t n, size_t alignment)
 {
-    if (p == NULL)
-        return NULL;
-    size_t size = malloc_usable_size(p);
-    if (from < n)
-        memset((char *)p + from, NEVER_FILLED, n - from);
-    memset((char *)p + n, MARGIN_BYTE, size - n);
-    return p;
+    size_t margin = n < LEAST_MARGIN ? LEAST_MARGIN : n > MOST_MARGIN ? MOST_MARGIN : n;
+    return (margin + alignment - 1) / alignment * alignment;
 }
 
-static int too_large(size_t n) { return n > (size_t)-1 - MARGIN; }
+static void *made(size_t n, size_t alignment, int content)
+{
+    size_t margin = margin_of(n, alignment);
+    if (n > (size_t)-1 / 2 - 2 * margin)
+        return NULL;
+    char *all = aligned_alloc(alignment, (n + 2 * margin + alignment - 1) / alignment * alignment);
+    if (all == NULL)
+        return NULL;
+    memset(all, MARGIN_BYTE, margin);
+    memset(all + margin, content, n);
+    memset(all + margin + n, MARGIN_BYTE, margin);
+    cagd_code_object(all + margin, n, margin, margin, NULL, CAGD_CODE_MEMORY);
+    return all + margin;
+}
 
-void *cagd_code_lib_malloc(size_t n) { return too_large(n) ? NULL : filled(malloc(n + MARGIN), 0, n); }
+static void release(const char *start, size_t before) { free((char *)(uintptr_t)start - before); }
 
-/* Behind the old end there is margin, which is no contents either. */
+void *cagd_code_lib_malloc(size_t n) { return made(n, USUAL_ALIGNMENT, NEVER_FILLED); }
+
+void *cagd_code_lib_calloc(size_t count, size_t n)
+{
+    return count != 0 && n > (size_t)-1 / count ? NULL : made(count * n, USUAL_ALIGNMENT, 0);
+}
+
+void cagd_code_lib_free(void *p)
+{
+    size_t size;
+    if (p == NULL)
+        return;
+    if (cagd_code_memory_at(p, &size))
+        cagd_code_memory_dies(p, release);
+    else
+        free(p); /* of the libraries */
+}
+
 void *cagd_code_lib_realloc(void *p, size_t n)
 {
-    size_t had = p != NULL ? malloc_usable_size(p) : 0;
-    return too_large(n) ? NULL : filled(realloc(p, n + MARGIN), had < n ? had : n, n);
+    size_t had;
+    if (p == NULL)
+        return cagd_code_lib_malloc(n);
+    if (!cagd_code_memory_at(p, &had))
+        return realloc(p, n);
+    void *new = cagd_code_lib_malloc(n);
+    if (new != NULL) {
+        memcpy(new, p, had < n ? had : n);
+        cagd_code_memory_dies(p, release);
+    }
+    return new;
 }
+
+static int is_alignment(size_t n) { return n >= sizeof(void *) && (n & (n - 1)) == 0; }
 
 void *cagd_code_lib_aligned_alloc(size_t alignment, size_t n)
 {
-    if (too_large(n + alignment))
-        return NULL;
-    return filled(aligned_alloc(alignment, (n + MARGIN + alignment - 1) / alignment * alignment), 0, n);
+    return is_alignment(alignment) ? made(n, alignment, NEVER_FILLED) : NULL;
+}
+
+int cagd_code_lib_posix_memalign(void **p, size_t alignment, size_t n)
+{
+    if (!is_alignment(alignment))
+        return EINVAL;
+    void *new = made(n, alignment, NEVER_FILLED);
+    if (new == NULL)
+        return ENOMEM;
+    *p = new;
+    return 0;
 }
 
 static void *needed(size_t n)
@@ -53,17 +109,44 @@ static void *needed(size_t n)
 }
 void *cagd_code_lib__Znwm(size_t n) { return needed(n); }
 void *cagd_code_lib__Znam(size_t n) { return needed(n); }
+void cagd_code_lib__ZdlPv(void *p) { cagd_code_lib_free(p); }
+void cagd_code_lib__ZdaPv(void *p) { cagd_code_lib_free(p); }
+void cagd_code_lib__ZdlPvm(void *p, size_t n)
+{
+    (void)n;
+    cagd_code_lib_free(p);
+}
+void cagd_code_lib__ZdaPvm(void *p, size_t n)
+{
+    (void)n;
+    cagd_code_lib_free(p);
+}
+
+void *cagd_code_lib_memcpy(void *to, const void *from, size_t n)
+{
+    cagd_code_reach(from, (int64_t)n, 0);
+    cagd_code_reach(to, (int64_t)n, 1);
+    return memmove(to, from, n);
+}
+void *cagd_code_lib_memmove(void *to, const void *from, size_t n) { return cagd_code_lib_memcpy(to, from, n); }
+void *cagd_code_lib_memset(void *to, int byte, size_t n)
+{
+    cagd_code_reach(to, (int64_t)n, 1);
+    return memset(to, byte, n);
+}
 
 /* Bytes of numbers are not compared: the same number can be there in two ways. */
 int cagd_code_lib_memcmp(const void *a, const void *b, size_t n)
 {
     const void *const side[2] = {a, b};
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
+        cagd_code_reach(side[k], (int64_t)n, 0);
         for (size_t at = 0; at + 8 <= n; at += 4) {
             uint64_t word;
             memcpy(&word, (const char *)side[k] + at, sizeof word);
             if (cagd_code_is_one(word))
                 cagd_code_stop(CAGD_CODE_REFUSED, "memcmp of numbers");
         }
+    }
     return memcmp(a, b, n);
 }

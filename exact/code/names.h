@@ -73,11 +73,21 @@
     OTHER(conj)                                                                                                        \
     OTHER(cabs)                                                                                                        \
     OTHER(memcmp)                                                                                                      \
+    OTHER(memcpy)                                                                                                      \
+    OTHER(memmove)                                                                                                     \
+    OTHER(memset)                                                                                                      \
     OTHER(malloc)                                                                                                      \
+    OTHER(calloc)                                                                                                      \
     OTHER(realloc)                                                                                                     \
     OTHER(aligned_alloc)                                                                                               \
+    OTHER(posix_memalign)                                                                                              \
+    OTHER(free)                                                                                                        \
     OTHER(_Znwm)                                                                                                       \
     OTHER(_Znam)                                                                                                       \
+    OTHER(_ZdlPv)                                                                                                      \
+    OTHER(_ZdaPv)                                                                                                      \
+    OTHER(_ZdlPvm)                                                                                                     \
+    OTHER(_ZdaPvm)                                                                                                     \
     OTHER(printf)                                                                                                      \
     OTHER(fprintf)                                                                                                     \
     OTHER(sprintf)                                                                                                     \

@@ -1,5 +1,7 @@
 /* operations.c -- arithmetic, order and conversions of values; see value.h and machine.h. */
 #include "exact/code/value.h"
+#include "exact/number/recorder.h"
+#include "exact/record/trace.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -57,10 +59,15 @@ static cagd_code_value combine(const struct arithmetic *o, cagd_code_value a, ca
     const enum cagd_code_numbers numbers = cagd_code_machine.job->numbers;
     cagd_code_value v = {.special = 0};
     cagd_code_machine.outcome->operations++;
+    int at_point = a.f.at != NULL || b.f.at != NULL; /* what happens at the point is not noted */
+    if (at_point)
+        cagd_trace_pause();
     if (numbers != CAGD_CODE_INTERVAL && a.q.at != NULL && b.q.at != NULL)
         v.q = o->q(a.q, b.q);
     else
         v.i = o->i(cagd_code_interval(a), cagd_code_interval(b));
+    if (at_point)
+        cagd_trace_resume();
     if (a.f.at != NULL || b.f.at != NULL)
         v.f = o->f(cagd_code_function(a), cagd_code_function(b));
     cagd_code_check_faults();
@@ -155,8 +162,10 @@ cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
     }
     if (b.q.at != NULL && cagd_is_zero_q(b.q))
         cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
-    if (b.f.at != NULL)
+    cagd_trace_pause();
+    if (b.f.at != NULL && (cagd_code_signs_here(b.f) & 1) != 0)
         note_denominator(b.f);
+    cagd_trace_resume();
     cagd_code_value v = combine(&o, a, b);
     if (rounding()) { /* x^/y^ - x/y = (x^ - x)/y^ - x/(y y^) (y^ - y) */
         v.d = a.d / b.d;
@@ -171,7 +180,11 @@ cagd_code_value cagd_code_negative(cagd_code_value a)
     cagd_code_value v = a;
     if (a.special)
         return cagd_code_special(-a.d);
-    if (a.q.at != NULL)
+    cagd_trace_pause();
+    if (a.q.at != NULL && a.f.at != NULL)
+        v.q = cagd_neg_q(a.q);
+    cagd_trace_resume();
+    if (a.q.at != NULL && a.f.at == NULL)
         v.q = cagd_neg_q(a.q);
     if (a.i.at != NULL)
         v.i = cagd_neg_i(a.i);
@@ -226,7 +239,7 @@ double cagd_code_neg(double a) { return cagd_code_number(cagd_code_negative(cagd
 
 /* ---- order ------------------------------------------------------------------------------------------- */
 
-enum { SAME = 1, GREATER = 2, LESS = 4, UNORDERED = 8, MOST_IN_CONDITION = 2000 };
+enum { SAME = 1, GREATER = 2, LESS = 4, UNORDERED = 8, MOST_IN_CONDITION = 2000, MOST_IN_POLYNOMIAL = 40000 };
 
 static int relation_of(int sign) { return sign == 0 ? SAME : sign > 0 ? GREATER : LESS; }
 
@@ -241,53 +254,6 @@ static void follow(int outcome)
     unsigned long long *path = &cagd_code_machine.outcome->path;
     *path = (*path ^ (unsigned long long)(outcome + 1)) * 0x100000001B3u;
     *path = (*path ^ (unsigned long long)(cagd_code_at ? cagd_code_at->line : 0)) * 0x100000001B3u;
-}
-
-/* The functions that conditions compare with 0, and what is known of their signs: those that are 0 hold for the whole path. */
-enum { MOST_SIGNS = 4096 };
-static struct {
-    cagd_num_f function;
-    int sign;
-} signs_known[MOST_SIGNS];
-static int sign_count;
-
-static void know_sign(cagd_num_f f, int holding)
-{
-    int opposite = (holding & SAME) | (holding & LESS ? GREATER : 0) | (holding & GREATER ? LESS : 0);
-    cagd_num_f minus = cagd_neg_f(f);
-    for (int k = 0; k < sign_count; k++)
-        if (cagd_equal_f(signs_known[k].function, f) || cagd_equal_f(signs_known[k].function, minus)) {
-            signs_known[k].sign &= cagd_equal_f(signs_known[k].function, f) ? holding : opposite;
-            return;
-        }
-    if (sign_count < MOST_SIGNS) {
-        signs_known[sign_count].function = f;
-        signs_known[sign_count++].sign = holding;
-    }
-}
-
-/* Whether f is 0 wherever the conditions hold: those that say that a function is 0, linear in a variable, are solved for it. */
-int cagd_code_vanishes_here(cagd_num_f f)
-{
-    if (cagd_code_vanishes(f))
-        return 1;
-    for (int k = 0; k < sign_count; k++) {
-        cagd_num_f zero = cagd_numerator_f(signs_known[k].function), variable, value;
-        if (signs_known[k].sign == SAME && cagd_code_solve(zero, &variable, &value)) {
-            f = cagd_substitute_f(f, variable, value);
-            if (cagd_region_faults & CAGD_FAULT_UNDEFINED) { /* a pole: nothing is known there */
-                cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
-                return 0;
-            }
-            for (int j = k + 1; j < sign_count; j++) {
-                cagd_num_f g = cagd_substitute_f(signs_known[j].function, variable, value);
-                if ((cagd_region_faults & CAGD_FAULT_UNDEFINED) == 0)
-                    signs_known[j].function = g;
-                cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
-            }
-        }
-    }
-    return cagd_code_vanishes(f);
 }
 
 static int is_name(const char *text, size_t length)
@@ -315,6 +281,14 @@ static int is_difference_of_names(const char *text, const char **left, const cha
     return 1;
 }
 
+/* Of the same sign as f, whose denominator is not 0. */
+static const char *polynomial_of_sign(cagd_num_f f)
+{
+    cagd_num_f top = cagd_numerator_f(f), bottom = cagd_denominator_f(f);
+    int sign = cagd_is_constant_f(bottom, NULL) ? GREATER : cagd_code_signs_here(bottom) & ~SAME;
+    return cagd_to_string_f(sign == GREATER ? top : sign == LESS ? cagd_neg_f(top) : cagd_mul_f(top, bottom));
+}
+
 /* The condition that the relation is one of `holding`, each condition once. */
 static void note_condition(cagd_code_value a, cagd_code_value b, cagd_num_f difference, int holding)
 {
@@ -325,8 +299,9 @@ static void note_condition(cagd_code_value a, cagd_code_value b, cagd_num_f diff
     if (strlen(left) + strlen(right) > MOST_IN_CONDITION)
         left = "(a long expression)", right = "(another)";
     is_difference_of_names(text, &left, &right);
-    know_sign(difference, holding);
+    cagd_code_know_sign(difference, holding);
     const char *opposite = cagd_to_string_f(cagd_neg_f(difference));
+    const char *polynomial = polynomial_of_sign(difference);
     if (strlen(text) > MOST_IN_CONDITION)
         text = opposite = "";
     for (; *last != NULL; last = &(*last)->next)
@@ -339,6 +314,9 @@ static void note_condition(cagd_code_value a, cagd_code_value b, cagd_num_f diff
                                       .right = cagd_code_keep(right),
                                       .difference = cagd_code_keep(text),
                                       .opposite = cagd_code_keep(opposite),
+                                      .polynomial =
+                                          strlen(polynomial) > MOST_IN_POLYNOMIAL ? "" : cagd_code_keep(polynomial),
+                                      .holding = holding,
                                       .given = cagd_code_machine.given};
     if (cagd_code_at != NULL)
         c->place = (struct cagd_code_place){cagd_code_keep(cagd_code_at->file), cagd_code_keep(cagd_code_at->function),
@@ -380,8 +358,14 @@ int cagd_code_relation(cagd_code_value a, cagd_code_value b, int predicate)
             relation = decide(a, b);
             int asked = predicate & 7;
             int holding = relation & asked ? asked : 7 & ~asked;
-            if (!cagd_is_constant_f(difference, NULL) && holding != 7)
+            if (cagd_trace_noting())
+                cagd_trace_relation("order", cagd_node_of_f(difference), -1,
+                                    (relation == GREATER) - (relation == LESS));
+            cagd_trace_pause();
+            if (!cagd_is_constant_f(difference, NULL) && holding != 7 &&
+                (cagd_code_signs_here(difference) & ~holding) != 0)
                 note_condition(a, b, difference, holding);
+            cagd_trace_resume();
         }
     } else {
         relation = decide(a, b);

@@ -4,10 +4,12 @@
 #include "exact/code/names.h"
 
 #include <llvm-c/DebugInfo.h>
+#include <llvm-c/Target.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* MARGIN: the least, and what margins and alignments are multiples of. */
 enum { MARGIN = 32, MARGIN_BYTE = 0xFE, MOST_OPERANDS = 8 };
 
 /* What is at hand while a module is rewritten.  `last` is the place that was made last: neighbours often share it. */
@@ -17,6 +19,7 @@ struct rewriting {
     LLVMContextRef context;
     LLVMBuilderRef build;
     LLVMTypeRef i1, i8, i32, i64, real, single, nothing, text, place;
+    LLVMTargetDataRef layout;
     LLVMValueRef at, last;
     const char *last_file, *last_function;
     unsigned last_line;
@@ -242,6 +245,290 @@ static void rewrite_operation(struct rewriting *r, LLVMValueRef instruction, con
         replace(r, instruction, &o, x);
 }
 
+/* ---- objects and their margins ------------------------------------------------------------------------------ */
+
+static unsigned long long bytes_of(struct rewriting *r, LLVMTypeRef type) { return LLVMABISizeOfType(r->layout, type); }
+
+/* As wide as the object, within bounds, a multiple of its alignment. */
+static unsigned margin_of(struct rewriting *r, LLVMTypeRef type, unsigned alignment)
+{
+    enum { MOST_MARGIN = 1024 };
+    unsigned long long size = bytes_of(r, type), unit = alignment > MARGIN ? alignment : MARGIN;
+    size = size > MOST_MARGIN ? MOST_MARGIN : size;
+    return (unsigned)((size + unit - 1) / unit * unit + (size == 0) * unit);
+}
+
+static LLVMTypeRef margined(struct rewriting *r, LLVMTypeRef type, unsigned margin)
+{
+    LLVMTypeRef bytes = LLVMArrayType(r->i8, margin), member[3] = {bytes, type, bytes};
+    return LLVMStructTypeInContext(r->context, member, 3, 0);
+}
+
+static LLVMValueRef as_bytes(struct rewriting *r, LLVMValueRef at)
+{
+    return LLVMBuildPointerCast(r->build, at, r->text, "");
+}
+
+static void fill(struct rewriting *r, LLVMValueRef at, LLVMValueRef bytes)
+{
+    LLVMBuildMemSet(r->build, as_bytes(r, at), whole(r->i8, MARGIN_BYTE), bytes, 1);
+}
+
+/* Whether the address of a variable goes anywhere: it is more than read and written by name. */
+static int is_taken(LLVMValueRef local)
+{
+    for (LLVMUseRef use = LLVMGetFirstUse(local); use != NULL; use = LLVMGetNextUse(use)) {
+        LLVMValueRef user = LLVMGetUser(use);
+        if (!LLVMIsALoadInst(user) && !(LLVMIsAStoreInst(user) && LLVMGetOperand(user, 0) != local))
+            return 1;
+    }
+    return 0;
+}
+
+static void widen_local(struct rewriting *r, LLVMValueRef local)
+{
+    LLVMTypeRef type = LLVMGetAllocatedType(local);
+    LLVMValueRef count = LLVMGetOperand(local, 0), inside, bytes;
+    int is_one = LLVMIsAConstantInt(count) && LLVMConstIntGetZExtValue(count) == 1;
+    unsigned alignment = LLVMGetAlignment(local), margin = margin_of(r, type, alignment);
+    char name[200];
+    size_t length;
+    snprintf(name, sizeof name, "%s", LLVMGetValueName2(local, &length));
+    if (is_one && !is_taken(local))
+        return;
+    stand_before(r, local);
+    if (is_one) {
+        LLVMTypeRef wide = margined(r, type, margin);
+        LLVMValueRef all = LLVMBuildAlloca(r->build, wide, "");
+        LLVMSetAlignment(all, alignment > MARGIN ? alignment : MARGIN);
+        if (holds_numbers(type)) {
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 0, ""), whole(r->i64, margin));
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 2, ""), whole(r->i64, margin));
+        }
+        inside = LLVMBuildStructGEP2(r->build, wide, all, 1, "");
+        bytes = whole(r->i64, bytes_of(r, type));
+    } else { /* an array of variable length: so many more elements on either side that they have the margin */
+        LLVMTypeRef counted = LLVMTypeOf(count);
+        unsigned long long size = bytes_of(r, type) > 0 ? bytes_of(r, type) : 1;
+        LLVMValueRef extra = whole(counted, (margin + size - 1) / size);
+        LLVMValueRef wide = LLVMBuildAdd(r->build, count, LLVMBuildAdd(r->build, extra, extra, ""), "");
+        LLVMValueRef all = LLVMBuildArrayAlloca(r->build, type, wide, "");
+        LLVMSetAlignment(all, alignment > MARGIN ? alignment : MARGIN);
+        margin = (unsigned)((margin + size - 1) / size * size);
+        inside = LLVMBuildGEP2(r->build, type, all, &extra, 1, "");
+        fill(r, all, whole(r->i64, margin));
+        fill(r, LLVMBuildGEP2(r->build, type, inside, &count, 1, ""), whole(r->i64, margin));
+        bytes = LLVMBuildMul(r->build, LLVMBuildIntCast2(r->build, count, r->i64, 0, ""), whole(r->i64, size), "");
+    }
+    LLVMValueRef argument[4] = {as_bytes(r, inside), bytes, whole(r->i64, margin), string(r, name)};
+    called(r, "cagd_code_local", r->nothing, 4, argument);
+    LLVMReplaceAllUsesWith(local, inside);
+    LLVMInstructionEraseFromParent(local);
+}
+
+/* What belongs to the language's own tables, and what must lie in a section, stays as it is. */
+static int is_an_object(LLVMValueRef global, const char *name)
+{
+    const char *section = LLVMGetSection(global);
+    return !LLVMIsDeclaration(global) && (section == NULL || *section == 0) && strncmp(name, "llvm.", 5) != 0 &&
+           strncmp(name, "_ZT", 3) != 0;
+}
+
+/* The global gets margins; `begin` is the function that tells of it before anything else runs. */
+static void widen_global(struct rewriting *r, LLVMValueRef global, LLVMValueRef begin)
+{
+    LLVMTypeRef type = LLVMGlobalGetValueType(global);
+    size_t length;
+    char name[200];
+    snprintf(name, sizeof name, "%s", LLVMGetValueName2(global, &length));
+    if (!is_an_object(global, name))
+        return;
+    LLVMSetThreadLocal(global, 0); /* there is one thread */
+    unsigned alignment = LLVMGetAlignment(global), size = margin_of(r, type, alignment);
+    char *bytes = malloc(size);
+    if (bytes == NULL)
+        exit(3);
+    memset(bytes, MARGIN_BYTE, size);
+    LLVMValueRef margin = LLVMConstStringInContext(r->context, bytes, size, 1);
+    free(bytes);
+    LLVMTypeRef wide_type = margined(r, type, size);
+    LLVMValueRef member[3] = {margin, LLVMGetInitializer(global), margin};
+    LLVMValueRef wide = LLVMAddGlobal(r->module, wide_type, "");
+    LLVMSetInitializer(wide, LLVMConstStructInContext(r->context, member, 3, 0));
+    LLVMSetLinkage(wide, LLVMInternalLinkage);
+    LLVMSetAlignment(wide, alignment > MARGIN ? alignment : MARGIN);
+    LLVMSetGlobalConstant(wide, LLVMIsGlobalConstant(global));
+    LLVMValueRef index[2] = {whole(r->i32, 0), whole(r->i32, 1)};
+    LLVMValueRef inside = LLVMConstGEP2(wide_type, wide, index, 2);
+    LLVMPositionBuilderBefore(r->build, LLVMGetBasicBlockTerminator(LLVMGetEntryBasicBlock(begin)));
+    LLVMValueRef argument[4] = {as_bytes(r, inside), whole(r->i64, bytes_of(r, type)), whole(r->i64, size),
+                                string(r, strncmp(name, ".str", 4) == 0 ? "a string" : name)};
+    called(r, "cagd_code_global", r->nothing, 4, argument);
+    LLVMReplaceAllUsesWith(global, inside);
+}
+
+/* An empty function that runs before all constructors. */
+static LLVMValueRef first_constructor(struct rewriting *r)
+{
+    static const char list[] = "llvm.global_ctors";
+    LLVMTypeRef type = LLVMFunctionType(r->nothing, NULL, 0, 0);
+    LLVMValueRef begin = LLVMAddFunction(r->module, "cagd_code_begin", type);
+    LLVMSetLinkage(begin, LLVMInternalLinkage);
+    LLVMPositionBuilderAtEnd(r->build, LLVMAppendBasicBlockInContext(r->context, begin, ""));
+    LLVMBuildRetVoid(r->build);
+    LLVMValueRef old = LLVMGetNamedGlobal(r->module, list);
+    unsigned had = old != NULL ? LLVMGetArrayLength(LLVMGlobalGetValueType(old)) : 0;
+    LLVMTypeRef field[3] = {r->i32, LLVMPointerType(type, 0), r->text};
+    LLVMTypeRef row = LLVMStructTypeInContext(r->context, field, 3, 0);
+    LLVMValueRef member[3] = {whole(r->i32, 0), begin, LLVMConstNull(r->text)};
+    LLVMValueRef *rows = calloc(had + 1, sizeof *rows);
+    if (rows == NULL)
+        exit(3);
+    rows[0] = LLVMConstStructInContext(r->context, member, 3, 0);
+    for (unsigned k = 0; k < had; k++)
+        rows[k + 1] = LLVMGetOperand(LLVMGetInitializer(old), k);
+    LLVMValueRef new = LLVMAddGlobal(r->module, LLVMArrayType(row, had + 1), "");
+    LLVMSetInitializer(new, LLVMConstArray(row, rows, had + 1));
+    LLVMSetLinkage(new, LLVMAppendingLinkage);
+    free(rows);
+    if (old != NULL)
+        LLVMDeleteGlobal(old);
+    LLVMSetValueName2(new, list, sizeof list - 1);
+    return begin;
+}
+
+/* ---- addresses ---------------------------------------------------------------------------------------------- */
+
+static int is_element_pointer(LLVMValueRef v)
+{
+    return LLVMIsAGetElementPtrInst(v) != NULL ||
+           (LLVMIsAConstantExpr(v) && LLVMGetConstOpcode(v) == LLVMGetElementPtr);
+}
+
+/* Casts of pointers change no address. */
+static LLVMValueRef without_casts(LLVMValueRef at)
+{
+    while (LLVMIsABitCastInst(at) || (LLVMIsAConstantExpr(at) && LLVMGetConstOpcode(at) == LLVMBitCast))
+        at = LLVMGetOperand(at, 0);
+    return at;
+}
+
+/* Whether an address is a variable's own: the variable, or what widen_local put into its place, of that size at least. */
+static int is_by_name(struct rewriting *r, LLVMValueRef at, unsigned long long bytes)
+{
+    LLVMValueRef base = without_casts(at);
+    if (LLVMIsAAllocaInst(base))
+        return bytes <= bytes_of(r, LLVMGetAllocatedType(base));
+    if (!LLVMIsAGetElementPtrInst(base) || !LLVMIsAAllocaInst(LLVMGetOperand(base, 0)))
+        return 0;
+    LLVMTypeRef wide = LLVMGetAllocatedType(LLVMGetOperand(base, 0));
+    return LLVMGetTypeKind(wide) == LLVMStructTypeKind && LLVMCountStructElementTypes(wide) == 3 &&
+           bytes <= bytes_of(r, LLVMStructGetTypeAtIndex(wide, 1));
+}
+
+/* Before the instruction so many bytes are read from the address, or written to it. */
+static void look_where_it_reaches(struct rewriting *r, LLVMValueRef instruction, LLVMValueRef at, LLVMValueRef bytes,
+                                  int writes)
+{
+    if (LLVMIsAConstantInt(bytes) && is_by_name(r, at, LLVMConstIntGetZExtValue(bytes)))
+        return;
+    stand_before(r, instruction);
+    LLVMValueRef base = without_casts(at);
+    if (LLVMIsAConstantExpr(base)) { /* an element of a global, as a constant */
+        while (is_element_pointer(base))
+            base = without_casts(LLVMGetOperand(base, 0));
+        called(r, "cagd_code_step", r->nothing, 2, (LLVMValueRef[]){as_bytes(r, base), as_bytes(r, at)});
+    }
+    LLVMValueRef argument[3] = {as_bytes(r, at), LLVMBuildIntCast2(r->build, bytes, r->i64, 0, ""),
+                                whole(r->i32, (unsigned)writes)};
+    called(r, "cagd_code_reach", r->nothing, 3, argument);
+}
+
+static void look_at_access(struct rewriting *r, LLVMValueRef instruction, LLVMValueRef at, LLVMTypeRef type, int writes)
+{
+    look_where_it_reaches(r, instruction, at, whole(r->i64, LLVMStoreSizeOfType(r->layout, type)), writes);
+}
+
+/* Whether an element is read or written by that address and no more: nothing keeps it. */
+static int is_only_used(LLVMValueRef address)
+{
+    for (LLVMUseRef use = LLVMGetFirstUse(address); use != NULL; use = LLVMGetNextUse(use)) {
+        LLVMValueRef user = LLVMGetUser(use);
+        if (!LLVMIsALoadInst(user) && !(LLVMIsAStoreInst(user) && LLVMGetOperand(user, 0) != address))
+            return 0;
+    }
+    return 1;
+}
+
+/* The indices into arrays of known length stay in them; of length 1 is what is meant to go on behind a structure. */
+static void rewrite_indices(struct rewriting *r, LLVMValueRef element, int is_used)
+{
+    LLVMTypeRef type = LLVMGetGEPSourceElementType(element);
+    for (unsigned k = 2; k < (unsigned)LLVMGetNumOperands(element); k++) {
+        LLVMValueRef index = LLVMGetOperand(element, k);
+        int last = k + 1 == (unsigned)LLVMGetNumOperands(element);
+        switch (LLVMGetTypeKind(type)) {
+        case LLVMStructTypeKind:
+            type = LLVMStructGetTypeAtIndex(type, (unsigned)LLVMConstIntGetZExtValue(index));
+            continue;
+        case LLVMArrayTypeKind:
+            break;
+        default:
+            return;
+        }
+        unsigned length = LLVMGetArrayLength(type);
+        type = LLVMGetElementType(type);
+        int is_zero = LLVMIsAConstantInt(index) && LLVMConstIntGetZExtValue(index) == 0;
+        if (length <= 1 || is_zero)
+            continue;
+        LLVMValueRef argument[3] = {LLVMBuildIntCast2(r->build, index, r->i64, 1, ""), whole(r->i64, length),
+                                    whole(r->i32, !last || is_used)};
+        called(r, "cagd_code_index", r->nothing, 3, argument);
+    }
+}
+
+static void rewrite_element_pointer(struct rewriting *r, LLVMValueRef element)
+{
+    if (is_vector(LLVMTypeOf(element)))
+        return;
+    int is_itself = 1; /* all indices are 0: an array as the address of its first element */
+    for (unsigned k = 1; k < (unsigned)LLVMGetNumOperands(element); k++)
+        is_itself = is_itself && LLVMIsAConstantInt(LLVMGetOperand(element, k)) &&
+                    LLVMConstIntGetZExtValue(LLVMGetOperand(element, k)) == 0;
+    if (is_itself)
+        return;
+    stand_before(r, element); /* the place; and then behind it */
+    LLVMPositionBuilderBefore(r->build, LLVMGetNextInstruction(element));
+    int is_used = is_only_used(element);
+    LLVMValueRef from = LLVMGetOperand(element, 0);
+    rewrite_indices(r, element, is_used);
+    called(r, "cagd_code_step", r->nothing, 2, (LLVMValueRef[]){as_bytes(r, from), as_bytes(r, element)});
+}
+
+/* memcpy, memmove and memset as LLVM's own; the call stays. */
+static void look_at_copied(struct rewriting *r, LLVMValueRef call, const char *name)
+{
+    int copies = strncmp(name, "llvm.memcpy.", 12) == 0 || strncmp(name, "llvm.memmove.", 13) == 0;
+    if (!copies && strncmp(name, "llvm.memset.", 12) != 0)
+        return;
+    LLVMValueRef bytes = LLVMGetOperand(call, 2);
+    if (copies)
+        look_where_it_reaches(r, call, LLVMGetOperand(call, 1), bytes, 0);
+    look_where_it_reaches(r, call, LLVMGetOperand(call, 0), bytes, 1);
+}
+
+/* Intrinsics that are about storage: how long a variable lives is known from the stack; there is one thread.  Whether it was one. */
+static int rewrite_storage(struct rewriting *r, LLVMValueRef call, const char *name)
+{
+    look_at_copied(r, call, name);
+    if (strncmp(name, "llvm.threadlocal.address", 24) == 0)
+        LLVMReplaceAllUsesWith(call, LLVMGetOperand(call, 0));
+    else if (strncmp(name, "llvm.lifetime.", 14) != 0)
+        return 0;
+    LLVMInstructionEraseFromParent(call);
+    return 1;
+}
+
 /* ---- calls of the source -------------------------------------------------------------------------------- */
 
 static const struct {
@@ -373,6 +660,8 @@ static void rewrite_call(struct rewriting *r, LLVMValueRef call)
         return;
     }
     if (strncmp(name, "llvm.", 5) == 0) {
+        if (rewrite_storage(r, call, name))
+            return;
         if (strncmp(name, "llvm.dbg.", 9) == 0 || rewrite_intrinsic(r, call, name) || rewrite_reduction(r, call, name))
             return;
         if (takes_numbers(LLVMGlobalGetValueType(function))) {
@@ -464,75 +753,8 @@ static void rewrite_load(struct rewriting *r, LLVMValueRef load)
     LLVMValueRef at = LLVMGetOperand(load, 0);
     LLVMValueRef argument[3] = {LLVMBuildPointerCast(r->build, at, r->text, ""),
                                 whole(r->i32, LLVMGetIntTypeWidth(type) / 8),
-                                whole(r->i32, LLVMIsAAllocaInst(at) != NULL)};
+                                whole(r->i32, (unsigned)is_by_name(r, at, LLVMGetIntTypeWidth(type) / 8))};
     called(r, "cagd_code_look", r->nothing, 3, argument);
-}
-
-/* ---- margins of arrays ---------------------------------------------------------------------------------- */
-
-static LLVMTypeRef margined(struct rewriting *r, LLVMTypeRef type)
-{
-    LLVMTypeRef margin = LLVMArrayType(r->i8, MARGIN), member[3] = {margin, type, margin};
-    return LLVMStructTypeInContext(r->context, member, 3, 0);
-}
-
-static void fill(struct rewriting *r, LLVMValueRef at, LLVMValueRef bytes)
-{
-    LLVMBuildMemSet(r->build, LLVMBuildPointerCast(r->build, at, r->text, ""), whole(r->i8, MARGIN_BYTE), bytes, 1);
-}
-
-static void widen_local(struct rewriting *r, LLVMValueRef local)
-{
-    LLVMTypeRef type = LLVMGetAllocatedType(local);
-    LLVMValueRef count = LLVMGetOperand(local, 0);
-    unsigned alignment = LLVMGetAlignment(local);
-    if (!holds_numbers(type) || alignment > MARGIN)
-        return;
-    LLVMPositionBuilderBefore(r->build, local);
-    LLVMValueRef inside;
-    if (LLVMIsAConstantInt(count) && LLVMConstIntGetZExtValue(count) == 1) {
-        if (LLVMGetTypeKind(type) != LLVMArrayTypeKind)
-            return;
-        LLVMTypeRef wide = margined(r, type);
-        LLVMValueRef all = LLVMBuildAlloca(r->build, wide, "");
-        LLVMSetAlignment(all, MARGIN);
-        fill(r, LLVMBuildStructGEP2(r->build, wide, all, 0, ""), whole(r->i64, MARGIN));
-        fill(r, LLVMBuildStructGEP2(r->build, wide, all, 2, ""), whole(r->i64, MARGIN));
-        inside = LLVMBuildStructGEP2(r->build, wide, all, 1, "");
-    } else { /* an array of variable length: two elements at least on either side */
-        LLVMTypeRef counted = LLVMTypeOf(count);
-        LLVMValueRef size = LLVMBuildIntCast2(r->build, LLVMSizeOf(type), counted, 0, "");
-        LLVMValueRef extra = LLVMBuildUDiv(r->build, whole(counted, MARGIN), size, "");
-        extra = LLVMBuildAdd(r->build, extra, whole(counted, 4), "");
-        LLVMValueRef wide = LLVMBuildAdd(r->build, count, LLVMBuildAdd(r->build, extra, extra, ""), "");
-        LLVMValueRef all = LLVMBuildArrayAlloca(r->build, type, wide, "");
-        LLVMSetAlignment(all, MARGIN);
-        LLVMValueRef bytes = LLVMBuildMul(r->build, extra, size, "");
-        inside = LLVMBuildGEP2(r->build, type, all, &extra, 1, "");
-        fill(r, all, bytes);
-        fill(r, LLVMBuildGEP2(r->build, type, inside, &count, 1, ""), bytes);
-    }
-    LLVMReplaceAllUsesWith(local, inside);
-    LLVMInstructionEraseFromParent(local);
-}
-
-static void widen_global(struct rewriting *r, LLVMValueRef global)
-{
-    LLVMTypeRef type = LLVMGlobalGetValueType(global);
-    if (LLVMIsDeclaration(global) || LLVMGetTypeKind(type) != LLVMArrayTypeKind || !holds_numbers(type) ||
-        LLVMGetAlignment(global) > MARGIN || LLVMIsThreadLocal(global))
-        return;
-    char bytes[MARGIN];
-    memset(bytes, MARGIN_BYTE, sizeof bytes);
-    LLVMValueRef margin = LLVMConstStringInContext(r->context, bytes, MARGIN, 1);
-    LLVMValueRef member[3] = {margin, LLVMGetInitializer(global), margin};
-    LLVMValueRef wide = LLVMAddGlobal(r->module, margined(r, type), "");
-    LLVMSetInitializer(wide, LLVMConstStructInContext(r->context, member, 3, 0));
-    LLVMSetLinkage(wide, LLVMInternalLinkage);
-    LLVMSetAlignment(wide, MARGIN);
-    LLVMSetGlobalConstant(wide, LLVMIsGlobalConstant(global));
-    LLVMValueRef index[2] = {whole(r->i32, 0), whole(r->i32, 1)};
-    LLVMReplaceAllUsesWith(global, LLVMConstGEP2(margined(r, type), wide, index, 2));
 }
 
 /* ---- the module --------------------------------------------------------------------------------------- */
@@ -581,9 +803,20 @@ static void rewrite_instruction(struct rewriting *r, LLVMValueRef instruction)
         rewrite_bits(r, instruction);
         break;
     case LLVMLoad:
+        look_at_access(r, instruction, LLVMGetOperand(instruction, 0), LLVMTypeOf(instruction), 0);
         rewrite_load(r, instruction);
         break;
+    case LLVMStore:
+        look_at_access(r, instruction, LLVMGetOperand(instruction, 1), LLVMTypeOf(LLVMGetOperand(instruction, 0)), 1);
+        break;
+    case LLVMAtomicCmpXchg:
+        look_at_access(r, instruction, LLVMGetOperand(instruction, 0), LLVMTypeOf(LLVMGetOperand(instruction, 1)), 1);
+        break;
+    case LLVMGetElementPtr:
+        rewrite_element_pointer(r, instruction);
+        break;
     case LLVMAtomicRMW:
+        look_at_access(r, instruction, LLVMGetOperand(instruction, 0), LLVMTypeOf(instruction), 1);
         if (is_floating(LLVMTypeOf(instruction))) {
             stand_before(r, instruction);
             refuse(r, "an atomic operation on a number");
@@ -693,10 +926,12 @@ void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *
     r.place = LLVMStructTypeInContext(r.context, member, 3, 0);
     r.at = LLVMAddGlobal(module, LLVMPointerType(r.place, 0), "cagd_code_at");
 
+    r.layout = LLVMGetModuleDataLayout(module);
+    LLVMValueRef begin = first_constructor(&r);
     LLVMValueRef *globals = listed(LLVMGetFirstGlobal(module), LLVMGetNextGlobal);
     LLVMValueRef *functions = listed(LLVMGetFirstFunction(module), LLVMGetNextFunction);
     for (size_t k = 0; globals[k] != NULL; k++)
-        widen_global(&r, globals[k]);
+        widen_global(&r, globals[k], begin);
     for (size_t k = 0; functions[k] != NULL; k++)
         if (LLVMIsDeclaration(functions[k]))
             settle_declaration(&r, functions[k]);

@@ -8,6 +8,7 @@
  * function of the C library becomes a call of cagd_code_... (machine.h), before which the global cagd_code_at is set to the place in
  * the source.  What cannot be carried becomes a call of cagd_code_refuse with its name, which is made only if it is reached;
  * so does a function that is neither defined nor in a library of the language.
- * Arrays with floating-point numbers get margins whose contents are recognised when they are read. */
+ * Variables whose address is taken, and all global ones, get margins and are told of (objects.h), and every address that is computed
+ * or used is looked at.  What stands in the margins and in what was never written is recognised when it is taken for a number. */
 void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *name));
 #endif

@@ -1,5 +1,7 @@
 /* run.c -- see run.h.  The child shares the outcome with its parent, and nothing else. */
 #include "exact/code/value.h"
+#include "exact/number/recorder.h"
+#include "exact/record/trace.h"
 
 #include <dlfcn.h>
 #include <errno.h>
@@ -15,12 +17,15 @@
 #include <unistd.h>
 
 enum { ROOM = 1 << 26, USUAL_VALUES = 1 << 23, USUAL_BITS = 1 << 20, USUAL_SECONDS = 60, USUAL_MEGABYTES = 4096 };
-enum { SIGNAL_STACK = 1 << 16, FIELD_BITS = 192 };
+enum { SIGNAL_STACK = 1 << 16, FIELD_BITS = 192, MOST_NODES = 200000 };
 
 /* The object, open: it is loaded in the child, where what its constructors compute is ours already. */
 struct cagd_code_program {
     int file;
 };
+static int loaded_from = -1;
+
+int cagd_code_descriptor(void) { return loaded_from; }
 
 struct cagd_code_program *cagd_code_load(const char *path, size_t room, char message[])
 {
@@ -110,6 +115,15 @@ static void tell_rounding(struct cagd_code_result *r, cagd_code_value v)
     }
 }
 
+/* What nobody reads is not told. */
+static const char *told_function(cagd_code_value v)
+{
+    enum { MOST_WORDS = 20000 };
+    if (v.f.at != NULL && cagd_words_f(v.f) > MOST_WORDS)
+        return "(a long expression)";
+    return cagd_code_keep(cagd_code_field_text(v));
+}
+
 static struct cagd_code_result *tell(const char *name, long count, long index, cagd_code_value got)
 {
     struct cagd_code_result **last = &cagd_code_machine.outcome->results;
@@ -123,7 +137,7 @@ static struct cagd_code_result *tell(const char *name, long count, long index, c
     struct cagd_code_result *r = cagd_code_room(sizeof *r);
     *r = (struct cagd_code_result){.name = cagd_code_keep(full), .got = cagd_code_keep(cagd_code_text(got))};
     if (cagd_code_machine.job->numbers == CAGD_CODE_FIELD)
-        r->got_field = cagd_code_keep(cagd_code_field_text(got));
+        r->got_field = told_function(got);
     if (cagd_code_machine.job->numbers == CAGD_CODE_ROUNDING && !got.special)
         tell_rounding(r, got);
     *last = r;
@@ -144,7 +158,10 @@ static enum cagd_code_answer same(cagd_code_value a, cagd_code_value b)
     if (cagd_code_machine.job->numbers == CAGD_CODE_FIELD) {
         cagd_num_f difference = cagd_sub_f(cagd_code_function(a), cagd_code_function(b));
         cagd_code_check_faults();
-        if (cagd_code_vanishes_here(difference))
+        cagd_trace_pause();
+        int vanishes = cagd_code_vanishes_here(difference);
+        cagd_trace_resume();
+        if (vanishes)
             return CAGD_CODE_EQUAL;
     }
     if (a.q.at != NULL && b.q.at != NULL && cagd_code_machine.job->numbers != CAGD_CODE_INTERVAL) {
@@ -163,8 +180,10 @@ void cagd_code_expect(const char *name, long count, const double *got, const dou
         struct cagd_code_result *r = tell(name, count, k, a);
         r->wanted = cagd_code_keep(cagd_code_text(b));
         if (r->got_field != NULL)
-            r->wanted_field = cagd_code_keep(cagd_code_field_text(b));
+            r->wanted_field = told_function(b);
         r->same = same(a, b);
+        if (r->same == CAGD_CODE_EQUAL && cagd_trace_noting() && !a.special)
+            cagd_trace_same(cagd_node_of_f(cagd_code_function(a)), cagd_node_of_f(cagd_code_function(b)), 1);
     }
 }
 
@@ -206,6 +225,14 @@ static void bound_process(const struct cagd_code_job *job)
     setrlimit(RLIMIT_DATA, &limit);
 }
 
+/* Of roots and angles nothing is certified: what they are is not among the operations. */
+static void keep_trace(void)
+{
+    const char *text[3] = {cagd_trace_inputs(), cagd_trace_nodes(), cagd_trace_steps()};
+    for (int k = 0; k < 3 && text[0] != NULL && text[1] != NULL && text[2] != NULL && !cagd_code_has_roots(); k++)
+        cagd_code_machine.outcome->trace[k] = cagd_code_keep(text[k]);
+}
+
 _Noreturn static void run_here(const struct cagd_code_program *p, const struct cagd_code_job *job)
 {
     void (*entry)(void);
@@ -225,6 +252,13 @@ _Noreturn static void run_here(const struct cagd_code_program *p, const struct c
         cagd_field_open(variables < CAGD_FIELD_MAX_VARIABLES ? variables : CAGD_FIELD_MAX_VARIABLES);
     }
     cagd_code_values_open();
+    loaded_from = p->file;
+    if (job->before != NULL)
+        job->before();
+    if (job->certify && job->numbers == CAGD_CODE_FIELD) {
+        cagd_trace_open(MOST_NODES);
+        cagd_trace_values(cagd_code_value_at_point);
+    }
     snprintf(path, sizeof path, "/proc/self/fd/%d", p->file);
     cagd_code_machine.object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (cagd_code_machine.object == NULL)
@@ -234,6 +268,7 @@ _Noreturn static void run_here(const struct cagd_code_program *p, const struct c
         cagd_code_stop(CAGD_CODE_REFUSED, "there is no function %s", job->entry);
     memcpy(&entry, &symbol, sizeof entry);
     entry();
+    keep_trace();
     fflush(NULL);
     cagd_code_machine.outcome->end = CAGD_CODE_FINISHED;
     _exit(0);

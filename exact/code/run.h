@@ -21,11 +21,14 @@ struct cagd_code_input {
 struct cagd_code_job {
     const char *entry; /* the function void entry(void) that is run            */
     enum cagd_code_numbers numbers;
+    int certify; /* in the field: note the operations, for others to do them again */
     int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
     int inputs;
     const struct cagd_code_input *input;
     long most_values, most_bits, most_seconds, most_megabytes; /* 0: as usual                      */
     int print;                                                 /* its standard output is ours, else standard error */
+    void (*before)(void); /* called in the process of the code before anything of it is there: what it may do is bounded
+                             further; NULL: nothing                                                       */
 };
 
 enum cagd_code_end {
@@ -41,8 +44,10 @@ enum cagd_code_end {
 struct cagd_code_condition {
     struct cagd_code_condition *next;
     const char *left, *relation, *right, *difference, *opposite; /* left - right, right - left as texts, or ""    */
-    int given;   /* of a precondition                                         */
-    int implied; /* by the preconditions: nothing that need be said           */
+    const char *polynomial; /* of the sign of left - right, with whole coefficients, or ""; that sign is one of */
+    int holding;            /* the sum of 1 for 0, 2 for 1, 4 for -1                                            */
+    int given;              /* of a precondition                                         */
+    int implied;            /* by the preconditions: nothing that need be said           */
     struct cagd_code_place place;
 };
 
@@ -67,6 +72,7 @@ struct cagd_code_outcome {
     struct cagd_code_result *results;
     struct cagd_code_condition *conditions; /* each once                                             */
     const char *denominators;               /* what is divided by, a line each; NULL: nothing that varies */
+    const char *trace[3];                   /* certified: inputs, nodes and steps, as trace.h has them; else NULL   */
     unsigned long long path;                /* two runs that decided alike have the same              */
     long operations, decided_otherwise;     /* the latter: comparisons that rounding turned           */
     struct cagd_code_place turned;          /* the first of them                                      */
@@ -76,6 +82,8 @@ struct cagd_code_program;
 /* NULL, and a message of at most `room` bytes, when it cannot be loaded. */
 struct cagd_code_program *cagd_code_load(const char *path, size_t room, char message[]);
 void cagd_code_unload(struct cagd_code_program *p);
+/* In the process of the code: the descriptor from which it is loaded. */
+int cagd_code_descriptor(void);
 
 /* Runs it.  The outcome is the caller's, to be given back; NULL without memory. */
 struct cagd_code_outcome *cagd_code_run(const struct cagd_code_program *p, const struct cagd_code_job *job);

@@ -1,6 +1,8 @@
 /* value.c -- the table of values, and what they are made of; see value.h. */
 #include "exact/code/value.h"
 
+#include "exact/record/trace.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -285,7 +287,9 @@ static int vanishes_from(int last, cagd_num_f f)
 
 int cagd_code_vanishes(cagd_num_f f)
 {
+    cagd_trace_pause();
     int answer = cagd_is_zero_f(f) || (root_count > 0 && vanishes_from(root_count - 1, cagd_numerator_f(f)));
+    cagd_trace_resume();
     cagd_code_check_faults();
     return answer;
 }
@@ -308,6 +312,44 @@ cagd_code_value cagd_code_variable(const char *name, cagd_num_q value)
     variables[variable_count].variable = v.f;
     variables[variable_count++].value = value;
     return v;
+}
+
+int cagd_code_has_roots(void) { return root_count > 0; }
+
+cagd_num_q cagd_code_value_at_point(const char *name)
+{
+    const struct cagd_code_job *job = cagd_code_machine.job;
+    for (int k = 0; k < job->inputs; k++) {
+        size_t n = strlen(job->input[k].name);
+        if (strncmp(job->input[k].name, name, n) == 0 && (name[n] == 0 || name[n] == '['))
+            return cagd_from_string_q(job->input[k].value[name[n] == '[' ? strtol(name + n + 1, NULL, 10) : 0]);
+    }
+    return (cagd_num_q){NULL};
+}
+
+int cagd_code_variable_count(void) { return variable_count; }
+cagd_num_f cagd_code_variable_at(int k, cagd_num_q *value)
+{
+    *value = variables[k].value;
+    return variables[k].variable;
+}
+
+int cagd_code_has_others(cagd_num_f f)
+{
+    for (const char *names = cagd_field_variables(); *names != 0;) {
+        char name[CAGD_FIELD_MAX_NAME + 1];
+        size_t length = strcspn(names, " ");
+        memcpy(name, names, length);
+        name[length] = 0;
+        names += length + (names[length] == ' ');
+        cagd_num_f x = cagd_variable_f(name);
+        int is_input = 0;
+        for (int k = 0; k < variable_count && !is_input; k++)
+            is_input = cagd_equal_f(variables[k].variable, x);
+        if (!is_input && (cagd_degree_f(f, x) > 0 || cagd_denominator_degree_f(f, x) > 0))
+            return 1;
+    }
+    return 0;
 }
 
 int cagd_code_solve(cagd_num_f f, cagd_num_f *variable, cagd_num_f *value)
@@ -333,6 +375,30 @@ static cagd_num_q at_point(cagd_num_f f)
     cagd_code_check_faults();
     cagd_is_constant_f(f, &value);
     return value;
+}
+
+/* Whether all monomials are squares with coefficients of one sign, and so is the denominator: f >= 0 for all values. */
+static int is_sum_of_squares(cagd_num_f f)
+{
+    const char *names = cagd_field_variables();
+    while (*names != 0) {
+        char name[CAGD_FIELD_MAX_NAME + 1];
+        size_t length = strcspn(names, " ");
+        memcpy(name, names, length);
+        name[length] = 0;
+        names += length + (names[length] == ' ');
+        cagd_num_f x = cagd_variable_f(name);
+        if (!cagd_equal_f(cagd_substitute_f(f, x, cagd_neg_f(x)), f))
+            return 0; /* some power of x is odd */
+    }
+    return cagd_coefficients_sign_f(f) >= 0;
+}
+
+/* A root needs a number that is not negative: a condition, unless it is known. */
+static void need_root(cagd_code_value a)
+{
+    if (a.f.at != NULL && !is_sum_of_squares(a.f) && cagd_code_relation(a, cagd_code_integer(0), 3) == 4)
+        cagd_code_stop(CAGD_CODE_UNDEFINED, "the square root of a negative number");
 }
 
 /* The root of a that is a function, positive at the point; or a variable of its own. */
@@ -361,6 +427,8 @@ cagd_code_value cagd_code_square_root(cagd_code_value a)
     const struct cagd_code_job *job = cagd_code_machine.job;
     if (a.special)
         return cagd_code_special(sqrt(a.d));
+    if (job->numbers == CAGD_CODE_FIELD)
+        need_root(a);
     if (a.q.at != NULL ? cagd_sign_q(a.q) < 0 : cagd_sign_i(a.i) < 0)
         cagd_code_stop(CAGD_CODE_UNDEFINED, "the square root of a negative number");
     cagd_code_value v = {.d = sqrt(a.d)};

@@ -1,9 +1,11 @@
 #include "exact/decide/hull.h"
 
+#include "exact/decide/simplex.h"
 #include "exact/decide/with.h"
 #include "exact/words.h"
 
 #include <limits.h>
+#include <stddef.h>
 #include <stdlib.h>
 
 static num_q dot(int d, const num_q u[], const num_q v[])
@@ -42,126 +44,29 @@ int cagd_hull_certificate_holds(int d, int count, const num_q points[], const nu
     return cagd_hull_certificate_holds_with(&plain, d, count, points, x, c);
 }
 
-/* Phase one: minimise a_0 + ... + a_d subject to
- *
- *     sum_j lambda_j P_ji + a_i = x_i (i < d),   sum_j lambda_j + a_d = 1,   lambda, a >= 0,
- *
- * every equation multiplied by sigma_i = +-1 so that its right side is >= 0.  Row i of the tableau is
- * equation i solved for the basic variable of that row; the last row is the reduced costs and minus
- * the objective.  Columns: lambda_j, a_i, right side. */
-struct tableau {
-    int rows, columns; /* d + 1 and count + d + 2 */
-    num_q *at;         /* (rows + 1) x columns    */
-    int *basic;
-};
-
-static num_q *row(struct tableau t, int i) { return t.at + (ptrdiff_t)i * t.columns; }
-
-static struct tableau first_tableau(int d, int count, const num_q points[], const num_q x[])
-{
-    if (d > INT_MAX - 2 || count > INT_MAX - 2 - d) {
-        region_faults |= FAULT_MEMORY;
-        return (struct tableau){0};
-    }
-    struct tableau t = {.rows = d + 1, .columns = count + d + 2};
-    t.at = cagd_region_array(t.rows + 1, t.columns, sizeof(num_q));
-    t.basic = cagd_region_array(1, t.rows, sizeof(int));
-    if (t.at == NULL || t.basic == NULL)
-        return (struct tableau){0};
-    num_q zero = from_int_q(0), one = from_int_q(1), *costs = row(t, t.rows);
-    for (int k = 0; k < t.columns; k++)
-        costs[k] = zero;
-    for (int i = 0; i <= d; i++) {
-        num_q right = i < d ? x[i] : one, *r = row(t, i);
-        int minus = cagd_sign_q(right) < 0;
-        for (int j = 0; j < count; j++) {
-            num_q p = i < d ? points[d * j + i] : one;
-            r[j] = minus ? neg_q(p) : p;
-        }
-        for (int k = 0; k <= d; k++)
-            r[count + k] = k == i ? one : zero;
-        r[t.columns - 1] = minus ? neg_q(right) : right;
-        t.basic[i] = count + i;
-        for (int k = 0; k < t.columns; k++)
-            if (k < count || k == t.columns - 1)
-                costs[k] = sub_q(costs[k], r[k]);
-    }
-    return t;
-}
-
-/* The column enters the basis, the row's variable leaves it. */
-static void pivot(struct tableau t, int r, int column)
-{
-    num_q *p = row(t, r), inverse = div_q(from_int_q(1), p[column]);
-    for (int k = 0; k < t.columns; k++)
-        p[k] = mul_q(p[k], inverse);
-    for (int i = 0; i <= t.rows; i++) {
-        num_q *q = row(t, i), factor = q[column];
-        if (i != r && !cagd_is_zero_q(factor))
-            for (int k = 0; k < t.columns; k++)
-                if (!cagd_is_zero_q(p[k]))
-                    q[k] = sub_q(q[k], mul_q(factor, p[k]));
-    }
-    t.basic[r] = column;
-}
-
-/* Bland's rule: the first column that lowers the objective enters; of the rows with the least ratio
- * the one with the first variable leaves.  So no basis comes twice. */
-static void minimise(struct tableau t, int count)
-{
-    const num_q *costs = row(t, t.rows);
-    for (;;) {
-        int column = 0, leaving = -1;
-        while (column < count && cagd_sign_q(costs[column]) >= 0)
-            column++;
-        if (column == count)
-            return;
-        num_q least = {0};
-        for (int i = 0; i < t.rows; i++) {
-            if (cagd_sign_q(row(t, i)[column]) <= 0)
-                continue;
-            num_q ratio = div_q(row(t, i)[t.columns - 1], row(t, i)[column]);
-            int order = leaving < 0 ? -1 : cagd_compare_q(ratio, least);
-            if (order < 0 || (order == 0 && t.basic[i] < t.basic[leaving])) {
-                leaving = i;
-                least = ratio;
-            }
-        }
-        pivot(t, leaving, column); /* there is one: the objective is bounded by 0 */
-    }
-}
-
-/* At the minimum, y_i = 1 - (reduced cost of a_i) has sigma y . (P_j, 1) <= 0 for all j, and
- * sigma y . (x, 1) is the minimum: if that is positive, a separating hyperplane. */
+/* x = sum lambda_j P_j with lambda >= 0 and sum lambda_j = 1 is a linear system.  Where it has no solution, y = (n, m) with
+ * n . P_j + m <= 0 for all j and n . x + m > 0 is a separating hyperplane. */
 struct cagd_hull_certificate cagd_hull_membership(int d, int count, const num_q points[], const num_q x[])
 {
-    struct tableau t = first_tableau(d, count, points, x);
-    if (t.at == NULL)
-        return (struct cagd_hull_certificate){.offset = from_int_q(0)};
-    minimise(t, count);
-    const num_q *costs = row(t, t.rows);
-    struct cagd_hull_certificate c = {.inside = cagd_is_zero_q(costs[t.columns - 1]), .offset = from_int_q(0)};
-    if (c.inside) {
-        num_q *lambda = cagd_region_array(1, count, sizeof *lambda);
-        if (lambda == NULL)
-            return c;
-        for (int j = 0; j < count; j++)
-            lambda[j] = from_int_q(0);
-        for (int i = 0; i <= d; i++)
-            if (t.basic[i] < count)
-                lambda[t.basic[i]] = row(t, i)[t.columns - 1];
-        c.coefficient = lambda;
-    } else {
-        num_q *normal = cagd_region_array(1, d, sizeof *normal);
-        if (normal == NULL)
-            return c;
-        for (int i = 0; i < d; i++) {
-            num_q y = sub_q(from_int_q(1), costs[count + i]);
-            normal[i] = cagd_sign_q(x[i]) < 0 ? neg_q(y) : y;
-        }
-        c.normal = normal;
-        c.offset = sub_q(costs[count + d], from_int_q(1));
+    struct cagd_hull_certificate c = {.offset = from_int_q(0)};
+    if (d > INT_MAX - 2 || count > INT_MAX - 2 - d) {
+        region_faults |= FAULT_MEMORY;
+        return c;
     }
+    num_q *A = cagd_region_array(d + 1, count, sizeof *A), *b = cagd_region_array(d + 1, 1, sizeof *b);
+    if (A == NULL || b == NULL)
+        return c;
+    for (int i = 0; i <= d; i++) {
+        b[i] = i < d ? x[i] : from_int_q(1);
+        for (int j = 0; j < count; j++)
+            A[(ptrdiff_t)i * count + j] = i < d ? points[d * j + i] : from_int_q(1);
+    }
+    struct cagd_simplex s = cagd_simplex(d + 1, count, A, b);
+    if (s.x == NULL && s.y == NULL)
+        return c;
+    c.inside = s.solvable, c.coefficient = s.x, c.normal = s.y;
+    if (!c.inside)
+        c.offset = neg_q(s.y[d]);
     if (!cagd_hull_certificate_holds(d, count, points, x, c))
         region_faults |= FAULT_UNABLE;
     return c;

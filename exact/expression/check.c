@@ -1,10 +1,14 @@
 #include "exact/expression/check.h"
 
 #include "core/clock.h"
+#include "exact/expression/cell.h"
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
+#include "exact/expression/order.h"
+#include "exact/expression/suppose.h"
 #include "exact/words.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { MOST_WHOLE = 8, FIRST_CASES = 8, QUICK_CASES = 16, MOST_CHANGES = 60, MOST_CONSTRAINTS = 200, FIELD_ROOM = 32 };
@@ -15,7 +19,9 @@ struct run {
     const cagd_tree *statement;
     cagd_finding *out;
     double until;
-    int quick;               /* one case that fails is enough, and few cases are */
+    int quick; /* one case that fails is enough, and few cases are */
+    const cagd_tree *premise,
+        *claim; /* of the statement the part that is looked at: what is supposed, or NULL, and what is said */
     struct collection *into; /* NULL, or where constraints of a parameter are collected and nothing is decided */
     const cagd_variable *whole[MOST_WHOLE];
     int wholes;
@@ -39,7 +45,7 @@ static int uses(const cagd_scope *scope, const cagd_tree *t, const char *head, i
     if (t == NULL || depth > 12)
         return t != NULL;
     if (t->head != NULL && strcmp(t->head, head) == 0)
-        return 1;
+        return t->kind != CAGD_EVERY_INDEX;
     if (t->times != NULL && uses(scope, t->times, head, depth))
         return 1;
     for (int k = 0; k < t->count; k++)
@@ -87,17 +93,22 @@ struct part {
     int pieces;
     cagd_given number[CAGD_MOST_PIECES];
     int numbers;
+    cagd_cut cut[CAGD_MOST_CUTS_OF_CELL];
+    int cuts;
+    int touches; /* an equality is among them: it is a part of lower dimension */
 };
 
 static void begin(const struct run *r, const struct part *p, cagd_context *c)
 {
-    *c = (cagd_context){.scope = r->scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
+    *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_q(r->chosen[k].value));
     for (int k = 0; k < p->numbers; k++)
         cagd_bind(c, p->number[k].name, cagd_value_q(p->number[k].value));
     memcpy(c->piece, p->piece, sizeof p->piece);
     c->pieces = p->pieces;
+    for (int k = 0; k < p->cuts; k++)
+        cagd_cut_cell(c, &p->cut[k]);
     if (r->into != NULL) { /* the parameter is a variable of every case, the same one */
         cagd_tree name = {.kind = CAGD_NAME, .head = r->into->parameter};
         cagd_evaluate(c, &name);
@@ -138,19 +149,42 @@ static cagd_answer undecided(struct run *r, const cagd_context *c, const char *w
     return CAGD_UNDECIDED;
 }
 
+/* Whether both are names of one letter with an index, and how far the first index is behind the second: u_10 and u_2, 8. */
+static int is_one_letter(const char *a, const char *b, long *distance)
+{
+    size_t n = strcspn(a, "_");
+    if (a[n] == '\0' || strncmp(a, b, n + 1) != 0)
+        return 0;
+    a += n + 1, b += n + 1;
+    *distance = strtol(a + (*a == '{'), NULL, 10) - strtol(b + (*b == '{'), NULL, 10);
+    return 1;
+}
+
+/* One more name with its value; those of one letter stand together, by their indices. */
+static void give(cagd_finding *f, cagd_given one)
+{
+    int place = f->given, is_placed = 0;
+    long distance;
+    for (int k = 0; k < f->given; k++)
+        if (is_one_letter(f->example[k].name, one.name, &distance) && (distance < 0 || !is_placed))
+            place = distance < 0 ? k + 1 : k, is_placed = 1;
+    for (int k = f->given++; k > place; k--)
+        f->example[k] = f->example[k - 1];
+    f->example[place] = one;
+}
+
 /* a relation b is refuted: by small numbers that are looked for, or by those that are given. */
-static cagd_answer refuted(struct run *r, cagd_context *c, const cagd_tree *t, int k, const num_q point[],
-                           const int of[], int count)
+static cagd_answer refuted_at(struct run *r, cagd_context *c, const cagd_tree *t, int k, const num_q at[])
 {
     cagd_finding *f = r->out;
     if (f->has_example)
         return CAGD_FAILS;
-    f->relation = t->relation[k], f->of_left = t->at[k], f->of_right = t->at[k + 1];
+    if (k >= 0)
+        f->relation = t->relation[k], f->of_left = t->at[k], f->of_right = t->at[k + 1];
     num_q value[CAGD_MOST_UNKNOWNS];
     int found = cagd_find_example(c, t, k, value, &f->left, &f->right);
-    if (!found && point != NULL) {
-        for (int m = 0; m < count; m++)
-            value[of[m]] = point[m];
+    if (!found && at != NULL) {
+        memcpy(value, at, sizeof value);
         found = cagd_is_example(c, t, k, value, &f->left, &f->right);
     }
     if (!found)
@@ -159,9 +193,19 @@ static cagd_answer refuted(struct run *r, cagd_context *c, const cagd_tree *t, i
     for (int m = 0; m < c->count; m++) {
         const cagd_binding *b = &c->binding[m];
         if (b->key[0] != '\0')
-            f->example[f->given++] = (cagd_given){b->key, b->unknown ? value[m] : b->value.q};
+            give(f, (cagd_given){b->key, b->unknown || b->solved ? value[m] : b->value.q});
     }
     return CAGD_FAILS;
+}
+
+/* The same, the point having coordinates of some names. */
+static cagd_answer refuted(struct run *r, cagd_context *c, const cagd_tree *t, int k, const num_q point[],
+                           const int of[], int count)
+{
+    num_q at[CAGD_MOST_UNKNOWNS] = {0};
+    for (int m = 0; point != NULL && m < count; m++)
+        at[of[m]] = point[m];
+    return refuted_at(r, c, t, k, point != NULL ? at : NULL);
 }
 
 /* One more constraint, with the case that it comes from. */
@@ -213,6 +257,26 @@ static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relat
     return CAGD_HOLDS;
 }
 
+/* The relation number k of the chain t, whose sides differ by n/m, where names are ordered or otherwise tied. */
+static cagd_answer compared_in_cell(struct run *r, cagd_context *c, const cagd_tree *t, int k, num_f n, num_f m)
+{
+    cagd_relation relation = t->relation[k];
+    num_q value[CAGD_MOST_UNKNOWNS];
+    int strict = relation == CAGD_LESS || relation == CAGD_GREATER || relation == CAGD_NOT_EQUAL, rational = 0;
+    cagd_answer answer = CAGD_UNDECIDED;
+    if (cagd_is_positive_in_cell(c, m, 1))
+        answer = cagd_positive_in_cell(c, n, strict, value, &rational);
+    else if (cagd_is_positive_in_cell(c, neg_f(m), 1))
+        answer = cagd_positive_in_cell(c, neg_f(n), strict, value, &rational);
+    else
+        answer = cagd_positive_in_cell(c, mul_f(n, m), strict, value, &rational);
+    if (relation == CAGD_NOT_EQUAL && answer != CAGD_HOLDS && cagd_is_positive_in_cell(c, neg_f(mul_f(n, m)), 1))
+        answer = CAGD_HOLDS;
+    if (answer == CAGD_FAILS && refuted_at(r, c, t, k, rational ? value : NULL) == CAGD_FAILS)
+        return CAGD_FAILS;
+    return answer == CAGD_HOLDS ? CAGD_HOLDS : undecided(r, c, "an inequality that was neither proved nor refuted");
+}
+
 /* The relation number k of the chain t for two values. */
 static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
 {
@@ -242,6 +306,8 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
     num_q point[CAGD_MOST_UNKNOWNS];
     int of[CAGD_MOST_UNKNOWNS], count = sides(c, side, of), rational;
     num_f n = cagd_numerator_f(d.f), m = cagd_denominator_f(d.f);
+    if (c->limits > 0)
+        return compared_in_cell(r, c, t, k, n, m);
     int strict = relation == CAGD_LESS || relation == CAGD_GREATER || relation == CAGD_NOT_EQUAL;
     cagd_answer answer = CAGD_UNDECIDED;
     if (relation == CAGD_NOT_EQUAL) { /* of one sign, or of the other */
@@ -274,6 +340,7 @@ static cagd_answer split(struct run *r, const struct part *p, const char *key, n
         struct part q = *p;
         if (q.pieces == CAGD_MOST_PIECES || q.numbers == CAGD_MOST_PIECES || cagd_seconds() > r->until)
             return CAGD_UNDECIDED;
+        q.touches |= which == 1;
         if (which == 1)
             q.number[q.numbers++] = (cagd_given){key, at};
         else
@@ -283,25 +350,43 @@ static cagd_answer split(struct run *r, const struct part *p, const char *key, n
     return answer;
 }
 
-/* Conditions that are supposed: 0 where one is false; -1 where one needs a cut. */
-static int supposed(struct run *r, cagd_context *c)
+/* The form of the cut below 0, at it, and above it. */
+static cagd_answer cut(struct run *r, const struct part *p, const cagd_cut *where)
 {
-    int result = 1;
-    for (int k = 0; k < r->scope->condition_count && result > 0; k++) {
-        result = cagd_truth(c, r->scope->conditions[k]);
-        if (region_faults != 0 || (result < 0 && c->split == NULL)) { /* not used: what holds, holds without it */
-            region_faults &= FAULT_CROWDED | FAULT_MEMORY;
-            c->trouble = NULL;
-            r->out->missing_conditions = 1;
-            result = 1;
-        }
+    cagd_answer answer = CAGD_HOLDS;
+    if (r->into != NULL) {
+        if (r->out->why == NULL)
+            r->out->why = "a condition that depends on variables";
+        return CAGD_UNDECIDED;
     }
-    return result;
+    for (int sign = 1; sign >= -1 && answer != CAGD_FAILS; sign--) {
+        struct part *q = region_bytes(sizeof *q);
+        if (q == NULL || p->cuts == CAGD_MOST_CUTS_OF_CELL || cagd_seconds() > r->until) {
+            r->out->out_of_time |= cagd_seconds() > r->until;
+            return CAGD_UNDECIDED;
+        }
+        *q = *p;
+        q->cut[q->cuts] = *where;
+        q->cut[q->cuts++].sign = sign;
+        q->touches |= sign == 0;
+        answer = worse(answer, decide_part(r, q));
+    }
+    return answer;
+}
+
+/* What is noted in the context: a name to split or a form to cut. */
+static int is_to_be_cut(const cagd_context *c) { return c->split != NULL || c->has_cut; }
+static cagd_answer cut_further(struct run *r, const struct part *p, const cagd_context *c)
+{
+    return c->split != NULL ? split(r, p, c->split, c->split_at) : cut(r, p, &c->cut);
 }
 
 /* An empty piece has no numbers. */
-static int is_empty(const cagd_context *c)
+static int is_empty(cagd_context *c)
 {
+    cagd_suppose_for_names(c);
+    if (cagd_cell_is_empty(c))
+        return 1;
     for (int k = 0; k < c->count; k++) {
         const cagd_binding *b = &c->binding[k];
         int order = b->unknown && b->has_low && b->has_high ? cagd_compare_q(b->low, b->high) : -1;
@@ -311,6 +396,43 @@ static int is_empty(const cagd_context *c)
     return 0;
 }
 
+/* A chain of relations; *cuts where it is to be looked at in parts. */
+static cagd_answer decide_chain(struct run *r, cagd_context *c, const cagd_tree *t, int *cuts)
+{
+    cagd_answer answer = CAGD_HOLDS;
+    cagd_value left = cagd_evaluate(c, t->at[0]);
+    for (int k = 0; k + 1 < t->count && region_faults == 0 && answer != CAGD_FAILS; k++) {
+        cagd_value right = cagd_evaluate(c, t->at[k + 1]);
+        int empty = region_faults != 0 || is_empty(c);
+        if (!empty && !is_to_be_cut(c) && cagd_has_equality(c)) {
+            *cuts = 1;
+            return CAGD_UNDECIDED;
+        }
+        if (!empty)
+            answer = worse(answer, compared(r, c, t, k, left, right));
+        left = right;
+    }
+    return answer;
+}
+
+/* Any other truth: it is decided in each part of the cell in which its relations are; what decides none of them is a fault. */
+static cagd_answer decide_truth(struct run *r, cagd_context *c, const cagd_tree *t)
+{
+    if (r->into != NULL)
+        return undecided(r, c, "a relation that is not understood with :find:");
+    int is = cagd_truth(c, t);
+    if (is < 0 && region_faults == 0 && !is_to_be_cut(c))
+        return undecided(r, c, "a condition that depends on variables");
+    if (is < 0)
+        region_faults |= FAULT_UNABLE;
+    if (region_faults != 0 || is_empty(c))
+        return CAGD_HOLDS;
+    r->out->comparisons++;
+    r->out->bounded = 1;
+    weaken(r->out, CAGD_BY_DECISION);
+    return is == 1 ? CAGD_HOLDS : refuted_at(r, c, t, -1, NULL);
+}
+
 static cagd_answer decide_part(struct run *r, const struct part *p)
 {
     cagd_context *c = region_bytes(sizeof *c);
@@ -318,37 +440,43 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
         return CAGD_UNDECIDED;
     begin(r, p, c);
     r->out->pieces++;
-    int is = supposed(r, c);
-    if (is == 0)
+    int is = region_faults == 0 ? cagd_suppose_conditions(c, &r->out->missing_conditions) : 1;
+    if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
+        return CAGD_UNDECIDED;
+    if (is == 0 || is_empty(c))
         return CAGD_HOLDS;
     if (is < 0)
-        return split(r, p, c->split, c->split_at);
+        return cut_further(r, p, c);
     cagd_answer answer = CAGD_HOLDS;
-    int chains = r->statement->kind == CAGD_ALL ? r->statement->count : 1;
+    const cagd_tree *claim = r->claim;
+    int chains = claim->kind == CAGD_ALL ? claim->count : 1;
     for (int m = 0; m < chains && answer != CAGD_FAILS; m++) {
-        const cagd_tree *t = r->statement->kind == CAGD_ALL ? r->statement->at[m] : r->statement;
-        cagd_value left = cagd_evaluate(c, t->at[0]);
-        for (int k = 0; k + 1 < t->count && region_faults == 0 && answer != CAGD_FAILS; k++) {
-            cagd_value right = cagd_evaluate(c, t->at[k + 1]);
-            if (region_faults == 0 && !is_empty(c))
-                answer = worse(answer, compared(r, c, t, k, left, right));
-            left = right;
-        }
+        const cagd_tree *t = claim->kind == CAGD_ALL ? claim->at[m] : claim;
+        int cuts = 0;
+        cagd_answer one = t->kind == CAGD_RELATION ? decide_chain(r, c, t, &cuts) : decide_truth(r, c, t);
         if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
             return CAGD_UNDECIDED;
-        if (region_faults != 0 && c->split != NULL) {
+        if (cuts || (region_faults != 0 && is_to_be_cut(c))) {
             region_faults = 0;
-            return is_empty(c) ? CAGD_HOLDS : split(r, p, c->split, c->split_at);
+            return is_empty(c) ? CAGD_HOLDS : cut_further(r, p, c);
+        }
+        if (region_faults == FAULT_UNDEFINED && p->touches) { /* it is said of where both sides are defined */
+            region_faults = 0;
+            r->out->leaves_out_poles = 1;
+            continue;
         }
         if (region_faults != 0) {
             region_faults = 0;
             return is_empty(c) ? CAGD_HOLDS : undecided(r, c, "a value that is not computed");
         }
+        answer = worse(answer, one);
     }
     r->out->bounded |= c->used_bounds;
+    r->out->leaves_out_poles |= c->omits_poles;
     for (int k = 0; k < c->count; k++) {
         cagd_finding *f = r->out;
-        int known = !c->binding[k].unknown || c->binding[k].key[0] == '\0' || f->names == CAGD_MOST_UNKNOWNS;
+        int known = (!c->binding[k].unknown && !c->binding[k].solved) || c->binding[k].key[0] == '\0' ||
+                    f->names == CAGD_MOST_UNKNOWNS;
         for (int m = 0; m < f->names; m++)
             known |= strcmp(f->name[m], c->binding[k].key) == 0;
         if (!known)
@@ -377,6 +505,27 @@ static int end_of_range(struct run *r, int level, const cagd_tree *end, long *va
     return good;
 }
 
+/* A => B is B where A is supposed; A <=> B is both directions. */
+static cagd_answer decide_statement(struct run *r, const cagd_tree *t, const struct part *all)
+{
+    cagd_answer answer = CAGD_HOLDS;
+    int parts = t->kind == CAGD_ALL ? t->count : t->kind == CAGD_IFF ? 2 : 1;
+    for (int m = 0; m < parts && answer != CAGD_FAILS; m++) {
+        const cagd_tree *one = t->kind == CAGD_ALL ? t->at[m] : t;
+        int pair = one->kind == CAGD_IMPLIES || one->kind == CAGD_IFF;
+        if (one->kind == CAGD_IFF && t->kind == CAGD_ALL) {
+            answer = worse(answer, decide_statement(r, one, all));
+            continue;
+        }
+        r->premise = pair ? one->at[m == 1 && t->kind == CAGD_IFF] : NULL;
+        r->claim = pair ? one->at[!(m == 1 && t->kind == CAGD_IFF)] : one;
+        if (pair && r->into != NULL)
+            return undecided(r, &(cagd_context){0}, "an implication is not understood with :find:");
+        answer = worse(answer, decide_part(r, all));
+    }
+    return answer;
+}
+
 static int is_enough(const cagd_finding *f) { return f->has_example || f->cases >= QUICK_CASES; }
 
 static void decide_cases(struct run *r, int level)
@@ -390,7 +539,7 @@ static void decide_cases(struct run *r, int level)
             return;
         }
         r->out->cases++;
-        cagd_answer answer = decide_part(r, &all);
+        cagd_answer answer = decide_statement(r, r->statement, &all);
         r->out->failing += answer == CAGD_FAILS;
         r->out->undecided += answer == CAGD_UNDECIDED;
         return;

@@ -1,6 +1,6 @@
 #include "exact/expression/evaluate.h"
 
-#include "exact/expression/sign.h"
+#include "exact/expression/cell.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -25,7 +25,7 @@ static cagd_value fail(cagd_context *c, const cagd_tree *t, unsigned fault, cons
 
 cagd_binding *cagd_binding_of(cagd_context *c, const char *key)
 {
-    for (int k = 0; k < c->count; k++)
+    for (int k = c->count - 1; k >= 0; k--) /* the last one: a letter may have another value for a while */
         if (strcmp(c->binding[k].key, key) == 0)
             return &c->binding[k];
     return NULL;
@@ -50,8 +50,13 @@ static void find_bounds(cagd_context *c, cagd_binding *b)
     const cagd_tree *end[2] = {v != NULL ? v->low : NULL, v != NULL ? v->high : NULL};
     for (int k = 0; k < 2; k++) {
         cagd_value x = end[k] != NULL ? evaluate(c, end[k], NULL) : cagd_value_int(0);
-        if (end[k] == NULL || !x.rational || region_faults != 0)
+        if (end[k] == NULL || region_faults != 0)
             continue;
+        if (!x.rational) { /* known of two names together */
+            num_f above = k == 0 ? sub_f(b->value.f, x.f) : sub_f(x.f, b->value.f);
+            cagd_limit_cell(c, above, k == 0 ? v->low_open : v->high_open);
+            continue;
+        }
         if (k == 0)
             b->has_low = 1, b->low = x.q, b->low_open = v->low_open;
         else
@@ -81,10 +86,17 @@ static cagd_value unknown(cagd_context *c, const cagd_tree *t, const char *key, 
         return fail(c, t, FAULT_UNABLE, "too many variables");
     num_f x = variable_f(name);
     b->value = (cagd_value){.f = x};
-    b->unknown = 1;
+    b->unknown = 1, b->number = cagd_field_variable_f(x);
     b->variable = v;
     find_bounds(c, b);
     return b->value;
+}
+
+cagd_value cagd_value_of_key(cagd_context *c, const char *key, const cagd_variable *v)
+{
+    const cagd_binding *b = cagd_binding_of(c, key);
+    cagd_tree none = {.kind = CAGD_NAME};
+    return b != NULL ? b->value : unknown(c, &none, key, v);
 }
 
 /* "\omega_3^{2}": the name with the values of its indices. */
@@ -219,8 +231,8 @@ static const cagd_binding *plain_variable(const cagd_context *c, cagd_value a)
     return NULL;
 }
 
-/* A variable that occurs nowhere else, with the bounds of a where a is a variable. */
-static num_f fresh(cagd_context *c, cagd_value a)
+/* A variable that occurs nowhere else, with the bounds of a where a is a variable: near a on that side, or there. */
+static num_f fresh(cagd_context *c, cagd_value a, int side)
 {
     char name[16];
     const cagd_binding *same = plain_variable(c, a);
@@ -228,6 +240,8 @@ static num_f fresh(cagd_context *c, cagd_value a)
     num_f x = variable_f(name);
     cagd_binding kept = same != NULL ? *same : (cagd_binding){0};
     kept.key = "", kept.value = (cagd_value){.f = x}, kept.unknown = 1;
+    kept.number = cagd_field_variable_f(x);
+    kept.near = 1, kept.side = side, kept.place = a;
     if (c->count == CAGD_MOST_UNKNOWNS)
         region_faults |= FAULT_UNABLE;
     else
@@ -276,6 +290,49 @@ void cagd_arguments_of(cagd_context *c, const cagd_tree *t, const cagd_definitio
         value[k] = evaluate(c, k < t->count ? t->at[k] : d->left->at[k], f);
 }
 
+static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, num_f x, const frame *f);
+
+/* The k-th derivative at a, from one side: of the name t by its first argument, value[] being all of them, or of the body by the letter of
+ * t.  lower[j], j <= k, are those of lower order, and 0 is the value. */
+static cagd_value derivative_from(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[],
+                                  long k, cagd_value a, int side, cagd_value lower[], const frame *f)
+{
+    int known = c->count;
+    num_f x = fresh(c, a, side);
+    cagd_value F = a;
+    if (region_faults == 0 && body != NULL)
+        F = with_letter(c, body, t->head, x, f);
+    else if (region_faults == 0) {
+        value[t->lower + t->upper] = (cagd_value){.f = x};
+        F = apply(c, t, value, f);
+    }
+    forget(c, known);
+    for (long j = 0; lower != NULL && j <= k && region_faults == 0; j++)
+        lower[j] = derived(c, t, F, x, j, a);
+    return region_faults != 0 ? F : derived(c, t, F, x, k, a);
+}
+
+/* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too. */
+static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[], long k,
+                                cagd_value a, const frame *f)
+{
+    enum { MOST_AT_JOINTS = 20 };
+    cagd_value above[MOST_AT_JOINTS + 1], below[MOST_AT_JOINTS + 1];
+    int before = c->met_joint;
+    c->met_joint = 0;
+    cagd_value r = derivative_from(c, t, body, value, k, a, 1, k >= 0 && k <= MOST_AT_JOINTS ? above : NULL, f);
+    if (c->met_joint && region_faults == 0) {
+        if (k > MOST_AT_JOINTS)
+            return fail(c, t, FAULT_UNABLE, "a derivative of high order at a joint");
+        derivative_from(c, t, body, value, k, a, -1, below, f);
+        for (long j = 0; j <= k && region_faults == 0; j++)
+            if (!cagd_value_is_zero(cagd_value_sub(above[j], below[j])))
+                fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
+    }
+    c->met_joint |= before;
+    return r;
+}
+
 static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     if (t->count == 0)
@@ -294,13 +351,7 @@ static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
         return cagd_value_int(0);
     if (order == 0)
         return apply(c, t, value, f);
-    int first = t->lower + t->upper, known = c->count;
-    cagd_value a = value[first];
-    num_f x = fresh(c, a);
-    value[first] = (cagd_value){.f = x};
-    cagd_value F = region_faults == 0 ? apply(c, t, value, f) : a;
-    forget(c, known);
-    return region_faults != 0 ? F : derived(c, t, F, x, order, a);
+    return derivative_at(c, t, NULL, value, order, value[t->lower + t->upper], f);
 }
 
 /* The value of t when the letter is x, inside what is evaluated and in the definitions that it uses. */
@@ -310,18 +361,12 @@ static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *l
     for (const frame *g = f; g != NULL; g = g->next) /* a letter of this definition alone */
         if (strcmp(g->head, letter) == 0)
             return evaluate(c, t, &inner);
-    int known = 0;
-    while (known < c->count && strcmp(c->binding[known].key, letter) != 0)
-        known++;
-    cagd_binding before = known < c->count ? c->binding[known] : (cagd_binding){0};
-    if (known == c->count && cagd_bind(c, letter, cagd_value_int(0)) == NULL)
+    int known = c->count;
+    if (known == CAGD_MOST_UNKNOWNS)
         return fail(c, t, FAULT_UNABLE, "too many variables");
-    c->binding[known].value = inner.value;
-    c->binding[known].unknown = 0;
+    c->binding[c->count++] = (cagd_binding){.key = letter, .value = inner.value};
     cagd_value F = evaluate(c, t, &inner);
-    if (before.key != NULL)
-        c->binding[known] = before;
-    else if (known + 1 == c->count)
+    if (known + 1 == c->count)
         c->count = known;
     else
         c->binding[known] = (cagd_binding){.key = "", .value = cagd_value_int(0)};
@@ -338,18 +383,14 @@ static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f
         return at;
     if (cagd_defined(c->scope, t->head) != NULL)
         return fail(c, t, FAULT_UNABLE, "a derivative by what was given a value");
-    int known = c->count;
-    num_f x = fresh(c, at);
-    cagd_value F = with_letter(c, t->at[0], t->head, x, f);
-    forget(c, known);
-    return region_faults != 0 ? F : derived(c, t, F, x, order, at);
+    return derivative_at(c, t, t->at[0], NULL, order, at, f);
 }
 
 static cagd_value at_a_place(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_value place = evaluate(c, t->at[1], f);
     int known = c->count;
-    num_f x = fresh(c, place);
+    num_f x = fresh(c, place, 0);
     cagd_value F = with_letter(c, t->at[0], t->head, x, f);
     forget(c, known);
     return region_faults != 0 ? F : derived(c, t, F, x, 0, place);
@@ -359,7 +400,9 @@ static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_value low = evaluate(c, t->at[0], f), high = evaluate(c, t->at[1], f), sum = cagd_value_int(0);
     int known = c->count;
-    num_f x = fresh(c, sum);
+    num_f x = fresh(c, sum, 0);
+    if (region_faults == 0)
+        c->binding[c->count - 1].near = 0; /* it is anywhere between the ends */
     num_f F = cagd_in_field(with_letter(c, t->at[2], t->head, x, f));
     forget(c, known);
     if (region_faults != 0)
@@ -395,78 +438,16 @@ static int holds(int sign, cagd_relation relation)
     }
 }
 
-/* Divides the polynomial p by its variables that have a sign, as often as that is possible; the sign of what it was divided by. */
-static int strip_powers(const cagd_context *c, num_f *p)
+/* Whether the relation holds for all of the signs: 1; for none: 0; otherwise -1. */
+static int holds_for_signs(unsigned signs, cagd_relation relation)
 {
-    int sign = 1;
-    for (int k = 0; k < c->count; k++) {
-        const cagd_binding *b = &c->binding[k];
-        int low = b->has_low ? cagd_sign_q(b->low) : -1, high = b->has_high ? cagd_sign_q(b->high) : 1;
-        int above = low > 0 || (low == 0 && b->low_open), below = high < 0 || (high == 0 && b->high_open);
-        if (!b->unknown || (!above && !below))
-            continue;
-        while (cagd_degree_f(*p, b->value.f) > 0 && cagd_is_zero_f(cagd_coefficient_f(*p, b->value.f, 0))) {
-            *p = div_f(*p, b->value.f);
-            sign = above ? sign : -sign;
+    int some = 0, all = 1;
+    for (int sign = -1; sign <= 1; sign++)
+        if (signs >> (sign + 1) & 1) {
+            some |= holds(sign, relation);
+            all &= holds(sign, relation);
         }
-    }
-    return sign;
-}
-
-/* The sign of d within the bounds of its variables: -1, 1; -2 where it changes, is 0 somewhere, or is not known. */
-static int sign_in_box(cagd_context *c, cagd_value d)
-{
-    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
-    num_q point[CAGD_MOST_UNKNOWNS];
-    int count = 0, rational;
-    num_f p = mul_f(cagd_numerator_f(d.f), cagd_denominator_f(d.f));
-    int sign_of_powers = strip_powers(c, &p);
-    for (int k = 0; k < c->count; k++) {
-        const cagd_binding *b = &c->binding[k];
-        if (b->unknown && cagd_degree_f(p, b->value.f) > 0)
-            side[count++] =
-                (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
-    }
-    for (int sign = 1; sign >= -1 && region_faults == 0; sign -= 2)
-        if (cagd_positive_in_box(sign > 0 ? p : neg_f(p), 1, count, side, point, &rational) == CAGD_HOLDS) {
-            c->used_bounds = 1;
-            return sign * sign_of_powers;
-        }
-    return -2;
-}
-
-/* The sign of d on the bounds of its variables: -1, 0, 1.  -2 where it changes, or is not known; for d = p (x - r), p being a
- * number, it changes at r. */
-static int sign_of(cagd_context *c, cagd_value d)
-{
-    if (d.rational)
-        return cagd_sign_q(d.q);
-    const cagd_binding *only = NULL;
-    for (int k = 0; k < c->count; k++) {
-        const cagd_binding *b = &c->binding[k];
-        if (!b->unknown || (cagd_degree_f(d.f, b->value.f) <= 0 && cagd_denominator_degree_f(d.f, b->value.f) <= 0))
-            continue;
-        if (only != NULL || !cagd_has_degrees_f(d.f, b->value.f, 1, 0))
-            return sign_in_box(c, d);
-        only = b;
-    }
-    if (only == NULL)
-        return -2;
-    num_q p, q;
-    if (!is_constant_f(cagd_coefficient_f(d.f, only->value.f, 1), &p) ||
-        !is_constant_f(cagd_coefficient_f(d.f, only->value.f, 0), &q))
-        return -2;
-    num_q r = neg_q(div_q(q, p));
-    int sign = cagd_sign_q(p);
-    int above = only->has_low ? cagd_compare_q(only->low, r) : -1,
-        below = only->has_high ? cagd_compare_q(only->high, r) : 1;
-    int is_above = above > 0 || (above == 0 && only->low_open), is_below = below < 0 || (below == 0 && only->high_open);
-    c->used_bounds |= is_above || is_below;
-    if (is_above || is_below)
-        return is_above ? sign : -sign;
-    if (c->split == NULL && only->key[0] != '\0')
-        c->split = only->key, c->split_at = r;
-    return -2;
+    return all ? 1 : some ? -1 : 0;
 }
 
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
@@ -474,22 +455,17 @@ int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, c
     cagd_value d = cagd_value_sub(a, b);
     if (region_faults != 0)
         return -1;
-    int sign = sign_of(c, d);
-    return sign == -2 ? -1 : holds(sign, relation);
+    int is_first = c->split == NULL && !c->has_cut;
+    int is = holds_for_signs(cagd_signs(c, d), relation);
+    c->used_bounds |= !d.rational;
+    if (is >= 0 && is_first) /* a sign that changes does not matter */
+        c->split = NULL, c->has_cut = 0;
+    return region_faults != 0 ? -1 : is;
 }
 
-static int truth(cagd_context *c, const cagd_tree *t, const frame *f)
+static int chain(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     int result = 1;
-    if (t->kind == CAGD_ALL) {
-        for (int k = 0; k < t->count && result != 0; k++) {
-            int one = truth(c, t->at[k], f);
-            result = one == 0 ? 0 : one < 0 ? -1 : result;
-        }
-        return result;
-    }
-    if (t->kind != CAGD_RELATION)
-        return -1;
     cagd_value left = evaluate(c, t->at[0], f);
     for (int k = 0; k + 1 < t->count && region_faults == 0 && result != 0; k++) {
         cagd_value right = evaluate(c, t->at[k + 1], f);
@@ -497,10 +473,81 @@ static int truth(cagd_context *c, const cagd_tree *t, const frame *f)
         result = one == 0 ? 0 : one < 0 ? -1 : result;
         left = right;
     }
+    return result;
+}
+
+/* All of them, or (`any`) one at least: the first that decides ends it. */
+static int several(cagd_context *c, const cagd_tree *t, int any, const frame *f)
+{
+    int result = !any;
+    for (int k = 0; k < t->count && result != any; k++) {
+        int one = truth(c, t->at[k], f);
+        result = one == any ? any : one < 0 ? -1 : result;
+    }
+    return result;
+}
+
+/* For all, or (`any`) for one at least, of the numbers of a range. */
+static int quantified(cagd_context *c, const cagd_tree *t, int any, const frame *f)
+{
+    long low, high;
+    cagd_value first = evaluate(c, t->at[0], f), last = evaluate(c, t->at[1], f);
+    int result = !any;
+    if (region_faults != 0 || !cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high) ||
+        high - low > MOST_TERMS)
+        return fail(c, t, FAULT_UNABLE, "a range that does not end at whole numbers"), -1;
+    for (long k = low; k <= high && region_faults == 0 && result != any; k++) {
+        frame inner = {t->head, cagd_value_int(k), f};
+        int one = truth(c, t->at[2], &inner);
+        result = one == any ? any : one < 0 ? -1 : result;
+    }
+    return result;
+}
+
+static int connected(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    int a = truth(c, t->at[0], f), b;
+    switch (t->kind) {
+    case CAGD_NOT:
+        return a < 0 ? -1 : !a;
+    case CAGD_IMPLIES:
+        b = a == 0 ? 1 : truth(c, t->at[1], f);
+        return b == 1 || a == 1 ? b : -1;
+    default:
+        b = truth(c, t->at[1], f);
+        return a < 0 || b < 0 ? -1 : a == b;
+    }
+}
+
+static int truth(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    int result, is_first = c->split == NULL && !c->has_cut && c->trouble == NULL;
+    switch (t->kind) {
+    case CAGD_RELATION:
+        result = chain(c, t, f);
+        break;
+    case CAGD_ALL:
+    case CAGD_ANY:
+        result = several(c, t, t->kind == CAGD_ANY, f);
+        break;
+    case CAGD_FOR_ALL:
+    case CAGD_EXISTS:
+        result = quantified(c, t, t->kind == CAGD_EXISTS, f);
+        break;
+    case CAGD_NOT:
+    case CAGD_IMPLIES:
+    case CAGD_IFF:
+        result = connected(c, t, f);
+        break;
+    default:
+        return -1;
+    }
     if (region_faults != 0)
         return -1;
     if (result < 0)
         fail(c, t, 0, "a condition that depends on variables");
+    else if (is_first) /* what a part of it depends on does not matter */
+        c->split = NULL, c->has_cut = 0, c->trouble = NULL;
     return result;
 }
 
@@ -717,10 +764,10 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
         return fail(c, t, FAULT_UNABLE, "a root that is no rational number or function");
     }
-    int sign = a.rational || n % 2 == 1 ? 1 : sign_of(c, r);
-    if (sign == -2)
+    int positive = a.rational || n % 2 == 1 ? 1 : cagd_compare_values(c, r, CAGD_GREATER_OR_EQUAL, cagd_value_int(0));
+    if (positive < 0)
         return fail(c, t, FAULT_UNABLE, "a root whose sign depends on variables");
-    return sign < 0 ? cagd_value_sub(cagd_value_int(0), r) : r;
+    return positive ? r : cagd_value_sub(cagd_value_int(0), r);
 }
 
 static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
@@ -812,6 +859,8 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
         return a;
     if (cagd_value_is_zero(b) && cagd_value_is_zero(a) && c->scope->zero_over_zero)
         return a;
+    if (c->scope->zero_over_zero && !b.rational && !cagd_divides(c, b))
+        return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
     return cagd_value_is_zero(b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
 }
 
@@ -913,3 +962,4 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
 cagd_value cagd_evaluate(cagd_context *c, const cagd_tree *t) { return evaluate(c, t, NULL); }
 cagd_value cagd_evaluate_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f) { return evaluate(c, t, f); }
 int cagd_truth(cagd_context *c, const cagd_tree *t) { return truth(c, t, NULL); }
+int cagd_truth_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f) { return truth(c, t, f); }

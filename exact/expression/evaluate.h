@@ -8,7 +8,7 @@
 #include "exact/expression/scope.h"
 #include "exact/expression/value.h"
 
-enum { CAGD_MOST_UNKNOWNS = 64 };
+enum { CAGD_MOST_UNKNOWNS = 64, CAGD_MOST_LIMITS = 128, CAGD_MOST_MEMOS = 256 };
 
 /* A name with a value: "t", "\omega_3".  The value is a number, or a variable of the field; then the bounds are what is known of
  * it. */
@@ -16,7 +16,11 @@ typedef struct cagd_binding {
     const char *key;
     const cagd_variable *variable; /* its declaration, or NULL */
     cagd_value value;
-    int unknown; /* a variable of the field */
+    int unknown;    /* a variable of the field */
+    int number;     /* its index there */
+    int solved;     /* was one, and is a function of the others where an equality holds (cell.h) */
+    int near, side; /* a fresh variable near the value `place`: above (side 1), below (-1), or there (0)      */
+    cagd_value place;
     int has_low, has_high, low_open, high_open;
     cagd_num_q low, high;
 } cagd_binding;
@@ -29,8 +33,37 @@ typedef struct cagd_piece {
 } cagd_piece;
 enum { CAGD_MOST_PIECES = 64 };
 
+/* A linear form in names without values, and its sign: 1, 0, -1.  It lives in the region. */
+typedef struct cagd_cut_term {
+    const char *key;
+    const cagd_variable *variable;
+    cagd_num_q coefficient;
+} cagd_cut_term;
+typedef struct cagd_cut {
+    int count; /* at least 2 */
+    const cagd_cut_term *term;
+    cagd_num_q constant;
+    int sign;
+} cagd_cut;
+enum { CAGD_MOST_CUTS_OF_CELL = 60 };
+
+/* form > 0, or form >= 0; a polynomial of degree 1 in variables of the field. */
+typedef struct cagd_limit {
+    cagd_num_f form;
+    int strict;
+    struct cagd_linear at; /* the form once more, by its coefficients */
+} cagd_limit;
+
+/* The signs that a form can have in the cell, as bits. */
+enum { CAGD_CAN_BE_NEGATIVE = 1, CAGD_CAN_BE_ZERO = 2, CAGD_CAN_BE_POSITIVE = 4, CAGD_ANY_SIGN = 7 };
+typedef struct cagd_memo {
+    cagd_num_f form;
+    unsigned signs;
+} cagd_memo;
+
 typedef struct cagd_context {
     const cagd_scope *scope;
+    const cagd_tree *premise; /* what is supposed besides the conditions of the scope, or NULL */
     cagd_binding binding[CAGD_MOST_UNKNOWNS];
     int count;
     cagd_piece piece[CAGD_MOST_PIECES];
@@ -45,6 +78,17 @@ typedef struct cagd_context {
     const cagd_tree *where; /* and at which part of the formula                                              */
     const char *split;      /* a condition changes where this name has the value split_at                    */
     cagd_num_q split_at;
+    int has_cut; /* or where this form changes its sign */
+    cagd_cut cut;
+
+    /* The cell: what is known of names together. */
+    cagd_limit limit[CAGD_MOST_LIMITS];
+    int limits, is_empty; /* is_empty: what is known contradicts itself */
+    int supposed;         /* of so many names the conditions for every index are among the limits */
+    cagd_memo memo[CAGD_MOST_MEMOS];
+    int memos;
+    int met_joint;   /* a condition changed where a derivative was taken                                  */
+    int omits_poles; /* a divisor can be 0, and nothing is said of that                               */
 } cagd_context;
 
 /* What letters stand for inside a definition or a sum; all other names are the same everywhere. */
@@ -67,10 +111,13 @@ const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_va
                               const cagd_frame **inner);
 /* Whether relations hold: 1, 0; -1 and `split` or `trouble` where they depend on variables. */
 int cagd_truth(cagd_context *c, const cagd_tree *t);
+int cagd_truth_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
 /* a relation b for two values, likewise. */
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
 
 /* The binding of that name; a new one without a value if there is none yet.  NULL when there is no room. */
 cagd_binding *cagd_bind(cagd_context *c, const char *key, cagd_value value);
 cagd_binding *cagd_binding_of(cagd_context *c, const char *key);
+/* The value of that name, which is declared by v or NULL: a variable of the field if it had none. */
+cagd_value cagd_value_of_key(cagd_context *c, const char *key, const cagd_variable *v);
 #endif

@@ -1,6 +1,8 @@
 #include "exact/expression/example.h"
 
+#include "exact/expression/cell.h"
 #include "exact/expression/sign.h"
+#include "exact/expression/suppose.h"
 #include "exact/words.h"
 
 enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500, MOST_ROUNDS = 12 };
@@ -27,7 +29,22 @@ static int is_declared(cagd_context *exact, const cagd_binding *b)
     return 1;
 }
 
-int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, const num_q value[], num_q *left, num_q *right)
+/* The value of a name that is a function of others, these having values. */
+static num_q value_of_solved(const cagd_context *c, const cagd_binding *b, const num_q value[])
+{
+    num_q q = b->value.q;
+    num_f f = b->value.f;
+    if (b->value.rational)
+        return q;
+    for (int m = 0; m < c->count; m++)
+        if (c->binding[m].unknown)
+            f = substitute_f(f, c->binding[m].value.f, from_rational_f(value[m]));
+    q = from_int_q(0);
+    is_constant_f(f, &q);
+    return q;
+}
+
+int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, num_q value[], num_q *left, num_q *right)
 {
     cagd_context *exact = region_bytes(sizeof *exact);
     if (exact == NULL || region_faults != 0)
@@ -42,13 +59,23 @@ int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, const num_
             exact->binding[m].unknown = 0;
             exact->binding[m].value = cagd_value_q(value[m]);
         }
+    for (int m = 0; m < c->count; m++)
+        if (c->binding[m].solved) {
+            value[m] = value_of_solved(c, &c->binding[m], value);
+            exact->binding[m].solved = 0;
+            exact->binding[m].value = cagd_value_q(value[m]);
+        }
+    exact->limits = exact->memos = exact->is_empty = 0;
     exact->in_field = 1; /* for what is derived */
     int is = 1;
     for (int m = 0; m < c->count && is == 1; m++)
         is = is_declared(exact, &exact->binding[m]);
-    for (int m = 0; m < c->scope->condition_count && is == 1; m++)
-        is = cagd_truth(exact, c->scope->conditions[m]);
-    if (is == 1) {
+    if (is == 1)
+        is = cagd_conditions_hold(exact);
+    *left = *right = from_int_q(0);
+    if (is == 1 && k < 0)
+        is = cagd_truth(exact, t) == 0;
+    if (is == 1 && k >= 0) {
         cagd_value a = cagd_evaluate(exact, t->at[k]), b = cagd_evaluate(exact, t->at[k + 1]);
         is = region_faults == 0 && a.rational && b.rational && cagd_compare_values(exact, a, t->relation[k], b) == 0;
         *left = a.q, *right = b.q;
@@ -95,12 +122,14 @@ struct search {
     num_q *value, *left, *right;
 };
 
+static int is_example(struct search *s) { return cagd_is_example(s->c, s->t, s->k, s->value, s->left, s->right); }
+
 static int choose(struct search *s, int m, int total)
 {
     if (m == s->unknowns) {
         if (total > 0 || ++s->tries > MOST_TRIES)
             return 0;
-        return cagd_is_example(s->c, s->t, s->k, s->value, s->left, s->right);
+        return is_example(s);
     }
     for (int i = 0; i < s->count[m] && i <= total && s->tries <= MOST_TRIES; i++) {
         s->value[s->of[m]] = s->list[m][i];
@@ -136,27 +165,57 @@ static num_q different(const cagd_binding *b, int m, int unknowns, int round)
     return s.has_low ? add_q(s.low, x) : s.has_high ? sub_q(s.high, x) : x;
 }
 
-/* An example with different numbers, which become simpler one by one as long as it remains one. */
-static int find_among_different(struct search *s)
+/* The numbers of an example become simpler one by one as long as it remains one. */
+static int simplified(struct search *s)
 {
-    const cagd_context *c = s->c;
-    int found = 0;
-    for (int round = 0; round < MOST_ROUNDS && !found; round++) {
-        for (int m = 0; m < s->unknowns; m++)
-            s->value[s->of[m]] = different(&c->binding[s->of[m]], m, s->unknowns, round);
-        found = cagd_is_example(c, s->t, s->k, s->value, s->left, s->right);
-    }
-    for (int m = 0; m < s->unknowns && found; m++) {
+    for (int m = 0; m < s->unknowns; m++) {
         num_q kept = s->value[s->of[m]];
         int simpler = 0;
         for (int i = 0; i < s->count[m] && !simpler; i++) {
             s->value[s->of[m]] = s->list[m][i];
-            simpler = cagd_is_example(c, s->t, s->k, s->value, s->left, s->right);
+            simpler = is_example(s);
         }
         if (!simpler)
             s->value[s->of[m]] = kept;
     }
-    return found && cagd_is_example(c, s->t, s->k, s->value, s->left, s->right);
+    return is_example(s);
+}
+
+static int find_among_different(struct search *s)
+{
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+        for (int m = 0; m < s->unknowns; m++)
+            s->value[s->of[m]] = different(&s->c->binding[s->of[m]], m, s->unknowns, round);
+        if (is_example(s))
+            return simplified(s);
+    }
+    return 0;
+}
+
+/* Around a point of the cell, farther away first: names that are ordered keep their order there. */
+static int find_in_cell(struct search *s)
+{
+    enum { NEAREST = 8 };
+    cagd_context *c = region_bytes(sizeof *c);
+    num_q at[CAGD_MOST_UNKNOWNS];
+    if (c == NULL || s->c->limits == 0)
+        return 0;
+    *c = *s->c;
+    if (!cagd_point_of_cell(c, at))
+        return 0;
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+        num_q step = from_int_q(1);
+        for (int near = 0; near <= NEAREST; near++, step = div_q(step, from_int_q(3))) {
+            for (int m = 0; m < s->unknowns; m++) {
+                long move = (m * (round + 2) + round) % (2 * s->unknowns + 3) - s->unknowns;
+                num_q by = near < NEAREST ? mul_q(step, from_ratio_q(move, s->unknowns + 1)) : from_int_q(0);
+                s->value[s->of[m]] = add_q(at[s->of[m]], by);
+            }
+            if (is_example(s))
+                return simplified(s);
+        }
+    }
+    return 0;
 }
 
 int cagd_find_example(const cagd_context *c, const cagd_tree *t, int k, num_q value[], num_q *left, num_q *right)
@@ -175,5 +234,5 @@ int cagd_find_example(const cagd_context *c, const cagd_tree *t, int k, num_q va
     for (int total = 0; total <= most && s.tries <= MOST_TRIES; total++)
         if (choose(&s, 0, total))
             return 1;
-    return find_among_different(&s);
+    return find_among_different(&s) || find_in_cell(&s);
 }

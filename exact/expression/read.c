@@ -119,7 +119,7 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
         cagd_tree *t = cagd_new(r, CAGD_NAME, from, 0);
         if (t != NULL)
             t->head = head, t->dimension = cagd_is_bound(r, head) ? 0 : cagd_dimension_of(r->scope, head);
-        if (t != NULL && !r->declaring && !cagd_is_known(r, head))
+        if (t != NULL && !cagd_may_be_unknown(r) && !cagd_is_known(r, head))
             return cagd_refuse_tree(r, t, "%s is not defined", head);
         return t;
     }
@@ -384,9 +384,9 @@ enum { MOST_ROWS = 6 };
 
 static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const char *close, int from)
 {
-    r->norms += kind == CAGD_NORM;
+    r->norms += kind == CAGD_NORM, r->amounts += kind == CAGD_ABSOLUTE;
     const cagd_tree *a = cagd_read_sum(r);
-    r->norms -= kind == CAGD_NORM;
+    r->norms -= kind == CAGD_NORM, r->amounts -= kind == CAGD_ABSOLUTE;
     if (a != NULL && a->dimension > 0 && kind == CAGD_ABSOLUTE)
         kind = CAGD_NORM;
     return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_new_of(r, kind, from, 1, &a) : NULL;
@@ -642,7 +642,8 @@ static int begins_factor(const cagd_reader *r)
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
            (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) || cagd_next_is(r, "(") ||
            cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{") ||
-           (r->norms == 0 && cagd_next_is(r, "\\|"));
+           (r->norms == 0 && cagd_next_is(r, "\\|")) ||
+           (r->amounts == 0 && cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") != 0);
 }
 
 /* Whether another sum or product over that index comes next: what is summed ends before it. */
@@ -802,7 +803,7 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0, from = r->token->from, more;
     do {
-        const cagd_tree *t = cagd_read_relations(r);
+        const cagd_tree *t = cagd_read_condition(r);
         if (t == NULL)
             return NULL;
         if (count + t->count > CAGD_MOST_CHILDREN)
@@ -848,6 +849,6 @@ const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, 
     cagd_reader r;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return NULL;
-    const cagd_tree *t = cagd_read_conditions(&r);
+    const cagd_tree *t = cagd_read_truth(&r);
     return t != NULL && at_the_end(&r) ? t : NULL;
 }

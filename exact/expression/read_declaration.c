@@ -331,7 +331,9 @@ static int piece(cagd_reader *r, struct piece *p)
         return 1;
     }
     back(r, start);
+    r->supposing++;
     *p = (struct piece){cagd_read_sum(r), 0};
+    r->supposing--;
     return p->tree != NULL;
 }
 
@@ -349,12 +351,44 @@ static int is_tighter(const cagd_tree *bound, const cagd_tree *before, int up)
     return up ? order > 0 : order < 0;
 }
 
+/* A name in an index that means nothing, and is not called `besides`; NULL where there is none. */
+static const cagd_tree *letter_without_meaning(const cagd_reader *r, const cagd_tree *t, const char *besides,
+                                               int in_index)
+{
+    if (t->kind == CAGD_NAME && t->count == 0)
+        return in_index && !cagd_is_known(r, t->head) && !cagd_is_label(r->scope, t->head) &&
+                       (besides == NULL || strcmp(besides, t->head) != 0)
+                   ? t
+                   : NULL;
+    const cagd_tree *found = NULL;
+    for (int k = 0; k < t->count && found == NULL; k++)
+        found =
+            letter_without_meaning(r, t->at[k], besides, in_index || (t->kind == CAGD_NAME && k < t->lower + t->upper));
+    return found;
+}
+
+/* u_i \le u_{i+1}, the letter i meaning nothing: for every index. */
+static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
+{
+    const cagd_tree *letter = letter_without_meaning(r, t, NULL, 0);
+    const cagd_tree *other = letter != NULL ? letter_without_meaning(r, t, letter->head, 0) : NULL;
+    if (letter == NULL)
+        return t;
+    if (other != NULL)
+        return cagd_refuse_tree(r, other, "a condition for every index has one letter: %s or %s", letter->head,
+                                other->head);
+    cagd_tree *every = cagd_new(r, CAGD_EVERY_INDEX, t->from, 1);
+    if (every != NULL)
+        every->head = letter->head, every->at[0] = t, every->to = t->to;
+    return every;
+}
+
 /* -1 \le \lambda < 1: bounds of the only variable, or else a condition. */
 static int chain(cagd_reader *r, cagd_scope *scope)
 {
     struct piece p[CAGD_MOST_INDICES];
     cagd_relation relation[CAGD_MOST_INDICES];
-    int count = 0, alone = 0, whole = 0, which = 0, from = r->token->from, up = 1, down = 1;
+    int count = 0, alone = 0, whole = 0, which = 0, from = r->token->from, up = 1, down = 1, some_index = 0;
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
@@ -372,10 +406,12 @@ static int chain(cagd_reader *r, cagd_scope *scope)
         if (p[k].alone > 0 && cagd_declared(scope, p[k].tree->head) == NULL &&
             !declare(r, scope, p[k].tree, (cagd_variable){0}))
             return 0;
+        some_index |= p[k].alone == 0 && letter_without_meaning(r, p[k].tree, NULL, 0) != NULL;
         up &= k + 1 == count || is_less(relation[k]);
         down &= k + 1 == count || is_greater(relation[k]);
     }
-    if ((alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) && (count == 2 || which == 1)) {
+    if (!some_index && (alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) &&
+        (count == 2 || which == 1)) {
         cagd_variable v = *cagd_declared(scope, p[which].tree->head);
         int replaces = 1;
         for (int k = 0; k < count; k++) {
@@ -395,7 +431,7 @@ static int chain(cagd_reader *r, cagd_scope *scope)
     for (int k = 0; k < count; k++)
         list[k] = p[k].tree;
     const cagd_tree *t = cagd_relate(r, from, count, list, relation);
-    return t != NULL && cagd_suppose(scope, t);
+    return t != NULL && (t = for_every_index(r, t)) != NULL && cagd_suppose(scope, t);
 }
 
 static int ranges(cagd_reader *r, cagd_scope *scope)

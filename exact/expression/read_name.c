@@ -39,6 +39,8 @@ int cagd_is_known(const cagd_reader *r, const char *head)
            cagd_is_parameter(r->scope, head);
 }
 
+int cagd_may_be_unknown(const cagd_reader *r) { return r->declaring || (r->supposing > 0 && r->in_index > 0); }
+
 struct parts {
     const char *head;
     int lower, upper, arguments, primes;
@@ -224,7 +226,7 @@ static int digits(cagd_reader *r, int *count, const cagd_tree *out[], int wanted
 }
 
 /* Indices with commas between, up to the closing brace if there are braces; side by side on the left of a definition: P_{ij}. */
-static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, int *primes)
+static int list_inside(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, int *primes)
 {
     if (!cagd_next_is(r, "{")) {
         out[(*count)++] = cagd_read_argument(r, 1);
@@ -250,6 +252,14 @@ static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, 
     while (primes != NULL && (cagd_pass(r, "\\prime") || cagd_pass(r, "'")))
         ++*primes;
     return (close == NULL || cagd_expect(r, close, "the index")) && cagd_expect(r, "}", "the index");
+}
+
+static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, int *primes)
+{
+    r->in_index++;
+    int good = list_inside(r, count, out, wanted, primes);
+    r->in_index--;
+    return good;
 }
 
 /* w_i and w_i^{[r]}, or w_i^r(t), are different names where w_i was made known without an upper index. */
@@ -415,10 +425,11 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
         p.head = joined(r, "", p.head, "_");
     if (p.head == NULL || !indices(r, &p) || !primed(r, &p))
         return NULL;
-    if (!r->declaring && !cagd_is_known(r, p.head))
+    int is_known = r->declaring || cagd_is_known(r, p.head);
+    if (!is_known && (!cagd_may_be_unknown(r) || p.lower + p.upper > 0))
         return complain_of_unknown(r, from, &p);
-    int most = r->declaring ? -1 : known_arguments(r, p.head);
-    if (!r->declaring && !fits(r, &p, from))
+    int most = !is_known ? 0 : r->declaring ? -1 : known_arguments(r, p.head);
+    if (!r->declaring && is_known && !fits(r, &p, from))
         return NULL;
     if (cagd_next_is(r, "(") && most != 0 && !arguments(r, &p, most))
         return NULL;

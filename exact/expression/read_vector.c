@@ -56,7 +56,7 @@ static cagd_tree *side_by_side(cagd_reader *r, cagd_tree *t)
 static int takes_vectors(cagd_tree_kind kind)
 {
     return kind == CAGD_DOT || kind == CAGD_CROSS || kind == CAGD_MIXED || kind == CAGD_NORM ||
-           kind == CAGD_COMPONENT || kind == CAGD_RELATION || kind == CAGD_ALL;
+           kind == CAGD_COMPONENT || kind >= CAGD_RELATION;
 }
 
 cagd_tree *cagd_with_dimension(cagd_reader *r, cagd_tree *t)

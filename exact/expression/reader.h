@@ -19,8 +19,11 @@ typedef struct cagd_reader {
     cagd_reading_error *error;
     int depth;
     int declaring; /* on the left of a definition: names need not be known   */
+    int supposing; /* in a condition: letters of indices need not be known   */
+    int in_index;
     int integrals; /* around what is read: d and a letter end the integrand  */
     int norms;     /* likewise: \| ends the norm and begins none             */
+    int amounts;   /* and | that of a number                                  */
     int nodes;
 } cagd_reader;
 
@@ -65,6 +68,10 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script);
 /* A chain of relations, and conditions with "," or "and" between; a truth. */
 const cagd_tree *cagd_read_relations(cagd_reader *r);
 const cagd_tree *cagd_read_conditions(cagd_reader *r);
+/* What is true or false: conditions, with implications, "or", "not" and quantifiers between. */
+const cagd_tree *cagd_read_truth(cagd_reader *r);
+/* One condition: a chain of relations, or a truth in brackets. */
+const cagd_tree *cagd_read_condition(cagd_reader *r);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
 /* Whether a chain has relations of both directions. */
 int cagd_changes_direction(const cagd_relation relation[], int count);
@@ -81,5 +88,7 @@ const char *cagd_read_head(cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */
 const char *cagd_spelled(const char *head);
 int cagd_is_known(const cagd_reader *r, const char *head);
+/* Whether a letter may stand here that is not known. */
+int cagd_may_be_unknown(const cagd_reader *r);
 int cagd_is_bound(const cagd_reader *r, const char *head);
 #endif

@@ -22,7 +22,11 @@ static const struct {
     {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""},
     {"\\,", ""}, {"\\;", ""}, {"\\:", ""}, {"\\!", ""}, {"\\ ", ""}, {"\\>", ""}, {"~", ""},
     {"−", "-"}, {"·", "*"}, {"×", "\\times"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≠", "\\ne"}, {"≡", "="}, {"…", "\\dots"},
-    {"∑", "\\sum"}, {"∏", "\\prod"}, {"′", "'"}, {"∞", "\\infty"}, {"∈", "\\in"}, {"ℝ", "\\R"}, {"⇒", "\\Rightarrow"}};
+    {"∑", "\\sum"}, {"∏", "\\prod"}, {"′", "'"}, {"∞", "\\infty"}, {"∈", "\\in"}, {"ℝ", "\\R"}, {"⇒", "\\Rightarrow"},
+    {"\\implies", "\\Rightarrow"}, {"\\Longrightarrow", "\\Rightarrow"}, {"\\impliedby", "\\Leftarrow"},
+    {"\\Longleftarrow", "\\Leftarrow"}, {"⇐", "\\Leftarrow"}, {"\\Leftrightarrow", "\\iff"},
+    {"\\Longleftrightarrow", "\\iff"}, {"⇔", "\\iff"}, {"\\vee", "\\lor"}, {"∨", "\\lor"}, {"∧", "\\land"},
+    {"\\lnot", "\\neg"}, {"¬", "\\neg"}, {"∀", "\\forall"}, {"∃", "\\exists"}};
 
 static const struct {
     const char *command, *letter;

@@ -38,9 +38,16 @@ typedef enum cagd_tree_kind {
     CAGD_DETERMINANT, /* [a_11, a_12, ...]: of `order` rows, one behind the other                                  */
     CAGD_COSINE,      /* [a]: of an angle, a sum of names and of halves of names                                  */
     CAGD_SINE,
-    CAGD_CASES,    /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
-    CAGD_RELATION, /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
-    CAGD_ALL       /* [conditions ...]: each of them                                                            */
+    CAGD_CASES,       /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
+    CAGD_RELATION,    /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
+    CAGD_ALL,         /* [conditions ...]: each of them                                                            */
+    CAGD_EVERY_INDEX, /* [condition]: for every value of the letter `head` in indices                           */
+    CAGD_ANY,         /* [conditions ...]: one of them at least                                                 */
+    CAGD_NOT,         /* [a] */
+    CAGD_IMPLIES,     /* [a, b] */
+    CAGD_IFF,         /* [a, b] */
+    CAGD_FOR_ALL,     /* [low, high, a]: for all whole numbers `head` from low to high                          */
+    CAGD_EXISTS       /* likewise, for one at least                                                             */
 } cagd_tree_kind;
 
 typedef enum cagd_relation {

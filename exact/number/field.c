@@ -118,10 +118,12 @@ num_f cagd_variable_f(const char *name)
 int cagd_field_variable_f(num_f a)
 {
     const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
+    slong power[CAGD_FIELD_MAX_VARIABLES];
     if (!cagd_fraction_is_polynomial(a.at) || !fmpz_mpoly_is_gen(a.at->numerator, -1, ctx))
         return -1;
+    fmpz_mpoly_get_term_exp_si(power, a.at->numerator, 0, ctx);
     for (int v = 0; v < field.known; v++)
-        if (fmpz_mpoly_is_gen(a.at->numerator, v, ctx))
+        if (power[v] == 1)
             return v;
     return -1;
 }
@@ -325,6 +327,49 @@ int cagd_denominator_degree_f(num_f a, num_f variable)
 int cagd_has_degrees_f(num_f a, num_f variable, int numerator, int denominator)
 {
     return degree_f(a, variable) == numerator && denominator_degree_f(a, variable) == denominator;
+}
+
+static num_q ratio_of(const fmpz_t n, const fmpz_t d)
+{
+    mpq_t x;
+    mpq_init(x);
+    fmpz_get_mpz(mpq_numref(x), n), fmpz_get_mpz(mpq_denref(x), d);
+    mpq_canonicalize(x);
+    num_q q = from_mpq_q(x);
+    mpq_clear(x);
+    return q;
+}
+
+int cagd_linear_f(num_f a, struct cagd_linear *out)
+{
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
+    slong power[CAGD_FIELD_MAX_VARIABLES], terms = fmpz_mpoly_length(a.at->numerator, ctx);
+    *out = (struct cagd_linear){.constant = from_int_q(0)};
+    if (!a.at->factors.known || a.at->factors.count > 0 || terms > field.known + 1)
+        return 0;
+    int *variable = cagd_region_array(field.known + 1, 1, sizeof *variable);
+    num_q *coefficient = cagd_region_array(field.known + 1, 1, sizeof *coefficient);
+    if (variable == NULL || coefficient == NULL)
+        return 0;
+    fmpz_t n;
+    fmpz_init(n);
+    int is_linear = 1;
+    for (slong k = 0; k < terms && is_linear; k++) {
+        int v = -1;
+        fmpz_mpoly_get_term_exp_si(power, a.at->numerator, k, ctx);
+        for (int m = 0; m < field.known; m++) {
+            is_linear &= power[m] == 0 || (power[m] == 1 && v < 0);
+            v = power[m] != 0 ? m : v;
+        }
+        fmpz_mpoly_get_term_coeff_fmpz(n, a.at->numerator, k, ctx);
+        if (v < 0)
+            out->constant = ratio_of(n, a.at->content);
+        else
+            variable[out->count] = v, coefficient[out->count++] = ratio_of(n, a.at->content);
+    }
+    fmpz_clear(n);
+    out->variable = variable, out->coefficient = coefficient;
+    return is_linear;
 }
 
 /* Does the printed polynomial need no parentheses above (below) the bar of a fraction? */

@@ -52,6 +52,16 @@ int cagd_has_degrees_f(cagd_num_f a, cagd_num_f variable, int numerator, int den
 
 int cagd_field_variable_f(cagd_num_f variable); /* its index, or -1 for any other element                      */
 
+/* a = constant + sum coefficient[k] x_variable[k], x_v being the variable of index v; no coefficient is 0.  0 where a is no such form;
+ * the arrays live in the region. */
+struct cagd_linear {
+    int count;
+    const int *variable;
+    const cagd_num_q *coefficient;
+    cagd_num_q constant;
+};
+int cagd_linear_f(cagd_num_f a, struct cagd_linear *out);
+
 /* +1, 0, -1: numerator and denominator have coefficients of one sign each, so a > 0, a = 0, a < 0
  * wherever all variables are positive.  -2: no such conclusion. */
 int cagd_coefficients_sign_f(cagd_num_f a);

@@ -31,6 +31,7 @@ struct cagd_trace {
     struct place *place;
     size_t places, taken, most, count;
     int paused, gave_up, input_count, facts; /* facts: since the last step that is none */
+    num_q (*value_of)(const char *name);     /* NULL: variables have any values         */
 };
 
 static _Thread_local struct cagd_trace *tracing; /* NULL when no trace is open in this thread */
@@ -225,7 +226,13 @@ void cagd_trace_input(num_q a, const char *name, int index)
     put(&tracing->inputs, "]");
 }
 
-/* Any positive value will do; those of splitmix64 have no relations that one would think of. */
+void cagd_trace_values(num_q (*value_of)(const char *name))
+{
+    if (tracing != NULL)
+        tracing->value_of = value_of;
+}
+
+/* Any positive value will do, where none is said; those of splitmix64 have no relations that one would think of. */
 static void note_variable(const void *slot, const char *name)
 {
     int v = 0;
@@ -240,6 +247,14 @@ static void note_variable(const void *slot, const char *name)
         return;
     }
     begin_input(slot, name, -1);
+    num_q value = tracing->value_of != NULL ? tracing->value_of(name) : (num_q){NULL};
+    if (value.at != NULL) {
+        put_value(&tracing->inputs, value);
+        put_word(&tracing->inputs, "]");
+        strcpy(tracing->variable[v], name);
+        tracing->node_of_variable[tracing->variables++] = known(slot);
+        return;
+    }
     uint64_t z = (uint64_t)(v + 1) * 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;

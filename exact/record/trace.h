@@ -38,6 +38,9 @@ void cagd_trace_resume(void);
 /* Whether what happens now is to be noted; the functions below are called only then. */
 int cagd_trace_noting(void);
 
+/* Variables of the field become inputs with the values that this function has for their names; any value where it has none. */
+void cagd_trace_values(cagd_num_q (*value_of)(const char *name));
+
 /* The number becomes an input of that name; index < 0: none. */
 void cagd_trace_input(cagd_num_q a, const char *name, int index);
 

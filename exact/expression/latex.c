@@ -1,0 +1,564 @@
+/* latex.c -- the displayed formulas of a LaTeX source, one line each, without what is there for the page. */
+#include "exact/expression/latex.h"
+#include "exact/words.h"
+
+#include <ctype.h>
+#include <string.h>
+
+enum { LONGEST_NAME = 40, MOST_NESTED = 64, LONGEST_LABEL = 120 };
+
+/* The rows of an environment are formulas of their own, or one formula. */
+enum rows { NO_FORMULA, ONE, EACH };
+
+/* clang-format off */
+static const struct {
+    const char *name;
+    enum rows rows;
+    int arguments; /* groups behind its name */
+} environments[] = {
+    {"equation", ONE, 0}, {"displaymath", ONE, 0}, {"multline", ONE, 0}, {"dmath", ONE, 0}, {"align", EACH, 0},
+    {"gather", EACH, 0}, {"eqnarray", EACH, 0}, {"flalign", EACH, 0}, {"alignat", EACH, 1}, {"dgroup", EACH, 0}};
+
+/* Inside of a formula these set it on several lines and mean nothing. */
+static const char *const settings[] = {"split", "aligned", "gathered", "alignedat", "multlined"};
+
+/* For the page, with a group behind it, which is left out with it; without one; and what stands for it. */
+static const char *const with_a_group[] = {"\\hspace", "\\vspace", "\\phantom", "\\vphantom", "\\hphantom", "\\mspace",
+                                           "\\color", "\\intertext", "\\shortintertext", "\\raisetag"};
+static const char *const alone[] = {"\\allowdisplaybreaks", "\\displaybreak", "\\hfill", "\\strut", "\\mathstrut", "\\notag",
+                                    "\\nonumber", "\\centering", "\\small", "\\ensuremath", "\\relax", "\\protect", "\\/",
+                                    "\\bigskip", "\\medskip", "\\noindent", "\\scriptstyle"};
+static const struct {
+    const char *written, *means;
+    int defines; /* the relation says what the left side means */
+} other_words[] = {{"\\hbox", "\\text", 0}, {"\\textnormal", "\\text", 0}, {"\\textit", "\\text", 0}, {"\\coloneqq", "=", 1},
+                   {"\\coloneq", "=", 1}, {"\\triangleq", "=", 1}, {"\\lVert", "\\|", 0}, {"\\rVert", "\\|", 0},
+                   {"\\Vert", "\\|", 0}, {"\\mid", "|", 0}};
+/* clang-format on */
+
+/* How far the reader of the source is. */
+struct source {
+    const cagd_latex_text *in;
+    cagd_latex *out;
+    cagd_latex_note waiting[CAGD_LATEX_MOST_NOTES]; /* comments in front of the next environment, in out->text */
+    int waits, waiting_at;
+};
+
+/* A row that is being read: its formula goes to out->text when it ends. */
+struct row {
+    cagd_latex_text text;
+    const char *label, *tag;
+    cagd_latex_note note[CAGD_LATEX_MOST_NOTES];
+    int notes, at, is_definition;
+};
+
+static int is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/* ---- words --------------------------------------------------------------------------------------------- */
+
+static int begins(const cagd_latex_text *t, int k, const char *word)
+{
+    int n = (int)strlen(word);
+    return t->size - k >= n && memcmp(t->bytes + k, word, (size_t)n) == 0;
+}
+
+/* Behind the command or the byte at k. */
+static int behind_word(const cagd_latex_text *t, int k)
+{
+    if (t->bytes[k] != '\\' || k + 1 == t->size)
+        return k + 1;
+    int end = k + 1;
+    while (end < t->size && isalpha((unsigned char)t->bytes[end]))
+        end++;
+    return end > k + 1 ? end : k + 2;
+}
+
+static int is_word(const cagd_latex_text *t, int a, int b, const char *word)
+{
+    return b - a == (int)strlen(word) && memcmp(t->bytes + a, word, (size_t)(b - a)) == 0;
+}
+
+static int is_one_of(const cagd_latex_text *t, int a, int b, const char *const list[], size_t count)
+{
+    for (size_t k = 0; k < count; k++)
+        if (is_word(t, a, b, list[k]))
+            return 1;
+    return 0;
+}
+#define IS_ONE_OF(t, a, b, list) is_one_of(t, a, b, list, sizeof list / sizeof *list)
+
+static int behind_blanks(const cagd_latex_text *t, int k)
+{
+    while (k < t->size && is_blank(t->bytes[k]))
+        k++;
+    return k;
+}
+
+/* {text} behind blanks at k: its bytes to a..b, and what is behind it; k where there is none, or none that ends before `stop`. */
+static int group(const cagd_latex_text *t, int k, int stop, char open, char close, int *a, int *b)
+{
+    int at = behind_blanks(t, k), depth = 0;
+    *a = *b = at;
+    if (at >= stop || t->bytes[at] != open)
+        return k;
+    for (int m = at; m < stop; m = behind_word(t, m)) {
+        depth += (t->bytes[m] == open) - (t->bytes[m] == close);
+        if (depth == 0) {
+            *a = at + 1, *b = m;
+            return m + 1;
+        }
+    }
+    return k;
+}
+
+/* \begin{name} or \end{name} at k: the name without a star to name[], and what is behind it; k where it is another thing. */
+static int environment(const cagd_latex_text *t, int k, const char *word, char name[LONGEST_NAME])
+{
+    int a, b, at = begins(t, k, word) ? k + (int)strlen(word) : k;
+    int end =
+        at > k ? group(t, at, t->size < at + LONGEST_NAME + 2 ? t->size : at + LONGEST_NAME + 2, '{', '}', &a, &b) : k;
+    if (end <= at || b - a >= LONGEST_NAME)
+        return k;
+    b -= b > a && t->bytes[b - 1] == '*';
+    memcpy(name, t->bytes + a, (size_t)(b - a));
+    name[b - a] = '\0';
+    return end;
+}
+
+static int number_of_environment(const char *name)
+{
+    for (size_t k = 0; k < sizeof environments / sizeof *environments; k++)
+        if (strcmp(environments[k].name, name) == 0)
+            return (int)k;
+    return -1;
+}
+
+static int is_setting(const char *name)
+{
+    for (size_t k = 0; k < sizeof settings / sizeof *settings; k++)
+        if (strcmp(settings[k], name) == 0)
+            return 1;
+    return 0;
+}
+
+/* The byte of the source that byte k comes from. */
+static int place_of(const cagd_latex_text *t, int k) { return k < t->size ? t->from[k] : 0; }
+
+/* ---- what comments say --------------------------------------------------------------------------------- */
+
+/* The comment at k: its words, and a blank, go to the text that comes out; what is behind it. */
+static int read_note(struct source *s, int k, cagd_latex_note *note)
+{
+    const cagd_latex_text *t = s->in;
+    cagd_latex_text *out = &s->out->text;
+    int end = k;
+    while (end < t->size && t->bytes[end] != '\n')
+        end++;
+    for (k++; k < end && t->bytes[k] != ':'; k++)
+        ;
+    k = k < end ? k + 1 : end;
+    while (k < end && is_blank(t->bytes[k]))
+        k++;
+    int stop = end;
+    while (stop > k && is_blank(t->bytes[stop - 1]))
+        stop--;
+    note->from = out->size;
+    for (int m = k; m < stop; m++)
+        cagd_latex_put(out, t->bytes[m], t->from[m]);
+    note->to = out->size;
+    cagd_latex_put(out, '\n', t->from[stop > 0 ? stop - 1 : 0]);
+    return end;
+}
+
+static void add_item(cagd_latex *out, cagd_latex_item item)
+{
+    if (out->items == out->item_room) {
+        int room = out->item_room > 0 ? 2 * out->item_room : 32;
+        cagd_latex_item *more = cagd_region_array(room, 1, sizeof *more);
+        if (more == NULL)
+            return;
+        if (out->items > 0)
+            memcpy(more, out->item, (size_t)out->items * sizeof *more);
+        out->item = more, out->item_room = room;
+    }
+    out->item[out->items++] = item;
+}
+
+/* A line of a block of meanings stands for itself; 0 where the comment is another one. */
+static int is_let(struct source *s, const cagd_latex_note *note)
+{
+    const cagd_latex_text *t = &s->out->text;
+    if (!begins(t, note->from, "let") || note->to - note->from < 3 ||
+        (note->to - note->from > 3 && !is_blank(t->bytes[note->from + 3])))
+        return 0;
+    int from = note->from + 3;
+    while (from < note->to && is_blank(t->bytes[from]))
+        from++;
+    add_item(s->out, (cagd_latex_item){.is_let = 1, .from = from, .to = note->to, .at = place_of(t, note->from)});
+    return 1;
+}
+
+static void keep_note(struct source *s, cagd_latex_note list[], int *count, cagd_latex_note note)
+{
+    const cagd_latex_text *t = &s->out->text;
+    if (*count < CAGD_LATEX_MOST_NOTES)
+        list[(*count)++] = note;
+    else
+        cagd_latex_refuse(s->out, place_of(t, note.from), place_of(t, note.from) + 1,
+                          "more than 16 comments for one formula");
+}
+
+/* Comments that nothing came behind to which they could belong. */
+static void refuse_notes(struct source *s, const cagd_latex_note list[], int count)
+{
+    for (int k = 0; k < count; k++) {
+        int at = place_of(&s->out->text, list[k].from);
+        cagd_latex_refuse(s->out, at, at + 1, "no formula follows for which this could be said");
+    }
+}
+
+static void forget_notes(struct source *s)
+{
+    refuse_notes(s, s->waiting, s->waits);
+    s->waits = 0;
+}
+
+/* ---- rows ---------------------------------------------------------------------------------------------- */
+
+/* Whether the formula goes on with a relation or a sign: then it is no formula of its own. */
+static int goes_on(const cagd_latex_text *t)
+{
+    static const char *const signs[] = {"=",          "<",          ">",       "+",      "-",       "\\le", "\\leq",
+                                        "\\ge",       "\\geq",      "\\equiv", "\\cdot", "\\times", "\\ne", "\\neq",
+                                        "\\leqslant", "\\geqslant", "\\qquad", "\\quad", "/",       "≤",    "≥"};
+    int k = behind_blanks(t, 0);
+    if (k == t->size)
+        return 0;
+    int end = behind_word(t, k);
+    while (end < t->size && ((unsigned char)t->bytes[end] & 0xC0) == 0x80)
+        end++;
+    return IS_ONE_OF(t, k, end, signs);
+}
+
+static int is_empty(const cagd_latex_text *t) { return behind_blanks(t, 0) == t->size; }
+
+/* The row, with the notes of all rows of its environment, becomes a formula; commas and periods at its end belong to the sentence. */
+static void end_formula(struct source *s, struct row *r)
+{
+    cagd_latex_text *out = &s->out->text, *t = &r->text;
+    int from = behind_blanks(t, 0), to = t->size;
+    while (to > from && (is_blank(t->bytes[to - 1]) ||
+                         (strchr(",.;", t->bytes[to - 1]) != NULL && (to - from < 2 || t->bytes[to - 2] != '\\'))))
+        to--;
+    cagd_latex_item item = {.is_definition = r->is_definition,
+                            .from = out->size,
+                            .at = from < t->size ? t->from[from] : r->at,
+                            .name = r->label != NULL ? r->label : r->tag,
+                            .notes = r->notes};
+    memcpy(item.note, r->note, sizeof item.note);
+    for (int k = from; k < to; k++)
+        cagd_latex_put(out, t->bytes[k], t->from[k]);
+    item.to = out->size;
+    cagd_latex_put(out, '\n', item.at);
+    if (to > from)
+        add_item(s->out, item);
+    for (int k = 0; k < r->notes && to == from; k++) {
+        int at = place_of(out, r->note[k].from);
+        cagd_latex_refuse(s->out, at, at + 1, "the row that this is said of has no formula");
+    }
+}
+
+/* A row ended: it goes on with the one before, or that one is a formula. */
+static void end_row(struct source *s, struct row *before, int *has_before, struct row *r, int at)
+{
+    if (*has_before && (goes_on(&r->text) || is_empty(&r->text))) {
+        for (int k = 0; k < r->text.size; k++)
+            cagd_latex_put(&before->text, r->text.bytes[k], r->text.from[k]);
+        before->label = before->label != NULL ? before->label : r->label;
+        before->tag = before->tag != NULL ? before->tag : r->tag;
+        before->is_definition |= r->is_definition;
+        for (int k = 0; k < r->notes; k++)
+            keep_note(s, before->note, &before->notes, r->note[k]);
+    } else {
+        if (*has_before)
+            end_formula(s, before);
+        *before = *r;
+        *has_before = 1;
+    }
+    *r = (struct row){.at = at};
+}
+
+static void put_word(struct row *r, const char *word, int from)
+{
+    if (isalpha((unsigned char)word[0]))
+        cagd_latex_put(&r->text, ' ', from);
+    for (; *word != '\0'; word++)
+        cagd_latex_put(&r->text, *word, from);
+}
+
+/* A label is one line of letters. */
+static const char *label_of(const cagd_latex_text *t, int a, int b)
+{
+    while (a < b && is_blank(t->bytes[a]))
+        a++;
+    while (b > a && is_blank(t->bytes[b - 1]))
+        b--;
+    char *text = region_bytes((size_t)(b - a) + 1);
+    for (int k = a; text != NULL && k < b; k++)
+        text[k - a] = is_blank(t->bytes[k]) ? ' ' : t->bytes[k];
+    if (text == NULL || a == b || b - a > LONGEST_LABEL)
+        return NULL;
+    text[b - a] = '\0';
+    return text;
+}
+
+/* The word at a..b of a formula, if it is one that is not simply copied: what is behind it and what it takes, else a. */
+static int special_word(struct source *s, struct row *r, int a, int b, int stop)
+{
+    const cagd_latex_text *t = s->in;
+    int from, to, end;
+    if (is_word(t, a, b, "\\label")) {
+        end = group(t, b, stop, '{', '}', &from, &to);
+        r->label = end > b && r->label == NULL ? label_of(t, from, to) : r->label;
+        return end;
+    }
+    if (is_word(t, a, b, "\\tag")) {
+        b += b < stop && t->bytes[b] == '*';
+        end = group(t, b, stop, '{', '}', &from, &to);
+        r->tag = end > b && r->tag == NULL ? label_of(t, from, to) : r->tag;
+        return end;
+    }
+    if (IS_ONE_OF(t, a, b, with_a_group))
+        return group(t, b + (b < stop && t->bytes[b] == '*'), stop, '{', '}', &from, &to);
+    if (IS_ONE_OF(t, a, b, alone))
+        return b;
+    if (is_word(t, a, b, "\\overset") || is_word(t, a, b, "\\stackrel")) { /* \overset{\text{def}}{=} */
+        end = group(t, b, stop, '{', '}', &from, &to);
+        for (int k = from; k + 3 <= to; k++)
+            r->is_definition |= begins(t, k, "def");
+        return end;
+    }
+    for (size_t k = 0; k < sizeof other_words / sizeof *other_words; k++)
+        if (is_word(t, a, b, other_words[k].written)) {
+            put_word(r, other_words[k].means, t->from[a]);
+            r->is_definition |= other_words[k].defines;
+            return b;
+        }
+    return a;
+}
+
+/* \begin{split} and \end{split} inside of a formula are passed over, others kept; what encloses what follows is in inside[]. */
+static int inner_environment(const cagd_latex_text *t, int k, char inside[][LONGEST_NAME], int *depth)
+{
+    char name[LONGEST_NAME];
+    int a, b, end = environment(t, k, "\\begin", name);
+    if (end > k && *depth < MOST_NESTED) {
+        memcpy(inside[(*depth)++], name, sizeof name);
+        if (!is_setting(name))
+            return k;
+        end = group(t, end, t->size, '[', ']', &a, &b);
+        return strcmp(name, "alignedat") == 0 ? group(t, end, t->size, '{', '}', &a, &b) : end;
+    }
+    end = environment(t, k, "\\end", name);
+    if (end <= k || *depth == 0)
+        return k;
+    --*depth;
+    return is_setting(name) ? end : k;
+}
+
+/* Behind the end of a row at k: \\, \\*, \\[2pt]. */
+static int behind_break(const cagd_latex_text *t, int k, int stop)
+{
+    int a, b;
+    k += 2;
+    k += k < stop && t->bytes[k] == '*';
+    return k < stop && t->bytes[k] == '[' ? group(t, k, stop, '[', ']', &a, &b) : k;
+}
+
+/* A comment in a row: of the row that just ended, if it stands on the line of its end. */
+static int note_in_row(struct source *s, int k, int ended_at, struct row *before, int has_before, struct row *r)
+{
+    cagd_latex_note note;
+    int same_line = has_before && ended_at >= 0;
+    for (int m = ended_at; same_line && m < k; m++)
+        same_line = s->in->bytes[m] == ' ' || s->in->bytes[m] == '\t';
+    int end = read_note(s, k, &note);
+    if (!is_let(s, &note))
+        keep_note(s, same_line ? before->note : r->note, same_line ? &before->notes : &r->notes, note);
+    return end;
+}
+
+/* {} and {=}, which are there for the space around them: behind them; k where it is another thing. */
+static int behind_small_group(const cagd_latex_text *t, int k, int stop)
+{
+    if (t->bytes[k] != '{' || k + 1 >= stop)
+        return k;
+    if (t->bytes[k + 1] == '}')
+        return k + 2;
+    return k + 2 < stop && strchr("=<>+-", t->bytes[k + 1]) != NULL && t->bytes[k + 2] == '}' ? k + 3 : k;
+}
+
+/* The body of an environment, in[k..stop). */
+static void read_body(struct source *s, int k, int stop, enum rows rows)
+{
+    const cagd_latex_text *t = s->in;
+    char inside[MOST_NESTED][LONGEST_NAME];
+    struct row before = {0}, r = {.at = k < t->size ? t->from[k] : 0};
+    int depth = 0, braces = 0, has_before = 0, ended_at = -1;
+    cagd_latex_note shared[CAGD_LATEX_MOST_NOTES];
+    int shares = s->waits, first = s->out->items;
+    memcpy(shared, s->waiting, sizeof shared);
+    s->waits = 0;
+    while (k < stop && region_faults == 0) {
+        int next = behind_word(t, k), set = depth == 0 || is_setting(inside[depth - 1]);
+        char c = t->bytes[k];
+        if (c == '%') {
+            k = note_in_row(s, k, ended_at, &before, has_before, &r);
+            continue;
+        }
+        if (c == '\\' && next == k + 2 && t->bytes[k + 1] == '\\' && set && braces == 0) {
+            k = ended_at = behind_break(t, k, stop);
+            if (depth == 0 && rows == EACH)
+                end_row(s, &before, &has_before, &r, k < t->size ? t->from[k] : r.at);
+            else
+                cagd_latex_put(&r.text, ' ', t->from[k - 1]);
+            continue;
+        }
+        braces += (c == '{') - (c == '}');
+        int end = c == '\\' && next > k + 2 ? inner_environment(t, k, inside, &depth) : k;
+        if (end == k && c == '\\')
+            end = special_word(s, &r, k, next, stop);
+        if (end > k) {
+            cagd_latex_put(&r.text, ' ', t->from[k]);
+            k = end;
+        } else if ((end = behind_small_group(t, k, stop)) > k) {
+            cagd_latex_put(&r.text, ' ', t->from[k]);
+            if (end > k + 2)
+                cagd_latex_put(&r.text, t->bytes[k + 1], t->from[k + 1]);
+            braces--;
+            k = end;
+        } else if (c == ':' && next < stop && t->bytes[next] == '=') {
+            r.is_definition = 1;
+            k = next;
+        } else {
+            for (int m = k; m < next && m < stop; m++)
+                cagd_latex_put(&r.text, is_blank(t->bytes[m]) || (c == '&' && set) ? ' ' : t->bytes[m], t->from[m]);
+            k = next;
+        }
+    }
+    end_row(s, &before, &has_before, &r, 0);
+    end_formula(s, &before);
+    int count = 0;
+    for (int m = first; m < s->out->items; m++) { /* what was said in front of it is said of each formula */
+        count += !s->out->item[m].is_let;
+        for (int j = 0; j < shares && !s->out->item[m].is_let; j++)
+            keep_note(s, s->out->item[m].note, &s->out->item[m].notes, shared[j]);
+    }
+    if (count == 0)
+        refuse_notes(s, shared, shares);
+}
+
+/* ---- the source ---------------------------------------------------------------------------------------- */
+
+/* Where the word that ends a formula stands, from k on; -1 where it does not. */
+static int end_of_formula(const cagd_latex_text *t, int k, const char *close, const char *name)
+{
+    for (char other[LONGEST_NAME]; k < t->size; k = behind_word(t, k)) {
+        if (t->bytes[k] == '%')
+            while (k + 1 < t->size && t->bytes[k + 1] != '\n')
+                k++;
+        else if (name == NULL ? begins(t, k, close) : environment(t, k, "\\end", other) > k && strcmp(other, name) == 0)
+            return k;
+    }
+    return -1;
+}
+
+/* A comment on the line on which an environment ends, whose formulas begin with number `first`: it belongs to each of them. */
+static int note_behind(struct source *s, int k, int first)
+{
+    cagd_latex_note note;
+    int end = read_note(s, k, &note), count = 0;
+    if (is_let(s, &note))
+        return end;
+    for (int m = first; m < s->out->items; m++)
+        if (!s->out->item[m].is_let)
+            keep_note(s, s->out->item[m].note, &s->out->item[m].notes, note), count++;
+    if (count == 0)
+        refuse_notes(s, &note, 1);
+    return end;
+}
+
+/* The formula whose beginning is at..k; what is behind it. */
+static int read_formula(struct source *s, int at, int k, const char *close, const char *name, enum rows rows)
+{
+    const cagd_latex_text *t = s->in;
+    char text[LONGEST_NAME];
+    int stop = end_of_formula(t, k, close, name);
+    if (stop < 0) {
+        cagd_latex_refuse(s->out, t->from[at], t->from[k - 1] + 1,
+                          name != NULL      ? "this environment does not end: expected its \\end"
+                          : close[0] == '$' ? "this formula does not end: expected $$"
+                                            : "this formula does not end: expected \\]");
+        s->waits = 0;
+        return t->size;
+    }
+    int first = s->out->items;
+    read_body(s, k, stop, rows);
+    int end = name != NULL ? environment(t, stop, "\\end", text) : stop + (int)strlen(close), note = end;
+    while (note < t->size && (t->bytes[note] == ' ' || t->bytes[note] == '\t'))
+        note++;
+    return note < t->size && t->bytes[note] == '%' ? note_behind(s, note, first) : end;
+}
+
+/* $...$ inside of a text is no formula of its own: behind it. */
+static int behind_inline(const cagd_latex_text *t, int k)
+{
+    for (int m = k + 1; m < t->size; m = behind_word(t, m)) {
+        if (t->bytes[m] == '$')
+            return m + 1;
+        if (t->bytes[m] == '\n' && m + 1 < t->size && t->bytes[m + 1] == '\n') /* a paragraph ends it */
+            break;
+    }
+    return k + 1;
+}
+
+/* What stands at k of the source; what is behind it. */
+static int read_next(struct source *s, int k)
+{
+    const cagd_latex_text *t = s->in;
+    char name[LONGEST_NAME];
+    cagd_latex_note note;
+    if (t->bytes[k] == '%') {
+        int end = read_note(s, k, &note);
+        if (!is_let(s, &note))
+            keep_note(s, s->waiting, &s->waits, note);
+        return end;
+    }
+    if (is_blank(t->bytes[k]))
+        return k + 1;
+    int behind = environment(t, k, "\\begin", name), a, b, which = behind > k ? number_of_environment(name) : -1;
+    if (which >= 0) {
+        if (environments[which].arguments > 0)
+            behind = group(t, behind, t->size, '{', '}', &a, &b);
+        return read_formula(s, k, behind, NULL, environments[which].name, environments[which].rows);
+    }
+    if (begins(t, k, "\\["))
+        return read_formula(s, k, k + 2, "\\]", NULL, ONE);
+    if (begins(t, k, "$$"))
+        return read_formula(s, k, k + 2, "$$", NULL, ONE);
+    if (behind > k && strcmp(name, "subequations") == 0)
+        return behind;
+    forget_notes(s);
+    return t->bytes[k] == '$' ? behind_inline(t, k) : behind_word(t, k);
+}
+
+void cagd_read_latex(const char *source, int size, cagd_latex *out)
+{
+    cagd_latex_text in = {0};
+    *out = (cagd_latex){0};
+    cagd_expand_latex(source, size, &in, out);
+    struct source s = {.in = &in, .out = out};
+    for (int k = 0; k < in.size && region_faults == 0;)
+        k = read_next(&s, k);
+    forget_notes(&s);
+}

@@ -1,0 +1,544 @@
+/* latex_commands.c -- \newcommand, \def and their like, and what they stand for. */
+#include "exact/expression/latex.h"
+#include "exact/words.h"
+
+#include <ctype.h>
+#include <string.h>
+
+enum {
+    SHELVES = 1024,
+    MOST_PARAMETERS = 9,
+    MOST_DEPTH = 40,
+    MOST_CALLS = 5000,
+    MOST_OF_ONE = 1 << 17,
+    MOST_WORK = 1 << 28
+};
+
+/* A piece of text: of the source, whose bytes come from where they stand, or of an expansion, where from[] says it. */
+struct slice {
+    const char *s;
+    const int *from; /* NULL: byte k comes from byte offset + k */
+    int n, offset;
+};
+
+/* \name with so many parameters stands for the body; the first one may be left out, where `optional` is given. */
+struct command {
+    const char *name;
+    int parameters, has_optional, starred; /* starred: a star or an option behind the name is passed over */
+    struct slice optional, body;
+    struct command *next;
+};
+
+struct expansion {
+    struct command *shelf[SHELVES];
+    cagd_latex_text *out;
+    cagd_latex *troubles;
+    int calls, limit; /* of the outermost command: what it called, and how large the text may get */
+    int at;           /* where it was called in the source                                       */
+    int overflow, in_body;
+    long work; /* bytes that were looked through for the ends of groups: what is made to take long ends */
+};
+
+static int from_of(const struct slice *t, int k) { return t->from != NULL ? t->from[k] : t->offset + k; }
+
+static struct slice part_of(const struct slice *t, int a, int b)
+{
+    return (struct slice){t->s + a, t->from != NULL ? t->from + a : NULL, b - a, t->offset + a};
+}
+
+/* ---- the text that grows ------------------------------------------------------------------------------- */
+
+void cagd_latex_put(cagd_latex_text *out, char byte, int from)
+{
+    if (out->size == out->room) {
+        int room = out->room > 0 ? 2 * out->room : 1 << 10;
+        char *bytes = region_bytes((size_t)room);
+        int *places = cagd_region_array(room, 1, sizeof *places);
+        if (bytes == NULL || places == NULL)
+            return;
+        if (out->size > 0) {
+            memcpy(bytes, out->bytes, (size_t)out->size);
+            memcpy(places, out->from, (size_t)out->size * sizeof *places);
+        }
+        out->bytes = bytes, out->from = places, out->room = room;
+    }
+    out->bytes[out->size] = byte;
+    out->from[out->size++] = from;
+}
+
+static void put_slice(cagd_latex_text *out, const struct slice *t, int a, int b)
+{
+    for (int k = a; k < b; k++)
+        cagd_latex_put(out, t->s[k], from_of(t, k));
+}
+
+void cagd_latex_refuse(cagd_latex *out, int from, int to, const char *message)
+{
+    if (out->troubles == out->trouble_room) {
+        int room = out->trouble_room > 0 ? 2 * out->trouble_room : 8;
+        cagd_latex_trouble *more = cagd_region_array(room, 1, sizeof *more);
+        if (more == NULL)
+            return;
+        if (out->troubles > 0)
+            memcpy(more, out->trouble, (size_t)out->troubles * sizeof *more);
+        out->trouble = more, out->trouble_room = room;
+    }
+    out->trouble[out->troubles++] = (cagd_latex_trouble){from, to, message, 0};
+}
+
+/* ---- where things end ---------------------------------------------------------------------------------- */
+
+static int is_letter(char c) { return isalpha((unsigned char)c) || c == '@'; }
+static int is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/* Behind the comment at k, its end of line and the blanks that the next line begins with. */
+static int behind_comment(const struct slice *t, int k)
+{
+    while (k < t->n && t->s[k] != '\n')
+        k++;
+    k += k < t->n;
+    while (k < t->n && (t->s[k] == ' ' || t->s[k] == '\t'))
+        k++;
+    return k;
+}
+
+static int behind_blanks(const struct slice *t, int k)
+{
+    while (k < t->n && (is_blank(t->s[k]) || t->s[k] == '%'))
+        k = t->s[k] == '%' ? behind_comment(t, k) : k + 1;
+    return k;
+}
+
+/* Behind the command or the character at k; a command is a backslash with letters, or with one other character. */
+static int behind_token(const struct slice *t, int k)
+{
+    if (t->s[k] != '\\' || k + 1 == t->n) {
+        for (k++; k < t->n && ((unsigned char)t->s[k] & 0xC0) == 0x80; k++)
+            ;
+        return k;
+    }
+    if (!is_letter(t->s[k + 1]))
+        return k + 2;
+    for (k++; k < t->n && is_letter(t->s[k]); k++)
+        ;
+    return k;
+}
+
+/* Behind the group that begins at k with `open`; -1 where it does not end. */
+static int behind_group(struct expansion *x, const struct slice *t, int k, char open, char close)
+{
+    int depth = 0;
+    while (k < t->n && ++x->work < MOST_WORK) {
+        char c = t->s[k];
+        if (c == '%') {
+            k = behind_comment(t, k);
+            continue;
+        }
+        int next = behind_token(t, k);
+        if (open != '{' && c == '{') { /* brackets inside of braces do not count */
+            next = behind_group(x, t, k, '{', '}');
+            if (next < 0)
+                return -1;
+        } else {
+            depth += (c == open) - (c == close);
+        }
+        k = next;
+        if (depth == 0)
+            return k;
+    }
+    return -1;
+}
+
+static int is_word(const struct slice *t, int a, int b, const char *word)
+{
+    return b - a == (int)strlen(word) && memcmp(t->s + a, word, (size_t)(b - a)) == 0;
+}
+
+/* {\name} or \name at k: the name goes to a..b, and what is behind it comes out; -1 where there is none. */
+static int name_at(const struct slice *t, int k, int *a, int *b)
+{
+    k = behind_blanks(t, k);
+    int braces = k < t->n && t->s[k] == '{';
+    if (braces)
+        k = behind_blanks(t, k + 1);
+    if (k >= t->n || t->s[k] != '\\')
+        return -1;
+    *a = k, *b = k = behind_token(t, k);
+    if (braces) {
+        k = behind_blanks(t, k);
+        if (k >= t->n || t->s[k] != '}')
+            return -1;
+        k++;
+    }
+    return k;
+}
+
+/* {group} or a single token behind blanks: without its braces in *out; what is behind it, or -1. */
+static int argument_at(struct expansion *x, const struct slice *t, int k, struct slice *out)
+{
+    k = behind_blanks(t, k);
+    if (k >= t->n || t->s[k] == '}')
+        return -1;
+    int end = t->s[k] == '{' ? behind_group(x, t, k, '{', '}') : behind_token(t, k);
+    if (end > 0)
+        *out = t->s[k] == '{' ? part_of(t, k + 1, end - 1) : part_of(t, k, end);
+    return end;
+}
+
+/* [option] behind blanks, if one stands there. */
+static int option_at(struct expansion *x, const struct slice *t, int k, struct slice *out, int *is)
+{
+    int at = behind_blanks(t, k), end = at < t->n && t->s[at] == '[' ? behind_group(x, t, at, '[', ']') : -1;
+    *is = end > 0;
+    if (*is)
+        *out = part_of(t, at + 1, end - 1);
+    return *is ? end : k;
+}
+
+/* ---- definitions --------------------------------------------------------------------------------------- */
+
+static struct command **shelf_of(struct expansion *x, const char *name, int n)
+{
+    unsigned h = 5381;
+    for (int k = 0; k < n; k++)
+        h = h * 33 + (unsigned char)name[k];
+    return &x->shelf[h % SHELVES];
+}
+
+static const struct command *command_of(struct expansion *x, const struct slice *t, int a, int b)
+{
+    for (const struct command *c = *shelf_of(x, t->s + a, b - a); c != NULL; c = c->next)
+        if (is_word(t, a, b, c->name))
+            return c;
+    return NULL;
+}
+
+static void define(struct expansion *x, const struct slice *t, int a, int b, struct command c)
+{
+    struct command *one = region_bytes(sizeof *one), **shelf = shelf_of(x, t->s + a, b - a);
+    c.name = cagd_text_of(t->s + a, b - a);
+    if (one == NULL || c.name == NULL)
+        return;
+    c.next = *shelf;
+    *one = c, *shelf = one;
+}
+
+static struct slice literally(const char *text, int offset)
+{
+    int n = (int)strlen(text), *from = cagd_region_array(n + 1, 1, sizeof *from);
+    for (int k = 0; from != NULL && k < n; k++)
+        from[k] = offset;
+    return (struct slice){text, from, from != NULL ? n : 0, 0};
+}
+
+/* One behind another. */
+static struct slice chained(const struct slice *a, const char *between, const struct slice *b, const char *after)
+{
+    cagd_latex_text all = {0};
+    struct slice first = literally(between, a->n > 0 ? from_of(a, 0) : 0), last = literally(after, first.offset);
+    put_slice(&all, a, 0, a->n);
+    put_slice(&all, &first, 0, first.n);
+    put_slice(&all, b, 0, b->n);
+    put_slice(&all, &last, 0, last.n);
+    return (struct slice){all.bytes, all.from, all.size, 0};
+}
+
+/* \newcommand*{\name}[2][optional]{body}: what is behind it, or -1. */
+static int new_command(struct expansion *x, const struct slice *t, int k, int keeps)
+{
+    int a, b, is;
+    struct slice number;
+    struct command c = {0};
+    k = behind_blanks(t, k);
+    k += k < t->n && t->s[k] == '*';
+    if ((k = name_at(t, k, &a, &b)) < 0)
+        return -1;
+    k = option_at(x, t, k, &number, &is);
+    c.parameters = is && number.n == 1 && isdigit((unsigned char)number.s[0]) ? number.s[0] - '0' : 0;
+    if (is && c.parameters > 0)
+        k = option_at(x, t, k, &c.optional, &c.has_optional);
+    if ((k = argument_at(x, t, k, &c.body)) >= 0 && !(keeps && command_of(x, t, a, b) != NULL))
+        define(x, t, a, b, c);
+    return k;
+}
+
+/* \def\name#1#2{body}; with anything else between the parameters it is none that is understood, and is passed over. */
+static int def(struct expansion *x, const struct slice *t, int k)
+{
+    int a, b, good = 1;
+    struct command c = {0};
+    if ((k = name_at(t, k, &a, &b)) < 0)
+        return -1;
+    while (k < t->n && t->s[k] != '{') {
+        if (t->s[k] == '#' && k + 1 < t->n && t->s[k + 1] == '1' + c.parameters && c.parameters < MOST_PARAMETERS)
+            c.parameters++, k += 2;
+        else
+            good &= is_blank(t->s[k]), k = behind_token(t, k);
+    }
+    if ((k = argument_at(x, t, k, &c.body)) >= 0 && good)
+        define(x, t, a, b, c);
+    return k;
+}
+
+/* \DeclareMathOperator*{\name}{text}: \operatorname{text}. */
+static int operator(struct expansion *x, const struct slice *t, int k)
+{
+    int a, b;
+    struct slice text;
+    k = behind_blanks(t, k);
+    k += k < t->n && t->s[k] == '*';
+    if ((k = name_at(t, k, &a, &b)) < 0 || (k = argument_at(x, t, k, &text)) < 0)
+        return -1;
+    struct slice before = literally("\\operatorname{", from_of(t, a));
+    define(x, t, a, b, (struct command){.body = chained(&before, "", &text, "}")});
+    return k;
+}
+
+/* \DeclarePairedDelimiter{\name}{left}{right}: \name{x} and \name*{x} are left x right. */
+static int delimiters(struct expansion *x, const struct slice *t, int k)
+{
+    int a, b;
+    struct slice left, right;
+    if ((k = name_at(t, k, &a, &b)) < 0 || (k = argument_at(x, t, k, &left)) < 0 ||
+        (k = argument_at(x, t, k, &right)) < 0)
+        return -1;
+    define(x, t, a, b, (struct command){.parameters = 1, .starred = 1, .body = chained(&left, " #1 ", &right, "")});
+    return k;
+}
+
+/* \NewDocumentCommand{\name}{m m}{body}, where all parameters are such as have to be given. */
+static int document_command(struct expansion *x, const struct slice *t, int k)
+{
+    int a, b, good = 1;
+    struct slice given;
+    struct command c = {0};
+    if ((k = name_at(t, k, &a, &b)) < 0 || (k = argument_at(x, t, k, &given)) < 0 ||
+        (k = argument_at(x, t, k, &c.body)) < 0)
+        return -1;
+    for (int m = 0; m < given.n; m++) {
+        c.parameters += given.s[m] == 'm';
+        good &= given.s[m] == 'm' || is_blank(given.s[m]);
+    }
+    if (good && c.parameters <= MOST_PARAMETERS)
+        define(x, t, a, b, c);
+    return k;
+}
+
+/* \let\name=\other: what \other stands for now. */
+static int let(struct expansion *x, const struct slice *t, int k)
+{
+    int a, b, c, d;
+    if ((k = name_at(t, k, &a, &b)) < 0)
+        return -1;
+    k = behind_blanks(t, k);
+    k += k < t->n && t->s[k] == '=';
+    if ((k = name_at(t, k, &c, &d)) < 0)
+        return -1;
+    const struct command *same = command_of(x, t, c, d);
+    define(x, t, a, b, same != NULL ? *same : (struct command){.body = part_of(t, c, d)});
+    return k;
+}
+
+/* A definition at a..b: what is behind it; 0 where it is none, and -1 where it is broken. */
+static int definition(struct expansion *x, const struct slice *t, int a, int b)
+{
+    if (is_word(t, a, b, "\\newcommand") || is_word(t, a, b, "\\renewcommand"))
+        return new_command(x, t, b, 0);
+    if (is_word(t, a, b, "\\providecommand"))
+        return new_command(x, t, b, 1);
+    if (is_word(t, a, b, "\\def") || is_word(t, a, b, "\\gdef"))
+        return def(x, t, b);
+    if (is_word(t, a, b, "\\DeclareMathOperator"))
+        return operator(x, t, b);
+    if (is_word(t, a, b, "\\DeclarePairedDelimiter"))
+        return delimiters(x, t, b);
+    if (is_word(t, a, b, "\\NewDocumentCommand") || is_word(t, a, b, "\\RenewDocumentCommand") ||
+        is_word(t, a, b, "\\DeclareDocumentCommand"))
+        return document_command(x, t, b);
+    return is_word(t, a, b, "\\let") ? let(x, t, b) : 0;
+}
+
+/* ---- expansion ----------------------------------------------------------------------------------------- */
+
+/* Whether a letter put behind the text would be taken for one of the command that ends it. */
+static int ends_in_command(const cagd_latex_text *t)
+{
+    int k = t->size;
+    while (k > 0 && is_letter(t->bytes[k - 1]))
+        k--;
+    return k > 0 && k < t->size && t->bytes[k - 1] == '\\';
+}
+
+static void put_apart(cagd_latex_text *out, const struct slice *t)
+{
+    if (t->n > 0 && is_letter(t->s[0]) && ends_in_command(out))
+        cagd_latex_put(out, ' ', from_of(t, 0));
+    put_slice(out, t, 0, t->n);
+}
+
+/* The body with the arguments in their places; what comes from the body, comes from where the command was called. */
+static struct slice substituted(const struct command *c, const struct slice argument[], int at)
+{
+    cagd_latex_text text = {0};
+    for (int k = 0; k < c->body.n; k++) {
+        int number = c->body.s[k] == '#' && k + 1 < c->body.n ? c->body.s[k + 1] - '1' : -1;
+        if (number >= 0 && number < c->parameters)
+            put_apart(&text, &argument[number]), k++;
+        else if (k > 0 && is_letter(c->body.s[k]) && !is_letter(c->body.s[k - 1]) && c->body.s[k - 1] != '\\' &&
+                 ends_in_command(&text))
+            cagd_latex_put(&text, ' ', at), cagd_latex_put(&text, c->body.s[k], at);
+        else
+            cagd_latex_put(&text, c->body.s[k], at);
+        if (text.size > MOST_OF_ONE)
+            break;
+    }
+    return (struct slice){text.bytes, text.from, text.size, 0};
+}
+
+static void expand(struct expansion *x, const struct slice *t, int depth);
+
+/* The call of c at a..b: what is behind its arguments, or -1 where they are not there, or where it does not end. */
+static int call(struct expansion *x, const struct slice *t, const struct command *c, int a, int b, int depth)
+{
+    struct slice argument[MOST_PARAMETERS], ignored;
+    int is = 0, k = b;
+    if (c->starred) {
+        k += k < t->n && t->s[k] == '*';
+        k = option_at(x, t, k, &ignored, &is);
+    }
+    for (int m = 0; m < c->parameters; m++) {
+        argument[m] = c->optional;
+        if (m == 0 && c->has_optional)
+            k = option_at(x, t, k, &argument[m], &is);
+        else if ((k = argument_at(x, t, k, &argument[m])) < 0)
+            return -1;
+    }
+    if (++x->calls > MOST_CALLS || depth == MOST_DEPTH || x->out->size > x->limit) {
+        x->overflow = 1;
+        return -1;
+    }
+    struct slice body = substituted(c, argument, depth == 0 ? from_of(t, a) : x->at);
+    expand(x, &body, depth + 1);
+    return x->overflow ? -1 : k;
+}
+
+/* The call of the source at a..b.  One that does not end is taken back and left as it stands. */
+static int outermost(struct expansion *x, const struct slice *t, const struct command *c, int a, int b)
+{
+    int size = x->out->size;
+    x->calls = x->overflow = 0;
+    x->at = from_of(t, a);
+    x->limit = size + MOST_OF_ONE;
+    int k = call(x, t, c, a, b, 0);
+    if (k < 0 && x->overflow) {
+        x->out->size = size;
+        cagd_latex_refuse(x->troubles, from_of(t, a), from_of(t, b - 1) + 1,
+                          "the expansion of this command does not end");
+        if (x->troubles->troubles > 0)
+            x->troubles->trouble[x->troubles->troubles - 1].is_command = 1;
+    }
+    x->overflow = 0;
+    return k;
+}
+
+/* "cagd:" behind the percent sign at k. */
+static int is_note(const struct slice *t, int k)
+{
+    for (k++; k < t->n && (t->s[k] == ' ' || t->s[k] == '\t' || t->s[k] == '%'); k++)
+        ;
+    return t->n - k >= 5 && memcmp(t->s + k, "cagd:", 5) == 0;
+}
+
+/* Behind the end of an environment whose text is no LaTeX, which begins at k; 0 where none begins there. */
+static int behind_verbatim(const struct slice *t, int k)
+{
+    static const char *const names[] = {"verbatim}", "verbatim*}", "Verbatim}",     "lstlisting}",
+                                        "minted}",   "comment}",   "filecontents}", "filecontents*}"};
+    int n = (int)strlen("\\begin{");
+    for (size_t m = 0; m < sizeof names / sizeof *names; m++) {
+        int length = (int)strlen(names[m]);
+        if (t->n - k < n + length || memcmp(t->s + k + n, names[m], (size_t)length) != 0)
+            continue;
+        for (int end = k + n + length; end < t->n; end++)
+            if (t->n - end >= 5 + length && memcmp(t->s + end, "\\end{", 5) == 0 &&
+                memcmp(t->s + end + 5, names[m], (size_t)length) == 0)
+                return end + 5 + length;
+        return t->n;
+    }
+    return 0;
+}
+
+/* \verb|...|: behind it. */
+static int behind_verb(const struct slice *t, int k)
+{
+    k += k < t->n && t->s[k] == '*';
+    const char *end = k < t->n ? memchr(t->s + k + 1, t->s[k], (size_t)(t->n - k - 1)) : NULL;
+    return end != NULL ? (int)(end - t->s) + 1 : t->n;
+}
+
+/* The command at a..b; what is behind it and what it takes. */
+static int expand_command(struct expansion *x, const struct slice *t, int a, int b, int depth)
+{
+    int end = definition(x, t, a, b);
+    if (end > 0)
+        return end;
+    if (depth == 0 && is_word(t, a, b, "\\verb"))
+        return behind_verb(t, b);
+    if (depth == 0 && is_word(t, a, b, "\\begin") && (end = behind_verbatim(t, a)) > 0)
+        return end;
+    if (depth == 0 && is_word(t, a, b, "\\begin") && t->n - b >= 10 && memcmp(t->s + b, "{document}", 10) == 0)
+        x->in_body = 1;
+    if (depth == 0 && is_word(t, a, b, "\\end") && t->n - b >= 10 && memcmp(t->s + b, "{document}", 10) == 0)
+        return t->n;
+    const struct command *c = x->in_body ? command_of(x, t, a, b) : NULL;
+    end = c == NULL ? -1 : depth == 0 ? outermost(x, t, c, a, b) : call(x, t, c, a, b, depth);
+    if (end >= 0)
+        return end;
+    struct slice word = part_of(t, a, b);
+    put_apart(x->out, &word);
+    return b;
+}
+
+static void expand(struct expansion *x, const struct slice *t, int depth)
+{
+    int apart = 1; /* a letter must not become one of a command before it */
+    for (int k = 0, next; k < t->n && !x->overflow && x->out->size < CAGD_LATEX_LARGEST && region_faults == 0;
+         k = next) {
+        next = behind_token(t, k);
+        if (t->s[k] == '%' && is_note(t, k)) {
+            for (next = k; next < t->n && t->s[next] != '\n'; next++)
+                ;
+            put_slice(x->out, t, k, next);
+        } else if (t->s[k] == '%') {
+            next = behind_comment(t, k);
+        } else if (t->s[k] == '\\' && next > k + 1) {
+            next = expand_command(x, t, k, next, depth);
+            apart = 1;
+        } else {
+            struct slice token = part_of(t, k, next);
+            if (apart)
+                put_apart(x->out, &token);
+            else
+                put_slice(x->out, t, k, next);
+            apart = 0;
+        }
+    }
+}
+
+/* Before \begin{document}, where there is one, commands are defined and none is called. */
+void cagd_expand_latex(const char *source, int size, cagd_latex_text *out, cagd_latex *troubles)
+{
+    struct expansion *x = region_bytes(sizeof *x);
+    struct slice all = {source, NULL, size, 0};
+    if (x == NULL)
+        return;
+    memset(x, 0, sizeof *x);
+    x->out = out, x->troubles = troubles, x->in_body = 1;
+    for (int k = 0; k + 16 <= size && x->in_body; k++)
+        x->in_body = memcmp(source + k, "\\begin{document}", 16) != 0;
+    expand(x, &all, 0);
+    if (x->work >= MOST_WORK)
+        cagd_latex_refuse(troubles, 0, 1, "it takes too long to find the ends of its groups");
+    if (out->size >= CAGD_LATEX_LARGEST)
+        cagd_latex_refuse(troubles, 0, 1, "with its commands expanded it is larger than 8 MB");
+}

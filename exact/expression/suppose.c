@@ -1,0 +1,169 @@
+#include "exact/expression/suppose.h"
+
+#include "exact/expression/cell.h"
+#include "exact/words.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- one condition ------------------------------------------------------------------------------------- */
+
+/* a relation b becomes known: 1, or it was; 0: it is false; -1: it cannot be. */
+static int limit(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
+{
+    int is = cagd_compare_values(c, a, relation, b);
+    if (is >= 0 || region_faults != 0)
+        return region_faults != 0 ? -1 : is;
+    cagd_value d = cagd_value_sub(a, b);
+    if (relation == CAGD_NOT_EQUAL || !cagd_is_linear(d.f))
+        return -1;
+    int less = relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL;
+    int known = relation == CAGD_EQUAL
+                    ? cagd_solve_in_cell(c, d.f)
+                    : cagd_limit_cell(c, less ? neg_f(d.f) : d.f, relation == CAGD_LESS || relation == CAGD_GREATER);
+    if (!known)
+        return -1;
+    c->split = NULL, c->has_cut = 0; /* what was to be cut there is known now */
+    return 1;
+}
+
+static int suppose(cagd_context *c, const cagd_tree *t, const cagd_frame *f)
+{
+    int result = 1;
+    if (t->kind == CAGD_ALL) {
+        for (int k = 0; k < t->count && result > 0; k++)
+            result = suppose(c, t->at[k], f);
+        return result;
+    }
+    if (t->kind != CAGD_RELATION)
+        return cagd_truth_in(c, t, f);
+    for (int k = 0; k + 1 < t->count && result > 0; k++) { /* an equality changes values: both anew */
+        cagd_value left = cagd_evaluate_in(c, t->at[k], f), right = cagd_evaluate_in(c, t->at[k + 1], f);
+        result = region_faults == 0 ? limit(c, left, t->relation[k], right) : -1;
+    }
+    return result;
+}
+
+int cagd_suppose_conditions(cagd_context *c, int *missing)
+{
+    for (int k = 0; k <= c->scope->condition_count; k++) {
+        const cagd_tree *t = k < c->scope->condition_count ? c->scope->conditions[k] : c->premise;
+        if (t == NULL)
+            continue;
+        int result = t->kind == CAGD_EVERY_INDEX ? 1 : suppose(c, t, NULL);
+        if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
+            return 1;
+        if (result < 0 && (c->split != NULL || c->has_cut)) {
+            region_faults = 0;
+            return -1;
+        }
+        if (result < 0) { /* not used: what holds, holds without it */
+            region_faults = 0;
+            c->trouble = NULL;
+            *missing += 1;
+        }
+        if (result == 0)
+            return 0;
+    }
+    return 1;
+}
+
+/* ---- for every index ----------------------------------------------------------------------------------- */
+
+/* The index of the name "u_3", "u_{12}", which begins with that head; 0 where it is another name. */
+static int index_of(const char *key, const char *head, long *index)
+{
+    size_t n = strlen(head);
+    char *end;
+    if (strncmp(key, head, n) != 0)
+        return 0;
+    key += n;
+    int braces = *key == '{';
+    key += braces;
+    *index = strtol(key, &end, 10);
+    return end != key && strcmp(end, braces ? "}" : "") == 0;
+}
+
+/* The least and the greatest index that any name of the tree has. */
+static void find_range(const cagd_context *c, const cagd_tree *t, long *low, long *high)
+{
+    for (int k = 0; t->kind == CAGD_NAME && t->lower == 1 && k < c->count; k++) {
+        long index;
+        if (c->binding[k].near || !index_of(c->binding[k].key, t->head, &index))
+            continue;
+        *low = index < *low ? index : *low;
+        *high = index > *high ? index : *high;
+    }
+    for (int k = 0; k < t->count; k++)
+        find_range(c, t->at[k], low, high);
+}
+
+/* Whether the names of the tree, the letter having a value, have indices from low to high. */
+static int is_within(cagd_context *c, const cagd_tree *t, const cagd_frame *f, long low, long high)
+{
+    if (t->kind == CAGD_NAME && t->lower == 1) {
+        long index;
+        cagd_value v = cagd_evaluate_in(c, t->at[0], f);
+        if (region_faults != 0 || !cagd_value_is_whole(v, &index) || index < low || index > high)
+            return 0;
+    }
+    for (int k = 0; k < t->count; k++)
+        if (!is_within(c, t->at[k], f, low, high))
+            return 0;
+    return 1;
+}
+
+enum { FARTHEST = 16 }; /* how far indices of a condition are from its letter */
+
+/* Calls `each` for every value of the letter with which the condition t speaks of names from the first to the last; the least answer. */
+static int for_every_index(cagd_context *c, const cagd_tree *t,
+                           int (*each)(cagd_context *, const cagd_tree *, const cagd_frame *))
+{
+    long low = FARTHEST * 1000, high = -low;
+    int result = 1;
+    find_range(c, t->at[0], &low, &high);
+    for (long k = low - FARTHEST; k <= high + FARTHEST && result > 0; k++) {
+        cagd_frame f = {t->head, cagd_value_int(k), NULL};
+        if (is_within(c, t->at[0], &f, low, high))
+            result = each(c, t->at[0], &f);
+    }
+    return result;
+}
+
+static int suppose_or_leave(cagd_context *c, const cagd_tree *t, const cagd_frame *f)
+{
+    int result = suppose(c, t, f);
+    if (result == 0)
+        c->is_empty = 1;
+    return result < 0 ? 1 : result;
+}
+
+void cagd_suppose_for_names(cagd_context *c)
+{
+    for (int k = 0; k < c->scope->condition_count && c->supposed < c->count; k++) {
+        const cagd_tree *t = c->scope->conditions[k];
+        const char *split = c->split;
+        int has_cut = c->has_cut;
+        if (t->kind != CAGD_EVERY_INDEX || region_faults != 0)
+            continue;
+        int count = c->count;
+        c->supposed = CAGD_MOST_UNKNOWNS; /* conditions are compared, too */
+        for_every_index(c, t, suppose_or_leave);
+        c->supposed = count;
+        c->split = split, c->has_cut = has_cut;
+        region_faults &= FAULT_CROWDED | FAULT_MEMORY;
+    }
+    c->supposed = c->count;
+}
+
+static int truth_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f) { return cagd_truth_in(c, t, f); }
+
+int cagd_conditions_hold(cagd_context *c)
+{
+    int is = c->premise != NULL ? cagd_truth(c, c->premise) : 1;
+    for (int k = 0; k < c->scope->condition_count && is == 1; k++) {
+        const cagd_tree *t = c->scope->conditions[k];
+        is = t->kind == CAGD_EVERY_INDEX ? for_every_index(c, t, truth_of) : cagd_truth(c, t);
+    }
+    return is;
+}
