@@ -107,12 +107,14 @@ typedef struct cagd_fit_options {
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0; 0: estimated, with the fit, from the median of the distances     */
     double weight_low, weight_high; /* 0 <= weight_low < 1 < weight_high <= infinity: bounds on the weights */
-    int starts;         /* 1 ... MAX_STARTS: the first from initial, or the best of many curves found from   */
-                        /* the points; the others with other weights; up to 8 more when none of  */
-                        /* them comes to a minimum                                               */
-    unsigned long seed; /* of the other starts                                                   */
-    double tolerance;   /* > 0: relative, on the decrease of the cost, on the gradient, the step */
-    int max_iterations; /* >= 1                                                                  */
+    int starts;            /* 1 ... MAX_STARTS: the first from initial, or the best of many curves found from   */
+                           /* the points; the others with other weights; up to 8 more when none of  */
+                           /* them comes to a minimum                                               */
+    unsigned long seed;    /* of the other starts                                                   */
+    double tolerance;      /* > 0: relative, on the decrease of the cost, on the gradient, the step */
+    int max_iterations;    /* >= 1                                                                  */
+    int without_intervals; /* 1: no 95 % intervals are sought; for those by the profile the curve is fitted again many */
+                           /* times, under conditions                                              */
 } cagd_fit_options;
 
 /* Degree 2 Bézier, all free, measured ends, ordered, squares, scale 1, weights unbounded, one start, seed 1,
@@ -131,11 +133,14 @@ typedef struct cagd_fit_step {
 } cagd_fit_step;
 
 /* How a 95 % interval was found: value +- quantile * error, LINEAR; by the profile of the cost, which is not quadratic
- * over that interval, PROFILE; or not at all, since the points hardly determine the unknown. */
+ * over that interval, PROFILE; or not at all, since the points hardly determine the unknown, NONE.  NOT_SOUGHT: a
+ * standard error, and no interval, since none was asked for, or since none is known that covers the truth 95 times in a hundred:
+ * with a smoothing term, whose bias is in no error, and where cagd_fit_choose has found the knots, or that weights are fitted, by the same points. */
 typedef enum cagd_fit_interval {
     CAGD_FIT_INTERVAL_LINEAR,
     CAGD_FIT_INTERVAL_PROFILE,
-    CAGD_FIT_INTERVAL_NONE
+    CAGD_FIT_INTERVAL_NONE,
+    CAGD_FIT_INTERVAL_NOT_SOUGHT
 } cagd_fit_interval;
 
 typedef enum cagd_fit_termination { CAGD_FIT_CONVERGED, CAGD_FIT_NOT_CONVERGED, CAGD_FIT_FAILED } cagd_fit_termination;
@@ -155,9 +160,10 @@ typedef struct cagd_fit_ellipse {
     int known, whole;             /* known: the curve is one                                             */
     cagd_fit_number centre[3];    /* coordinates                                                         */
     cagd_fit_number major, minor; /* semi-axes                                                           */
-    cagd_fit_number angle; /* in the plane, of the major axis, in degrees, -90 < angle <= 90; error NaN of a circle */
-    double sweep;          /* how far around the arc goes, in degrees                             */
-    int circle;            /* 1: 95 % do not tell it from a circle                                */
+    cagd_fit_number
+        angle; /* in the plane, of the major axis, in degrees, -90 < angle <= 90; error NaN of a circle; no interval where that is wide */
+    double sweep;                             /* how far around the arc goes, in degrees                             */
+    int circle;                               /* 1: 95 % do not tell it from a circle                                */
     cagd_fit_number circle_centre[3], radius; /* of the circle that comes closest                             */
     double circle_rms, ratio;                 /* of its distances; of the F test, with 2 and `freedom` degrees       */
     int freedom;
@@ -327,7 +333,7 @@ CAGD_API void cagd_fit_refute(cagd_fit_result *result);
  * bound or one that is not determined, and where the curve is no minimum; so is the interval.  Weights and invariants
  * are fitted by their logarithms: their error is that of the logarithm times the value, and their interval that of
  * the logarithm, exponentiated.  The interval by a profile of the cost lies otherwise about the value; where there is none, error,
- * low and high are NaN.  Value, low and high of a coordinate are counted from `origin`, which is 0 for the
+ * low and high are NaN, and where none was sought low and high.  Value, low and high of a coordinate are counted from `origin`, which is 0 for the
  * others. */
 typedef struct cagd_fit_estimate {
     double value, error, low, high, origin;
@@ -399,14 +405,17 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, cagd_fit_runs_of
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
- * 6 times their root mean square along the curve: one in twenty of them, or one by a tenth of the length                                                   */
+ * 6 times their root mean square along the curve: one in twenty of them, or one by a tenth of the length
+ * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and there are fewer than 30
+ * pairs of neighbours, too few for STRUCTURE to tell noise from a curve that is too simple */
 enum {
     CAGD_FIT_EXCURSIONS = 1,
     CAGD_FIT_LOOPS = 2,
     CAGD_FIT_GAPS = 4,
     CAGD_FIT_STRUCTURE = 8,
     CAGD_FIT_FAR = 16,
-    CAGD_FIT_BACKWARDS = 32
+    CAGD_FIT_BACKWARDS = 32,
+    CAGD_FIT_COARSE = 64
 };
 
 typedef struct cagd_fit_quality {

@@ -56,15 +56,15 @@ static int knowledge_of_type(const cagd_fit_result *result)
     return knowledge;
 }
 
-/* Whether the 95 % interval of log I_1 contains 0: where I_1 has one by the profile of the cost, that, and where it has none no
- * type is certain. */
+/* Whether the 95 % interval of log I_1 contains 0: where I_1 has one by the profile of the cost, that, and where it has none, or none
+ * was sought, no type is certain. */
 static int contains_parabola(const cagd_fit_result *result, const cagd_fit_conic *conic)
 {
     int by = result->interval_by != NULL && result->invariants > 0 ? (int)result->interval_by[result->unknowns] : 0;
     const double *interval = result->interval + 2 * (by != 0 ? result->unknowns : 0);
     if (by == CAGD_FIT_INTERVAL_PROFILE)
         return interval[0] <= 0 && interval[1] >= 0;
-    return by == CAGD_FIT_INTERVAL_NONE || fabs(conic->log_invariant) <= result->quantile * conic->error;
+    return by != CAGD_FIT_INTERVAL_LINEAR || fabs(conic->log_invariant) <= result->quantile * conic->error;
 }
 
 /* The type of a curve that is a conic, as far as it is known. */

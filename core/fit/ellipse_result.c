@@ -35,6 +35,11 @@ static double variance_of(const fit_ellipse *e, const double g[], double scale_s
     return sum * scale_squared;
 }
 
+/* The angle is that of a vector of the length A - B, which is taken for an ellipse's only when it is longer than chance makes it, and so
+ * often too long.  Where its interval would reach farther than this to either side, in degrees, it has none: it covered 90 % there
+ * (coverage_of_choices.c). */
+static const double WIDEST_ANGLE = 10;
+
 /* Centre, semi-axes and angle.  With principal a = A u, b = B v:  dA = u.da,  dB = v.db,  and the angle turns by
  * (A v.da + B u.db)/(A^2 - B^2). */
 static void describe(const fit_ellipse *e, double scale_squared, double quantile, cagd_fit_ellipse *to)
@@ -57,6 +62,8 @@ static void describe(const fit_ellipse *e, double scale_squared, double quantile
         double angle = atan2(a[1], a[0]) * 180 / PI, error = sqrt(variance_of(e, turn, scale_squared)) * 180 / PI;
         angle = angle > 90 ? angle - 180 : angle <= -90 ? angle + 180 : angle;
         to->angle = number(angle, A > B ? error * error : NAN, quantile);
+        if (!(quantile * error <= WIDEST_ANGLE))
+            to->angle.low = to->angle.high = NAN;
     }
 }
 

@@ -28,6 +28,8 @@ static cagd_fit_estimate by_profile(const cagd_fit_result *r, int q, cagd_fit_es
         e.low = r->interval[2 * q], e.high = r->interval[2 * q + 1];
     if (e.by == CAGD_FIT_INTERVAL_NONE)
         e.error = e.low = e.high = NAN;
+    if (e.by == CAGD_FIT_INTERVAL_NOT_SOUGHT)
+        e.low = e.high = NAN;
     return e;
 }
 

@@ -67,10 +67,17 @@ static int has_nearer_neighbour(sides range, int k, const double square[])
     return (k > range.first && square[k - 1] < square[k]) || (k < range.last && square[k + 1] <= square[k]);
 }
 
+/* Whether the curve over side k may be nearer than `best`; s->square[] is that of the sides in the range. */
+static int is_tried(const search *s, sides range, int k, double best)
+{
+    return sqrt(s->square[k]) - s->polygon.depth[k] <= best &&
+           (s->thorough || !has_nearer_neighbour(range, k, s->square));
+}
+
 /* The nearest of the feet that are reached from the sides in the range, and its squared distance.  Only sides over
  * which the curve may be nearer than the best one are tried; and of neighbours the nearest alone, unless the search
  * is thorough.  A foot that is known and lies over such a side or beside it is the one that is reached from there;
- * when it needs no search, *smallest is infinite. */
+ * when it is the only one, *smallest is infinite. */
 static double nearest_foot(const search *s, const double q[], sides range, const double *known, double *smallest)
 {
     const fit_polygon *g = &s->polygon;
@@ -78,10 +85,14 @@ static double nearest_foot(const search *s, const double q[], sides range, const
     fit_polygon_distances(g, q, range.first, range.last, s->square);
     const double best = surely_reached(g, range, s->square);
     *smallest = HUGE_VAL;
-    if (known != NULL && range.first == range.last && fit_polygon_is_beside(g, range.first, unrolled(s, *known)))
+    int tried = 0, last = range.first;
+    for (int k = range.first; k <= range.last; k++)
+        if (is_tried(s, range, k, best))
+            tried++, last = k;
+    if (known != NULL && tried == 1 && fit_polygon_is_beside(g, last, unrolled(s, *known)))
         return *known;
-    for (int k = range.first; k <= range.last; k++) {
-        if (sqrt(s->square[k]) - g->depth[k] > best || (!s->thorough && has_nearer_neighbour(range, k, s->square)))
+    for (int k = range.first; k <= last; k++) {
+        if (!is_tried(s, range, k, best))
             continue;
         double t;
         if (known != NULL && fit_polygon_is_beside(g, k, unrolled(s, *known))) {

@@ -124,8 +124,8 @@ static void enclose(int count, int dim, int c, const double points[], double *lo
 {
     for (int i = 0; i < count; i++) {
         double x = points[(size_t)i * (size_t)dim + (size_t)c];
-        *low = fmin(*low, x);
-        *high = fmax(*high, x);
+        *low = -fit_larger(-*low, -x);
+        *high = fit_larger(*high, x);
     }
 }
 
@@ -157,15 +157,17 @@ static cagd_status choose_coordinates(const cagd_fit_data *data, const cagd_fit_
 static cagd_status make_points(const cagd_fit_data *data, fit_problem *p, int *where)
 {
     const size_t dim = (size_t)data->dim, numbers = (size_t)data->count * dim;
+    const double inverse = 1 / p->unit; /* exactly: the unit is a power of two */
     p->points = data->count;
     p->Q = malloc(numbers * sizeof *p->Q);
     p->precision = malloc((size_t)data->count * sizeof *p->precision);
     REQUIRE(p->Q && p->precision, CAGD_NO_MEMORY);
     p->size = 2;
-    for (size_t m = 0; m < numbers; m++) {
-        p->Q[m] = (data->points[m] - p->centre[m % dim]) / p->unit; /* exactly: the unit is a power of two */
-        p->size = fmax(p->size, fabs(p->Q[m]));
-    }
+    for (size_t m = 0; m < numbers; m += dim)
+        for (size_t c = 0; c < dim; c++) {
+            p->Q[m + c] = (data->points[m + c] - p->centre[c]) * inverse;
+            p->size = fit_larger(p->size, fabs(p->Q[m + c]));
+        }
     for (int i = 0; i < data->count; i++) {
         p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
         *where = i;

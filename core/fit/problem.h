@@ -75,6 +75,9 @@ static inline int fit_end_of(const fit_problem *p, int i)
     return i == p->end_point[0] ? 0 : i == p->end_point[1] ? 1 : -1;
 }
 
+/* The larger of two numbers: fmax without its care for NaN, which loops over all points need not pay for. */
+static inline double fit_larger(double a, double b) { return a > b ? a : b; }
+
 /* Measured point i in working coordinates. */
 static inline const double *fit_point(const fit_problem *p, int i) { return p->Q + (size_t)i * (size_t)p->dim; }
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PER_UNKNOWN = 4, MEANS_PER_UNKNOWN = 10, MOST_UNKNOWNS = 32, LOOKS = 16, STEPS = 60 };
+enum { MEANS_PER_UNKNOWN = 10, MOST_UNKNOWNS = 32, LOOKS = 16, STEPS = 60 };
 static const double LEAST = 0.85, MOST = 1.23; /* of r: see the header             */
 static const double LEVEL = 0.005;             /* to which the level is reached    */
 
@@ -149,28 +149,12 @@ static int is_quadratic(const profile *s, const fit_objective *rows, int q)
     return 1;
 }
 
-/* linear[q]: whether the interval of quantity q is linear.  Returns 0 when there is no memory. */
-static int find_linear(const fit_problem *p, const fit_curve *lowest, const cagd_fit_result *r, int quantities,
-                       int linear[])
+/* linear[q]: whether the interval of quantity q is linear; s is at the minimum. */
+static void find_linear(profile *s, int quantities, int linear[])
 {
-    const int stride = (p->points - 1) / (PER_UNKNOWN * p->unknowns) + 1;
-    fit_problem sample;
-    profile s = {0};
-    if (!fit_sample_every(p, stride, &sample))
-        return 0;
-    int good = profile_new(&sample, lowest, NULL, r, &s);
-    if (good) {
-        for (int i = 0; i < sample.points; i++)
-            s.at[i] = r->feet[i < sample.points - 1 ? i * stride : p->points - 1];
-        begin(&sample, lowest, s.theta);
-        fit_objective_begin(s.objective, lowest, s.at);
-        fit_objective_by_theta(s.objective);
-        for (int q = 0; q < quantities; q++)
-            linear[q] = is_quadratic(&s, s.objective, q);
-    }
-    profile_free(&s);
-    fit_sample_free(&sample);
-    return good;
+    fit_objective_by_theta(s->objective);
+    for (int q = 0; q < quantities; q++)
+        linear[q] = is_quadratic(s, s->objective, q);
 }
 
 /* ---- The profile ------------------------------------------------------------------------------------- */
@@ -324,56 +308,50 @@ static int is_asked(const fit_problem *p, const cagd_fit_result *r)
     return free && r->scale_squared > 0 && isfinite(r->scale_squared) && isfinite(r->quantile);
 }
 
-/* The intervals that are not linear, from the points of p or, of many points, from means of them, which have the same profile;
- * feet: of those.  Returns 0 when there is no memory. */
-static int follow(const fit_problem *p, const fit_curve *lowest, const double feet[], const int linear[],
-                  cagd_fit_result *r)
+/* Which intervals are linear, and those that are not, from the points of p; feet: of those.  Returns 0 when there is no
+ * memory. */
+static int find_intervals(const fit_problem *p, const fit_curve *lowest, const double feet[], int follow,
+                          cagd_fit_result *r)
 {
+    const int quantities = p->unknowns + r->invariants;
     profile s;
-    const int good = profile_new(p, lowest, feet, r, &s);
+    int *linear = calloc((size_t)quantities, sizeof *linear);
+    const int good = profile_new(p, lowest, feet, r, &s) && linear != NULL;
     if (good) {
         go_back(&s);
         s.cost = evaluate(&s, s.theta);
+        find_linear(&s, quantities, linear);
     }
-    for (int q = 0; good && q < p->unknowns + r->invariants; q++)
-        if (!linear[q])
+    for (int q = 0; good && q < quantities; q++) {
+        r->interval_by[q] = linear[q] ? CAGD_FIT_INTERVAL_LINEAR : CAGD_FIT_INTERVAL_NONE;
+        if (!linear[q] && follow)
             find_interval(&s, q);
-    profile_free(&s);
-    return good;
-}
-
-static int follow_means(const fit_problem *p, const fit_curve *lowest, const int linear[], cagd_fit_result *r)
-{
-    const int groups = MEANS_PER_UNKNOWN * p->unknowns;
-    fit_problem means;
-    if (p->points <= 2 * groups)
-        return follow(p, lowest, r->feet, linear, r);
-    double *feet = malloc(((size_t)groups + 2) * sizeof *feet);
-    int good = feet != NULL && fit_sample_means(p, lowest, r->feet, groups, &means, feet);
-    if (good) {
-        good = follow(&means, lowest, feet, linear, r);
-        fit_sample_free(&means);
     }
-    free(feet);
+    profile_free(&s);
+    free(linear);
     return good;
 }
 
 int fit_profile(const fit_problem *p, const fit_minimum *m, cagd_fit_result *r)
 {
-    const int quantities = p->unknowns + r->invariants;
     const fit_curve *lowest = m->attempt.objective->curve;
-    const int followed = p->unknowns <= MOST_UNKNOWNS && p->low == 0 && isinf(p->high);
-    int all = 1;
-    if (!is_asked(p, r))
+    const int one = p->count == p->degree + 1,
+              follow = one && p->unknowns <= MOST_UNKNOWNS && p->low == 0 && isinf(p->high),
+              groups = MEANS_PER_UNKNOWN * p->unknowns;
+    fit_problem means;
+    const int sought = !p->options->without_intervals && !(p->smooth > 0);
+    for (int q = 0; !sought && q < p->unknowns + r->invariants; q++)
+        r->interval_by[q] = CAGD_FIT_INTERVAL_NOT_SOUGHT;
+    if (!sought || !is_asked(p, r))
         return 1;
-    int *linear = calloc((size_t)quantities, sizeof *linear);
-    int good = linear != NULL && find_linear(p, lowest, r, quantities, linear);
-    for (int q = 0; good && q < quantities; q++) {
-        all = all && linear[q];
-        r->interval_by[q] = linear[q] ? CAGD_FIT_INTERVAL_LINEAR : CAGD_FIT_INTERVAL_NONE;
+    if (p->points <= 2 * groups)
+        return find_intervals(p, lowest, r->feet, follow, r);
+    double *feet = malloc(((size_t)groups + 2) * sizeof *feet);
+    int good = feet != NULL && fit_sample_means(p, lowest, r->feet, groups, &means, feet);
+    if (good) {
+        good = find_intervals(&means, lowest, feet, follow, r);
+        fit_sample_free(&means);
     }
-    if (good && !all && followed)
-        good = follow_means(p, lowest, linear, r);
-    free(linear);
+    free(feet);
     return good;
 }

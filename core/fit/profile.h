@@ -10,10 +10,11 @@
  *
  * Which is taken.  At the ends of the linear interval, reached in the direction in which the quadratic function is smallest, the
  * cost has grown by r times what that function says.  Of a normal number 2.5 % lie beyond q, and beyond q sqrt(r) between 1.5 and
- * 3.5 % for 0.85 <= r <= 1.23: inside of these bounds, at both ends, the linear interval covers 93 to 97 % as it should.  r is
- * found with at most PER_UNKNOWN points for each unknown, since it does not depend on their number.  Otherwise the
- * profile is sought; where it does not come to its level, or the curve has more than MOST_UNKNOWNS unknowns, there is no
- * interval.
+ * 3.5 % for 0.85 <= r <= 1.23: inside of these bounds, at both ends, the linear interval covers 93 to 97 % as it should.  Of many points r
+ * and the profile are found with means, which have the same cost about the minimum.  Outside of the bounds the profile is sought; where it does not come to its level, or the curve has more than MOST_UNKNOWNS unknowns, there is no
+ * interval.  Of a curve of several segments the profile is not followed: a spline whose points can slide along it has costs
+ * whose curvature changes from draw to draw, and where its profile was found it covered 87 to 93 % only (coverage_of_choices.c).
+ * Where the options ask for no intervals, and with a smoothing term, whose bias is in no error, all are NOT_SOUGHT.
  *
  * Nothing is done, and all intervals are linear, for a robust loss, whose covariance is not from the cost; with free
  * directions or unknowns on bounds; and for points on the curve.

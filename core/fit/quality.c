@@ -8,9 +8,9 @@
 
 /* quality.c -- what is not good about a fit. */
 
-enum { SIDES = 600, PER_PIECE = 24 };
+enum { SIDES = 600, PER_PIECE = 24, FEW = 30 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6;
+static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02;
 
 typedef struct polygon {
     int corners, dim;
@@ -151,7 +151,7 @@ static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_
         q->problems |= CAGD_FIT_BACKWARDS;
 }
 
-/* A control point that is farther from the middle of the points than their extent. */
+/* What is large against the extent of the points: a control point's distance from their middle; of few points the distances. */
 static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
     double middle[3], extent = 0, farthest = 0;
@@ -172,6 +172,8 @@ static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_f
     }
     if (q->far >= 0)
         q->problems |= CAGD_FIT_FAR;
+    if (data->sigma == NULL && q->runs.pairs < FEW && r->rms > COARSE * extent)
+        q->problems |= CAGD_FIT_COARSE;
 }
 
 cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,

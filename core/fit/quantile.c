@@ -16,8 +16,9 @@ static long double student_probability(int nu, long double theta, long double *d
     const long double pi = 3.141592653589793238462643383279502884L;
     long double c = cosl(theta) * cosl(theta), sum = 1, factor = 1;
     for (int j = nu - 3; j > 0; j -= 2) {
-        sum = 1 + sum * c * (long double)j / (long double)(j + 1);
-        factor *= c * (long double)(j + 2) / (long double)(j + 1);
+        const long double part = c / (long double)(j + 1);
+        sum = 1 + sum * part * (long double)j;
+        factor *= part * (long double)(j + 2);
     }
     if (nu % 2 == 0) { /* dP/dtheta = cos theta (1 + 1/2) (1 + 1/4) ... c^{nu/2-1} */
         *density = factor * cosl(theta);

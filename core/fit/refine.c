@@ -133,6 +133,7 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
     o.initial = &last->curve;
     o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
     o.free &= ~CAGD_FIT_WEIGHTS;
+    o.without_intervals = options->without_intervals || last->found.count_chosen;
     cagd_status status = cagd_fit(s->data, &o, result, s->where);
     if (status == CAGD_OK)
         (*result)->found = last->found;

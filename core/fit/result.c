@@ -229,8 +229,8 @@ static void fill_rounding(const cagd_fit_data *data, cagd_fit_result *r)
     for (int c = 0; c < dim; c++) {
         double largest = 0;
         for (int i = 0; i < count; i++) {
-            largest = fmax(largest, fabs(data->points[i * dim + c]));
-            size = fmax(size, fabs(data->points[i * dim + c] - r->origin[c]));
+            largest = fit_larger(largest, fabs(data->points[i * dim + c]));
+            size = fit_larger(size, fabs(data->points[i * dim + c] - r->origin[c]));
         }
         r->spacing[c] = nextafter(largest, INFINITY) - largest;
         rounding = hypot(rounding, r->spacing[c] / 2);
