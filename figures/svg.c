@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 enum { MARGIN = 1600, GAP = 2800, CAPTION_GAP = 1000, LINE_HEIGHT = 1750, HEADING_GAP = 1100 };
+enum { BOLD = 112 }; /* how wide bold letters are, in hundredths of others */
 
 /* ---- Life ------------------------------------------------------------------------------------- */
 
@@ -205,7 +206,7 @@ static void set_heading(svg *s, struct layout *y, int k, long base)
     struct string *out = &y->around[k];
     bool sign = p->heading_role == SVG_WRONG || p->heading_role == SVG_RIGHT;
     struct string draft = {0};
-    long width = put_markup(&draft, p->heading, false, HEADING_SIZE), shift = sign ? 900 : 0;
+    long width = put_markup(&draft, p->heading, false, HEADING_SIZE) * BOLD / 100, shift = sign ? 900 : 0;
     free(draft.at);
     if (sign) /* begins behind its mark, however wide the reader's letters are */
         put_text(s, out, y->half[k] + shift - width / 2, base, SVG_START, KIND_HEADING, p->heading_role, false,
@@ -293,26 +294,51 @@ static long set_title_line(svg *s, struct string *out, long base, const char *wo
             *end++ = '\\';
     long width = put_text(s, out, 0, base, SVG_MIDDLE, KIND_TITLE, SVG_POINT, false, line);
     free(line);
-    return width * 13 / 10; /* bold, and in a wide face if the usual ones are not there */
+    return width * BOLD / 100;
 }
 
-/* The title in as few lines as the width of the rows takes, but not narrower than NARROWEST: broken at blanks. */
+/* How much of the text the first line takes that is no wider than the room: broken at a blank, if there is one. */
+static size_t end_of_title_line(svg *s, const char *at, long room)
+{
+    size_t n = strlen(at);
+    struct string draft = {0};
+    while (set_title_line(s, &draft, 0, at, n) > room) {
+        size_t shorter = n;
+        while (shorter > 0 && at[--shorter] != ' ')
+            ;
+        if (shorter == 0)
+            break;
+        n = shorter;
+    }
+    free_string(&draft);
+    return n;
+}
+
+static int title_lines(svg *s, long room)
+{
+    int lines = 0;
+    for (const char *at = s->title; *at != '\0'; lines++) {
+        at += end_of_title_line(s, at, room);
+        at += *at == ' ';
+    }
+    return lines;
+}
+
+/* The title in as few lines as the width of the rows takes, but not narrower than NARROWEST; the lines are about as long as
+ * one another: no narrower room takes as few. */
 static void set_title(svg *s, struct layout *y)
 {
     enum { NARROWEST = 26000, LINE = 2000, BELOW = 1400 };
-    long room = larger(y->width, NARROWEST);
+    long room = larger(y->width, NARROWEST), too_narrow = 0;
+    for (int lines = title_lines(s, room); room - too_narrow > 1;) {
+        long between = (room + too_narrow) / 2;
+        if (title_lines(s, between) > lines)
+            too_narrow = between;
+        else
+            room = between;
+    }
     for (const char *at = s->title; *at != '\0'; y->title_height += LINE) {
-        size_t n = strlen(at);
-        struct string draft = {0};
-        while (set_title_line(s, &draft, 0, at, n) > room) {
-            size_t shorter = n;
-            while (shorter > 0 && at[--shorter] != ' ')
-                ;
-            if (shorter == 0)
-                break;
-            n = shorter;
-        }
-        free_string(&draft);
+        size_t n = end_of_title_line(s, at, room);
         y->title_width = larger(y->title_width, set_title_line(s, &y->title, y->title_height + TITLE_SIZE, at, n));
         at += n + (at[n] == ' ');
     }
@@ -367,6 +393,20 @@ static int put_legend(const svg *s, struct string *out, long room, long middle, 
     return rows;
 }
 
+/* The rows of the legend with about as many words each: no narrower room takes as few. */
+static long legend_room(const svg *s, long room)
+{
+    long too_narrow = 0;
+    for (int rows = put_legend(s, NULL, room, 0, 0); room - too_narrow > 1;) {
+        long between = (room + too_narrow) / 2;
+        if (put_legend(s, NULL, between, 0, 0) > rows)
+            too_narrow = between;
+        else
+            room = between;
+    }
+    return room;
+}
+
 static void put_document(svg *s, const struct layout *y, int count, const struct row rows[])
 {
     struct string *out = &s->text;
@@ -394,7 +434,7 @@ static void put_document(svg *s, const struct layout *y, int count, const struct
             put_panel(s, k, x + middle_of(y, &rows[i], k) - y->half[k], top + rows[i].above, content(&y->around[k]));
         top += rows[i].above + rows[i].below + GAP;
     }
-    put_legend(s, out, room, width / 2, row_end + 2000);
+    put_legend(s, out, legend_room(s, room), width / 2, row_end + 2000);
     put(out, "</svg>\n");
 }
 

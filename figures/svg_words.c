@@ -2,7 +2,8 @@
  *
  * The viewer sets the text; widths are only needed to put scripts under one another, to centre the
  * legend, and to keep room around the window.  They are those of Times and Helvetica, which most
- * fonts in their place share or nearly share. */
+ * fonts in their place share or nearly share; for the room that a whole text needs, those of
+ * DejaVu, which stands in their place where they are not there, and is wider. */
 #include "figures/svg_parts.h"
 
 #include <stdlib.h>
@@ -46,6 +47,15 @@ static bool is_letter(uint32_t c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= 0x3B1 && c <= 0x3C9) || c == 0x3D5 || c == 0x3F5;
 }
 
+/* How wide a character is in DejaVu, in hundredths of the width above: the means over the texts of the gallery, of letters and
+ * figures, and of the signs that are as wide as those of a relation. */
+static long wider(uint32_t c, enum face face)
+{
+    enum { OF_PROSE = 117, OF_MATHEMATICS = 124, OF_SIGNS = 147 };
+    bool sign = c == '=' || c == '<' || c == '>' || c == '+' || c == 0x2212 || c == 0x2264 || c == 0x2265;
+    return sign ? OF_SIGNS : face == PROSE ? OF_PROSE : OF_MATHEMATICS;
+}
+
 /* ---- Markup ----------------------------------------------------------------------------------- */
 
 /* The setter puts one tspan for each run of characters of one face and one script. */
@@ -58,6 +68,7 @@ struct setter {
     long x, furthest; /* where the pen stands by the usual widths, and stood at most, in units / 10^5 */
     long base_end;    /* where the word ends that carries the scripts                                  */
     long shift;       /* moves the next character sideways                                             */
+    long usual, wide; /* the widths of all characters, scripts behind one another: usual, and in DejaVu */
 };
 
 /* How far below the baseline a script stands. */
@@ -95,7 +106,10 @@ static void set_character(struct setter *y, uint32_t c, enum face face, enum scr
         open_run(y, face, script);
     put_character(y->out, c);
     long percent = script != BASE ? 80 : face != PROSE ? 112 : 100;
-    y->x += advance(c, face) * y->size * percent / 100;
+    long width = advance(c, face) * y->size * percent / 100;
+    y->x += width;
+    y->usual += width;
+    y->wide += width * wider(c, face) / 100;
     y->furthest = y->x > y->furthest ? y->x : y->furthest;
 }
 
@@ -144,7 +158,7 @@ long put_markup(struct string *out, const char *markup, bool mathematics, long s
     }
     if (y.open)
         put(out, "</tspan>");
-    return y.furthest / 1000;
+    return y.usual == 0 ? 0 : y.furthest / 1000 * (y.wide / 1000) / (y.usual / 1000);
 }
 
 /* ---- Text elements ---------------------------------------------------------------------------- */

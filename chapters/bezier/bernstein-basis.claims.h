@@ -262,6 +262,7 @@ a weighted average, and the sign is right inside the unit interval alone.  Both 
 :method: Each value of the kernel, as a quotient of polynomials in $s$, has positive coefficients only.
 :degrees: 0..10 sampled 20
 :scope: 0 < t < 1
+:harmless: $s>0$ | it is $0<t<1$
 :over: s: -
 :control: $t$ taken as $-\frac s{1+s}$
 :::
@@ -287,6 +288,7 @@ points.
 :method: As polynomials in $s$ these have positive coefficients only.
 :degrees: 0..10 sampled 20
 :scope: t < 0 and t > 1
+:harmless: any $s>0$ | it is $t=-s<0$ or $t=1+s>1$
 :over: s: -
 :control: the sign $(-1)^i$ at $1+s$ as well
 :::

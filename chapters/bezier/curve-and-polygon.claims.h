@@ -114,7 +114,7 @@ CLAIM(equally_spaced_points_make_a_line)
 :definition: yes
 :checked-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_at_ends
-:needs: zero_power_zero_takes_away_the_end | the line itself, with $0^0=1$ | with $0^0=0$ the curve would not begin in
+:needs: zero_power_zero_takes_away_the_end | the line itself, with $0^0=1$ | $0^0=1$: with $0^0=0$ the curve would not begin in
   $P_0$
 
 With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0^{-1}$, which occurs in the derivative below.
@@ -291,9 +291,9 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
 :holds-by: bernstein_derivative sums_by_parts_give_the_edges
 :confirmed-by: derivative_in_three_steps
-:hypothesis: first_term_divides_by_zero | products with a factor $i=0$ or $n-i=0$ are left out, or $0<t<1$: at $t=0$ and
-  $t=1$, the two places where the slides use the derivative, two products are $0\cdot0^{-1}$, of which the convention for
-  $0^0$ says nothing
+:hypothesis: first_term_divides_by_zero | the products with a factor $i=0$ or $n-i=0$ are left out, or $0<t<1$: at $t=0$ and
+  $t=1$, the two places where the slides use the derivative, two products are $0\cdot0^{-1}$, of which the convention for $0^0$
+  says nothing
 :figure: edges_and_end_tangents
 :::
 
@@ -324,6 +324,7 @@ CLAIM(sums_by_parts_give_the_edges)
 :title: The three sums are the derivative
 :zh: 导矢推导链的三个式子
 :given: points $P_0,\dots,P_n$ of the plane, any $t$ with $t\ne0$, $t\ne1$ in the first sum
+:where: $t\ne0$ and $t\ne1$ in the first sum
 :then: the sum with $t^{i-1}$ and $(1-t)^{n-i-1}$, the sum of the $2n$ terms in a row, and the sum over the edges are all $P'(t)$
 :method: Each sum as printed, negative powers as quotients, against the derivative of the definition; everything a variable.
 :degrees: 1..6 sampled 10
@@ -387,10 +388,10 @@ CLAIM(first_term_divides_by_zero)
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: bernstein_derivative sums_by_parts_give_the_edges
 :confirmed-by: derivative_in_three_steps
-:hypothesis: terms_in_a_row_come_twice_for_two_edges | the terms from the first to the last, each once: written out as six
-  they are right from $n=3$ on; for $n=2$ two of them come twice
-:hypothesis: terms_in_a_row_come_twice_for_one_edge | for $n=1$ the first and the last: there is no $(n-2)!$, and the four
-  others are twice the two
+:hypothesis: terms_in_a_row_come_twice_for_two_edges | the terms are those from the first to the last, each once: written out as
+  six they are right from $n=3$ on; for $n=2$ two of them come twice
+:hypothesis: terms_in_a_row_come_twice_for_one_edge | for $n=1$ only the first and the last term are taken: there is no
+  $(n-2)!$, and the four others are twice the two
 :figure: edges_and_end_tangents
 
 The signs are lost; each is determined by the sum before.

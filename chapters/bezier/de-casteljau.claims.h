@@ -476,6 +476,7 @@ matter; that it does not is another way to say that the blossom is symmetric.
 :title: Two splits give the same three parts in either order
 :zh: 两次分割次序无关
 :given: numbers $b_0,\dots,b_n$, parameters $t\ne0$ and $v=st\ne1$
+:where: $t\ne0$ and $v\ne1$
 :then: splitting at $t$ and then the left part at $s=\frac vt$ gives the same three polygons as splitting at $v$ and then the
   right part at $\frac{t-v}{1-v}$
 :method: All six polygons by the kernel, everything a variable.
@@ -529,6 +530,7 @@ CLAIM(interval_kernel_gives_the_part)
 :title: The same polynomial in the Bernstein form of another interval
 :zh: 换区间的 Bernstein 形式
 :given: coefficients $f_0,\dots,f_n$ over $[a,b]$, $a\ne b$, any $c$ and $d$, any $x$
+:where: $a\ne b$
 :then: the coefficients $g$ of `bernstein_on_interval` have
   $\sum g_iB_i^n(x)=\sum f_iB_i^n\bigl(\frac{y-a}{b-a}\bigr)$ at $y=c+x(d-c)$
 :method: Both sums from the definition, everything a variable.
@@ -542,7 +544,7 @@ CLAIM(bernstein_form_over_another_interval)
 {
     int n = T->degree;
     num f[MAX_DEGREE + 1], g[MAX_DEGREE + 1], x = parameter(T, "p");
-    num a = unknown(T, "a", 0), b = add(a, positive(T, "h", 0)), c = unknown(T, "c", 0), d = unknown(T, "d", 0);
+    num a = unknown(T, "a", 0), b = add(a, unknown(T, "h", 0)), c = unknown(T, "c", 0), d = unknown(T, "d", 0);
     for (int i = 0; i <= n; i++)
         f[i] = unknown(T, "f", i);
     G(bernstein_on_interval)(n, fault(T, a, b), fault(T, b, a), f, c, d, g);

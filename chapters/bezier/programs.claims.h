@@ -33,7 +33,8 @@ enum { MOST_PLACES = 80 };
 :holds-by: program_computes_the_curve
 :argued: every n | One pass of the outer loop is one level of the recursion, which holds for every $n$; after $n$ passes
   R[0] is the value of the curve.
-:hypothesis: difference_loses_the_last_point | exact arithmetic: in binary64 the result at $t=1$ need not be the last point
+:hypothesis: difference_loses_the_last_point | the arithmetic is exact: in binary64 the result at $t=1$ need not be the last
+  point
 :figure: last_point_lost
 
 In the text at hand the line that fills R and the head of the outer loop are one fragment, `for(i=0;i0;m-)`, so that "R becomes P" and "from n down"
@@ -187,7 +188,7 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
 :holds-by: equal_steps_reach_every_part
 :confirmed-by: program_ends_at_one_in_exact_arithmetic
-:hypothesis: sum_of_steps_misses_one | exact arithmetic: in binary64 the last parameter need not be 1
+:hypothesis: sum_of_steps_misses_one | the arithmetic is exact: in binary64 the last parameter need not be 1
 :hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
 :figure: last_parameter
 :striking: 46
@@ -202,7 +203,8 @@ In binary64 few numbers of steps end at 1: `sum_of_steps_is_seldom_one`.
 :holds-by: program_ends_at_one_in_exact_arithmetic
 :argued: every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
   that knows nothing of the others.
-:hypothesis: last_point_of_the_example_is_missed | exact arithmetic: in binary64 the last of them need not be the end of the curve
+:hypothesis: last_point_of_the_example_is_missed | the arithmetic is exact: in binary64 the last of them need not be the end of
+  the curve
 :figure: last_parameter
 
 With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the ends are exact in binary64, too: `corrected_program_ends_at_the_last_point`.

@@ -25,7 +25,7 @@ enum { dim = 2 };
   the step, and so tends to 0 with the step.
 :meant: the word "can" (可以) | More and more points can be chosen so that the polyline comes near: with steps that tend to 0.
 :reading: differences_over_a_part_are_means | they can be so chosen
-:reading: many_points_may_crowd | however they are chosen: false, many points are not enough
+:reading: many_points_may_crowd | however they are chosen: many points are not enough
 :figure: crowded_points
 
 A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta^2P_j|$ away from its chord.

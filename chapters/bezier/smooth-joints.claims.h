@@ -77,6 +77,7 @@ For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
 :title: The three forms of the condition are one
 :zh: G1 条件的三种形式等价
 :given: two curves of degree $n$ of the plane, the points $p_0,\dots,p_n$ of the first, $q_2,\dots,q_n$ of the second any, $q_0=p_n$; $a>0$
+:where: $a>0$
 :then: with $q_1=q_0+a(p_n-p_{n-1})$ the derivatives at the joint are $Q'=aP'$, and $q_0=\frac{q_1+a\,p_{n-1}}{1+a}$; with $q_0$ from the last formula,
   $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
 :method: Derivatives at the ends by the kernel; everything a variable.
@@ -262,7 +263,8 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :printed: The condition for $C^2$ at the joint, that is, for continuity of the second derivative by the parameter: $P''(1)=Q''(0)$ is required, that is
   $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
 :holds-by: three_points_make_c2
-:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
+:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well: the slides come from $G^1$
+  with any $a>0$
 :figure: second_derivatives_alone
 :striking: 45
 
@@ -363,6 +365,7 @@ in each, the denominator is the third power of the length of the first.
 :title: With the ratio a the printed condition divides the curvature by the square of a
 :zh: 仅二阶导矢相等时曲率缩为 1/a^2
 :given: $P',P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
+:where: $a>0$
 :then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
 :method: An identity with everything a variable.
 :over: u# v#: derivatives; a

@@ -121,6 +121,7 @@ CLAIM(parameter_lines_are_bezier_curves)
 :method: The functions are the surfaces of nets with one point 1 and the others 0, by the kernel; their coefficients in $r,s$ are positive.
 :degrees: 0..4 sampled 8
 :scope: 0 < u < 1, 0 < w < 1
+:harmless: $r,s>0$ | it is $0<u<1$, $0<w<1$
 :over: s r: -
 :control: $w$ taken as $-\frac r{1+r}$
 :::
@@ -341,6 +342,57 @@ CLAIM(surface_part_is_the_piece)
     G(bezier_surface_part)(G(net)(n, m, 1, P), u[0], u[1], w[fault(T, 0, 1)], w[fault(T, 1, 0)], part);
     num there_u = add(mul(sub(one, a), u[0]), mul(a, u[1])), there_w = add(mul(sub(one, b), w[0]), mul(b, w[1]));
     same(T, G(surface)(n, m, 1, part, 0, 0, 0, a, b), G(surface)(n, m, 1, P, 0, 0, 0, there_u, there_w));
+}
+
+/*
+The degrees above are $n$ and $\lfloor\frac n2\rfloor+1$, and coordinates do not mix.  That the kernels keep three of them apart, also where the
+degree in $w$ is not the lower one, is seen on nets of space: square ones, bicubic among them, and with one more column.
+
+:::{claim} surface_kernels_in_space
+:title: Points, lines, pieces and derivatives of square nets of space, and of those with one more column
+:zh: 空间网格上的曲面算法
+:given: nets of degrees $n$ and $m=n$, and $n$ and $m=n+1$, in space; any $u,w$; pieces with the ends $u_0,u_1$ and $w_0,w_1$ in any order
+:then: the kernels for points, parameter lines, transposed nets, derivatives up to the orders 4 in $u$ and 3 in $w$ and for pieces give the double
+  sum, its derivatives and its pieces
+:method: Against the double sums of the definition, coordinate by coordinate; everything a variable.
+:degrees: 0..3 sampled 4
+:over: t: u; u# w#: ends
+:control: $u$ and $w$ exchanged
+:::
+*/
+CLAIM(surface_kernels_in_space)
+{
+    enum { space = 3, in_u = 4, in_w = 3 };
+    int n = T->degree;
+    num u = parameter(T, "u"), w = parameter(T, "w"), one = from_int(1);
+    num ends[4] = {unknown(T, "u", 0), unknown(T, "u", 1), unknown(T, "w", 0), unknown(T, "w", 1)};
+    num x = fault(T, u, w), y = fault(T, w, u); /* where the kernels are asked */
+    for (int m = n; m <= n + 1; m++) {
+        num P[MOST_OF_NET * space], Q[MOST_OF_NET * space], line[MOST_OF_NET * space], at[space];
+        num D[(in_u + 1) * (in_w + 1) * space];
+        G(free_net)(T, n, m, space, P);
+        struct G(net) net = G(net)(n, m, space, P);
+        G(bezier_surface_point)(net, x, y, at);
+        G(bezier_surface_transpose)(net, Q);
+        G(bezier_surface_line)(G(net)(m, n, space, Q), y, line);
+        G(bezier_surface_derivatives)(net, x, y, in_u, in_w, D);
+        for (int c = 0; c < space; c++) {
+            about(T, "the point");
+            same(T, at[c], G(surface)(n, m, space, P, c, 0, 0, u, w));
+            about(T, "the line w = const");
+            same(T, G(curve)(n, space, line, c, u), at[c]);
+            about(T, "a derivative");
+            for (int k = 0; k <= in_u; k++)
+                for (int l = 0; l <= in_w; l++)
+                    same(T, D[(k * (in_w + 1) + l) * space + c], G(surface)(n, m, space, P, c, k, l, u, w));
+        }
+        G(bezier_surface_part)(net, ends[0], ends[1], ends[2], ends[3], Q);
+        num there_u = add(mul(sub(one, x), ends[0]), mul(x, ends[1]));
+        num there_w = add(mul(sub(one, y), ends[2]), mul(y, ends[3]));
+        about(T, "the piece");
+        for (int c = 0; c < space; c++)
+            same(T, G(surface)(n, m, space, Q, c, 0, 0, u, w), G(surface)(n, m, space, P, c, 0, 0, there_u, there_w));
+    }
 }
 
 #include "chapters/judge/claims_off.h"

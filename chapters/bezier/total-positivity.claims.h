@@ -155,6 +155,7 @@ positive.
 :types: field
 :degrees: 1..4
 :scope: increasing parameter values in (0, 1); all coefficients
+:where: the factors $g_i$ are positive
 :over: x#: -; g#: -
 :control: the first two parameters exchanged
 :::
@@ -219,6 +220,7 @@ matter, so that an automaton with a handful of states reads sequences of every l
   the difference is at least 1.  Then induction over the roots, and $(1+s)^n\sum b_iB_i^n(t)=\sum\binom nib_is^i$ for $t=\frac s{1+s}$.
 :degrees: all
 :scope: all coefficients
+:where: the polynomial whose roots are counted is not $0$
 :control: the factor $s+r$
 :::
 */
@@ -361,6 +363,7 @@ curve.
 :zh: 插入邻项平均不改变变号数,删去一项不增加变号数
 :kind: decision
 :given: a sequence $\dots,p,a,b,s,\dots$ and $c=(1-\lambda)a+\lambda b$, $0\le\lambda\le1$
+:harmless: $0\le\lambda\le1$ | a point between two neighbours is such a mean
 :then: $V(\dots,p,a,c,b,s,\dots)=V(\dots,p,a,b,s,\dots)\ge V(\dots,p,a,s,\dots)$
 :method: $V$ depends on signs only, and of what stands before $a$ and after $b$ only on the nearest sign that is not $0$, or
   on there being none: $81$ cases for $p$, $a$, $b$, $s\in\{-1,0,1\}$.  For given signs of $a$ and $b$ the values
@@ -400,6 +403,7 @@ The matrices of these steps are totally nonnegative too: no minor is negative.
 :types: field rational
 :degrees: 1..4 sampled 12
 :scope: 0 < t < 1
+:harmless: $s>0$ | it is $0<t<1$
 :over: s: -
 :control: the first two rows exchanged
 :::

@@ -207,6 +207,7 @@ plane has one direction across the curve, hence one equation a point; space has 
 :title: The reduced Gauss-Newton matrix is that of the derivatives projected across the curve
 :zh: 消去垂足后的 Gauss-Newton 矩阵即法向投影
 :given: vectors $C_a$, $C_b$ and $C'\ne0$ of the plane or of space, $T=C'/|C'|$
+:where: $C'\ne0$
 :then: $C_a\cdot C_b-\frac{(C_a\cdot C')(C_b\cdot C')}{|C'|^2}=(C_a-TT^TC_a)\cdot(C_b-TT^TC_b)$, and in the plane both are
   $\det(C',C_a)\det(C',C_b)/|C'|^2$
 :method: All coordinates are variables; $TT^T=C'C'^T/|C'|^2$ has no root.  The degree is the dimension.

@@ -27,6 +27,7 @@ The pull on the curve is $\rho'(s)\sqrt s$, up to a factor: $\sqrt s$ for square
 :zh: Huber 损失的连续性与有界拉力
 :types: field
 :given: $a>0$ and $s=r^2$, $r>0$
+:where: $a>0$ and $r>0$
 :then: at $r=a$ both pieces have the value $a^2$ and the slope $1$; $\rho''$ is $0$ before and $-\frac1{2a^2}$ after it; for $r\ge a$ the pull is $a$
 :method: Derivatives by $s$ are those by $r$ over $2r$, taken in the field.
 :over: a; r
@@ -59,6 +60,7 @@ then tends to 0, so that a point far away is forgotten.
 :title: Cauchy's pull is at most a/2, at the distance a, and fades beyond
 :zh: Cauchy 损失的拉力以 a/2 为界
 :given: $a>0$ and $r\ge0$
+:where: $a>0$ and $r\ge0$
 :let: $\rho'(s)=\frac1{1+s/a^2}$ at $s=r^2$, so that the pull is $\frac{r}{1+r^2/a^2}$
 :then: $\frac a2-\frac r{1+r^2/a^2}=\frac{(a-r)^2}{2a\,(1+r^2/a^2)}\ge0$
 :method: The identity in the field; what is squared is not negative.
@@ -129,6 +131,7 @@ For a given mean square of the residuals $-2\log L$ is a function of the one unk
 :zh: 方差的极大似然估计
 :types: field
 :given: $n,\chi^2,v>0$, and $g(v)=n\log v+\chi^2/v$, which is $-2\log L$ but for a constant
+:where: $n,\chi^2,v>0$
 :then: $g'(v)=\frac{n\,(v-\chi^2/n)}{v^2}$: $g$ falls before $v=\chi^2/n$ and grows after it.  There it is $n\log\frac{\chi^2}n+n$, hence
   $\mathrm{AIC}=n\log\frac{\chi^2}n+2(k+1)$ but for a constant, and $\mathrm{BIC}$ the same with $\log n$ in the place of $2$
 :method: $g'=n/v+(\chi^2/v)'$, the second derivative taken in the field, the first one being that of the logarithm.

@@ -40,6 +40,8 @@ sections of their own.
 :title: The row of the point times the matrix is the point of the sum of the angles
 :zh: 旋转矩阵使角度相加
 :given: any $r$, and two angles with the tangents $a$ and $b$ of their halves, $ab\ne1$
+:harmless: $ab\ne1$ | with $ab=1$ the sum of the angles is $\pi$, and its half has no tangent: the sines and cosines of the sum,
+  which the claim compares, are rational functions without that divisor
 :then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
 :method: The sum of the angles is formed on the other side, from the tangent $\frac{a+b}{1-ab}$ of half of it; $a$, $b$ and $r$
   are variables.
@@ -254,7 +256,7 @@ treated alike in its four quadrants.
 :printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or
   arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
-:hypothesis: short_registers_stop_the_point | The registers keep the bits that are shifted out.  In integers a point with
+:hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out.  In integers a point with
   coordinates from 0 to $2^m-1$ does not move at all; and to be exact, every step needs $m$ bits more.
 :figure: circles_in_integers
 :::

@@ -146,14 +146,12 @@ For the ninth, chapter 2, the pages around it leave all possibilities open.
 :title: A chapter begins with its first section
 :zh: 章首页码
 :printed: Chapter 2 begins on page 23, its first section on page 25, and the last section before it, 1-9, on page 22.
-:refuted-by: second_chapter_begins_before_its_first_section
-:class: misprint
-:corrected: In the eight other chapters the page of the chapter is that of its first section.
-:corrected-by: other_chapters_begin_with_their_first_section
-:example: the table of contents of this book.
+:reading: second_chapter_begins_before_its_first_section | a chapter begins on the page of its first section
+:reading: other_chapters_begin_with_their_first_section | so it is in the eight other chapters
 :figure: pages_of_the_sections
 
-Which of the three numbers is wrong cannot be decided from the table.
+The pages themselves are not at hand.  Whether one of the numbers is wrong, or chapter 2 has a page of its own before its first
+section, cannot be decided from the table.
 :::
 */
 

@@ -303,8 +303,9 @@ and the second curve can be the first one, turned over.
   linear change of the parameter | The two cubics, each run once, so correspond to each other.
 :hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve
   can be one segment for many lengths.
-:hypothesis: exchanged_lengths_turn_the_cubic | The lengths of one curve are not those of the other with the two ends exchanged, if curves
-  that can be moved onto each other have one shape, as in section 1-2: such a curve can be the first one, turned, or a mirror image.
+:hypothesis: exchanged_lengths_turn_the_cubic | the lengths of one curve are not those of the other with the ends exchanged:
+  where curves that can be moved onto each other have one shape, as in section 1-2, such a curve can be the first one, turned,
+  or a mirror image.
 :figure: exchanged_lengths
 
 If the shape is the set of the points, where it is, the first hypothesis is enough.
@@ -315,6 +316,7 @@ If the shape is the set of the points, where it is, the first hypothesis is enou
 :zh: 切矢长度不同的三次曲线不重合
 :types: rational
 :given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different
+:where: the ends and directions are not all parallel; the two pairs of lengths are different
 :then: the second curve is not contained in the implicit equation of the first
 :method: The equation by Bézout's determinant, at ten points of the second curve: a polynomial of degree at most 9 in $t$ that is
   not 0 at all of them.  That no exception remains: two cubics with one arc are $P_2(t)=P_1(\phi(t))$ with a fractional

@@ -141,6 +141,7 @@ CLAIM(delta_does_not_tell_graphs)
 :title: The two inflections meet at a cusp and nowhere else
 :zh: 两拐点重合处为尖点
 :given: any plane cubic with $a\ne0$, $t_0=-\frac b{2a}$
+:where: $A\times B\ne0$
 :then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a
   cubic with $P'(t_1)=0$ somewhere has $\delta=0$
 :method: The derivative at $t_0$ by the kernel, everything a variable; for the converse $C=-3At_1^2-2Bt_1$.
@@ -417,7 +418,7 @@ CLAIM(forms_by_the_lengths_of_the_tangents)
         num low[2], high[2], delta;
         int inflections, doubles;
         for (int j = 0; j < 2; j++) {
-            low[j] = mul(border, parameter(T, "l"));
+            low[j] = mul(border, inside(T, "l"));
             high[j] = add(border, positive(T, "h", j));
         }
         events_of(R, low[0], low[1], &inflections, &doubles, &delta);

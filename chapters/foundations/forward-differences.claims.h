@@ -361,6 +361,7 @@ CLAIM(step_takes_differences_to_the_next_place)
 :zh: 三次曲线差分表的四式
 :given: any coefficients of a cubic in the plane, any $t$ and $\delta\ne0$; $P_0,\Delta P_0,\Delta^2P_0,\Delta^3P_0$ the differences at $t$,
   $P_1,\dots,\Delta^3P_1$ those at $t+\delta$
+:where: $\delta\ne0$
 :then: $\Delta^kP_1=\Delta^kP_0+\Delta^{k+1}P_0$ for $k=0,1,2$ and $\Delta^3P_1=\Delta^3P_0$; divided by $\delta^k$ these are
   $\frac1{\delta^k}\Delta^kP_1=\frac1{\delta^k}\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\Delta^{k+1}P_0$
 :method: Both sides by the alternating sums of the definition; no kernel is used.
@@ -461,9 +462,9 @@ and additions; with another step it is not.
 :zh: 差分法不用乘法
 :printed: With differences multiplications are not needed at all, only shifts and additions.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions
-:needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | The step is a
-  power of two, $\delta=2^{-m}$, and the differences are divided by its powers as in (1-4-4) and (1-4-5).  For another
-  step the table has to be begun with multiplications.
+:needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | $\delta=2^{-m}$, and
+  the differences are divided by its powers.  So it is in (1-4-4) and (1-4-5).  For another step the table has to be begun with
+  multiplications.
 :figure: stepping_and_rounding
 :::
 */

@@ -182,6 +182,7 @@ $(t,t^4)$ has $K=0$ at $t=0$ and stays on one side.
 :title: The second derivative is a multiple of the first plus what the vector product measures
 :zh: 二阶导矢的分解
 :given: any $P'\ne0$ and $P''$ in space
+:where: $\dot P\ne0$
 :then: $|P'|^2P''=(P'\cdot P'')\,P'+(P'\times P'')\times P'$; so $P'\times P''=0$ gives $P''=gP'$ with $g=\frac{P'\cdot P''}{|P'|^2}$, and
   conversely $P'\times gP'=0$
 :method: Identities in the six components and $g$.
@@ -335,7 +336,7 @@ CLAIM(graph_of_a_cubic_turns_linearly)
 :printed: So a parametric cubic has at most two inflections.
 :holds-by: turning_of_a_cubic_is_quadratic
 :confirmed-by: each_form_occurs
-:hypothesis: line_has_curvature_zero_everywhere | The cubic is no line.  On a line every point has curvature 0.
+:hypothesis: line_has_curvature_zero_everywhere | the cubic is no line.  On a line every point has curvature 0.
 :figure: forms_of_a_cubic
 
 Two do occur: `each_form_occurs`.

@@ -116,8 +116,8 @@ The plainest description needs neither: a curve can be kept as many points, join
 :zh: 点集与折线表示的缺点
 :printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
   pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.
-:reading: polyline_of_a_parabola_needs_many_points | it takes much memory: true of a parabola, of which a polyline needs the more points the
-  less it may err, and which three coefficients keep exactly
+:reading: polyline_of_a_parabola_needs_many_points | it takes much memory: of a parabola a polyline needs the more points the
+  less it may err, and three coefficients keep it exactly
 :reading: how much is much, what is inconvenient and what not easy: opinions, which no computation decides
 :figure: through_and_near
 

@@ -25,8 +25,8 @@ enum { dim = 2, space = 3 };
 :corrected: Let $P_{\mathrm I}'(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the
   vector of curvature when (1-5-1) to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
 :corrected-by: conditions_make_one_curve_in_another_parameter
-:hypothesis: vanishing_derivatives_hide_a_corner | $P_{\mathrm I}'(1)\ne0$, in the correction: where all derivatives are 0 the conditions
-  hold at a corner.
+:hypothesis: vanishing_derivatives_hide_a_corner | $P_{\mathrm I}'(1)\ne0$: in the correction; where all derivatives are 0 the
+  conditions hold at a corner.
 :figure: joints_of_order
 
 By the definition of $C^r$ in section 1-4 the derivatives themselves have to be continuous.
@@ -125,6 +125,7 @@ CLAIM(joined_pieces_are_not_closed)
 :zh: 连接条件等价于适当参数下的光滑性
 :given: $P,P',P''$ of the first piece at the joint, $\lambda\ne0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$,
   $\lambda^2P''+\beta P'$ and any third derivative
+:where: $\lambda\ne0$
 :then: $Q(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $Q(0)=P$, $Q'(0)=P'$, $Q''(0)=P''$
 :method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
   variable.
@@ -162,11 +163,11 @@ learned by heart.
   $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the lengths of the tangent vectors of $P_{\mathrm I}$
   and $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
 :holds-by: equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$, as for
-  a quotient of lengths: with $\lambda<0$ the curve turns on its heel.
-:needs: singular_end_has_no_ratio | $\lambda$ is the quotient of the lengths of tangent vectors | Neither derivative
-  is 0 at the joint, as where there are unit tangent vectors: otherwise a quotient of lengths does not exist, and the
-  tangents may be one although no $\lambda$ is.
+:needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient
+  of lengths: with $\lambda<0$ the curve turns on its heel.
+:needs: singular_end_has_no_ratio | $\lambda$ is the quotient of the lengths of tangent vectors | neither derivative is 0 at the
+  joint; as where there are unit tangent vectors: otherwise a quotient of lengths does not exist, and the tangents may be one
+  although no $\lambda$ is.
 :figure: joints_of_order
 
 The index $x$ stands for II, the second piece, as in (1-5-1) and (1-5-3).
@@ -176,6 +177,8 @@ The index $x$ stands for II, the second piece, as in (1-5-1) and (1-5-3).
 :title: Equal unit tangents mean derivatives in the ratio of their lengths
 :zh: 单位切矢相等的充要条件
 :given: a vector $U$ of space, $\alpha_1,\alpha_2>0$
+:where: neither derivative is 0 at the joint
+:harmless: $\alpha_1,\alpha_2>0$ | the lengths of derivatives that are not 0
 :then: $\dot P_{\mathrm I}=\alpha_1U$ and $\dot P_{\mathrm{II}}=\alpha_2U$ satisfy the condition; conversely, the condition makes
   $\dot P_{\mathrm{II}}/\alpha_2=\dot P_{\mathrm I}/\alpha_1$, and $|\dot P_{\mathrm{II}}|=\lambda|\dot P_{\mathrm I}|$
 :method: Identities in $U$, $\alpha_1$, $\alpha_2$ and $\dot P_{\mathrm I}$.
@@ -270,11 +273,10 @@ curvature that grows without bound.
   I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the curvature
   continuous at the joint.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths |
-  $\lambda\ne0$, as for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second
-  piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot
-  P_{\mathrm I}(1)\ne0$, as where there is a unit tangent vector.
+:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
+  for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+  I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 
 The index $x$ stands for II.
@@ -285,8 +287,8 @@ The index $x$ stands for II.
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | the conditions before it | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$,
-  as in the conditions before it: with $\lambda=0$ the curvature of the second piece need not be bounded.
+:needs: zero_ratio_has_unbounded_curvature | the conditions before it | $\lambda\ne0$; and $\dot P_{\mathrm I}(1)\ne0$, as in
+  the conditions before it: with $\lambda=0$ the curvature of the second piece need not be bounded.
 :figure: joints_of_order
 :::
 
@@ -294,6 +296,7 @@ The index $x$ stands for II.
 :title: The vector of curvature is the same on both sides, for every beta
 :zh: 曲率矢量连续
 :given: $P'\ne0$ and $P''$ of the first piece in space, $\lambda\ne0$, any $\beta$; $\lambda P'$ and $\lambda^2P''+\beta P'$ for the second
+:where: $\dot P_{\mathrm I}(1)\ne0$; $\lambda\ne0$
 :then: $\frac{(P'\times P'')\times P'}{|P'|^4}$, the derivative of the unit tangent by the arc length, is the same for both, so is
   $K^2$; $P'\times P''$ is multiplied by $\lambda^3$
 :method: Both sides with everything a variable; neither contains $\beta$.
@@ -445,7 +448,8 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and
   sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the curvature with its sign.
 :corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
-:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, in the correction: without it the condition does not suffice.
+:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; without it the condition does
+  not suffice.
 :figure: same_curvature_other_side
 :striking: 43
 
@@ -490,6 +494,8 @@ CLAIM(equal_curvatures_to_different_sides)
 :zh: 曲率矢量连续蕴涵条件
 :given: vectors $U$ and $k$ of space, $\alpha_1,\alpha_2>0$, $\mu_1,\mu_2$: $P_i'=\alpha_iU$, $P_i''=\alpha_i^2k+\mu_iU$, as every curve
   with unit tangent $U$, curvature vector $k$ and speed $\alpha_i$ has
+:where: neither derivative is 0 at the joint
+:harmless: $\alpha_1,\alpha_2>0$ | the lengths of derivatives that are not 0
 :then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
 :method: An identity with everything a variable.
 :over: a#: lengths; u# k#: vectors; m#: numbers μ
@@ -665,8 +671,8 @@ CLAIM(derivatives_of_a_piece)
 :zh: 参数区间长度的范围
 :printed: 0\le(t_1-t_0)\le1
 :holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | $[t_0,t_1]$ is a part of $[0,1]$ | The piece is taken forward, $t_0\le
-  t_1$, out of $[0,1]$.
+:needs: backward_piece_has_negative_length | $[t_0,t_1]$ is a part of $[0,1]$ | $0\le t_0\le t_1\le1$; the piece is taken
+  forward.
 :figure: piece_of_a_cubic
 :::
 
@@ -678,6 +684,7 @@ CLAIM(derivatives_of_a_piece)
 :method: Both have no negative coefficient in $a,b,c$; every pair of parameters with $t_0\le t_1$ is of this form, $a$, $b$, $c$ being the lengths of the three
   parts of $[0,1]$, of which any may be 0.
 :scope: 0 ≤ t₀ ≤ t₁ ≤ 1
+:harmless: $a,b,c\ge0$, not all 0 | it is $0\le t_0\le t_1\le1$
 :over: a b c: -
 :control: $t_0-t_1$
 :::
@@ -737,7 +744,7 @@ one of them.  The price is that the curve becomes a rational one, whose weights 
   that follows.
 :holds-by: bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
-:hypothesis: fractional_change_with_a_pole | The denominator has no zero on the interval.
+:hypothesis: fractional_change_with_a_pole | the denominator has no zero on the interval.
 :figure: fractional_parameter
 
 The text that is at hand ends before the formula.
@@ -747,6 +754,7 @@ The text that is at hand ends before the formula.
 :title: A fractional change of the parameter makes the curve rational and keeps its points
 :zh: 分式线性变换下的曲线
 :given: any coefficients of degree $n$ in the plane, $t=\frac{pu}{pu+q(1-u)}$ with $p,q>0$
+:where: $p,q>0$
 :then: the rational Bézier curve with the Bézier points of $P$ and the weights $p^iq^{n-i}$ is $P(t)$ at $u$; the derivatives of $t$ at the
   ends, $\frac pq$ and $\frac qp$, have the product 1
 :method: The Bézier points by `bernstein_from_power`, the curve by the rational kernel, the weights by `rational_reparametrize`, against

@@ -115,8 +115,8 @@ and the positive root.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
 :needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
-  $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$
-  is not $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
+  $0<\theta\le\frac\pi2$; as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is
+  not $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
 :figure: step_of_the_third_way
 :::
 
@@ -127,7 +127,7 @@ and the positive root.
   $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
 :holds-by: third_matrix_by_the_radius
 :needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
-  $0<\theta\le\frac\pi2$, so that the cosine is the root that is not negative
+  $0<\theta\le\frac\pi2$; so that the cosine is the root that is not negative
 :figure: step_of_the_third_way
 :::
 
@@ -138,6 +138,7 @@ and the positive root.
 :then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$; the determinant is 1
 :method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive, and for $a=1$, where it is 0: it is the root.
 :scope: 0 < θ ≤ π/2
+:harmless: $0<a\le1$ | it is $0<\theta\le\frac\pi2$, $a=\tan\frac\theta2$
 :over: a: -
 :control: $r^2+1$ in the place of $r^2-1$
 :::

@@ -131,7 +131,8 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :class: false
 :corrected: Three is the lowest degree of a polynomial curve that leaves every plane, and of a plane one, no line, with an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
-:hypothesis: lines_of_lower_degree_have_curvature_zero | No line, in the correction: a line has curvature 0 everywhere.
+:hypothesis: lines_of_lower_degree_have_curvature_zero | in the correction the curve is no line: a line has curvature 0
+  everywhere.
 :figure: degrees_two_and_three
 
 The table of contents of the source has a section on uniform quadratic B-spline surfaces.
@@ -342,9 +343,9 @@ claims carries no values at all and counts the operations of the very kernel tha
 :holds-by: multiplications_are_six_and_three
 :meant: the count of 6, which only powers multiplied out one by one have | The powers of $At^3+Bt^2+Ct+D$ are multiplied out one by one, and one
   coordinate is counted.
-:reading: multiplications_are_six_and_three | powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one
-  coordinate: true, 6 become 3
-:reading: kept_powers_need_five | $t^2$ and $t^3=t^2\cdot t$ kept, one coordinate: false, it is 5 that become 3
+:reading: multiplications_are_six_and_three | powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot
+  t+D$, one coordinate: 6 become 3
+:reading: kept_powers_need_five | $t^2$ and $t^3=t^2\cdot t$ kept, one coordinate: it is 5 that become 3
 
 With the powers kept $2+3d$ multiplications become $3d$ for $d$ coordinates, counted for $d=1,2,3$: `multiplications_with_kept_powers`.
 :::
@@ -412,8 +413,9 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
 :data: N = 12; n = 3
 :then: for degree $k$ the sum of powers takes $\frac{k(k+1)}2$ multiplications and $k$ additions, Horner's rule $k$ and $k$
 :result: multiplications of the sum = 6; of Horner's rule = 3
-:method: The definition's loop and the kernel are run in a number type that counts.
-:scope: n = 1 to 12, one coordinate
+:method: The definition's loop and the kernel are run in a number type that counts, for every degree up to $N$; the source speaks of
+  the cubic.
+:scope: n = 3, one coordinate
 :control: the powers kept from term to term
 :::
 */

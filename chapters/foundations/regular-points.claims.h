@@ -42,6 +42,7 @@ enum { dim = 2 };
 :method: All 8 choices of components that are 0; the kernel's square of the norm has only positive coefficients in the others.
   Signs do not matter for squares.
 :scope: all vectors of space
+:harmless: three positive numbers | with any signs and zeros these are all vectors
 :over: v#: -
 :control: the square of the last component subtracted
 :::
@@ -131,6 +132,7 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 :title: Chords through a regular point turn into the derivative
 :zh: 割线趋于切线
 :given: any coefficients of degree $n$ in space, any $t$ and $h\ne0$
+:where: $h\ne0$
 :then: $\frac{P(t+h)-P(t)}h$ is a polynomial in $h$ whose value for $h=0$ is $P'(t)$; so the direction of the chord has the limit
   $P'(t)$ from both sides wherever this is not 0
 :method: The quotient is formed in the field, $h=0$ put in, and compared with the derivative by the kernel.
@@ -349,8 +351,8 @@ by what the point does after it, and this leads to the source's last example, wh
 :zh: 奇异点处出现异常情况
 :printed: At singular points, however, all kinds of abnormal cases will appear.
 :holds-by: cusp_of_the_example_is_a_cusp point_moves_forward_back_and_forward
-:hypothesis: singular_point_of_a_plain_segment | No other parameter makes the curve regular and runs in the same sense: otherwise the
-  point only stands still for a moment, and nothing is seen.
+:hypothesis: singular_point_of_a_plain_segment | no other parameter makes the curve regular and runs in the same sense:
+  otherwise the point only stands still for a moment, and nothing is seen.
 :figure: singular_point_of_a_segment
 
 The source's own anomalies are a change of direction: at the cusp, and twice on the line that follows.

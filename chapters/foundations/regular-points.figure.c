@@ -49,7 +49,7 @@ FIGURE(cusp_and_its_derivative)
     svg_axes(s, q(1), q(1), "x'", "y'");
     put_power_curve(s, 2, d, q(0), q(1), SVG_CURVE_2);
     svg_mark(s, svg_at(0, 0), SVG_RIGHT, SVG_USUAL);
-    svg_label(s, svg_at(0, 0), SVG_NW, SVG_RIGHT, "P'(1/2)");
+    svg_label_at(s, svg_at(0, 0), SVG_END, -36, 68, SVG_RIGHT, "P'(1/2)");
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_line(s, SVG_CURVE_2, "its derivative");
     svg_legend_mark(s, SVG_RIGHT, SVG_USUAL, "the cusp");

@@ -24,7 +24,7 @@ step, which makes them as large as the coefficients, and begins the table with t
 :meant: the next line takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, so that their digits are
   not lost | Against the coefficients of the curve the differences are small.
 :reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0, for every $\delta$
-:reading: third_difference_loses_three_bytes | from the third on, against the coefficients: true, $6A/2^{24}$
+:reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
 :reading: third_difference_exceeds_the_first | from the third on, against the differences before it
 :figure: forward_differences
 :::
@@ -110,6 +110,7 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :title: The rows of the table to begin with
 :zh: 初始差分
 :given: any $A,B,C,D$ in space, any $\delta\ne0$
+:where: $\delta\ne0$
 :then: the rows of `power_differences`, divided by $1,\delta,\delta^2,\delta^3$, are the printed ones
 :method: The kernel against the printed expressions, everything a variable.
 :over: x# y# z#: coefficients; d: δ
@@ -184,8 +185,8 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions table_after_any_number_of_steps
 :confirmed-by: stepping_reaches_the_other_end
-:hypothesis: short_words_lose_the_end | The words are long enough: $3m$ binary places more than the coefficients have.  Binary64 has
-  them for coefficients of 20 bits and $m=8$; words with 16 places have not.
+:hypothesis: short_words_lose_the_end | the words are long enough; they are with $3m$ binary places more than the coefficients
+  have.  Binary64 has them for coefficients of 20 bits and $m=8$; words with 16 places have not.
 :figure: stepping_and_rounding
 :::
 

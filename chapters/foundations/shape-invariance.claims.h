@@ -25,7 +25,8 @@ a shape is not a function.
 :zh: 空间唯一性与干涉检验
 :printed: Two objects cannot occupy one space at the same time; but as shapes are described in a computer by equations and data, by means of data
   structures, this is very difficult to satisfy, and interference has to be examined.
-:reading: two_descriptions_may_claim_one_place | it does not follow from the descriptions: true, two bodies can be well described, and both contain one point
+:reading: two_descriptions_may_claim_one_place | it does not follow from the descriptions: two bodies can be well described, and
+  both contain one point
 :reading: what is very difficult: an opinion, which no computation decides
 :::
 
@@ -494,8 +495,8 @@ the points whatever the functions are: that is the associative law of the produc
 :printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
   shape is kept.
 :holds-by: matrices_pass_to_the_points
-:needs: rotation_about_a_point_moves_the_example | the proof multiplies by one matrix $T$ | A rotation that is a
-  matrix turns about the origin.  About another point it contains a translation, and needs the condition below.
+:needs: rotation_about_a_point_moves_the_example | the proof multiplies by one matrix $T$ | the rotation is about the origin:
+  such a one is a matrix.  About another point it contains a translation, and needs the condition below.
 :figure: rotations_of_the_example
 :::
 */
@@ -620,9 +621,9 @@ CLAIM(doubled_functions_keep_the_shape)
 :zh: 柯西关系
 :printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
 :holds-by: translation_adds_the_sum_of_the_functions
-:hypothesis: shape_is_kept_without_the_sum_one | The curve is to go where its points go, $P^*(t)=P(t)+m$.  To keep its
-  shape, of which the section speaks, a constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all
-  $Q_i=0$ the curve is a point, and its image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
+:hypothesis: shape_is_kept_without_the_sum_one | the curve goes where its points go, $P^*(t)=P(t)+m$.  To keep its shape, of
+  which the section speaks, a constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the
+  curve is a point, and its image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
 :figure: sums_of_functions
 :::
 */
@@ -715,9 +716,8 @@ its values; section 1-2 has moved control points, which is another thing.
 :printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates, and geometric properties
   of a figure can be studied without relying on a coordinate system.
 :holds-by: image_of_a_power_curve_is_one
-:hypothesis: image_keeps_no_chord | Where a curve is given by points that are moved and functions that are not, these have
-  the sum 1 (relation of Cauchy).  The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the
-  coordinates.
+:hypothesis: image_keeps_no_chord | functions that are not moved with the points have the sum 1: the relation of Cauchy.  The
+  curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
 :figure: two_cubes_and_their_image
 
 A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.

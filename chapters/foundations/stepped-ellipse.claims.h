@@ -195,6 +195,7 @@ CLAIM(second_form_is_invariant)
 :then: $x^2+y^2-2sxy=\frac{1-s}2(x+y)^2+\frac{1+s}2(x-y)^2$, both coefficients positive
 :method: An identity in $s$, $x$, $y$; $s=\frac\sigma{1+\sigma}$ with $\sigma>0$ for the signs.
 :scope: 0 < Δθ < π
+:harmless: $0<s<1$ | it is $0<\Delta\theta<\pi$, $s=\sin\frac{\Delta\theta}2$
 :over: x y: point; s: -
 :control: $1-s$ and $1+s$ exchanged
 :::
@@ -227,7 +228,7 @@ of second order, and both are half the sine to first order.
 :meant: the formula itself, in which $\cos\frac{\Delta\theta}2\big/\sqrt{1-\sin\frac{\Delta\theta}2}$ is the largest radius of the ellipse over $r$ | The
   error is counted outwards, relative to $r$.
 :reading: ellipse_lies_between_two_circles | the largest distance outwards
-:reading: ellipse_leaves_the_circle_by_more | the largest distance of all: false, inwards it is larger
+:reading: ellipse_leaves_the_circle_by_more | the largest distance of all: inwards it is larger
 :figure: ellipse_of_the_second_way
 
 With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ a little
@@ -242,6 +243,7 @@ larger than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
   $r\sqrt{1-s}$ and $r\sqrt{1+s}$, both reached, on the diagonals, and $\frac{c^2}{1-s}=1+s$ makes $E=\sqrt{1+s}-1$
 :method: $r^2$ is eliminated by the equation; identities in $s$, $x$, $y$, with $s=\frac\sigma{1+\sigma}$.
 :scope: 0 < Δθ < π
+:harmless: $0<s<1$ | it is $0<\Delta\theta<\pi$, $s=\sin\frac{\Delta\theta}2$
 :over: x y: point; s: -
 :control: the two circles exchanged
 :::
@@ -274,6 +276,7 @@ static num G(square_above)(num k, num h)
 :then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
 :method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
 :scope: 0 < Δθ < π
+:harmless: $0<s<1$ | it is $0<\Delta\theta<\pi$, $s=\sin\frac{\Delta\theta}2$
 :over: s: -
 :control: $\frac s4$ in the place of $\frac s2$
 :::
@@ -395,6 +398,7 @@ CLAIM(printed_error_is_twice_the_error)
 :then: $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
 :method: $(1+\frac s2)^2-(1+s)=\frac{s^2}4$ and $(1+s)-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
 :scope: 0 < Δθ < π
+:harmless: $0<s<1$ | it is $0<\Delta\theta<\pi$, $s=\sin\frac{\Delta\theta}2$
 :over: s: -
 :control: $\frac{s^2}{16}$ in the place of $\frac{s^2}8$
 :::

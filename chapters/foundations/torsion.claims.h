@@ -27,6 +27,7 @@ formula of the curvature.
 :title: The torsion by speed and curvature
 :zh: 用速率与曲率表示挠率
 :given: any three vectors $P',P'',P'''$ of space, $P'\times P''\ne0$
+:where: $P'\times P''\ne0$
 :then: $\frac{(P',P'',P''')}{\dot s^6K^2}=\frac{(P',P'',P''')}{|P'\times P''|^2}$, the torsion, with $\dot s^2=|P'|^2$ and
   $K^2=\frac{|P'\times P''|^2}{|P'|^6}$
 :method: The kernels for the square of the curvature and for the torsion, everything a variable.

@@ -29,8 +29,8 @@ being continuous, one that has their limits without being continuous itself.
   at $x_0$, or continuous of order $k$, $C^k$.
 :holds-by: a_factor_raises_the_order_of_a_zero
 :confirmed-by: equal_derivatives_leave_a_power
-:hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$, as pieces that
-  are polynomials have
+:hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$; as
+  pieces that are polynomials have
 :hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
 :figure: differentiable_without_continuity
 
@@ -183,7 +183,8 @@ is no way in either direction: the figure does not know how fast it is run throu
 :meant: the words "of the function" (该函数的图形), and "are continuous" | From the class to the figure, for graphs.
 :reading: curvature_of_a_graph | from the class to the figure, for graphs
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs
-:reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
+:reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: the tangent may turn
+  back
 :reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter
 :figure: upright_cube_root
 
@@ -384,11 +385,11 @@ provided that both have a direction.
 :printed: $G^1$ means that the first derivatives of the two segments are proportional at the joint: equal in direction, different in size.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
-:needs: negative_ratio_turns_back | the words: the tangents have one direction | equal in direction: proportional with
-  a negative factor is a curve that turns back
+:needs: negative_ratio_turns_back | the words: the tangents have one direction | the derivatives are equal in direction:
+  proportional with a negative factor is a curve that turns back
 :meant: the word that is explained, proportional (成比例) | The sizes may differ.
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ
-:reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
+:reading: halves_of_a_segment_have_one_speed | the sizes do differ: two halves of a segment with one speed are $G^1$ as well
 :figure: joints_of_order
 :::
 */
@@ -558,9 +559,8 @@ The section ends with the word fair (光顺), which is explained by three condit
 :zh: 光顺
 :printed: Fairness means that a curve has not too many inflections and is smooth and flowing.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
   points; (3) small changes of the curvature.
-:reading: unit_tangent_jumps_at_the_cusp | the second condition says more than the first: true of $G^2$ as the slides
-  explain it, by proportional derivatives; at a cusp the derivatives of both sides are equal, hence proportional, and the
-  tangent turns back
+:reading: unit_tangent_jumps_at_the_cusp | the second condition says more than the first: $G^2$ as the slides explain it, by
+  proportional derivatives; at a cusp the derivatives of both sides are equal, hence proportional, and the tangent turns back
 :reading: what is superfluous, and which change of the curvature is small: the text does not say, so that nothing is there
   to be decided
 

@@ -18,10 +18,66 @@ In this way the whole frame is computed from four points, eight tangents and fou
 :printed: $u0=00\,q_{00}(u)+10\,q_{01}(u)+00_uq_{10}(u)+10_uq_{11}(u)$, $u1=01\,q_{00}(u)+11\,q_{01}(u)+01_uq_{10}(u)+11_uq_{11}(u)$,
   $u0_w=00_wq_{00}(u)+10_wq_{01}(u)+00_{uw}q_{10}(u)+10_{uw}q_{11}(u)$, $u1_w=01_wq_{00}(u)+11_wq_{01}(u)+01_{uw}q_{10}(u)+11_{uw}q_{11}(u)$;
   so $[u0\;u1\;u0_w\;u1_w]=q(u)\,M$, and in the same way the column of $0w,1w,0w_u,1w_u$ is $M\,q(w)^T$
-:holds-by: cubic_frame_of_corners_gives_the_product
+:holds-by: cubic_frame_takes_the_data_of_the_corners
+:confirmed-by: cubic_frame_of_corners_gives_the_product
 :figure: worked_patch
 :::
 */
+
+/* What is given at the corner u = a, w = b: the derivative of order r in u and s in w.  The source writes 10_{uw} for a = 1, b = 0,
+ * r = s = 1. */
+struct G(corner) {
+    num at[2][2]; /* r, s */
+};
+
+/*
+:::{claim} cubic_frame_takes_the_data_of_the_corners
+:title: The four cubics have the data of the corners at their ends, and are q(u) M
+:zh: 四条 Hermite 三次边界取角点数据
+:given: points, tangents and twists of the four corners; the printed sums with $q_{00},q_{01},q_{10},q_{11}$, for $u$ and for $w$
+:let: $M$ be the matrix with the rows $(00,01,00_w,01_w)$, $(10,11,10_w,11_w)$, $(00_u,01_u,00_{uw},01_{uw})$, $(10_u,11_u,10_{uw},11_{uw})$
+:then: $u0$, $u1$, $u0_w$ and $u1_w$ have at $u=0$ and $u=1$ the given values and the given derivatives, and are the entries of $q(u)M$;
+  $0w$, $1w$, $0w_u$ and $1w_u$ have theirs at $w=0$ and $w=1$, and are the entries of $Mq(w)^T$
+:method: The sums are formed from the data by their names, as polynomials with the functions $q$ multiplied out from their factors;
+  values and derivatives at the ends, and the product with $M$, entry by entry.
+:over: x#: corner data
+:control: the twist $11_{uw}$ left out of $u1_w$
+:::
+*/
+CLAIM(cubic_frame_takes_the_data_of_the_corners)
+{
+    struct G(corner) corner[2][2]; /* u = a, w = b */
+    num M[4][4], zero = from_int(0), one = from_int(1), x = parameter(T, "u");
+    struct G(poly) q[4]; /* q_00, q_01, q_10, q_11 */
+    for (int i = 0; i < 4; i++)
+        q[i] = G(printed_blending)(zero, one, i);
+    for (int k = 0; k < 16; k++) {
+        int a = k & 1, b = k >> 1 & 1, r = k >> 2 & 1, s = k >> 3;
+        corner[a][b].at[r][s] = M[2 * r + a][2 * s + b] = unknown(T, "x", k);
+    }
+    for (int end = 0; end < 2; end++)           /* u0 and u1, or 0w and 1w */
+        for (int cross = 0; cross < 2; cross++) /* the border, or the derivative across */
+            for (int along_w = 0; along_w < 2; along_w++) {
+                num data[4], by_matrix = zero, value = zero; /* the factors of q_00, q_01, q_10, q_11 */
+                for (int i = 0; i < 4; i++) {
+                    int start = i & 1, order = i >> 1;
+                    data[i] = along_w ? corner[end][start].at[cross][order] : corner[start][end].at[order][cross];
+                    num used = fault(T, data[i], !along_w && end && cross && i == 3 ? zero : data[i]), column = zero;
+                    value = add(value, mul(used, G(at)(q[i], 0, x)));
+                    column = along_w ? M[2 * cross + end][i] : M[i][2 * cross + end];
+                    by_matrix = add(by_matrix, mul(column, G(at)(q[i], 0, x)));
+                }
+                about(T, "the printed sum and the product with M");
+                same(T, value, by_matrix);
+                for (int i = 0; i < 4; i++) { /* the datum of q_i: the derivative of order i/2 at the end i%2 */
+                    num sum = zero;
+                    for (int k = 0; k < 4; k++)
+                        sum = add(sum, mul(data[k], G(at)(q[k], i >> 1, from_int(i & 1))));
+                    about(T, "a datum at an end");
+                    same(T, sum, data[i]);
+                }
+            }
+}
 
 /* C = H M H^T, entry (i, j) belonging to u^{3-i} w^{3-j}. */
 static void G(product_of_corners)(const num M[16], num C[16])

@@ -36,10 +36,10 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :definition: yes
 :printed: $f_0(t)$ and $f_1(t)$, $0\le t\le1$, are continuous, $f_0(0)=1$, $f_0(1)=0$, $f_1(0)=0$, $f_1(1)=1$, and $f_0(t)+f_1(t)=1$
 :checked-by: four_curves_are_borders shifted_frame_shifts_the_patch_by_a_product
-:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | the end values:
-  without them the borders are lost
-:needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the sum: with it the
-  curves between opposite borders stay on the line of two points, without it they need not
+:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | the blending functions have
+  the printed values at the ends: without them the borders are lost
+:needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the blending functions have the
+  sum 1: with it the curves between opposite borders stay on the line of two points, without it they need not
 :figure: boolean_sum
 
 The two parts of what is asked do different things: the end values keep the borders, the sum lets the surface move with its frame.
@@ -150,8 +150,14 @@ CLAIM(blendings_without_end_values_lose_the_border)
 }
 #endif
 
-/* P_1 + P_2 and P_3 as printed. */
+/* P_1 and P_2, and P_3, as printed. */
 static num G(ruled)(const num f[2], const num curve[2]) { return add(mul(f[0], curve[0]), mul(f[1], curve[1])); }
+
+static num G(of_corners)(const num f[2], const num g[2], const num M[4])
+{
+    num first = mul(f[0], add(mul(g[0], M[0]), mul(g[1], M[1])));
+    return add(first, mul(f[1], add(mul(g[0], M[2]), mul(g[1], M[3]))));
+}
 
 #if RATIONAL
 /*
@@ -189,11 +195,54 @@ the straight one between two corners; and this is what the third surface has the
 :zh: 两张直纹面与角点曲面
 :printed: By linear interpolation in the direction $u$ the ruled surface $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, in the direction $w$ $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$, where $f_0+f_1=1$, $0\le u,w\le1$
 :definition: yes
-:checked-by: sum_of_ruled_surfaces_has_too_much
+:checked-by: linear_interpolation_runs_along_straight_lines
+:confirmed-by: sum_of_ruled_surfaces_has_too_much
 :needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | $f_0+f_1=1$: else the
   curves of $P_1$ from $0w$ to $1w$ need not be straight
 :figure: boolean_sum
 :::
+
+:::{claim} linear_interpolation_runs_along_straight_lines
+:title: Through every point of the three surfaces runs a straight line from border to border
+:zh: 三张曲面均为直纹面
+:given: points of the border curves and corners in space, values of the blending functions with $f_0+f_1=1$
+:where: $f_0+f_1=1$
+:then: $P_1=0w+f_1(u)(1w-0w)$, so that for each $w$ it runs on the line from $0w$ to $1w$; $P_2=u0+f_1(w)(u1-u0)$, on the line from
+  $u0$ to $u1$; and $P_3$ is on the line between the points of two opposite sides of the quadrangle of the corners, either way
+:method: Coordinate by coordinate, $f_1(u)$ and $f_1(w)$ being variables.  What depends on $w$ alone, or on $u$ alone, is fixed on the line.
+:over: f#: blending functions; x# y#: border curves; m#: corners
+:control: $f_0=f_1$
+:::
+*/
+/* Compare: f_0 A + f_1 B with A + f_1 (B - A). */
+static void G(compare_with_line)(trial *T, const num f[2], num A, num B)
+{
+    same(T, G(ruled)(f, (num[]){A, B}), add(A, mul(f[1], sub(B, A))));
+}
+
+CLAIM(linear_interpolation_runs_along_straight_lines)
+{
+    num one = from_int(1), f1 = unknown(T, "f", 0), g1 = unknown(T, "f", 1);
+    num f[2] = {fault(T, sub(one, f1), f1), f1}, g[2] = {fault(T, sub(one, g1), g1), g1}; /* of u, of w */
+    for (int c = 0; c < 3; c++) {
+        num across[2], along[2], M[4];
+        for (int i = 0; i < 2; i++)
+            across[i] = unknown(T, "x", 2 * c + i), along[i] = unknown(T, "y", 2 * c + i);
+        for (int i = 0; i < 4; i++)
+            M[i] = unknown(T, "m", 4 * c + i);
+        about(T, "a ruling of P_1, and of P_2");
+        G(compare_with_line)(T, f, across[0], across[1]);
+        G(compare_with_line)(T, g, along[0], along[1]);
+        about(T, "the two rulings of P_3");
+        num P3 = G(of_corners)(f, g, M); /* rows: u, columns: w */
+        num low = G(ruled)(g, M), high = G(ruled)(g, M + 2), left = G(ruled)(f, (num[]){M[0], M[2]});
+        num right = G(ruled)(f, (num[]){M[1], M[3]});
+        same(T, P3, add(low, mul(f[1], sub(high, low))));
+        same(T, P3, add(left, mul(g[1], sub(right, left))));
+    }
+}
+
+/*
 
 :::{statement} slides-ch4:3-sum-of-ruled
 :title: The sum of the ruled surfaces is moved from the frame by an interpolation of the corners
@@ -218,12 +267,6 @@ The part due to the linear interpolation is read as $P_3$, which is what $P_1$ i
 :control: $f_0$ and $f_1$ exchanged in $P_2$
 :::
 */
-static num G(of_corners)(const num f[2], const num g[2], const num M[4])
-{
-    num first = mul(f[0], add(mul(g[0], M[0]), mul(g[1], M[1])));
-    return add(first, mul(f[1], add(mul(g[0], M[2]), mul(g[1], M[3]))));
-}
-
 CLAIM(sum_of_ruled_surfaces_has_too_much)
 {
     num M[4], free[2], border = unknown(T, "x", 0), other = unknown(T, "x", 1);

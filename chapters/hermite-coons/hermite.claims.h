@@ -20,8 +20,8 @@ serves for existence and uniqueness, the system being square.
 :holds-by: hermite_interpolant_exists_and_is_unique
 :argued: every N | Two solutions differ by a polynomial of degree at most $N$ that has $N+1$ zeros, counted with
   multiplicity, and so is 0; the system is square, and with one solution for the data 0 it has one for all data.
-:hypothesis: straight_data_have_no_cubic | of degree at most $N$: of degree exactly $N$ there may be none
-:needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | $k+1$ points $t_i$: different ones
+:hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
+:needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
 
 The slides only ask for the polynomial.  That it can always be found, and that there is no choice, is the reason why the
@@ -34,8 +34,8 @@ number of conditions is one more than $N$.
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
 :printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: hermite_interpolant_exists_and_is_unique | its degree grows with the data, by one with each value and each derivative: true, as the data of a
-  polynomial of degree $N=m_0+\dots+m_k-1$ give it back
+:reading: hermite_interpolant_exists_and_is_unique | its degree grows with the data, by one with each value and each derivative:
+  the data of a polynomial of degree $N=m_0+\dots+m_k-1$ give it back
 :reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
 :figure: hermite_blending_functions
 
@@ -208,7 +208,7 @@ CLAIM(cubic_equations_are_the_conditions)
   $(t_1-t_0)^3a_1=f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1$;
   $(t_1-t_0)^3a_0=-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3$
 :holds-by: cubic_coefficients_by_monomials
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | two points: $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
 Printed are the quotients by $(t_1-t_0)^3$.  The signs are lost.  The monomials are linearly independent, so each sign is
@@ -377,7 +377,7 @@ slope right at its own.
 :zh: 按型值整理的三次插值多项式
 :printed: P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
 :holds-by: cubic_ordered_by_data
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | two points: $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
 The signs are lost.  With $(t_0-t_1)^3$ under the first value and $(t_1-t_0)^3$ under the second, as they are printed, both linear factors
@@ -423,8 +423,8 @@ CLAIM(cubic_ordered_by_data)
   $g_{01}=\bigl(1-2\frac{t-t_1}{t_1-t_0}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
   $h_{00}=\frac{t-t_0}{t_1-t_0}\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=\frac{t-t_1}{t_1-t_0}\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | two ends of an interval:
-  $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two ends of an
+  interval
 :figure: hermite_blending_functions
 
 The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that before 2 is a minus both times.
@@ -433,7 +433,7 @@ The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that bef
 :::{claim} hermite_kernel_blends_four_data
 :title: The printed functions blend the data to the interpolating cubic and all its derivatives
 :zh: 混合函数给出三次插值曲线及其各阶导数
-:given: $t_0<t_1$, any data, any $t$, orders 0 to 4
+:given: two nodes $t_0\ne t_1$ in any order, any data, any $t$, orders 0 to 4
 :then: the kernel `hermite_blending` gives the derivatives of $g_{00}$, $g_{01}$, $h_{00}(t)(t_1-t_0)$, $h_{01}(t)(t_1-t_0)$, `hermite_cubic` those of
   the printed sum, and that sum has the data
 :method: The printed functions are multiplied out as polynomials in $t$, and differentiated power by power; everything variable.
@@ -445,7 +445,8 @@ The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that bef
 CLAIM(hermite_kernel_blends_four_data)
 {
     num t0, t1, data[4], B[20], out[5], t = parameter(T, "p");
-    G(interval)(T, &t0, &t1);
+    t0 = unknown(T, "t", 0);
+    t1 = add(t0, unknown(T, "h", 0)); /* on either side */
     G(four_data)(T, data);
     struct G(poly) sum = G(constant)(from_int(0));
     G(hermite_blending)(t0, t1, t, 4, B);
@@ -489,6 +490,7 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :title: Each blending function has one datum that is not 0, and three that are
 :zh: 四函数与四型值对偶
 :given: $t_0<t_1$
+:harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
 :then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are the matrix with the diagonal
   $1,1,\frac1{t_1-t_0},\frac1{t_1-t_0}$ and 0 elsewhere
 :method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables.
@@ -548,7 +550,7 @@ With values alone, at as many nodes, the same idea gives Lagrange's functions.
 :zh: 过四点的三次 Lagrange 插值
 :printed: $P(t)=\sum_{i=0}^3f(t_i)g_i(t)$ with $g_i(t)=\prod_{j\ne i}\frac{t-t_j}{t_i-t_j}$, written out for $i=0,1,2,3$
 :holds-by: lagrange_functions_keep_every_polynomial
-:needs: equal_nodes_have_no_interpolant | four nodes are given | four different points
+:needs: equal_nodes_have_no_interpolant | four nodes are given | the four points are different
 :figure: lagrange_blending_functions
 :::
 
@@ -624,6 +626,7 @@ follows, and the slides do not always keep the two apart.
 :title: In the parameter of the unit interval derivatives are multiplied by the length of the interval
 :zh: 单位区间上的混合函数
 :given: $t_0<t_1$, any data, any $u$, $t=t_0+(t_1-t_0)u$
+:harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
 :then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.

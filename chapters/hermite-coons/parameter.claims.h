@@ -27,7 +27,7 @@ after a turn it need not be one.
 :title: Equations without a parameter depend on the axes
 :zh: 非参数方程依赖坐标轴
 :printed: $y=f(x)$ and $f(x,y)=0$ belong to the axes and are inconvenient when the coordinates are changed.
-:reading: turned_graph_is_no_graph | $y=f(x)$ belongs to the axes: true, a turn can take a graph to what is no graph
+:reading: turned_graph_is_no_graph | $y=f(x)$ belongs to the axes: a turn can take a graph to what is no graph
 :reading: what is inconvenient: an opinion, which no computation decides
 :figure: graphs_and_axes
 :::
@@ -150,7 +150,8 @@ an equation without a parameter.
 :title: Complicated shapes without a parameter
 :zh: 难以灵活地构造复杂的曲线、曲面
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
-:reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: true, a curve that crosses itself has none
+:reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has
+  none
 :reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
 :figure: graphs_and_axes
 
@@ -225,7 +226,8 @@ CLAIM(parametric_cubic_crosses_itself)
 :printed: Parametric equations make it easy to deal with an infinite slope.
 :holds-by: tangent_needs_no_slope
 :confirmed-by: circle_has_an_upright_tangent
-:hypothesis: cusp_has_no_equation_of_the_tangent | The derivative is not $(0,0)$; where it is, the slope may be infinite as well, and the equation says nothing.
+:hypothesis: cusp_has_no_equation_of_the_tangent | the derivative is not $(0,0)$; where it is, the slope may be infinite as
+  well, and the equation says nothing.
 
 Easy is read as: the tangent is found without a slope, and no case has to be told from another.
 :::
@@ -234,6 +236,7 @@ Easy is read as: the tangent is found without a slope, and no case has to be tol
 :title: The tangent line by the derivative of the parameter, where there is a slope and where there is none
 :zh: 切线由参数导矢给出,与斜率是否存在无关
 :given: a point $(x,y)$ of a plane curve and its derivative $(x',y')\ne(0,0)$ there, any numbers; any $\lambda$
+:where: the derivative is not $(0,0)$
 :then: $(X-x)\,y'-(Y-y)\,x'=0$ for $(X,Y)=(x+\lambda x',y+\lambda y')$; where $x'\ne0$ it is $x'$ times $(X-x)\frac{y'}{x'}-(Y-y)$, which has the
   slope $\frac{y'}{x'}$; where $x'=0$ it is $(X-x)\,y'=0$, the upright line
 :method: Identities with everything a variable, and once more with $x'=0$; the equation is that of a line, since one of its two factors is not 0.
@@ -299,9 +302,10 @@ of its cylinders, and for a circle that is tilted against all three axes and any
   cylinders.
 :holds-by: graphs_over_one_axis_meet_in_one_curve
 :argued: all functions f and g | The points $(t,f(t),g(t))$ satisfy both equations, and of the points with $x=t$ no other does.
-:hypothesis: closed_curve_is_no_pair_of_graphs | explicit equations $y=f(x)$, $z=g(x)$ mean one point for each $x$, or for each value of another coordinate
-:hypothesis: no_two_projections_give_the_circle | where cylinders are taken over two projections, the curve is all that they have in common; for some curves no choice
-  of two will do
+:hypothesis: closed_curve_is_no_pair_of_graphs | each value of one coordinate has one point: explicit equations $y=f(x)$,
+  $z=g(x)$ are that, or those of another coordinate
+:hypothesis: no_two_projections_give_the_circle | the curve is all that the cylinders over two of its projections have in
+  common; for some curves no choice of two will do
 :figure: two_cylinders
 
 The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse,
@@ -558,7 +562,7 @@ A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$, and thereby t
 :title: More freedom for the shape
 :zh: 参数形式自由度更大
 :printed: With a parameter there is more freedom to control the shape of curves and surfaces, a strong power to describe and a rich power to express.
-:reading: parametric_cubic_crosses_itself | more than graphs: true, there are shapes that no graph $y=f(x)$ has
+:reading: parametric_cubic_crosses_itself | more than graphs: there are shapes that no graph $y=f(x)$ has
 :reading: how much freedom, which power is strong or rich: the slides do not say, so that nothing is there to be decided
 :figure: graphs_and_axes
 

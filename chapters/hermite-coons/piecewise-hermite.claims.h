@@ -24,8 +24,8 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   $h_{i0}=\frac{t-t_i}{t_{i+1}-t_i}\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
 :confirmed-by: base_functions_interpolate_once_continuously
-:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | an
-  interval $[t_i,t_{i+1}]$: $t_i\ne t_{i+1}$
+:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
+  interval $[t_i,t_{i+1}]$
 :figure: nodes_that_meet
 :::
 
@@ -107,8 +107,8 @@ must not only differ but increase.
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
-:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ | intervals
-  $[t_i,t_{i+1}]$ of $[t_0,t_n]$: $t_0<t_1<\dots<t_n$
+:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
+  $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: nodes_that_meet
 :::
 */
@@ -150,7 +150,8 @@ CLAIM(overlapping_intervals_miss_the_data)
   the other intervals.
 :meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
 :reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$
-:reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval: false for other lengths than 1
+:reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval: for other
+  lengths than 1 it is scaled twice
 :figure: piecewise_base_functions
 
 The bracket is lost; the one factor at the end belongs to both derivatives.
@@ -274,8 +275,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
-:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | an
-  interval: $t_i\ne t_{i+1}$
+:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
+  interval
 :figure: one_tangent_two_lengths
 :::
 
@@ -286,8 +287,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :holds-by: unit_blending_functions
 :meant: the word "where" (其中) below the formula of the piece $P_i(u)$ | The vectors $P_i'$ and $P_{i+1}'$ are those of the one piece over $[t_i,t_{i+1}]$.
 :reading: unit_blending_functions | the vectors of one piece
-:reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces at $t_i$: false, unless the intervals have one
-  length (or $f'(t_i)=0$)
+:reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces at $t_i$: the speed jumps unless
+  the intervals have one length (or $f'(t_i)=0$)
 :figure: one_tangent_two_lengths
 
 The same letter is used for the tangent at the end of one piece, $f'(t_i)(t_i-t_{i-1})$, and at the start of the next, and before, in the sum

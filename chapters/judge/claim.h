@@ -86,14 +86,15 @@ typedef struct trial {
     const char *about;    /* what is being compared, for the first difference                        */
     exhibit *shown;       /* what the case shows, `exhibits` in number                                */
     int exhibits;
-    struct small_data *small; /* simple numbers in the place of random ones, or NULL: see witness.h                 */
-    uint64_t used; /* bit k: entry k of the claim's data was asked for                         */
-    int mistaken;  /* 1 when an entry is missing, of another shape, or another result came out */
+    struct small_data *small; /* where the data are simple, or kept; otherwise NULL: see witness.h */
+    uint64_t used;            /* bit k: entry k of the claim's data was asked for                         */
+    int mistaken;             /* 1 when an entry is missing, of another shape, or another result came out */
 } trial;
 
 typedef struct claim {
     const char *name, *title, *title_zh, *given, *let, *then, *method, *control, *scope;
     const char *letter, *over; /* of the degrees; what the variables of the field stand for: see scope.c         */
+    const char *where;         /* conditions on what is given, "one; another"; NULL for none: see scope.h         */
     const char *within;        /* which phrases of scopes are narrower than which: see scope.h; NULL for none     */
     const char *argued_for, *argued; /* the cases that an argument in words adds, and the argument; see ARGUED    */
     const char *defines; /* the kernels whose definitional claim this is: its other side shares no code with them */
@@ -127,12 +128,14 @@ extern const role_form form_of_role[ROLES];
 typedef struct statement_link {
     role role;
     const char *claim, *place, *text;
+    const char *condition; /* of a hypothesis: what it asks, the first clause of the text; else NULL */
 } statement_link;
 
 typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
     const char *example; /* why one instance decides what is printed in general words, or empty */
-    const char *letter; /* that its source has for degrees; "k" for orders; NULL: n */
+    const char *letter;  /* that its source has for degrees; "k" for orders; NULL: n */
+    const char *letters; /* that its source prints anywhere, separated by blanks: "t beta x"; NULL: not known */
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
     const statement_link *links;       /* ends with a link whose claim and text are NULL                       */

@@ -26,7 +26,8 @@ void agree_as(trial *T, int condition, const char *formula)
 {
     if (cagd_trace_noting())
         cagd_trace_agree(condition, formula);
-    (void)first_failure(T, condition);
+    if (first_failure(T, condition) && T->claim->kind != COUNTEREXAMPLE)
+        show_text(T, "condition", "%s", formula);
 }
 
 void same_f(trial *T, num_f a, num_f b)

@@ -16,21 +16,32 @@ int pick(trial *T, int low, int high)
 
 enum { ONE = 1 << 20 }; /* 20-bit data: exact in binary64, products of them mostly are not */
 
-/* A number of the kind, low and high for whole ones: random, or a simple one where a small instance is looked for. */
-static num_q input(trial *T, const char *name, int index, enum input_kind kind, int low, int high)
+/* A random number of the kind, low and high for whole ones. */
+static num_q random_number(trial *T, enum input_kind kind, int low, int high)
 {
-    if (T->small != NULL)
-        return small_number(T, name, index, kind, low, high);
     switch (kind) {
     case ANY_NUMBER:
         return from_ratio_q(pick(T, -ONE, ONE), ONE);
     case POSITIVE_NUMBER:
         return from_ratio_q(pick(T, ONE / 8, 4 * ONE), ONE);
+    case PARAMETER:
+        return from_ratio_q(pick(T, 1 - ONE, 2 * ONE - 1), ONE);
     case FRACTION:
         return from_ratio_q(pick(T, 1, ONE - 1), ONE);
     default:
         return from_int_q(pick(T, low, high));
     }
+}
+
+/* A random number, or a simple one where a small instance is looked for. */
+static num_q input(trial *T, const char *name, int index, enum input_kind kind, int low, int high)
+{
+    if (T->small != NULL && !T->small->random)
+        return small_number(T, name, index, kind, low, high);
+    num_q a = random_number(T, kind, low, high);
+    if (T->small != NULL)
+        keep_input(T, name, index, a);
+    return a;
 }
 
 static num_f indexed_variable(const char *name, int index)
@@ -90,7 +101,7 @@ static num_m from_rational_m(num_q a) { return exact_m(to_double_q(a)); }
     }                                                                                                                  \
     num_##S parameter_##S(trial *T, const char *name)                                                                  \
     {                                                                                                                  \
-        return from_rational_##S(noted_input(T, name, -1, FRACTION, 0, 0));                                            \
+        return from_rational_##S(noted_input(T, name, -1, PARAMETER, 0, 0));                                           \
     }                                                                                                                  \
     num_##S whole_##S(trial *T, const char *name, int low, int high)                                                   \
     {                                                                                                                  \

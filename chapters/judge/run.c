@@ -155,7 +155,7 @@ static type_result judge_type(const struct plan *p)
         trial T = run_case(p, k, 0, &variables, &positive);
         outcome o = judged_case(&T);
         if (o == FAILS && p->claim->kind != COUNTEREXAMPLE)
-            show_degree(p->claim, &T);
+            show_case(p, k, &T);
         genuine = o == FAILS && region_faults == 0 && T.compared > 0 && !T.mistaken;
         r.faults |= region_faults;
         r.cases++;

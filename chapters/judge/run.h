@@ -29,7 +29,7 @@ typedef struct claim_result {
     evidence computed; /* the strongest that its types support                                    */
     evidence evidence; /* the same, BY_ARGUMENT where words are needed to get from there to the claim */
     char *scope;       /* for which degrees and data, in words; made from what was run: see scope.h */
-    exhibit *witness;  /* of an identity that fails unexpectedly: a small instance; see witness.h */
+    exhibit *witness;  /* of an identity or decision that fails: a small instance; see witness.h */
     int witnesses;     /* how many values that are                                                */
 } claim_result;
 

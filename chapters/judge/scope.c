@@ -38,10 +38,27 @@ static void meet_range(scope *s, whole_range r)
     s->range[s->ranges++] = r;
 }
 
-static void add_phrase(scope *s, const char *text, size_t n)
+static void add_phrase(phrases *list, const char *text, size_t n)
 {
-    s->phrase = one_more(s->phrase, s->phrases, sizeof *s->phrase);
-    s->phrase[s->phrases++] = copy_of(text, n);
+    list->at = one_more(list->at, list->count, sizeof *list->at);
+    list->at[list->count++] = copy_of(text, n);
+}
+
+/* "one; another": each a phrase of the list; NULL is none. */
+static void add_phrases(phrases *list, const char *text)
+{
+    for (const char *at = text != NULL ? text : ""; *at != '\0'; at += strspn(at, "; ")) {
+        size_t n = strcspn(at, ";");
+        add_phrase(list, at, n);
+        at += n;
+    }
+}
+
+static void free_phrases(phrases *list)
+{
+    for (int k = 0; k < list->count; k++)
+        free(list->at[k]);
+    free(list->at);
 }
 
 /* Whether the next n characters are that text. */
@@ -69,11 +86,11 @@ static int is_within(const char *table, const char *narrow, const char *wide)
 /* Whether some phrase of s has no counterpart in the other scope, none that is the same, narrower or wider. */
 static int has_phrase_alone(const scope *s, const scope *other, const char *table)
 {
-    for (int k = 0; k < s->phrases; k++) {
+    for (int k = 0; k < s->said.count; k++) {
+        const char *mine = s->said.at[k];
         int known = 0;
-        for (int m = 0; m < other->phrases; m++)
-            known |=
-                is_within(table, s->phrase[k], other->phrase[m]) || is_within(table, other->phrase[m], s->phrase[k]);
+        for (int m = 0; m < other->said.count; m++)
+            known |= is_within(table, mine, other->said.at[m]) || is_within(table, other->said.at[m], mine);
         if (!known)
             return 1;
     }
@@ -84,8 +101,8 @@ static int has_phrase_alone(const scope *s, const scope *other, const char *tabl
 static int is_stated(const scope *s)
 {
     static const char stated[] = "the stated ";
-    for (int k = 0; k < s->phrases; k++)
-        if (strncmp(s->phrase[k], stated, sizeof stated - 1) == 0)
+    for (int k = 0; k < s->said.count; k++)
+        if (strncmp(s->said.at[k], stated, sizeof stated - 1) == 0)
             return 1;
     return 0;
 }
@@ -105,7 +122,7 @@ static int is_beside_more(const scope *s, const scope *other)
     return is_stated(s) && !is_stated(other) && (is_one_instance(s) || other->kinds > 0);
 }
 
-static int is_every_case(const scope *s) { return s->ranges == 0 && s->phrases == 0 && s->kinds == 0; }
+static int is_every_case(const scope *s) { return s->ranges == 0 && s->said.count == 0 && s->kinds == 0; }
 
 static int are_apart(const scope *s, const scope *other, const char *table)
 {
@@ -116,19 +133,19 @@ static int are_apart(const scope *s, const scope *other, const char *table)
 }
 
 /* Of phrases that can be compared the narrower one is left. */
-static void meet_phrases(scope *s, const scope *other)
+static void meet_phrases(phrases *mine, const phrases *other, const char *table)
 {
-    for (int m = 0; m < other->phrases; m++) {
+    for (int m = 0; m < other->count; m++) {
         int asked = 0;
-        for (int k = 0; k < s->phrases && !asked; k++) {
-            asked = is_within(s->within, s->phrase[k], other->phrase[m]);
-            if (!asked && is_within(s->within, other->phrase[m], s->phrase[k])) {
-                free(s->phrase[k]);
-                s->phrase[k--] = s->phrase[--s->phrases];
+        for (int k = 0; k < mine->count && !asked; k++) {
+            asked = is_within(table, mine->at[k], other->at[m]);
+            if (!asked && is_within(table, other->at[m], mine->at[k])) {
+                free(mine->at[k]);
+                mine->at[k--] = mine->at[--mine->count];
             }
         }
         if (!asked)
-            add_phrase(s, other->phrase[m], strlen(other->phrase[m]));
+            add_phrase(mine, other->at[m], strlen(other->at[m]));
     }
 }
 
@@ -173,7 +190,8 @@ void meet_scope(scope *s, const scope *other)
         s->within = other->within;
     s->apart |= other->apart || are_apart(s, other, s->within);
     s->mixed |= other->mixed || (has_data_alone(s, other) && has_data_alone(other, s));
-    meet_phrases(s, other);
+    meet_phrases(&s->said, &other->said, s->within);
+    meet_phrases(&s->where, &other->where, s->within);
     for (int k = 0; k < other->ranges; k++)
         meet_range(s, other->range[k]);
     for (int k = 0; k < other->kinds; k++) {
@@ -183,26 +201,6 @@ void meet_scope(scope *s, const scope *other)
     if (other->instances > 0 && (s->instances == 0 || other->instances < s->instances))
         s->instances = other->instances;
 }
-
-int is_empty_scope(const scope *s)
-{
-    for (int k = 0; k < s->ranges; k++)
-        if (s->range[k].low > s->range[k].high)
-            return 1;
-    return 0;
-}
-
-void free_scope(scope *s)
-{
-    for (int k = 0; k < s->phrases; k++)
-        free(s->phrase[k]);
-    for (int k = 0; k < s->kinds; k++)
-        free(s->data[k].noun);
-    free(s->range), free(s->phrase), free(s->data);
-    *s = (scope){0};
-}
-
-/* ---- what the variables of the field stand for ------------------------------------------------------ */
 
 /* The next word of a blank-separated list, of n characters; NULL at its end. */
 static const char *next_word(const char *list, size_t *n)
@@ -220,6 +218,92 @@ static int is_among(const char *word, size_t n, const char *words)
             return 1;
     return 0;
 }
+
+/* The letters of the field, as TeX writes them, and those of a text. */
+static const char *const greek[][2] = {
+    {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"lambda", "λ"}, {"mu", "μ"},    {"tau", "τ"}, {"sigma", "σ"},
+    {"theta", "θ"}, {"rho", "ρ"},  {"omega", "ω"}, {"delta", "δ"},  {"kappa", "κ"}, {"chi", "χ"}, {"varepsilon", "ε"}};
+enum { GREEK = sizeof greek / sizeof *greek };
+
+static const char *letter_in_print(const char *noun)
+{
+    for (int k = 0; k < GREEK; k++)
+        if (strcmp(noun, greek[k][0]) == 0)
+            return greek[k][1];
+    return noun;
+}
+
+static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c & 0x80) != 0; }
+
+/* Whether the letter stands in the text by itself: no part of a word, without an index or an argument. */
+static int has_letter(const char *text, const char *letter)
+{
+    size_t n = strlen(letter);
+    for (const char *at = text; (at = strstr(at, letter)) != NULL; at += n) {
+        int is_command = at > text && at[-1] == '\\' && n > 1;
+        int is_begun = at > text && !is_command && (is_letter(at[-1]) || at[-1] == '\\');
+        if (!is_begun && !is_letter(at[n]) && at[n] != '_' && at[n] != '(')
+            return 1;
+    }
+    return 0;
+}
+
+/* The letter of the field, "beta" or "x'", is the one of a text, "β" or "x", and not a word such as "interval". */
+static int is_greek(const char *noun, size_t n, int k)
+{
+    return is_text(noun, n, greek[k][0]) || is_text(noun, n, greek[k][1]);
+}
+
+static int is_called_by_letter(const quantity *q)
+{
+    if (q->noun == NULL || q->many)
+        return 0;
+    size_t n = strcspn(q->noun, "'/");
+    int known = n == 1;
+    for (int k = 0; k < GREEK; k++)
+        known |= is_greek(q->noun, n, k);
+    return known;
+}
+
+/* Whether the letter is among those, "t beta x"; a quotient of two letters is none. */
+static int is_letter_of(const char *letters, const char *noun)
+{
+    size_t n = strcspn(noun, "'/");
+    int known = noun[n] != '/' && is_among(noun, n, letters);
+    for (int k = 0; k < GREEK; k++)
+        known |= is_greek(noun, n, k) && is_among(greek[k][0], strlen(greek[k][0]), letters);
+    return known;
+}
+
+void leave_letters(scope *s, const char *letters)
+{
+    int left = 0;
+    for (int k = 0; k < s->kinds; k++)
+        if (is_called_by_letter(&s->data[k]) && !s->data[k].positive && !is_letter_of(letters, s->data[k].noun))
+            free(s->data[k].noun);
+        else
+            s->data[left++] = s->data[k];
+    s->kinds = left;
+}
+
+int is_empty_scope(const scope *s)
+{
+    for (int k = 0; k < s->ranges; k++)
+        if (s->range[k].low > s->range[k].high)
+            return 1;
+    return 0;
+}
+
+void free_scope(scope *s)
+{
+    free_phrases(&s->said), free_phrases(&s->where);
+    for (int k = 0; k < s->kinds; k++)
+        free(s->data[k].noun);
+    free(s->range), free(s->data);
+    *s = (scope){0};
+}
+
+/* ---- what the variables of the field stand for ------------------------------------------------------ */
 
 /* Whether a pattern means the variable: "w#" any w with an index, "beta" beta or beta0, "x1" itself. */
 static int means(const char *pattern, size_t m, const char *name, size_t n)
@@ -304,17 +388,14 @@ scope scope_of(const claim_result *r)
         meet_range(&s, range_of(c, c->degree_low, WITHOUT_END));
     else if (b->degree_high > 0)
         meet_range(&s, range_of(c, b->degree_low, b->degree_high));
-    for (const char *at = c->scope; *at != '\0'; at += strspn(at, "; ")) {
-        size_t n = strcspn(at, ";");
-        add_phrase(&s, at, n);
-        at += n;
-    }
+    add_phrases(&s.said, c->scope);
+    add_phrases(&s.where, c->where);
     if (computed == PROVED && b->variables != NULL)
         add_variables(&s, c, b);
     else if (computed == SAMPLED || computed == MEASURED || computed == ENCLOSED)
         s.instances = b->cases;
-    else if (s.ranges == 0 && s.phrases == 0)
-        add_phrase(&s, "the stated instance", strlen("the stated instance"));
+    else if (s.ranges == 0 && s.said.count == 0 && s.where.count == 0)
+        add_phrase(&s.said, "the stated instance", strlen("the stated instance"));
     return s;
 }
 
@@ -338,37 +419,60 @@ static void put_range(FILE *out, const whole_range *r, const char *letter)
         fprintf(out, "every %s", name);
 }
 
-/* The letters of the field in those of a text. */
-static const char *letter_in_print(const char *noun)
+/* Whether a phrase says for which values of a letter of the field: "0 < t < 1" does for t, "every β > 1" and "$\beta>1$" for
+ * beta. */
+static int has_relation_of(const phrases *list, const char *noun)
 {
-    static const char *const greek[][2] = {{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"lambda", "λ"},
-                                           {"mu", "μ"},    {"tau", "τ"},  {"sigma", "σ"}, {"theta", "θ"},
-                                           {"rho", "ρ"},   {"omega", "ω"}};
-    for (size_t k = 0; k < sizeof greek / sizeof *greek; k++)
-        if (strcmp(noun, greek[k][0]) == 0)
-            return greek[k][1];
-    return noun;
+    static const char *const relations[] = {"<", ">", "≤", "≥", "\\le", "\\ge"};
+    for (int k = 0; k < list->count; k++) {
+        const char *phrase = list->at[k];
+        int is_relation = strncmp(phrase, "every ", 6) == 0;
+        for (size_t r = 0; r < sizeof relations / sizeof *relations; r++)
+            is_relation |= strstr(phrase, relations[r]) != NULL;
+        if (is_relation && (has_letter(phrase, noun) || has_letter(phrase, letter_in_print(noun))))
+            return 1;
+    }
+    return 0;
 }
 
-/* Whether a phrase says for which values of a letter: "0 < t < 1" does for t, "every β > 1" for β. */
-static int has_relation_of(const scope *s, const char *letter)
+/* Whether a phrase says which they are: "the distinct knots variables up to order 5, numbers above" does of the knots and of
+ * their gaps, which are then not all of them. */
+static int has_definite_phrase(const phrases *list, const char *noun)
 {
-    size_t n;
-    for (int k = 0; k < s->phrases; k++) {
-        if (strpbrk(s->phrase[k], "<>") == NULL && strstr(s->phrase[k], "≤") == NULL &&
-            strncmp(s->phrase[k], "every ", 6) != 0)
-            continue;
-        for (const char *p = s->phrase[k]; (p = next_word(p, &n)) != NULL; p += n)
-            if (is_text(p, n - (p[n - 1] == ','), letter))
-                return 1;
-    }
+    const char *last = strrchr(noun, ' ');
+    last = last != NULL ? last + 1 : noun;
+    for (int k = 0; k < list->count; k++)
+        if (strncmp(list->at[k], "the ", 4) == 0 && is_among(last, strlen(last), list->at[k]))
+            return 1;
     return 0;
 }
 
 /* Whether a phrase says already for which values of it. */
 static int is_told(const scope *s, const quantity *q)
 {
-    return q->noun != NULL && !q->many && has_relation_of(s, letter_in_print(q->noun));
+    if (q->noun == NULL)
+        return 0;
+    if (q->many)
+        return has_definite_phrase(&s->said, q->noun);
+    return has_relation_of(&s->said, q->noun) || has_relation_of(&s->where, q->noun);
+}
+
+/* Whether the data, when they are positive, meet the condition: "the weights are positive" of weights, and what is within it. */
+static int is_positivity_of(const scope *s, const char *condition, const quantity *q)
+{
+    char text[80] = "";
+    if (q->many && q->noun != NULL)
+        snprintf(text, sizeof text, "the %s are positive", q->noun);
+    return text[0] != '\0' && is_within(s->within, text, condition);
+}
+
+/* Whether a condition says it, or what was run. */
+static int is_positive(const scope *s, const quantity *q)
+{
+    for (int k = 0; k < s->where.count; k++)
+        if (is_positivity_of(&(scope){0}, s->where.at[k], q))
+            return 1;
+    return q->positive;
 }
 
 /* Whether there are so many kinds of data, of which no claim has all, that no reader knows what a list is about. */
@@ -385,7 +489,7 @@ static int are_too_many(const scope *s)
  * too many those are that several claims have. */
 static int is_put_among(const scope *s, const quantity *q, int many, int positive)
 {
-    return q->noun != NULL && q->many == many && q->positive == positive && !is_told(s, q) &&
+    return q->noun != NULL && q->many == many && is_positive(s, q) == positive && !is_told(s, q) &&
            (!are_too_many(s) || q->claims > 1);
 }
 
@@ -418,8 +522,6 @@ static int put_data(FILE *out, const scope *s)
                     s->data[k].positive ? "positive " : "");
             first = 0;
         }
-    if (!first && s->hypothetical)
-        fputs(" that the hypotheses allow", out);
     if (are_too_many(s))
         fprintf(out, "%seach step for its own %sdata", first ? "" : "; ", first ? "" : "other ");
     return !first || are_too_many(s);
@@ -427,6 +529,66 @@ static int put_data(FILE *out, const scope *s)
 
 /* What follows is behind "; " unless it is the first. */
 static void put_between(FILE *out) { fputs(ftell(out) > 0 ? "; " : "", out); }
+
+/* Whether data are told to be positive, and so meet the condition. */
+static int is_among_data(const scope *s, const char *condition)
+{
+    for (int k = 0; k < s->kinds; k++)
+        if (is_positivity_of(s, condition, &s->data[k]) && is_put_among(s, &s->data[k], 1, 1))
+            return 1;
+    return 0;
+}
+
+/* The next sign of a phrase as it is read, whether in TeX or in the letters of a text: blanks, dollars and the marks of indices
+ * are none.  0 at the end. */
+static int next_sign(const char **at)
+{
+    static const char *const written[][2] = {{"\\le", "≤"}, {"\\ge", "≥"}, {"\\ne", "≠"}, {"₀", "0"}, {"₁", "1"}};
+    *at += strspn(*at, " $_");
+    for (size_t k = 0; k < sizeof written / sizeof *written; k++)
+        for (int w = 0; w < 2; w++)
+            if (strncmp(*at, written[k][w], strlen(written[k][w])) == 0) {
+                *at += strlen(written[k][w]);
+                return 256 + (int)k;
+            }
+    return **at != '\0' ? (unsigned char)*(*at)++ : 0;
+}
+
+/* Whether a phrase of the scope reads the same: "0 ≤ t ≤ 1" and "$0\le t\le1$". */
+static int is_said(const scope *s, const char *condition)
+{
+    for (int k = 0; k < s->said.count; k++) {
+        const char *a = condition, *b = s->said.at[k];
+        int x, y;
+        do
+            x = next_sign(&a), y = next_sign(&b);
+        while (x == y && x != 0);
+        if (x == y)
+            return 1;
+    }
+    return 0;
+}
+
+/* "all points and weights, where ω ≠ 0, and 0 < t < 1". */
+static void put_conditions(FILE *out, const scope *s, int behind_data)
+{
+    int put = 0;
+    for (int k = 0; k < s->where.count; k++) {
+        if (is_among_data(s, s->where.at[k]) || is_said(s, s->where.at[k]))
+            continue;
+        if (put == 0 && !behind_data)
+            put_between(out);
+        fprintf(out, "%s%s", put > 0 ? ", and " : behind_data ? ", where " : "where ", s->where.at[k]);
+        put++;
+    }
+}
+
+void add_condition(scope *s, const char *condition)
+{
+    const phrases one = {(char *[]){(char *)condition}, 1};
+    if (condition != NULL && condition[0] != '\0')
+        meet_phrases(&s->where, &one, s->within);
+}
 
 char *scope_words(const scope *s, const char *letter)
 {
@@ -441,14 +603,16 @@ char *scope_words(const scope *s, const char *letter)
         put_between(out);
         put_range(out, &s->range[k], letter);
     }
-    for (int k = 0; k < s->phrases && !s->apart; k++) {
+    for (int k = 0; k < s->said.count && !s->apart; k++) {
         put_between(out);
-        fputs(s->phrase[k], out);
+        fputs(s->said.at[k], out);
     }
     if (any_data && !s->apart) {
         put_between(out);
         fputs(data, out);
     }
+    if (!s->apart)
+        put_conditions(out, s, any_data);
     if (s->apart) {
         put_between(out);
         fputs("each step for its own cases", out);

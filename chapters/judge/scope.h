@@ -11,6 +11,9 @@
  * instance and a range of cases; and more than four kinds of data of which no claim has all are told as far as several
  * claims have them.
  *
+ * What a claim takes for granted of its data, its option `where` ("the weights are not 0"), is part of its scope like everything
+ * else: what needs several claims holds where all their conditions do.  A condition sets no two claims apart.
+ *
  * The degree has one range, whatever letter it has: a source of letter k counts orders, which are one more.  Another letter
  * of the option `degrees` is a number of its own. */
 #ifndef CAGD_SCOPE_H
@@ -32,15 +35,19 @@ typedef struct quantity {
     int claims;         /* how many claims have it                                 */
 } quantity;
 
+typedef struct phrases {
+    char **at;
+    int count;
+} phrases;
+
 typedef struct scope {
     whole_range *range;
-    char **phrase;
     quantity *data;
-    int ranges, phrases, kinds;
-    int instances;    /* random instances; 0 where nothing was sampled                          */
-    int apart;        /* of several claims, about different things                                 */
-    int mixed;        /* of several claims, each of which has data that another one has not        */
-    int hypothetical; /* 1 where hypotheses say which data are meant                               */
+    phrases said, where; /* of which cases, and under which conditions on the data         */
+    int ranges, kinds;
+    int instances; /* random instances; 0 where nothing was sampled                          */
+    int apart;     /* of several claims, about different things                                 */
+    int mixed;     /* of several claims, each of which has data that another one has not        */
     const char
         *within; /* "narrow | wide; narrow | wide": which phrases are narrower, as the chapters declare; or NULL */
 } scope;
@@ -49,6 +56,11 @@ typedef struct scope {
 scope scope_of(const claim_result *r);
 /* Adds to *s what `other` asks: *s is then their intersection.  That of no scope at all is all cases: (scope){0}. */
 void meet_scope(scope *s, const scope *other);
+/* Adds a condition on the data, of a hypothesis for instance; NULL and "" are none. */
+void add_condition(scope *s, const char *condition);
+/* Leaves out what may be anything and is called by a letter that is none of a source, "t beta x": it is a letter of a claim, and
+ * says nothing to the reader. */
+void leave_letters(scope *s, const char *letters);
 /* Whether no case is in it. */
 int is_empty_scope(const scope *s);
 /* In words, with that letter for the degree: "k" stands for the order.  The caller frees. */

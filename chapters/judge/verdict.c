@@ -1,6 +1,6 @@
 /* verdict.c -- the verdict of a statement follows from what its claims did; it is never typed in. */
-#include "chapters/judge/scope.h"
 #include "chapters/judge/memory_text.h"
+#include "chapters/judge/scope.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -195,8 +195,13 @@ statement_result derive(const statement *s, const claim_result *results, int cou
             said_of_all |= is_given(link->place);
         } else if (link->role == CITES) {
             weaken(truth, BY_ARGUMENT);
+        } else if (link->role == HYPOTHESIS || link->role == NEEDS) {
+            add_condition(&truth->scope, link->condition);
         }
-    truth->scope.hypothetical = n.of[HYPOTHESIS] + n.of[NEEDS] > 0;
+    if (s->letters != NULL) {
+        leave_letters(&printed.scope, s->letters);
+        leave_letters(&corrected.scope, s->letters);
+    }
     r.as_expected &= !is_empty_scope(&printed.scope) && !is_empty_scope(&corrected.scope);
     r.as_printed = found(&printed, s->letter, said_of_all);
     r.as_corrected = found(&corrected, s->letter, said_of_all);

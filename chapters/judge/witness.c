@@ -1,4 +1,5 @@
-/* witness.c -- the smallest instance at which an identity fails: what a reader copies to make a counterexample of it. */
+/* witness.c -- at what a claim fails: the data of the case, and the smallest instance, which a reader copies to make a
+ * counterexample of it. */
 #include "chapters/judge/witness.h"
 
 #include "chapters/judge/case.h"
@@ -25,6 +26,7 @@ static num_q simple_number(const struct small_input *in)
         return from_int_q(r % 2 == 1 ? half : -half);
     case POSITIVE_NUMBER:
         return r % 2 == 1 ? from_int_q(half + 1) : from_ratio_q(1, half + 1);
+    case PARAMETER:
     case FRACTION:
         for (; r >= below - 1; below++)
             r -= below - 1;
@@ -32,6 +34,31 @@ static num_q simple_number(const struct small_input *in)
     default:
         return from_int_q(in->low + r > in->high ? in->high : in->low + r);
     }
+}
+
+static void write_down(struct small_input *in, const char *name, int index, num_q a)
+{
+    snprintf(in->name, sizeof in->name, "%s", name);
+    in->index = index;
+    free(in->value);
+    in->value = strdup(to_string_q(a));
+    if (in->value == NULL)
+        abort();
+}
+
+static struct small_data no_data(void)
+{
+    struct small_data d = {.at = calloc(MOST_INPUTS, sizeof *d.at)};
+    if (d.at == NULL)
+        abort();
+    return d;
+}
+
+static void free_data(struct small_data *d)
+{
+    for (int k = 0; k < MOST_INPUTS; k++)
+        free(d->at[k].value);
+    free(d->at);
 }
 
 num_q small_number(trial *T, const char *name, int index, enum input_kind kind, int low, int high)
@@ -44,14 +71,19 @@ num_q small_number(trial *T, const char *name, int index, enum input_kind kind, 
         s->count = s->next;
         in->rank = s->largest > 0 ? pick(&s->draws, 0, s->largest) : 0;
     }
-    snprintf(in->name, sizeof in->name, "%s", name);
-    in->index = index, in->kind = kind, in->low = low, in->high = high;
-    free(in->value);
+    in->kind = kind, in->low = low, in->high = high;
     num_q a = simple_number(in);
-    in->value = strdup(to_string_q(a));
-    if (in->value == NULL)
-        abort();
+    write_down(in, name, index, a);
     return a;
+}
+
+void keep_input(trial *T, const char *name, int index, num_q a)
+{
+    struct small_data *s = T->small;
+    if (s->next == MOST_INPUTS)
+        return;
+    write_down(&s->at[s->next++], name, index, a);
+    s->count = s->next;
 }
 
 /* ---- the search ------------------------------------------------------------------------------------ */
@@ -66,7 +98,7 @@ struct search {
 
 static int is_over(const struct search *s) { return s->runs >= MOST_RUNS || cagd_seconds() > s->end; }
 
-/* Whether the identity fails with these data, by comparison; then *T is the case, whose exhibits the caller frees. */
+/* Whether the claim fails with these data, by comparison; then *T is the case, whose exhibits the caller frees. */
 static int fails(struct search *s, trial *T)
 {
     s->runs++;
@@ -79,7 +111,7 @@ static int fails(struct search *s, trial *T)
     return 0;
 }
 
-/* Draws larger and larger numbers until the identity fails. */
+/* Draws larger and larger numbers until the claim fails; once where it asks for none. */
 static int draw(struct search *s, trial *T)
 {
     for (int largest = 0; largest <= LARGEST_RANK; largest++)
@@ -88,6 +120,8 @@ static int draw(struct search *s, trial *T)
             s->data.largest = largest;
             if (fails(s, T))
                 return 1;
+            if (s->data.count == 0)
+                return 0;
         }
     return 0;
 }
@@ -143,38 +177,50 @@ static int show_inputs(trial *out, const struct small_data *d, int k)
     return end;
 }
 
-static int is_shown(const trial *T, const char *name)
+/* Whether the name is among the first so many. */
+static int is_shown(const trial *T, int first, const char *name)
 {
     int k = 0;
-    while (k < T->exhibits && strcmp(T->shown[k].name, name) != 0)
+    while (k < first && strcmp(T->shown[k].name, name) != 0)
         k++;
-    return k < T->exhibits;
+    return k < first;
 }
 
 /* The data of the case, its degree, then what it shows. */
-static void tell(const struct search *s, const trial *T, exhibit **shown, int *count)
+static void tell(const struct small_data *d, const trial *T, exhibit **shown, int *count)
 {
     trial out = {.claim = T->claim, .degree = T->degree};
     show_degree(T->claim, &out);
-    for (int k = 0; k < s->data.count;)
-        k = show_inputs(&out, &s->data, k);
-    for (int k = 0; k < T->exhibits; k++)
-        if (!is_shown(&out, T->shown[k].name))
+    for (int k = 0; k < d->count;)
+        k = show_inputs(&out, d, k);
+    for (int k = 0, data = out.exhibits; k < T->exhibits; k++)
+        if (!is_shown(&out, data, T->shown[k].name))
             show_text(&out, T->shown[k].name, "%s", T->shown[k].value);
     *shown = out.shown;
     *count = out.exhibits;
+}
+
+void show_case(const struct plan *p, int k, trial *T)
+{
+    struct small_data data = no_data();
+    struct plan again = *p;
+    again.small = &data;
+    data.random = 1;
+    trial same = run_case(&again, k, 0, NULL, NULL);
+    (void)judged_case(&same);
+    forget_exhibits(T->shown, T->exhibits);
+    tell(&data, &same, &T->shown, &T->exhibits);
+    forget_exhibits(same.shown, same.exhibits);
+    free_data(&data);
 }
 
 void find_witness(const claim *c, exhibit **shown, int *count)
 {
     *shown = NULL;
     *count = 0;
-    if (c->kind != IDENTITY || c->body[RATIONAL_TYPE] == NULL)
+    if (c->kind == COUNTEREXAMPLE || c->body[RATIONAL_TYPE] == NULL)
         return;
-    struct search s = {.plan = {c, RATIONAL_TYPE, 0, &s.data}, .end = cagd_seconds() + MOST_SECONDS};
-    s.data.at = calloc(MOST_INPUTS, sizeof *s.data.at);
-    if (s.data.at == NULL)
-        abort();
+    struct search s = {.plan = {c, RATIONAL_TYPE, 0, &s.data}, .data = no_data(), .end = cagd_seconds() + MOST_SECONDS};
     const unsigned faults = region_faults; /* of those who ran before: the search has its own */
     trial T;
     int degrees = c->degree_high - c->degree_low + 1, found = 0;
@@ -184,11 +230,9 @@ void find_witness(const claim *c, exhibit **shown, int *count)
         forget_exhibits(T.shown, T.exhibits);
     if (found && s.data.count > 0) {
         simplify(&s, &T);
-        tell(&s, &T, shown, count);
+        tell(&s.data, &T, shown, count);
         forget_exhibits(T.shown, T.exhibits);
     }
-    for (int k = 0; k < MOST_INPUTS; k++)
-        free(s.data.at[k].value);
-    free(s.data.at);
+    free_data(&s.data);
     region_faults = faults;
 }

@@ -3,10 +3,10 @@
  *
  *   unknown(T, "x", i)    any number: a variable x_i of the field; elsewhere a random dyadic in [-1, 1]
  *   positive(T, "w", i)   a positive number: a variable; elsewhere a random dyadic in [1/8, 4]
- *   parameter(T, "t")     any parameter: a variable; elsewhere a random dyadic in (0, 1)
+ *   parameter(T, "t")     any parameter: a variable; elsewhere a random dyadic in (-1, 2)
  *   whole(T, "n", a, b)   a whole number: a variable, so that what is proved holds for every n;
  *                         elsewhere a random integer in [a, b]
- *   inside(T, "s")        a number of (0, 1): s/(1+s) in the field with s > 0; elsewhere as parameter
+ *   inside(T, "s")        a number of (0, 1): s/(1+s) in the field with s > 0; elsewhere a random dyadic in (0, 1)
  *   same(T, a, b)         compare: must be equal
  *   vanishes(T, a)        compare: must be 0
  *   nonnegative(T, a)     compare: must be >= 0.  In the field: numerator and denominator have only

@@ -20,8 +20,8 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.14): $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, $i=0,1,\dots,k-1$
 :holds-by: bernstein_coefficients_and_g
 :argued: every k | Of the knots $t_{i+1},\dots,t_{i+k-1}$ the first $k-1-i$ are $0$ and the last $i$ are $1$.
-:needs: bernstein_knots_from_one_shift_the_index | the knots printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are
-  numbered from 0, $t_0=\dots=t_{k-1}=0$, as $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
+:needs: bernstein_knots_from_one_shift_the_index | the knots printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
+  from 0, $t_0=\dots=t_{k-1}=0$; as $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
 :figure: bernstein_matrix
 :::
 

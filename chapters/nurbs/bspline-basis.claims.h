@@ -75,6 +75,7 @@ is a sum over the knots.
   all knots, where every power counts, the sum must be $0$.
 :degrees: 0..5 sampled 9
 :scope: the distinct knots variables up to order 5, numbers above
+:harmless: $u_0<\dots<u_{p+1}$ | the distinct knots are variables in their order
 :control: the first truncated power left out
 :::
 */

@@ -96,7 +96,7 @@ CLAIM(points_come_back_from_bezier_points)
     int p = T->degree;
     struct G(knot_vector) K = {0};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], s[HIGHEST + 1], x[HIGHEST + 1], P[dim];
-    num from = unknown(T, "f", 0), length = positive(T, "l", 0), to = add(from, length);
+    num from = unknown(T, "f", 0), length = unknown(T, "l", 0), to = add(from, length);
     G(free_control_points)(T, p + 1, dim, b);
     for (int r = 0; r < p; r++)
         x[r] = unknown(T, "a", r);
@@ -218,6 +218,7 @@ no index of the continuation is off by one.
   by its letter.
 :degrees: 1..6 sampled 6
 :scope: the distinct knots variables up to order 5, numbers above
+:harmless: $u_0<u_m$ | a period of length 0 has no curve
 :defines: bspline_periodic
 :control: the last point of the result is moved
 :::

@@ -134,6 +134,7 @@ may be taken as integers; and that the B-splines have the sum 1 is a property of
 :method: The two matrices of the kernel.
 :degrees: 0..5 sampled 7
 :scope: simple knots
+:where: the factor of the knots is not 0
 :over: t#: knots; a: factor; b: shift
 :control: the first inner knot is not moved
 :::
@@ -160,8 +161,8 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :holds-by: matrix_gives_homogeneous_curve
 :meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
   $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); only the tilde is left out.
-:reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: false as soon as
-  two weights differ
+:reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: as soon as two
+  weights differ it is another curve
 :figure: matrix_and_weights
 
 The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$.

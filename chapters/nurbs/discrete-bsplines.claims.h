@@ -234,6 +234,7 @@ a number of steps that grows with the cube of the order, where the minors themse
 :title: The collocation matrix at increasing sites has no negative minor
 :zh: B 样条配置矩阵的全正性
 :given: random knots with the patterns of several segments, $2n$ random increasing sites of the domain
+:where: the knots and the sites increase
 :then: the matrix $\bigl(N_{j,p}(x_i)\bigr)$ is totally nonnegative
 :method: The elimination of `total_positivity.h`, which knows nothing of B-splines, on the values of the recursion of de Boor and
   Cox by its letter.  The claim before is the reason, and no sample.
@@ -253,7 +254,7 @@ CLAIM(bspline_collocation_is_totally_nonnegative)
             int mu = G(span_of_interval)(K.count, K.place, place);
             num x = K.u[mu];
             for (int many = p + 1; many > 0; many--, rows++) {
-                x = add(x, mul(parameter(T, "x"), sub(K.u[mu + 1], x)));
+                x = add(x, mul(inside(T, "x"), sub(K.u[mu + 1], x)));
                 for (int j = 0; j < K.n; j++)
                     M[rows * K.n + j] = G(cox_de_boor)(p, K.u, K.place, j, place, x);
             }

@@ -21,8 +21,8 @@ becomes the point, and what has to be decided about it is the index.
 :printed: r_{j,k}^{(T,T')}=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)}r_{l,k}^{(T,T_1)}\Big/
   \sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)},\quad T'=T_1\oplus T_2
 :holds-by: steps_of_refinement_compose discrete_bsplines_compose
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights, as for (4.1.6)
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, for $T_1$ and for $T'$, as there: a knot of $T_1$ at a
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist for $T_1$ and for $T'$: a knot of $T_1$ at a
   $k$-fold right end gives an $r_l^{(T,T_1)}$ that is $\frac00$, and the sum has it
 :figure: insertions_commute
 
@@ -238,7 +238,7 @@ Insert one knot often enough and a new point is the point of the curve.
 :printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
 :holds-by: repeated_insertion_reaches_the_curve
 :meant: the index $\mu$ of the vertex, and the proof of lemma 4.2.1 | The interval is $(t_\mu,t_{\mu+1}]$; for the letter $u$ see the next entry.
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights, as for (4.1.6)
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no
@@ -492,10 +492,10 @@ CLAIM(index_of_another_interval_is_another_point)
   (4.1.8) and (4.1.9)
 :meant: the index $\mu$ in (4.1.9), and the proof of lemma 4.2.1 | $t'\in(t_\mu,t_{\mu+1}]$, see `thm-4.1.1-index`.
 :holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
-:hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot
-:hypothesis: clamped_start_has_no_such_point | for (4.1.9): $t'>t_k$ when $t_k$ is a $k$-fold knot
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot: for (4.1.9)
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: for (4.1.9)
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: insertion_to_the_curve
 :::
 */

@@ -190,11 +190,11 @@ which the later proof answers in another way than the definition of the $\alpha$
   $r_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}r_{i,k}^{(T)}\Big/\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}$,
   $w_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}$, all notation being that of section 2.10
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights: otherwise a new weight may
-  be $0$, and there is no new point though the curve is there
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a new weight may be
+  $0$, and there is no new point though the curve is there
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
-:hypothesis: knot_at_an_outer_end_has_no_shares | the same at ends that are single knots
+:hypothesis: knot_at_an_outer_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$ at ends that are single knots, too
 :meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, as they are read here: intervals closed on the left.
 :reading: knots_outside_the_domain_cut_corners | with these $\alpha$, for knots outside the domain, too
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
@@ -223,6 +223,7 @@ outside makes the weight of an end smaller, several also those next to it, and a
 :types: field rational
 :degrees: 1..6 sampled 7
 :scope: one knot outside the domain of k+1 points over simple knots; the distinct knots variables up to order 4, numbers above
+:where: the weights are positive
 :control: the first or the last share, that which is less than $1$, taken as $1$
 :::
 */
@@ -423,10 +424,10 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :zh: 嵌入节点后曲线不变
 :printed: r_k(t)=\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}r_{j,k}^{(T,T')}\Big/\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | positive weights, as for (4.1.6)
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: the new $N_{j,k}$ between its
   copies are zero, and such $r_j$ do not count
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, as there; otherwise a term of the sum is
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist; as there; otherwise a term of the sum is
   $0\cdot\frac00$
 :reading: knots_outside_the_domain_cut_corners | for $T'$ outside the domain, in $(t_1,t_{n+k})$, too
 :figure: insertions_commute

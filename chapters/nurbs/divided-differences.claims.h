@@ -669,13 +669,13 @@ CLAIM(printed_weights_give_divided_difference)
 
 /*
 :::{statement} wang-ch4:formula-4.4.8
-:title: The sum of the lemma has one term for each datum
-:zh: (4.4.8) 的求和范围
-:printed: i=1,\dots,d,\quad j=0,\dots,l_i-1
+:title: The divided difference as a sum over the data
+:zh: (4.4.8) 差商的求和式
+:printed: [t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
 :holds-by: printed_weights_give_divided_difference
-:confirmed-by: places_count_the_rows
+:figure: osculating_polynomial
 
-These are $k+1$ terms, as many as there are nodes.
+The sum is that of `lemma-4.4.1`, and the number (4.4.8) stands at it.
 :::
 */
 
@@ -718,8 +718,8 @@ CLAIM(places_count_the_rows)
 :printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
   \prod_{v=0}^{l_u-1}v!\Big)
 :holds-by: printed_weights_give_divided_difference
-:needs: counting_from_one_shifts_the_weights | the line below: the $\beta_i$, $i=0,1,\dots,k$ | the elements of the last
-  column are counted from 0, as $i=0,1,\dots,k$ says
+:needs: counting_from_one_shifts_the_weights | the line below: the $\beta_i$, $i=0,1,\dots,k$ | the elements of the last column
+  are counted from 0; as $i=0,1,\dots,k$ says
 
 $\beta_i$ is the cofactor of element $i$ of the last column of $H(T;1,t,\dots,t^k)$.  The formula is printed twice.
 :::

@@ -197,7 +197,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
   $\frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
   r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0$, $t_j\le t,\tau<t_{j+1}$, $j=k,k+1,\dots,n$
 :holds-by: touching_curve_satisfies_the_condition
-:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-r]}\ne0$, as for (4.3.9), which is $r=1$
+:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-r]}\ne0$; as for (4.3.9), which is $r=1$
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each.
 :confirmed-by: envelope_condition_holds_on_the_diagonal
 :figure: nurbs_envelope_square

@@ -37,14 +37,14 @@ the whole segment holds for its polar form, and the control points are values of
   the points
 :zh: 控制顶点是该段极形式之值
 :given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the
-  distinct knots
-  variables for $k\le5$ and numbers above; points
+  distinct knots variables for $k\le5$ and numbers above; homogeneous points, the weights not 0
 :then: the point $i$ is the polar form of the segment, given by its Bézier points, at $t_{i+1},\dots,t_{i+k-1}$
 :method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for
   all $t$ with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So
   a segment in a plane, on a line or in a plane through the origin has its points there.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:where: no weight is 0
 :control: the knots from $t_i$ on
 :::
 */
@@ -144,8 +144,8 @@ CLAIM(osculating_plane_meets_the_origin_once)
   $\mathbf r_i$ are coplanar, so that the family is one of plane curves
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment
-:needs: vanishing_curvature_says_nothing_about_the_points | the sentence is about the whole span | for all $t$ of the
-  span; at one $t$, which is what the alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf
+:needs: vanishing_curvature_says_nothing_about_the_points | the sentence is about the whole span | the condition holds for all
+  $t$ of the span; at one $t$, which is what the alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf
   r''=0$ there
 :figure: points_off_the_plane
 
@@ -266,7 +266,7 @@ CLAIM(family_moves_with_its_points)
   t}=\frac{\partial x^{[k-1]}(t,\tau)}{\partial t}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial\tau}$, $t_j\le
   t,\tau<t_{j+1}$, where $\tau=\tau(t)$
 :holds-by: touching_curve_satisfies_the_condition
-:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$, as for (4.3.9)
+:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$; as for (4.3.9)
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each; for $\tau=\tau(t)$ see (4.3.10).
 :figure: nurbs_second_line
 

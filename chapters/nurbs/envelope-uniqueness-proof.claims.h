@@ -268,9 +268,9 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
   means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment
-:needs: twisted_sextic_has_products_zero | the sentence is about the whole span | for all pairs of the square; at one
-  pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points need
-  not be coplanar
+:needs: twisted_sextic_has_products_zero | the sentence is about the whole span | the condition holds for all pairs of the
+  square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
+  need not be coplanar
 :figure: nurbs_envelope_space
 
 As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points,

@@ -132,8 +132,8 @@ CLAIM(member_that_stands_still_is_not_touched)
 :title: The solutions as functions of t
 :zh: 解写成 τ=τ(t)
 :printed: in the joint solution of (4.3.3) and (4.3.9) $\tau=\tau(t)$
-:reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it cannot be false,
-  but then a line $t=t_0$ of the square is left out of the envelope by agreement
+:reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it decides nothing, but then a
+  line $t=t_0$ of the square is left out of the envelope by agreement
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: the lines
   $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
@@ -571,7 +571,7 @@ It solves (4.3.9) and gives the curve.
 :zh: 第二种情形:混合积之和
 :printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
-:needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0, as for
+:needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0; as for
   positive weights and $t$ and $\tau$ in one span
 :figure: points_off_the_plane
 

@@ -89,6 +89,7 @@ $y$ in different spans and with different multiplicities, depending on which cam
 :method: Both by `bspline_insert`, everything a variable.
 :degrees: 0..6 sampled 8
 :scope: the distinct knots variables up to order 5, numbers above
+:harmless: with $x<y$ | also the same knot, and the other order is what is compared
 :over: r s q: new knot
 :control: the second order inserts $y$ at the mean of $x$ and $y$
 :::
@@ -136,6 +137,7 @@ curve. The triangle that arises is de Boor's: to evaluate and to insert a knot a
   the sum of all B-splines from the recursion by its letter.
 :degrees: 1..6 sampled 8
 :scope: the distinct knots variables up to order 5, numbers above
+:harmless: $s\le p$ | a knot of multiplicity $p+1$ needs no insertion
 :over: s: new knot
 :control: the next point
 :::

@@ -138,6 +138,7 @@ defect, a combination of points, knows of it.
 :zh: 节点可消去当且仅当 p-s+1 阶导矢连续
 :given: several segments, the lengths between distinct knots positive variables, points $c_i$; every knot of multiplicity
   $s=1,\dots,p+1$ inside the domain
+:where: the gaps between different knots are positive
 :then: the defect is the jump of $s^{(p-s+1)}$ at the knot times a factor that depends on the knots only and is never $0$; so the knot
   is removable if and only if that derivative is continuous there
 :method: The jump from the polynomials of both intervals in powers of $t$ minus the knot, by the recursion of de Boor and Cox by its

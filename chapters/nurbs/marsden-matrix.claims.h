@@ -377,6 +377,7 @@ CLAIM(marsden_determinant_is_product)
 :zh: 非空区间上 det G>0
 :given: every pattern of the 2k knots around a span up to the order 4, the steps from each different knot to the next
   positive variables
+:harmless: each different knot | they are the knots of the pattern
 :then: $\det G>0$
 :method: Written in the steps all coefficients are positive, and there is one at least.  For greater orders there is
   `marsden_determinant_is_product`, where every factor is positive: $t_a\le t_r<t_{r+1}\le t_b$.

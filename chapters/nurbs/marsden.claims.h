@@ -344,8 +344,8 @@ It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span.
   $W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0$
 :holds-by: marsden_step_for_every_order
 :confirmed-by: one_level_moves_to_the_coefficients
-:needs: one_level_needs_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ is in the span, on which the functions at the ends, $N_{r-k+1,k-1}$ and
-  $N_{r+1,k-1}$, vanish
+:needs: one_level_needs_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ is in the span: there the functions at the ends,
+  $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish
 :figure: marsden_identity
 
 The denominators that occur are differences of knots on the two sides of the span.

@@ -20,8 +20,8 @@ FIGURE(marsden_identity)
         enum svg_direction towards;
     } beside[] = {{{1, 4}, {9, 2}, SVG_NE},
                   {{3, 2}, {-4, 3}, SVG_S},
-                  {{16, 5}, {17, 10}, SVG_N},
-                  {{5, 1}, {16, 3}, SVG_N},
+                  {{13, 5}, {6, 5}, SVG_NW},
+                  {{6, 1}, {8, 3}, SVG_E},
                   {{28, 5}, {17, 2}, SVG_SE}};
     svg_panel(s, window(r(-1, 2), q(-3), r(13, 2), q(17)), 440, 320, "$k=3$, $x=2$, simple knots");
     svg_axes(s, q(1), q(5), "t", NULL);

@@ -19,11 +19,11 @@ of the curve and the curve does not jump, and then with the square of the larges
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve, for which $(k-1)$-fold $t_k$ and
+:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve; for which $(k-1)$-fold $t_k$ and
   $t_{n+1}$ suffice ($t_2=\dots=t_k$, $t_{n+1}=\dots=t_{n+k-1}$): otherwise $r_1$, a vertex of every polygon, keeps its distance
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide: otherwise every
   polygon keeps the edge over which the curve jumps
-:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that the first hypothesis is needed.
 :reading: first_vertex_stays_off_the_curve | the whole polygon, over any knots
 :reading: polygon_is_within_the_bound_of_the_spline | the part of the polygon over the domain, over any knots: with the same bound
@@ -44,7 +44,7 @@ the curve need not be: the limit is the curve together with the edges over its j
 :printed: We can also infer that rational discrete B-spline curves necessarily converge to the NURBS curve
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, $h_m\to0$; infinitely many do not suffice
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide
@@ -196,6 +196,8 @@ static int G(is_nonnegative)(poly f, num low, num high)
 :title: The distance of a spline from its polygon, with the exact constant
 :zh: 样条与其控制多边形的距离
 :given: patterns of knots of multiplicity at most $k-2$ inside, with increasing random values; any points
+:where: the knots inside are at most $(k-2)$-fold
+:harmless: increasing random values | knots increase
 :let: $c''$ the points of $f''$, $\delta_j=\frac1{2p(p-1)}\sum_i(x_{j,i}-\xi_j)^2$
 :then: $\sum_iN_i\xi_i=t$; and $f-d=\sum_ib_i\,c_i''$ with $b_i\ge0$ on the domain and $\sum_ib_i=\frac{t^2}2-d_{t^2/2}$, which is at most
   $\max_j\delta_j$; hence $|f-d|\le\max|c_i''|\max_j\delta_j$

@@ -22,7 +22,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through part of the boundary of a convex set once
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more; else the curve is
   not continuous
-:needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | positive weights
+:needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: | For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, and they turn as
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
   linearly independent; it goes straight on, and so does the curve, since no line across is crossed more often.
@@ -212,9 +212,9 @@ another.
 :zh: 凸包之交
 :printed: for the sequence of corollary 4.1.1, by lemma 4.2.1: $A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))$
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
-:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
-  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
+  of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; in a decreasing
@@ -245,9 +245,9 @@ corollary 4.1.1 is that of the $T'_m$.
 :printed: hence $A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))$ is a closed convex set, too
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :confirmed-by: inserted_polygons_stay_convex
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
-:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
-  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
+  of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
 :argued: | The limit of a decreasing sequence of compact sets is their intersection, and an intersection of closed convex sets is
@@ -296,8 +296,8 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :holds-by: convex_polygons_lie_on_the_border_of_their_hull convex_polygons_have_splines_of_one_turn
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no inner knot has multiplicity $k$; else the polygons converge to the curve
   together with the segment over which it jumps
-:hypothesis: first_vertex_stays_off_the_curve | (4.1.10) is the limit of the whole polygon, so that the polygon has to begin and end with the curve, as for
-  corollary 4.1.1; else $A$ is the hull of more than the curve
+:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve: (4.1.10) is the limit of the whole
+  polygon, as for corollary 4.1.1; else $A$ is the hull of more than the curve
 :meant: the step itself, which names $\boldsymbol r_k(t)$ | The polygons are those of one NURBS curve.
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves

@@ -32,7 +32,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: every order and every number of points and knots | One corner after the other is cut, and neither the triangles nor the
   identities of one insertion know how many points there are; their other cases are those of the claims.
 :figure: cutting_corners
@@ -311,15 +311,17 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
-:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
-  exist; or $A$ is taken as the hull
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
+  need not exist; or $A$ is taken as the hull
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: as for the lemma
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
+:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of
+  points of a convex set is part of the set.
 :figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
@@ -357,7 +359,7 @@ CLAIM(inserted_points_divide_the_edges)
 :printed: for $T'=\{\tau_1\}$, $\tau_1\in(t_\mu,t_{\mu+1}]$, in imitation of (2.9.1): $\boldsymbol r_{i,k}^{(T,T')}=(1-s_i)\boldsymbol r_{i-1}+s_i\boldsymbol r_i$,
   $s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]$
 :holds-by: inserted_points_divide_the_edges printed_insertion_keeps_the_curve
-:needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | positive weights
+:needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: where_hypotheses_are_needed
@@ -478,7 +480,7 @@ CLAIM(clamped_end_may_be_inserted_again)
 :zh: s_i ∈ [0,1]
 :printed: s_i\in[0,1]
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: mixed_weights_and_convexity
 
 This is about the $s_i$ that exist; for which knots the line before asks for a weight $w_0$ is the matter of `lemma-4.2.1-step-points`.
@@ -489,7 +491,7 @@ This is about the $s_i$ that exist; for which knots the line before asks for a w
 :zh: 内接折线
 :printed: hence $\Gamma_k^{(T)}(T')$ is an inscribed polygon of $\Gamma_k^{(T)}(\Phi)$
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: cutting_corners
@@ -504,9 +506,10 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :confirmed-by: inserted_polygons_stay_convex
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
-:hypothesis: polygon_that_overlaps_itself_loses_convexity | not turning back is not enough: its end does not run over its start
+:hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
+  is not enough; it does not run over its start
 :argued: every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
   order than the factors, which are between 0 and 1.
 :figure: what_convex_must_mean
@@ -527,6 +530,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :method: The printed formulas in rationals, $\mu$ by comparing; convexity by `exact/decide/hull.h`; on the edge: no turn, and between the ends.
 :degrees: k = 2..4
 :scope: the stated curves
+:harmless: seven convex polygons | they are the stated ones
 :control: the second point exchanged with the third
 :::
 */
@@ -658,15 +662,17 @@ CLAIM(knots_are_inserted_in_any_order)
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
-:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
-  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
-:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | positive weights
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
+  of a refined polygon need not exist; or $A$ is taken as the hull
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: as for the lemma
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
+:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of
+  points of a convex set is part of the set.
 :figure: hulls_of_knot_sets
 :::
 */

@@ -36,7 +36,7 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
   +\frac{(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_{i-1}^{[r-1]}(t),
   \ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
-:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | positive weights: otherwise a weight of a level may
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may
   vanish and stop the algorithm, where the curve has a point
 :figure: deboor_triangle
 :::
@@ -337,7 +337,7 @@ weights of the levels, which are means of the given ones, are positive.
 :zh: 几何意义为对控制多边形的 k-1 层割角
 :printed: Geometrically algorithm 4.1.1, too, means $k-1$ levels of corner cutting of the control polygon
 :holds-by: every_level_divides_its_edges weights_of_levels_are_positive
-:needs: negative_weight_divides_outside | definition 4.1.1: $w_i>0$ | positive weights: with others an edge may be
+:needs: negative_weight_divides_outside | definition 4.1.1: $w_i>0$ | the weights are positive: with others an edge may be
   divided outside
 :figure: deboor_triangle
 

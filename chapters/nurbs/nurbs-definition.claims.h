@@ -24,8 +24,8 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
   knot vector $T$, the $\tilde r_i$ are called its control points and
   $\tilde r_i\tilde r_2\cdots\tilde r_n$ its control polygon
 :checked-by: basis_is_a_partition_of_unity nurbs_point_is_the_weighted_mean
-:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights: with a negative one the
-  denominator may vanish
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: with a negative one the denominator
+  may vanish
 :reading: outer_knots_do_not_count | the partition is without end; $t_2,\dots,t_{n+k-1}$ are all that counts on the domain
 :reading: control_point_of_space_is_not_enough | the points are points of space in homogeneous coordinates: the factor of the
   coordinates counts, so that a control point is a point together with its weight
@@ -243,7 +243,7 @@ word; the definition does not.
 :zh: 节点向量非减即可定义曲线
 :printed: With $t_j\le t_{j+1}$, $n\ge k$ and nothing more about the knots the curve is given for $t_k\le t\le t_{n+1}$
 :holds-by: basis_is_a_partition_of_unity
-:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise the domain is one value of $t$, at which every $N_{i,k}$,
   $1\le i\le n$, may be zero
 :hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
@@ -445,7 +445,7 @@ This is a polynomial spline in four-dimensional space; the rational curve is its
 :printed: r(t)=\left(\frac{X(t)}{w(t)},\frac{Y(t)}{w(t)},\frac{Z(t)}{w(t)}\right)=\sum_{i=1}^nN_{i,k}(t)w_ir_i\Big/
   \sum_{i=1}^nN_{i,k}(t)w_i,\quad r_i=(x_i,y_i,z_i),\quad t_k\le t\le t_{n+1},\ n\ge k
 :holds-by: nurbs_point_is_the_weighted_mean basis_is_a_partition_of_unity
-:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | positive weights
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: nurbs_definition
 
 The equation of both forms is true wherever $w(t)\ne0$.  What the range of $t$ asks for is the matter of
@@ -526,6 +526,7 @@ At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The f
 :degrees: 1..6 sampled 6
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
   the distinct knots variables up to order 5, numbers above
+:where: the common weight is not 0
 :over: w#: equal weights
 :control: the weight of one point of the span doubled
 :::
@@ -600,8 +601,8 @@ but of other points; the star in the printed formula leaves open which is meant.
   all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
 :reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots, but then
   they are not the given ones
-:needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | the
-  condition on the knots: otherwise the starred data differ from the given ones
+:needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | $n=k$ and
+  $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$: otherwise the starred data differ from the given ones
 :figure: bezier_knots
 
 The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask anything of them, but for the last value of $t$.

@@ -68,7 +68,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
 :printed: or when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
 :holds-by: bezier_span_gives_the_bezier_family member_of_span_touches_curve
-:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$, as for theorem 4.3.1
+:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
 :meant: it is a corollary of theorem 4.3.1, which says that the curve is the envelope of a family, and nothing about the order of contact | What theorem 3.3.2
   says of the envelope, (3.3.4): the first and the second reading.
 :reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2
@@ -240,6 +240,7 @@ the orders determine.
 :zh: 族曲线与曲线的曲率之比只与 k, r 有关
 :given: the derivatives $P,P',P''$ of a curve with weight $w>0$, two coordinates, and those of the member,
   $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n$ and $m$
+:where: $w(t)>0$
 :then: $r_m'=\frac mnr'$ and $r_m'\times r_m''=\frac{m^2(m-1)}{n^2(n-1)}\,r'\times r''$, hence
   $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where
   $\kappa\ne0$

@@ -17,15 +17,14 @@ span; what has to be asked is whether the members exist.
 :printed: for the whole curve $\mathbf r(t)$, $t_k\le t\le t_{n+1}$, it is enough to put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), to take $[t_k,t_{n+1}]$ as the domain
   in (4.3.2) and (4.3.3) and to let the sums of (4.3.3) run from $r+1$ to $n$; the same conclusion holds
 :holds-by: whole_member_is_polar_on_every_span member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
-:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$, $\rho=r$;
-  outside its own span the recursion extrapolates, and a point of the member may not exist although all weights are
-  positive
-:hypothesis: lower_level_lacks_a_point | and for the levels $\rho=1,\dots,r-1$ as well, since (4.1.4) asks for their
-  points; or the products $w_i^{[\rho]}\mathbf r_i^{[\rho]}$ are computed by (4.1.3)
+:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$ with $\rho=r$;
+  outside its own span the recursion extrapolates, and a point of the member may not exist although all weights are positive
+:hypothesis: lower_level_lacks_a_point | with $\rho=1,\dots,r-1$ as well: (4.1.4) asks for their points; or the products
+  $w_i^{[\rho]}\mathbf r_i^{[\rho]}$ are computed by (4.1.3)
 :hypothesis: extrapolated_member_has_a_pole | no denominator of a member vanishes; with a negative $w_i^{[r]}(\tau)$
   it may
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with
-  $t_i=t_{i+k-r}$, whose $N_{i,k-r}$ is 0, are left out; else (4.1.3) divides by 0
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with $t_i=t_{i+k-r}$
+  are left out: their $N_{i,k-r}$ is 0; else (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
 :meant: the domain $[t_k,t_{n+1}]$ is printed closed | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval` says.
 :reading: whole_member_ends_in_no_interval | at $t=t_{n+1}=\dots=t_{n+k-r}$ by the letter of the half-open intervals: (4.3.3) is

@@ -16,7 +16,7 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
 {
     G(free_control_points)(T, n, d, R);
     for (int i = 0; i < n; i++)
-        w[i] = positive(T, "q", i);
+        w[i] = unknown(T, "q", i);
 }
 
 /*
@@ -46,7 +46,7 @@ CLAIM(nurbs_point_is_the_quotient)
         for (int mu = p; mu < K.n; mu++) {
             if (K.place[mu] == K.place[mu + 1])
                 continue;
-            num t = G(in_interval)(T, &K, mu, "t");
+            num t = parameter(T, "t");
             G(nurbs_homogenize)(G(nurbs_on_span)(p, dim, NULL, mu, R, z), H);
             about(T, "homogeneous points");
             for (int m = 0; m <= p; m++) {
@@ -102,7 +102,7 @@ CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], S[MOST_KNOTS * dim], z[MOST_KNOTS], H[MOST_KNOTS];
     num s[HIGHEST + 1], x[HIGHEST + 1], N[HIGHEST + 1];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
-        num tau = G(in_interval)(T, &K, p, "a"), t = G(in_interval)(T, &K, p, "t");
+        num tau = parameter(T, "a"), t = parameter(T, "t");
         G(free_nurbs)(T, K.n, dim, R, w);
         for (int i = 0; i < K.n * dim; i++)
             S[i] = R[i];
@@ -286,7 +286,7 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], H[MOST_KNOTS], D[(HIGHEST + 2) * dim];
     num a[HIGHEST + 2], b[HIGHEST + 2], q[HIGHEST + 2];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
-        num t = G(in_interval)(T, &K, p, "t");
+        num t = parameter(T, "t");
         G(segment_data)(T, &K, dim, t, R, w);
         G(nurbs_derivatives)(G(nurbs_on_span)(p, dim, K.u, p, R, w), t, p + 1, D);
         for (int e = 0; e < dim; e++) {
@@ -497,6 +497,7 @@ that it could lack.
   and `nurbs_weight` give the same for the knots $au_i+b$ and the parameter $at+b$ as for $u_i$ and $t$
 :method: Every kernel twice, elevation and reduction where there is one inner knot at most.
 :degrees: 0..4 sampled 7
+:where: the factor of the knots is not 0
 :over: a: factor; b: shift; q#: weights
 :control: the parameter is moved by $b$ and not stretched; in degree 0, the points are moved
 :::

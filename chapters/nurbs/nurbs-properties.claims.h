@@ -472,6 +472,7 @@ alone carries the segment: its points are shared with the next ones.
 :method: The kernels at $t=t_k$; for $k=3$ without the torsion.  With equal $\Delta_i$ these are the formulas of rational Bézier curves.
 :degrees: 2..6 sampled 7
 :scope: a start of multiplicity k-1, simple knots behind it
+:where: the gaps of the knots are positive
 :over: x: -
 :control: $\Delta_1/\Delta_2$ left out
 :::

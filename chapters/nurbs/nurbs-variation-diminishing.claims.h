@@ -401,10 +401,10 @@ change can arise.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
   of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
-:hypothesis: cut_corner_lies_on_the_line | and counts as one intersection, not as infinitely many points
+:hypothesis: cut_corner_lies_on_the_line | it counts as one intersection, not as infinitely many points
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when
   $t_1=t_k$
-:needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | positive weights
+:needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: averages_between_neighbours_keep_sign_changes | of crossings
 :reading: cut_corners_meet_a_line_no_more | of common points, a piece on the line counting once
@@ -434,6 +434,7 @@ for polygons of every length.
   give $c$ every sign it can have.  Where $p$ or $s$ is not there, nothing is taken out next to the end, since an
   insertion keeps both ends.
 :scope: every sign of four neighbouring heights and of their mean
+:harmless: $0\le\lambda\le1$ | a point of an edge is such a mean
 :argued: polygons of every length | Only the signs of neighbours count.
 :control: a $\lambda$ greater than 1
 :::
@@ -513,7 +514,7 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
-:needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | positive weights
+:needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :reading: designed_splines_cross_no_more | of crossings
 :reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
 :argued: | Insert parameters where the curve is on alternating sides until these points are vertices: the new polygon changes sides as
@@ -620,13 +621,17 @@ point.
   these points
 :holds-by: polygon_through_the_crossings_crosses_as_often
 :confirmed-by: designed_splines_meet_no_more
-:hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are
-  not counted; a jump has no point on the line
-:argued: every curve | What is counted are parameters of the curve, so that so many intersections have so many parameters.
+:meant: lemma 4.2.2, which calls $I(\Gamma,\boldsymbol L)$ the number of intersections (交点) | Points that the curve and the line have in
+  common.
+:reading: polygon_through_the_crossings_crosses_as_often | intersections are points in common
+:reading: jump_crosses_the_line_without_a_point | intersections are crossings: at a knot of multiplicity $k$ the curve may change sides by
+  a jump, for which there is no parameter
+:argued: every curve | Of whole numbers, more than $N$ is $N+1$ at least; and a point that the curve has in common with the line is a
+  point of the curve, which has a parameter.
 :figure: points_of_the_line_as_vertices
 
-The theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line one of its
-parameters is taken.
+With crossings counted the theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line
+one of its parameters is taken.
 :::
 
 :::{claim} polygon_through_the_crossings_crosses_as_often
@@ -772,10 +777,10 @@ changes sides where the curve does.
 :zh: 与引理矛盾
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-:hypothesis: self_crossing_polygon_gains_points_on_a_line | counted along the polygon; as points of the plane there is
-  no contradiction, and there cannot be
+:hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; as points of the plane
+  there is no contradiction, and there cannot be
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
-:hypothesis: cut_corner_lies_on_the_line | and counts as one intersection
+:hypothesis: cut_corner_lies_on_the_line | it counts as one intersection
 :figure: what_must_be_counted
 :::
 

@@ -267,7 +267,7 @@ static inline num G(in_interval)(trial *T, const struct G(knot_vector) * K, int 
     (void)K, (void)mu;
     return parameter(T, name);
 #else
-    return add(K->u[mu], mul(parameter(T, name), sub(K->u[mu + 1], K->u[mu])));
+    return add(K->u[mu], mul(inside(T, name), sub(K->u[mu + 1], K->u[mu])));
 #endif
 }
 

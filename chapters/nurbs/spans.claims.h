@@ -95,6 +95,7 @@ and is $0$ everywhere. The order of the questions matters, because a sequence ca
 :zh: 节点序列的检查
 :kind: decision
 :given: every sequence of at most 6 integers from $0$ to $3$ as knots, increasing or not, of every degree $p=0,1,2$
+:harmless: increasing or not | every sequence is tried
 :then: `check_knots` says in this order: too few points for the degree; the first knot below the one before it, or the first knot that is
   the $(p+2)$-nd of its value; an empty domain; good
 :method: All sequences; the answer against counts by the definition.

@@ -69,6 +69,7 @@ CLAIM(hyperbola_has_the_printed_form_for_degree_one)
 :zh: 仿射变换下最高次项仍为最高次项(任意次数)
 :given: a polynomial whose part of highest degree $d$ is $p$, as $S^dp+q$ with $S^{-d}q$ of lower degree in a letter $S$ that counts the degree; one more factor $S(a_0x+b_0y)+e$; an affine map
   $u=a_0x+b_0y+e_0$, $v=a_1x+b_1y+e_1$, $D=a_0b_1-a_1b_0\ne0$
+:where: the map is invertible
 :then: the product has the part $p\,(a_0x+b_0y)$ of degree $d+1$, and the rest is of lower degree; and $x=\frac{b_1(u-e_0)-b_0(v-e_1)}D$, $y=\frac{a_0(v-e_1)-a_1(u-e_0)}D$
 :method: The first is the step of an induction on the factors: the image of $x^iy^j$ has the highest part $(a_0x+b_0y)^i(a_1x+b_1y)^j$, of degree $i+j$.  So the sum of the terms with $i+j=n$, $f_n(x,y)$, has
   the image $f_n(a_0x+b_0y,a_1x+b_1y)$, and all other terms are of lower degree.  The second is the inverse map; it takes that image back to $f_n\ne0$, so it is not 0.
@@ -154,8 +155,8 @@ the equation.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant_row_by_row
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
-:hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less
-  than $n$
+:hypothesis: elevated_curve_has_no_equation | the curve has no base point; else theorem 3.4.2 says nothing, and the degree is
+  less than $n$
 :reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors, though
   $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
   for a proper parametrisation

@@ -20,7 +20,7 @@ base angle $\angle R_1R_0R_2$ in its derivation.
   $A=C$.
 :meant: the next formula, $\frac{l^2}{l^2+y_1^2}=\cos^2\theta$ | $\theta$ is the base angle of the triangle.
 :holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
-:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
+:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the central angle may be $2\pi-2\theta$.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle.
 :figure: circular_arc
@@ -33,6 +33,7 @@ equal units on the axes, as the special coordinates have them.
 :title: Equal coefficients mean an isosceles triangle with its own weight
 :zh: A=C,B=0 的充要条件
 :given: the points in special coordinates, $\omega>0$, $l>0$, and the conic $S$ of the weights $1,\omega,1$
+:where: $R_0\ne R_2$; the weights are positive
 :then: $B=-\omega^2y_1x_1$, which is 0 only for $x_1=0$ or $y_1=0$; for $x_1=0$ it is
   $A-C=(l^2+y_1^2)\left(\omega^2-\frac{l^2}{l^2+y_1^2}\right)$; for $y_1=0$ it is
   $A-C=-\left(\omega^2x_1^2+(1-\omega^2)l^2\right)$
@@ -301,7 +302,7 @@ a quantity has been lost: none of them says how high the triangle is.
   $2\theta$, $0<\theta<\frac\pi2$, and the radius $l\csc\theta$ if and only if $\|R_0R_1\|=\|R_2R_1\|=l\sec\theta$,
   $\|R_0R_2\|=2l$, $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
 :corrected-by: arc_and_its_central_angle arcs_satisfy_the_three_equations
-:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
+:needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive.
 :meant: the theorem itself, which names $\theta$ and $l$ as given numbers and says that three equations suffice | $\theta$ is any angle between 0 and $\frac\pi2$.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem

@@ -17,10 +17,10 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 :zh: 用定理 3.4.1 将曲线隐式化
 :printed: By theorem 3.4.1 the curve (3.1.5) can be made implicit and its class be determined.
 :holds-by: implicit_form_is_the_resultant kind_in_any_coordinates
-:needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do
-  not lie on a line, as in the frame of (3.1.5).
-:needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
-  are positive, so $\omega_1\ne0$.
+:needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on
+  a line; as in the frame of (3.1.5).
+:needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: so $\omega_1\ne0$.
 
 For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
 degenerate conic, and its class is told by the sign of $AC-B^2$; the next entries do it in special coordinates.
@@ -294,12 +294,12 @@ CLAIM(discriminant_in_special_coordinates)
 :printed: By what is known from analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
   $\omega>1$.
 :holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
-:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
-  on a line, as in the frame of (3.1.5): $l\ne0$, $y_1\ne0$.
-:needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are
-  positive, so $\omega>0$.
-:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are
-  positive, so $\omega\ne0$.
+:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line;
+  as in the frame of (3.1.5): $l\ne0$, $y_1\ne0$.
+:needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: so $\omega>0$.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: so $\omega\ne0$.
 :figure: classification_by_weight
 
 With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
@@ -308,13 +308,13 @@ With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for
 :::{claim} directions_at_infinity
 :title: The discriminant counts the directions at infinity
 :zh: 判别式决定无穷远方向的个数
-:given: a conic $S$, $A\ne0$, and a direction $(p,q)$
+:given: a conic $S$ and a direction $(p,q)$
 :let: $f=Ap^2+2Bpq+Cq^2$, which is 0 for the directions in which the conic goes to infinity
-:then: $Af=(Ap+Bq)^2+(AC-B^2)q^2$: no direction for $AC-B^2>0$, one, $Ap+Bq=0$, for $AC-B^2=0$, and for $AC-B^2=-e^2$ the
-  two of $Af=(Ap+Bq-eq)(Ap+Bq+eq)$
+:then: $Af=(Ap+Bq)^2+(AC-B^2)q^2$: with $A\ne0$ no direction for $AC-B^2>0$, one, $Ap+Bq=0$, for $AC-B^2=0$, and for
+  $AC-B^2=-e^2$ the two of $Af=(Ap+Bq-eq)(Ap+Bq+eq)$; with $A=0$ it is $f=q\,(2Bp+Cq)$: two directions for
+  $AC-B^2=-B^2<0$, and for $B=0$ the one $q=0$
 :method: Identities in $A$, $B$, $p$, $q$ and $C$ or $e$.  Of the conics with real points that are not degenerate, the
-  ellipses, parabolas and hyperbolas are those with no, one and two directions.  For $A=0$ exchange the axes; for $A=C=0$
-  the directions are the axes, and $AC-B^2=-B^2<0$.
+  ellipses, parabolas and hyperbolas are those with no, one and two directions.
 :over: A# B# C# e#: conics; p# q#: directions
 :control: $B$ for $2B$ in $f$
 :::
@@ -335,6 +335,10 @@ CLAIM(directions_at_infinity)
             /* A f = (A p + B q - e q)(A p + B q + e q) */
             same(T, left, mul(sub(sum, eq), add(sum, eq)));
     }
+    /* with A = 0: f = q (2 B p + C q) */
+    C = unknown(T, "C", 0);
+    S[0] = zero, S[1] = fault(T, B, mul(from_ratio(1, 2), B)), S[2] = C;
+    same(T, G(form)(S, p, q), mul(q, add(mul(from_int(2), mul(B, p)), mul(C, q))));
 }
 
 /*
@@ -347,6 +351,7 @@ CLAIM(directions_at_infinity)
 :method: $\omega_0$, $\omega_1$ and $s$ are variables and $\omega_2$ follows from $I_1$, which is the kernel's invariant of
   the weights; every value of $I_1$ below or above 1 has one $s$.
 :scope: every I_1 > 0
+:where: $R_0$, $R_1$, $R_2$ do not lie on a line; the weights are positive
 :over: s: -
 :control: $I_1$ upside down
 :::
@@ -452,11 +457,11 @@ its hypotheses is needed, and an example without it stands beside.
   $I_1=1$ or $I_1>1$.
 :holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
 :confirmed-by: points_at_infinity_tell_the_kind
-:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie
-  on a line, as in the frame of (3.1.5).
+:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line;
+  as in the frame of (3.1.5).
 :needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0\omega_2>0$, as for positive weights.
-:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$, as for
+  $\omega_0\omega_2>0$; as for positive weights.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$; as for
   positive weights.
 :figure: classification_by_weight
 
@@ -472,6 +477,7 @@ $\omega_0\omega_2-\omega_1^2$.
 :title: The two determinants of the conic for any triangle and weights
 :zh: 任意坐标下的判别式
 :given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2$
+:where: $R_0$, $R_1$, $R_2$ do not lie on a line; no weight is 0
 :let: $d=(R_0-R_1)\times(R_2-R_1)$, twice the area of the triangle up to sign
 :then: the conic of the curve has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$
   determinant is $-\omega_0\omega_2\omega_1^4\frac{d^4}{16}$, which is not 0 for a true triangle and weights different

@@ -36,6 +36,7 @@ lines, or of nothing.
   parallel, and span no plane.  So the equation is quadratic.
 :over: c O# U# V# k v: -; x# y#: points
 :scope: every plane and every circular cone
+:harmless: $c>0$ | every circular cone has such a $c$
 :control: the term $xy$ counted once, not twice
 :::
 */
@@ -140,8 +141,8 @@ as $S_1-S_2$, has no $\lambda$.
   $(1-\lambda)S_1(x,y)+\lambda S_2(x,y)=(1-\lambda)S_1+\lambda S_2=0$ represents the pencil of the conics through the common points of
   $S_1(x,y)=0$ and $S_2(x,y)=0$.
 :holds-by: pencil_passes_through_common_points conics_through_four_points_are_a_pencil
-:hypothesis: pencil_misses_its_difference | $\lambda=\infty$ is admitted, that is the ratio $(1-\lambda):\lambda=1:(-1)$;
-  otherwise the member $S_1-S_2=0$ is missing.
+:hypothesis: pencil_misses_its_difference | $\lambda=\infty$ is admitted: the ratio $(1-\lambda):\lambda=1:(-1)$; otherwise the
+  member $S_1-S_2=0$ is missing.
 :hypothesis: two_common_points_allow_other_conics | $S_1=0$ and $S_2=0$ have four common points, no three on a line;
   through fewer there are more conics than the members of the pencil.
 :hypothesis: dependent_conics_have_no_pencil | $S_2$ is no multiple of $S_1$.
@@ -189,6 +190,7 @@ CLAIM(pencil_passes_through_common_points)
 :title: The conics through four points in general position are the combinations of two
 :zh: 过四个一般位置点的二次曲线构成二维空间
 :given: points $(0,0)$, $(1,0)$, $(0,1)$ and $(a,b)$, $ab\ne0$, and any conic $S$
+:where: no three of the four points are on a line
 :let: $U=x^2-x-\frac{a-1}bxy$ and $V=y^2-y-\frac{b-1}axy$
 :then: $S$ is $AU+CV$ plus its four values at the points, each multiplied by a fixed conic that is 1 at its own point
   and 0 at the others; so a conic through the four points is $AU+CV$, and any two independent ones span them all
@@ -387,6 +389,7 @@ CLAIM(common_points_leave_lambda_free)
 :title: One further point of the curve fixes lambda
 :zh: 曲线上另一点确定 λ
 :given: conics $S_1$, $S_2$, a point $P$ with $S_1(P)\ne S_2(P)$, and any number $\kappa$
+:where: $S_1(P)\ne S_2(P)$
 :let: $\lambda=S_1(P)/(S_1(P)-S_2(P))$
 :then: the member of $\lambda$ passes through $P$, and the value at $P$ of the member of $\kappa$ is
   $(\kappa-\lambda)(S_2(P)-S_1(P))$, so no other member does
@@ -495,10 +498,10 @@ common points is now a matter of how the four lines lie.
 :printed: $(1-\lambda)l_1l_2+\lambda l_3l_4=0$ represents the pencil of the conics through the four points where the
   lines of the pair $(l_1,l_2)$ meet those of the pair $(l_3,l_4)$.
 :holds-by: line_pairs_share_four_points conics_through_four_points_are_a_pencil
-:needs: parallel_lines_meet_in_two_points | the sentence itself, by which the pairs meet two by two in four points | Each of
+:needs: parallel_lines_meet_in_two_points | the sentence itself, by which the pairs meet two by two in four points | each of
   $l_1,l_2$ meets each of $l_3,l_4$.
-:needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | The four points are different.
-:hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted, as in (3.1.2).
+:needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | the four points are different.
+:hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted; as in (3.1.2).
 :figure: pencil_of_conics
 :::
 

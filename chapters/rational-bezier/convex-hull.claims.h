@@ -16,8 +16,8 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 :printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: curve_points_are_convex_combinations curve_points_have_hull_certificates
-:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+  weights are positive; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
 :reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
   given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs.
@@ -33,8 +33,8 @@ Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common n
 :printed: B_i^n(t)\,\omega_i/\omega(t)\ge0
 :holds-by: positive_terms_make_a_convex_mean
 :confirmed-by: curve_points_are_convex_combinations
-:needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_i>0$.
+:needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+  weights are positive.
 :figure: convex_hull
 :::
 */
@@ -105,6 +105,7 @@ This needs no sign of the weights, only $\omega(t)\ne0$.
 :title: The shares B_i ω_i/ω have the sum 1
 :zh: B_i ω_i/ω 之和为 1
 :given: weights of any sign, a parameter $t$, $\omega(t)\ne0$
+:where: $\omega(t)\ne0$
 :then: $\sum_iB_i^n(t)\omega_i/\omega(t)=1$
 :method: The sum is $1$ in the field; $\omega(t)$ is computed by the kernel, the $B_i^n(t)$ from their definition.
 :degrees: 1..8 sampled 16
@@ -320,6 +321,7 @@ one point at $1$, all the others at $0$.
   all shares nonnegative.
 :degrees: 1..6 sampled 12
 :scope: 0 < t < 1
+:harmless: $j\ne i$ | the other indices
 :over: s v: -
 :control: $\omega_i=v$
 :::

@@ -44,7 +44,8 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :holds-by: determinant_of_three_sums_goes_by_triples means_of_powers_go_one_way three_powers_have_a_positive_determinant
 :confirmed-by: curve_turns_like_its_triangles wronskian_of_three_bernstein_functions curvature_is_a_sum_over_triangles
   designed_convex_polygons_have_convex_curves convex_polygons_have_triangles_of_one_sign
-:needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
+:needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
   points need only be part of the boundary.
@@ -384,6 +385,7 @@ corner after the other.
 :method: The sign of the polynomial is decided by counting its roots, by Descartes' rule and by Sturm's theorem.
 :degrees: 2..4
 :scope: the stated polygons and weights
+:harmless: convex when closed | the polygons are the stated ones
 :control: the last vertex moved across the first edge
 :::
 */
@@ -512,8 +514,8 @@ CLAIM(mixed_weights_lose_convexity)
 :printed: The property can be proved by (3.3.1), imitating the proof of theorem 1.4.2.
 :holds-by: one_cut_of_corners_has_no_negative_minor determinant_of_three_sums_goes_by_triples
 :confirmed-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
-:needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights
+:needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive
 :argued: | Repeated, the subdivided polygons converge to the curve, and a limit of convex polygons is convex.
 :figure: convex_halves
 

@@ -19,8 +19,8 @@ hypothesis: no weight is $0$.
 :printed: The vertices of a plane rational Bézier curve are coplanar.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor weight_can_be_divided_out
 :confirmed-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
-:needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights; it is enough that no weight is $0$
+:needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+  weights are positive; it is enough that no weight is $0$
 :figure: weight_zero_out_of_plane
 
 The form of a plane, on the curve, is $\sum B_i^n\omega_if(R_i)/\omega(t)$; if it is 0, then so is $(1-t)^n\sum\binom ni\omega_if(R_i)s^i$ with $s=\frac t{1-t}$, a
@@ -131,6 +131,7 @@ Both together give the values $z_i$ from the function $z(t)$, and in the formula
 :title: The values at the vertices come back from the function on the curve
 :zh: 由曲线上的函数还原顶点处的值
 :given: weights $\omega_i\ne0$ and values $z_0,\dots,z_n$
+:where: no weight is 0
 :let: $N(t)=\omega(t)z(t)=\sum B_i^n(t)\omega_iz_i=\sum_kc_kt^k$
 :then: $z_i=\frac1{\omega_i}\sum_{k\le i}\binom ik\binom nk^{-1}c_k$; so if $z(t)\equiv0$ then all $z_i=0$
 :method: The $c_k$ are computed as the derivatives $N^{(k)}(0)/k!$, from the derivatives of $z(t)$ and of $\omega(t)$ by the rule of Leibniz;
@@ -230,6 +231,7 @@ The converse needs neither independence nor signs: the form of the plane vanishe
 :title: A curve with coplanar vertices is in their plane
 :zh: 顶点共面的曲线在该平面内
 :given: any weights with $\omega(t)\ne0$; vertices $(x_i,y_i,z_i)$ with $ax_i+by_i+cz_i+d=0$, $c\ne0$
+:where: $\omega(t)\ne0$; $c\ne0$
 :then: $a\,x(t)+b\,y(t)+c\,z(t)+d=0$
 :method: $z_i=-(ax_i+by_i+d)/c$; the form of the plane, on the curve, is the zero of the field.  Some coordinate has a factor that is
   not $0$ in the equation; that it is $z$ is a matter of names.
@@ -334,6 +336,7 @@ CLAIM(collocation_determinant_does_not_vanish)
 :title: A weight that is not 0 can be divided out
 :zh: 非零权可约去
 :given: a weight $\omega\ne0$ and a value $z$ at its vertex
+:where: no weight is 0
 :then: $\frac{\omega z}\omega=z$, so that $z=0$ when $\omega z=0$; index by index, in every degree
 :method: An identity in $\omega$ and $z$.
 :degrees: all

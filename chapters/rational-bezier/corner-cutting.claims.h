@@ -31,6 +31,7 @@ Theorem 1.4.1 is taken as in the entry on the proof: the triangle of de Castelja
 :title: Equal weights stay equal on every level, and the points are then cut as in de Casteljau's triangle
 :zh: 权相等时各层权仍相等, 割角与多项式情形相同
 :given: two neighbouring weights $\omega\ne0$ of any level, their points $R$ and $S$, and $\lambda$
+:where: the common weight is not 0
 :then: $(1-\lambda)\omega+\lambda\omega=\omega$ and $\frac{(1-\lambda)\omega}\omega R+\frac{\lambda\omega}\omega S=(1-\lambda)R+\lambda S$
 :method: The step of an induction on the level, for (3.3.2) and (3.3.3) with all weights equal; $\omega$, $\lambda$ and one coordinate of the points are variables.
 :degrees: all
@@ -57,6 +58,7 @@ The same for whole triangles of low degree:
 :title: For equal weights the triangle is de Casteljau's
 :zh: 权相等时即 de Casteljau 三角阵
 :given: points $R_0,\dots,R_n$ with one weight $\omega\ne0$, and $\lambda$
+:where: the common weight is not 0
 :then: $\omega_i^r=\omega$ and $R_i^r=\sum_{k=0}^rB_k^r(\lambda)R_{i-r+k}$, that is
   $R_i^r=(1-\lambda)R_{i-1}^{r-1}+\lambda R_i^{r-1}$
 :method: Every level is compared as rational functions of $\lambda$, $\omega$ and the points.
@@ -93,8 +95,8 @@ CLAIM(equal_weights_give_polynomial_triangle)
 :printed: From it one can also derive the recursive formula of evaluation of rational Bézier curves and the theorem of their geometric construction.
 :holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :confirmed-by: triangle_ends_on_the_curve triangle_level_by_level
-:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights: otherwise a point of the construction may be missing
+:needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: otherwise a point of the construction may be missing
 
 The evaluation is $\mathbf R(c)=\mathbf R_n^n(c)$; the construction divides each edge in the ratio
 $\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$.
@@ -104,6 +106,7 @@ $\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$.
 :title: The last point of the triangle is the point of the curve
 :zh: 三角阵末点即曲线上的点
 :given: positive weights, points $R_0,\dots,R_n$, $\lambda$
+:where: the weights are positive
 :then: $R_n^n=\sum B_i^n(\lambda)\omega_iR_i/\sum B_i^n(\lambda)\omega_i$
 :method: The triangle on the left, Bernstein polynomials on the right, compared as rational functions.
 :degrees: 1..6 sampled 16
@@ -141,8 +144,8 @@ have a pole for that.
 :printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex linear combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf
   R_i^{r-1}(c)$.
 :holds-by: cut_coefficients_are_convex
-:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights: otherwise, on a perfectly regular curve, a coefficient is negative
+:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: otherwise, on a perfectly regular curve, a coefficient is negative
 :figure: cut_leaves_the_edge
 :::
 
@@ -152,8 +155,8 @@ have a pole for that.
 :printed: Hence the geometric meaning of the theorem is again recursive corner cutting.
 :holds-by: cut_coefficients_are_convex triangle_of_powers_consists_of_powers
 :confirmed-by: triangle_level_by_level
-:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights
+:needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive
 :::
 
 :::{claim} cut_coefficients_are_convex

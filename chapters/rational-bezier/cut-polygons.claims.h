@@ -17,10 +17,10 @@ projection to points of space, which divides by weights; it does no harm as long
 :holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord near_homogeneous_points_are_near
   cut_coefficients_are_convex
 :confirmed-by: second_differences_shrink_quadratically quarter_circle_error_is_quartered
-:hypothesis: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step
-  a piece may stay long for ever
-:needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  positive weights
+:hypothesis: crowded_cuts_do_not_converge | the pieces become short: as at a fixed ratio; with a new ratio in every step a piece
+  may stay long for ever
+:needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+  weights are positive
 :argued: | Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
 largest of the curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as
 no weight falls below the least $\omega_i$, the projection to points of space multiplies this by a constant.  At a
@@ -42,6 +42,7 @@ divided by 4 each time (`quarter_circle_error_is_quartered`).
   $\max|\Delta^2b^{[u,v]}|\le(v-u)^2\max|\Delta^2b|$; the ends $0$ and $1$ follow by continuity.
 :degrees: 2..6 sampled 10
 :scope: every interval of [0,1]
+:harmless: $0<u,v<1$ | these are the intervals inside $[0,1]$
 :over: b#: coefficients; r s: -
 :control: $v-u$ for $(v-u)^2$
 :::
@@ -155,6 +156,7 @@ down to the points of space.
 :title: Homogeneous points that are near, with weights kept from 0, have near images
 :zh: 齐次点相近则投影点相近
 :given: homogeneous points $(P,w)$, $(Q,v)$ of weights $w,v\ne0$
+:where: no weight is 0
 :then: $\frac Pw-\frac Qv=\frac1w\Bigl((P-Q)-\frac Qv(w-v)\Bigr)$
 :method: An identity.  So the distance of the images is at most $(\|P-Q\|+\|Q/v\||w-v|)/w$: with $w$ at least the
   least weight and $Q/v$ in the convex hull of the points, a constant times the distance of the homogeneous points.

@@ -38,6 +38,7 @@ weights alone, since a common factor of the weights does not change a mean.
 :title: A homogeneous point determines its point and its weight, and they determine it
 :zh: 齐次点与带权点一一对应
 :given: a point $(x,y,z)$ of space and a weight $\omega\ne0$; a homogeneous point $(X,Y,Z,W)$, $W\ne0$
+:where: no weight is 0
 :then: $(\omega x,\omega y,\omega z,\omega)$ has the quotients $x,y,z$ by its last coordinate, and the point $(\frac XW,\frac YW,\frac ZW)$ with the weight $W$ has
   the products $(X,Y,Z,W)$
 :method: The products and quotients that the program forms are undone by the other operation, written out here.  Each point of a polygon is treated by
@@ -67,8 +68,13 @@ CLAIM(homogeneous_point_determines_point_and_weight)
         same(T, mul(v, back[c]), H[c]);
 }
 
-/* n+1 positive weights, all of them free. */
+/* n+1 weights, all of them free and of either sign. */
 static inline void G(free_weights)(trial *T, int n, num w[])
+{
+    for (int i = 0; i <= n; i++)
+        w[i] = unknown(T, "w", i);
+}
+static inline void G(positive_weights)(trial *T, int n, num w[])
 {
     for (int i = 0; i <= n; i++)
         w[i] = positive(T, "w", i);
@@ -80,6 +86,7 @@ static inline void G(free_weights)(trial *T, int n, num w[])
 :zh: 带权点与齐次点互相确定
 :given: weights $\omega_i\ne0$ and points $R_i$ of one, two and three coordinates; homogeneous points $H_i$ of as many and
   one more
+:where: no weight is 0
 :then: $(R_i,\omega_i)\mapsto(\omega_iR_i,\omega_i)$ has the quotients $R_i$ by its last coordinate, and
   $H_i\mapsto(R_i,\omega_i)$ has the products $H_i=(\omega_iR_i,\omega_i)$
 :method: Each map is computed on variables and undone by the other arithmetic operation, written out here.
@@ -124,6 +131,7 @@ CLAIM(homogeneous_points_carry_their_weight)
 :title: A common factor of all weights does not change the curve
 :zh: 权因子的公因子不影响曲线
 :given: points $R_i$, weights $\omega_i$, a factor $c\ne0$
+:where: the factor is not 0
 :then: the weights $\omega_i$ and $c\,\omega_i$ give the same $R(t)$; so weights that are all negative give the same curve as
   their absolute values
 :method: Both are one element of the field of rational functions of $t$, $c$, the weights and the points; $c$ is any number.
@@ -266,7 +274,7 @@ CLAIM(rational_point_is_weighted_mean)
 :holds-by: homogeneous_point_determines_point_and_weight mean_grows_by_one_term
 :confirmed-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
+  $\omega(t)\ne0$; for which positive weights suffice: otherwise there may be no point.
 :figure: homogeneous_line
 
 With $W$ and $M$ for the weight and the quotient of some of the homogeneous points $B_i^n(t)\tilde{\mathbf R}_i$ together, one more,
@@ -396,10 +404,10 @@ is for those who do.
 :printed: To guarantee the convex hull property and to avoid $\omega(t)=0$ one usually prescribes $\omega_i>0$.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
-:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_i>0$,
-  for $\omega(t)\ne0$.
-:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_i>0$, for the convex hull property.
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: for $\omega(t)\ne0$.
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+  weights are positive: for the convex hull property.
 :meant: the words: to guarantee, one usually prescribes | Positive weights suffice; that they are necessary is not said.
 :reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The
   sentence does not say so: it says that they suffice.
@@ -425,7 +433,7 @@ CLAIM(positive_weights_keep_denominator_positive)
 {
     int n = T->degree;
     num w[MAX_DEGREE + 1], at[] = {from_int(0), from_int(1), inside(T, "s")};
-    G(free_weights)(T, n, w);
+    G(positive_weights)(T, n, w);
     for (int k = 0; k < 3; k++) {
         num total = G(rational_weight)(n, w, at[k]);
         nonnegative(T, div(from_int(1), fault(T, total, neg(total))));
@@ -494,8 +502,8 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
   adjust its shape.
 :holds-by: more_weight_moves_a_mean_to_its_point positive_terms_make_a_convex_mean
 :confirmed-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
-:needs: growing_negative_weight_pushes_away | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_i>0$.
+:needs: growing_negative_weight_pushes_away | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive.
 :meant: property 3.2.3, which keeps the ends of the curve in the end points | No point of the curve moves away from
   $R_i$, and those that move come nearer.
 :reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless
@@ -531,7 +539,7 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
     int n = T->degree;
     num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], R[MAX_DEGREE + 1], before, after;
     num t = inside(T, "s"), more = positive(T, "d", 0);
-    G(free_weights)(T, n, w);
+    G(positive_weights)(T, n, w);
     G(free_points)(T, n, 1, R);
     G(rational_point)(n, 1, R, w, t, &before);
     num total = G(weight_by_definition)(n, w, t);
@@ -545,6 +553,34 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
         nonnegative(T, div(from_int(1), q));
         nonnegative(T, div(from_int(1), sub(from_int(1), q)));
     }
+}
+
+/*
+:::{claim} two_middle_weights_give_two_arcs
+:title: Over the same points two different middle weights give two different sets of points
+:zh: 控制顶点不动, 中间权不同则曲线不同
+:given: the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights $1,\omega,1$ and with $1,\omega^*,1$; $\omega,\omega^*>0$
+:where: $\omega\ne\omega^*$; the weights are positive
+:then: each curve has one point on the line $x=y$, that of $t=\frac12$, and there $x-x^*=\frac{\omega^*-\omega}{2(1+\omega)(1+\omega^*)}$
+:method: $\omega(t)(x-y)=1-2t$ at a variable $t$, and the two points; identities.
+:scope: n = 2
+:control: $1-t$ for $1-2t$
+:::
+*/
+CLAIM(two_middle_weights_give_two_arcs)
+{
+    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), t = parameter(T, "t"), point[2], at_half[2][2];
+    num R[6] = {one, zero, zero, zero, zero, one}, middle[2] = {positive(T, "w", 0), positive(T, "w", 1)};
+    for (int k = 0; k < 2; k++) {
+        num w[3] = {one, middle[k], one}, omega = G(weight_by_definition)(2, w, t);
+        G(rational_point)(2, 2, R, w, t, point);
+        about(T, "the one point on x = y");
+        same(T, mul(omega, sub(point[0], point[1])), sub(one, mul(fault(T, from_int(2), one), t)));
+        G(rational_point)(2, 2, R, w, half, at_half[k]);
+    }
+    about(T, "the two points at 1/2");
+    same(T, sub(at_half[0][0], at_half[1][0]),
+         div(sub(middle[1], middle[0]), mul(from_int(2), mul(add(one, middle[0]), add(one, middle[1])))));
 }
 
 /*
@@ -659,8 +695,8 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :argued: | That two kinds of curves are similar is a judgement.  It rests here on the properties that both have: invariance, symmetry, the ends, the
   convex hull, elevation, each as in the list that follows.
 :meant: the list that follows | The properties 3.2.1 to 3.2.9, as far as they are true.
-:needs: curve_leaves_hull_with_negative_weight | § 3.2, the line before: one usually prescribes $\omega_i>0$ | positive weights, for the
-  convex hull
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, the line before: one usually prescribes $\omega_i>0$ | the weights are
+  positive: for the convex hull
 :confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
   reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges
   curve_points_are_convex_combinations elevation_keeps_rational_curve
@@ -673,6 +709,7 @@ equal weights the curve is the Bézier curve of its points, so that the properti
 :title: With equal weights the curve is the Bézier curve of the points
 :zh: 权相等时即为 Bézier 曲线
 :given: points, and weights all equal to $v\ne0$
+:where: the common weight is not 0
 :then: $R(t)=\sum_iB_i^n(t)R_i$
 :method: Both sides are one element of the field; the right one is written out from the definition.
 :degrees: 1..8 sampled 16

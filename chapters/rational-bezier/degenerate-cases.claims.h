@@ -28,6 +28,7 @@ Besides $\omega>0$ any $\omega\ne0$ will do.  Up to a change of the parameter th
 :title: With equal weights the curve is the Bézier curve of its points
 :zh: 权相等时退化为 Bézier 曲线
 :given: points $R_0,\dots,R_n$ and one weight $\omega\ne0$
+:where: the common weight is not 0
 :then: $R(t)=\sum B_i^n(t)R_i$ for every $t$
 :method: The left side is computed as a rational curve, the right side with the Bernstein polynomials; both are
   rational functions of $t$, $\omega$ and the points.
@@ -135,6 +136,7 @@ for equal weights, and they do not notice the change.
 :zh: 不变量全为 1 的曲线来自多项式曲线
 :given: points $P_0,\dots,P_n$ and positive weights with $I_i=1$, $0<i<n$: $\omega_0,\omega_1$ are free, the others
   follow from $\omega_{i+1}=\omega_i^2/\omega_{i-1}$
+:where: the weights are positive
 :let: $\alpha=\omega_1/\omega_0$, $t=\alpha u/(1-u+\alpha u)$
 :then: $\omega_i=\omega_0\alpha^i$, and the curve at $u$ is the Bézier curve of the points at $t$
 :method: The recursion produces all weights with these invariants; both sides are rational functions.
@@ -171,8 +173,8 @@ CLAIM(unit_invariants_give_polynomial_curve)
   $\omega_i=\alpha^i$.
 :holds-by: geometric_weights_term_by_term alpha_runs_the_interval_once
 :confirmed-by: geometric_weights_reparametrize_bezier
-:needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$, which
-  positive weights $\alpha^i$ mean: for every $\alpha<0$ the denominator $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
+:needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$; positive
+  weights $\alpha^i$ mean it: for every $\alpha<0$ the denominator $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
 :needs: zero_alpha_collapses | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$: for $\alpha=0$
   the curve collapses to $\mathbf P_0$
 :figure: geometric_weights
@@ -313,6 +315,7 @@ CLAIM(negative_alpha_has_a_pole)
 :title: For α = 0 only the first point is left
 :zh: α=0 时曲线退缩为首点
 :given: points $P_0,\dots,P_n$, the weights $1,0,\dots,0$, and $u\ne1$
+:where: $u\ne1$
 :then: the curve is $P_0$ for every $u$
 :method: Computed as a rational function of $u$ and the points.
 :degrees: 1..6 sampled 12

@@ -34,8 +34,8 @@ the products $\omega_iR_i$.
   with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$ of (3.2.7) to (3.2.9).
 :holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners
 :confirmed-by: elevation_keeps_rational_curve
-:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights; otherwise the new vertices need not exist, though the curve has no pole
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive; otherwise the new vertices need not exist, though the curve has no pole
 :figure: elevation_cuts_corners
 :::
 
@@ -46,8 +46,8 @@ the products $\omega_iR_i$.
   =\frac{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i\hat{\mathbf R}_i}{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i}
 :holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners
 :confirmed-by: elevation_keeps_rational_curve
-:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights, so that all vertices $\hat{\mathbf R}_i$ exist
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: so that all vertices $\hat{\mathbf R}_i$ exist
 :::
 
 :::{claim} bernstein_function_in_the_next_degree
@@ -176,8 +176,8 @@ and any other numbers would do.
   i=0,1,\dots,n+1;\quad\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0
 :holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter elevation_cuts_corners
 :confirmed-by: elevated_points_as_printed elevation_keeps_rational_curve
-:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights, so that no denominator vanishes
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: so that no denominator vanishes
 :figure: elevation_cuts_corners
 :::
 
@@ -224,7 +224,7 @@ CLAIM(elevated_points_as_printed)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[dim * (MAX_DEGREE + 1)], we[MAX_DEGREE + 2], Re[dim * (MAX_DEGREE + 2)];
     num e[dim * (MAX_DEGREE + 2)], E[(MAX_DEGREE + 2) * (MAX_DEGREE + 1)], weight, point;
-    G(free_curve)(T, n, dim, R, w);
+    G(curve_of_any_weights)(T, n, dim, R, w);
     G(rational_elevate)(n, dim, R, w, Re, we);
     G(bezier_elevate)(n, dim, R, e);
     G(bernstein_elevation_matrix)(n, E);
@@ -324,8 +324,8 @@ corner $R_i$.
 :zh: 升阶的几何意义是割角
 :printed: Geometrically (3.2.9) again means that the corners of the B-net are cut.
 :holds-by: elevation_cuts_corners
-:needs: elevated_vertex_may_leave_the_edge | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights; otherwise the new vertex may lie outside the edge
+:needs: elevated_vertex_may_leave_the_edge | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive; otherwise the new vertex may lie outside the edge
 :figure: elevation_mixed_weights
 :::
 
@@ -458,8 +458,8 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
 :printed: In the same way elevation can be repeated without end.
 :holds-by: elevation_cuts_corners repeated_elevation_in_one_formula
 :confirmed-by: repeated_elevation_computed
-:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights; with mixed ones already the first step may fail
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive; with mixed ones already the first step may fail
 :figure: elevation_mixed_weights
 
 Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
@@ -567,8 +567,8 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :argued: | The bounds (1) to (4) of `elevated_polygons_converge` are put together in words: a product of $k$ factors
   is estimated factor by factor, the sums over $k$ are formed, and between two vertices polygon and curve are as near,
   since $\mathbf R$ has a bounded derivative; the bound $\frac{\text{const}}{N-n+1}$ tends to 0.
-:needs: elevation_fails_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights, so
-  that no polygon of the sequence lacks a vertex
+:needs: elevation_fails_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: so that no polygon of the sequence lacks a vertex
 :figure: elevation_converges
 
 The convergence is uniform and of order $1/N$, not better: for the parabola the distance of the $i$-th vertex is exactly
@@ -627,6 +627,7 @@ CLAIM(powers_in_every_degree)
 :title: Elevated polygons converge to the curve, with an error of at most a constant over the degree
 :zh: 升阶多边形以 1/N 的阶收敛
 :given: positive weights; $N\ge n$, $x=i/N$, $0\le i\le N$
+:where: the weights are positive
 :let: $K_f=\sum_k\frac{k(k-1)}2|c_k|$ for a polynomial $f=\sum_kc_kt^k$; here of $\omega(t)$ and of a coordinate of $\omega(t)R(t)$
 :then: the vertex $\hat R_i$ of degree $N$ has
   $|\hat R_i-R(x)|\le\frac{K_{\omega R}+|R(x)|K_\omega}{(N-n+1)\min_j\omega_j}$ in each coordinate

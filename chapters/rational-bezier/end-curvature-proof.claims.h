@@ -31,6 +31,7 @@ derivatives of $R$ only.
 :title: The derivatives of R = P/ω up to the third
 :zh: R = P/ω 的前三阶导矢
 :given: any two functions $P$, $\omega$ with three derivatives, $\omega\ne0$
+:where: $\omega(t)\ne0$
 :then: $R'=(P'-\omega'R)/\omega$, $R''=(P''-\omega''R-2\omega'R')/\omega$, $R'''=(P'''-\omega'''R-3\omega''R'-3\omega'R'')/\omega$
 :method: The formulas at a point depend on the values of $P,\omega$ and their three derivatives there only, so cubic polynomials with free coefficients stand
   for all functions.  In the field their quotient is differentiated formally; elsewhere it is divided as a power series.
@@ -261,6 +262,7 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 :zh: t=0 处前三阶导矢用边矢表示（任意 n）
 :given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$; and at the other end
   $\omega_n,\omega_{n-1},\dots$, $R_n$ and $a_n,a_{n-1},a_{n-2}$
+:where: $\omega_0\ne0$ at $t=0$ and $\omega_n\ne0$ at $t=1$
 :let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights that stand in the entry `wang-ch3:prop-3.2.4-step-7`; $\tilde f_1$, $\tilde g_1$, $\tilde g_2$
   the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
@@ -365,9 +367,10 @@ Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
 :printed: Put into the formulas of the curvature and torsion of a parametric curve, these three give $\kappa(0)$ and $\tau(0)$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive
   curvature_and_torsion_belong_to_arc_length
-:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
-  | $\omega_i>0$ for the curvature, as in (3.2.5).
-:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion, as in (3.2.6).
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  the weights are positive for the curvature; as in (3.2.5).
+:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion; as
+  in (3.2.6).
 
 Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
 :::
@@ -466,9 +469,10 @@ CLAIM(factor_of_the_curvature_is_positive)
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
   factor_of_the_curvature_is_positive
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
-:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
-  | $\omega_i>0$ for the curvature, as in (3.2.5).
-:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion, as in (3.2.6).
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  the weights are positive for the curvature; as in (3.2.5).
+:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion;
+  as in (3.2.6).
 
 The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it
 puts the edges into the order $(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)$ of the print.

@@ -258,13 +258,13 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
   factor_of_the_curvature_is_positive
 :confirmed-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
-:needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide |
-  $\mathbf a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$, which is all that the formulas of the curvature use of the
-  hypothesis; other points may coincide.
-:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_i>0$ for (3.2.5); in general
-  its right sides need $|\omega_0\omega_2|$ and $|\omega_{n-2}\omega_n|$.
-:hypothesis: collinear_first_points_leave_torsion_undetermined | For (3.2.6): $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ at $t=0$ and
-  $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ at $t=1$, which distinct points do not ensure.
+:needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide | $\mathbf
+  a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$; that is all that the formulas of the curvature use of the hypothesis; other
+  points may coincide.
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  the weights are positive for (3.2.5); in general its right sides need $|\omega_0\omega_2|$ and $|\omega_{n-2}\omega_n|$.
+:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ and $\mathbf
+  a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for (3.2.6): at $t=0$ and at $t=1$, which distinct points do not ensure.
 :figure: end_formulas_undetermined
 :::
 
@@ -278,8 +278,8 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :confirmed-by: end_curvature_at_zero
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_0\ne\mathbf R_1$.
-:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
-  | $\omega_i>0$; in general the right side needs $|\omega_0\omega_2|$.
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  the weights are positive; in general the right side needs $|\omega_0\omega_2|$.
 :reading: missing_points_have_the_factor_zero | Read for $n=1$, where $\omega_2$ and $\mathbf a_2$ do not exist: whatever stands for them, the factor $n-1$
   makes it $0$, the curvature of a segment.
 :figure: end_curvature
@@ -297,8 +297,8 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :confirmed-by: end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
-:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$
-  | $\omega_i>0$, as at $t=0$.
+:needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  the weights are positive; as at $t=0$.
 :figure: end_curvature
 :::
 
@@ -364,6 +364,7 @@ addition that the factor in front is positive, and this is the place where posit
 :title: The curvature at t = 0 is the printed one
 :zh: t=0 处曲率公式成立
 :given: points of the plane and of space with $a_1\ne0$ and otherwise free, positive weights
+:where: $\mathbf a_1\ne\mathbf 0$
 :then: $\kappa(0)^2=\left(\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{|a_1\times a_2|^2}{|a_1|^6}$ and the factor that is squared is
   positive
 :method: The squares are one element of the field of rational functions of the weights and the coordinates; both $\kappa(0)$ and the printed side are not
@@ -390,6 +391,7 @@ CLAIM(end_curvature_at_zero)
 :title: The curvature at t = 1 is the printed one
 :zh: t=1 处曲率公式成立
 :given: points of the plane and of space with $a_n\ne0$ and otherwise free, positive weights
+:where: $\mathbf a_n\ne\mathbf 0$
 :then: $\kappa(1)^2=\left(\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\right)^2\frac{|a_{n-1}\times a_n|^2}{|a_n|^6}$ and the factor that is
   squared is positive
 :method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
@@ -416,6 +418,7 @@ CLAIM(end_curvature_at_one)
 :title: The torsion at t = 0 is the printed one
 :zh: t=0 处挠率公式成立
 :given: points of space with $a_1\times a_2\ne0$ and otherwise free, weights of which $\omega_0,\omega_1,\omega_2$ are not $0$
+:where: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$; $\omega_0\omega_1\omega_2\ne0$
 :then: $\tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{|a_1\times a_2|^2}$
 :method: Both sides are one element of the field of rational functions of the weights and the coordinates.
 :degrees: 3..6 sampled 10
@@ -441,6 +444,7 @@ CLAIM(end_torsion_at_zero)
 :title: The torsion at t = 1 is the printed one
 :zh: t=1 处挠率公式成立
 :given: points of space with $a_{n-1}\times a_n\ne0$ and otherwise free, weights of which $\omega_{n-2},\omega_{n-1},\omega_n$ are not $0$
+:where: $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$; $\omega_{n-2}\omega_{n-1}\omega_n\ne0$
 :then: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(a_{n-2},a_{n-1},a_n)}{|a_{n-1}\times a_n|^2}$
 :method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
 :degrees: 3..6 sampled 10

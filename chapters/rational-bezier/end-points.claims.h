@@ -23,13 +23,12 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :confirmed-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points
   end_derivatives_at_one_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
-:needs: zero_weight_turns_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_k\ne0$ and $\omega_{n-h}\ne0$ (simple ends: $\omega_1$, $\omega_{n-1}$), for the tangent to be that of the
-  edge.
+  $\omega_0\ne0$ and $\omega_n\ne0$: for the curve to pass through the end points.
+:needs: zero_weight_turns_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_k\ne0$
+  and $\omega_{n-h}\ne0$: at simple ends $\omega_1$ and $\omega_{n-1}$; for the tangent to be that of the edge.
 :needs: negative_weight_reverses_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$, for the curve to leave towards $R_k$ and to arrive from
-  $R_{n-h}$: otherwise the edge is on the tangent, but behind the end point.
+  $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$: for the curve to leave towards $R_k$ and to arrive from $R_{n-h}$:
+  otherwise the edge is on the tangent, but behind the end point.
 :figure: end_tangents
 
 The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that
@@ -298,6 +297,7 @@ coefficient; for $k=1$ the two are the same, and a slip would not be seen.
 :title: End derivatives when the first k points coincide
 :zh: 首 k 点重合时的端点导矢
 :given: weights $\omega_0,\dots,\omega_n$, $\omega_0\ne0$, and points with $R_0=\dots=R_{k-1}$, for all $k$ from $1$ to $n$
+:where: $\omega_0\ne0$
 :then: $R(0)=R_0$, $R^{(l)}(0)=0$ for $0<l<k$, and $R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(R_k-R_0)$
 :method: In the field of rational functions of the weights and the points both sides are one element.  A coordinate is any
   coordinate, so one suffices.
@@ -342,6 +342,7 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
 :title: End derivatives when the last h points coincide
 :zh: 末 h 点重合时的端点导矢
 :given: weights $\omega_0,\dots,\omega_n$, $\omega_n\ne0$, and points with $R_n=\dots=R_{n-h+1}$, for all $h$ from $1$ to $n$
+:where: $\omega_n\ne0$
 :then: $R(1)=R_n$, $R^{(m)}(1)=0$ for $0<m<h$, and
   $R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(R_n-R_{n-h})$
 :method: In the field of rational functions of the weights and the points both sides are one element.

@@ -88,6 +88,7 @@ CLAIM(expansion_about_the_contact)
 :zh: 曲率比为 n(n-r-1)/((n-r)(n-1))
 :given: the homogeneous curve $\sum\binom nkh^kp_k$ and the member $\sum\binom mkh^kp_k$ about the contact, to second order, with weights $w_0\ne0$, $w_1$, $w_2$ and one coordinate of
   $p_0,p_1,p_2$; any $n$ and $m=n-r$; two vectors $X,Y$ of space
+:where: $\omega(c)\ne0$
 :then: $R_m'=\frac mnR'$ and $R_m''=\frac{m(m-1)}{n(n-1)}R''+\mu R'$ with one $\mu$ for all coordinates; and
   $\kappa^2$ of $(aX,bY+\mu X)$ is $(b/a^2)^2$ times that of $(X,Y)$, which for these $a,b$ gives the ratio
 :method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the

@@ -30,7 +30,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :reading: members_are_flatter_powers | "an envelope", a curve that in each of its points is touched by a member,
   wherever $\mathbf R'\ne0$
 :reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the
-  equality sign says; already the cubic $(\tau,\tau^3)$ has another one
+  equality sign says, from $n=3$ on; already the cubic $(\tau,\tau^3)$ has another one
 :reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections, from
   $n=4$ on
 :corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and

@@ -157,6 +157,7 @@ CLAIM(triangle_of_powers_consists_of_powers)
 :title: The members of the family and the curve at the contact, in every degree and for every level
 :zh: 曲线族成员在切触处的导数(任意次数、任意层)
 :given: $b_i=Z^i$, $m,r\ge1$, $n=m+r$, the member $D(c)^rD(t)^m$, any $Z$, $c$, $t$, $h$; numbers $N$, $N'$, $W\ne0$, $W'$
+:where: $\omega(c)\ne0$
 :let: $\delta=Z-1$, which is $D'(t)$; $U=D(c)^{r-1}D(t)^{m-1}$
 :then: (1) $D(c+h)=D(c)+h\delta$; (2) the derivatives of the member by $t$ and by $c$ are $m\delta\,D(c)U$ and
   $r\delta\,D(t)U$; (3) if numerator and denominator of a quotient have $\frac mnN'$ and $\frac mnW'$ for derivatives, the
@@ -206,6 +207,7 @@ number of steps.
 :title: Means of any number of points: affine maps, a common factor, the sum of the shares
 :zh: 任意多个点的加权平均: 仿射变换与公因子
 :given: a point $M$ of weight $W$, a point $R$ of space of weight $c$, $W+c\ne0$; $f(x,y,z)=a_0x+a_1y+a_2z+d$; a factor $k\ne0$
+:where: $\omega(t)\ne0$
 :let: $M'=\frac{WM+cR}{W+c}$
 :then: $f(M')=\frac{Wf(M)+cf(R)}{W+c}$; the weights $kW$ and $kc$ give the same $M'$; $\frac W{W+c}+\frac c{W+c}=1$
 :method: Each is the step of an induction on the number of terms, and trivial for one term.  So for every $n$ and all weights with
@@ -369,6 +371,7 @@ CLAIM(end_direction_has_a_positive_factor)
   a coefficient of the product is $(1-u)p+uq$ with the coefficients $p$, $q$ of two neighbouring powers.
 :degrees: all
 :scope: every interval of [0,1]
+:harmless: $0<u,v<1$ | these are the intervals inside $[0,1]$; at its ends by continuity
 :over: r s Z p q: -
 :control: $v+u$ for $v-u$
 :::
@@ -391,6 +394,8 @@ CLAIM(differences_over_a_part_are_means)
 :title: Of two positive numbers the larger one has the larger n-th power
 :zh: 正数的 n 次幂保持大小
 :given: $p>0$, $q=p+d$, $d>0$, and two powers $U=p^n>0$, $q^n=U+V$, $V>0$
+:harmless: $p>0$, $q=p+d$, $d>0$, and two powers $U=p^n>0$, $q^n=U+V$, $V>0$ | of two positive numbers that differ one is the
+  smaller; the weights of the statements are positive
 :then: $q(U+V)-pU>0$
 :method: The step of an induction on $n$; for $n=1$ it is $d>0$.  So positive numbers with equal $n$-th powers are equal, for every $n$: of $q^n=(a/b)^n$ with $q,a,b>0$
   the consequence is $q=a/b$.
@@ -466,6 +471,7 @@ $x_l=\frac{t_l}{1-t_l}$, and these grow in the right order because the means of 
 :title: The mean of the first m powers falls with m for r < 1 and grows for r > 1
 :zh: 前 m 个幂的平均随 m 单调
 :given: $r>0$, $S_m=1+r+\dots+r^{m-1}$, $U=r^m$; two numbers $0<p<q$, $1\le a<b$
+:harmless: two numbers $0<p<q$, $1\le a<b$ | the factors of the method, of two parameters in order
 :let: $D_m=S_m-mr^m$
 :then: $D_1=1-r$, $D_{m+1}-D_m=(m+1)U(1-r)$, and $mS_{m+1}-(m+1)S_m=-D_m$; with $r=\frac pq$ it is
   $b\,q^{b-a}(q^a-p^a)-a(q^b-p^b)=q^b(1-r)(bS_a-aS_b)>0$, with $r=\frac qp$ it is $a(q^b-p^b)-b\,p^{b-a}(q^a-p^a)=p^b(r-1)(aS_b-bS_a)>0$
@@ -521,6 +527,8 @@ CLAIM(means_of_powers_go_one_way)
   degree are computed from the Bernstein functions and compared with this product.
 :degrees: all
 :scope: 0 < t_1 < t_2 < t_3 < 1
+:harmless: numbers $u_1<u_2<u_3$ and $v_l$ with $v_2-v_1=c(u_2-u_1)-f$, $v_3-v_2=c(u_3-u_2)+e$, $c,e,f>0$ | powers of parameters
+  in order are such numbers, by the claim before it
 :over: u v p q c e f s: -
 :control: the two differences of $v$ exchanged
 :::
@@ -582,6 +590,7 @@ A cut of corners makes new points of neighbouring old ones.  Its matrix has two 
   old ones.  So, step after step, if no determinant of three of the points of a polygon is negative, then none of the two halves joined is, for every $n$.
 :degrees: all
 :scope: 0 ≤ λ ≤ 1
+:harmless: $p_l\ge0$ and $q_l\ge0$ | they are $1-\lambda$ and $\lambda$ times positive weights, $0\le\lambda\le1$
 :over: p# q#: -
 :control: one entry negative, as for $\lambda>1$
 :::
@@ -621,6 +630,8 @@ Descartes' rule comes from multiplying by $s-\rho$, one positive root $\rho$ aft
 :title: Multiplied by s − ρ a polynomial has one change of sign more, at least
 :zh: 乘以正根因子至少增加一次变号
 :given: $q(s)=\sum q_ms^m$, not 0, of any degree, $\rho>0$, $p(s)=(s-\rho)q(s)$, so $p_m=q_{m-1}-\rho q_m$; positive numbers $a$, $b$
+:harmless: positive numbers $a$, $b$ | absolute values of coefficients that are not 0
+:harmless: not 0, of any degree | the polynomial with no roots to count is left out by the rule itself
 :then: $a+\rho b>0$ and $\rho a>0$; so $V[p]\ge V[q]+1$, and by induction a polynomial has no more positive roots, counted with multiplicity, than
   changes of sign
 :method: Read from the highest power downwards.  $p$ begins with the first coefficient of $q$.  Where $q$ changes its sign from $\sigma$ to $-\sigma$, let $q_i=-\sigma a$ be the

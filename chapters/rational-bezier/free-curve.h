@@ -18,6 +18,14 @@ static inline void G(free_curve)(trial *T, int n, int dim, num R[], num w[])
     }
 }
 
+/* The same with weights of either sign, which the kernels take. */
+static inline void G(curve_of_any_weights)(trial *T, int n, int dim, num R[], num w[])
+{
+    G(free_curve)(T, n, dim, R, w);
+    for (int i = 0; i <= n; i++)
+        w[i] = unknown(T, "w", i);
+}
+
 /* a_i = R_i - R_{i-1}, i >= 1, dim coordinates. */
 static inline void G(edge)(int dim, const num R[], int i, num a[])
 {

@@ -75,6 +75,7 @@ makes a conic of it.  For cubics the other direction is within reach as well.
 :title: The lines through a point of multiplicity n-1 parametrize a curve of degree n, for every n
 :zh: 过 n-1 重点的直线束给出 n 次曲线的有理参数化(任意次数)
 :given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$; $a=f_{n-1}(1,t)$, $b=f_n(1,t)\ne0$; a term $cx^{m-k}y^k$ of a form of degree $m$, with $V=x^k$ and $x^{m-k}=U/V$
+:where: $f_n(1,t)\ne0$
 :then: at $y=tx$ the term is $Uct^k$ with $U=x^m$; so $F(x,tx)=x^{n-1}(a+xb)$, which is 0 for $x=-\frac ab$
 :method: Identities in $x$, $t^k$, $V$, $U$, $c$, $a$ and $b$, in every degree.  Where $F$ is irreducible neither form is 0 and all its points but those at the origin
   and on the line $x=0$ have such a $t=y/x$.  With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a double point.

@@ -142,6 +142,7 @@ A row of the matrix is best read as a polynomial in a letter $z$ that marks the 
 :zh: 列变换后各行仅首元素含 x(任意次数)
 :given: $n\ge1$, $\omega_0\ne0$; row $k$ of the $a$ as the polynomial $z^{k-1}f(z)$, where $z^{j-1}$ marks column $j$ and $f(z)=\sum a_iz^i=X(z)-x\,\omega_0\Omega(z)$ with
   $X(z)=\sum\binom ni\omega_ix_iz^i$, $\Omega(z)=1+\Omega_1z+\dots+\Omega_nz^n$; step $r$ takes a row $g(z)$ to $g(z)-g_rz^{r-1}(\Omega(z)-1)$, $g_r$ being its entry in column $r$
+:where: $\omega_0\ne0$
 :then: (1) step $r=k$ takes $f$ to $a_0+X(z)-x_0\omega_0\Omega(z)$, in which $x$ is only in $a_0$; (2) where the entry $g_r$ and the others do not contain $x$, neither do the new
   ones; (3) in row $k$, with $\rho=r-k+1$, column $r+i$ has the entry with the index $j=r+i-k$, and $j-\rho+1=i$, so that step $r$ is
   $f_j^{[\rho]}=f_j^{[\rho-1]}-\Omega_{j-\rho+1}f_{\rho-1}^{[\rho-1]}$
@@ -212,6 +213,7 @@ static void G(operate)(int n, const num O[], const num a[], const num b[], int s
 :title: The column operations, done one by one, give the recursion with Ω_{i-r+1} and do not change F
 :zh: 逐列变换与更正后的递推一致
 :given: weights with $\omega_0\ne0$ and points, $n\ge1$, any $x,y$
+:where: $\omega_0\ne0$
 :then: after the operations row $k$ of the $a$ is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$, from column $k$ on,
   with the corrected recursion, and so for the $b$
 :method: The operations are carried out on the matrix of (3.4.1), the recursion on the entries; all entries are
@@ -320,8 +322,8 @@ CLAIM(printed_recursion_is_not_the_operations)
   $i+2$ subtract $\Omega_i$ times column 2, $i=1,2,\dots,n$; at last from column $i+n$ subtract $\Omega_i$ times column $n$, $i=1,2,\dots,n$.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: column_operations_give_the_corrected_recursion
-:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0\ne0$, for $\Omega_i$ divides by it; with $\omega_0=0$ the determinant is 0 anyway
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
+  $\Omega_i$ divides by it; with $\omega_0=0$ the determinant is 0 anyway
 
 The columns $i+r\le2n$ exist, and the determinant does not change.  The text at hand has the sentence twice, the second time with gaps.
 :::
@@ -369,6 +371,7 @@ The variables stand in $n$ columns, in degree one: a product of one entry from e
 :title: The entries of level r ≥ 1 do not depend on x
 :zh: r≥1 层的元素与 x 无关
 :given: weights with $\omega_0\ne0$, one coordinate of the points, $n\ge1$, two values $x$ and $x'$
+:where: $\omega_0\ne0$
 :then: $f_i^{[r]}$, $1\le r\le n$, $r\le i<2n$, is the same for both, with the corrected and with the printed recursion
 :method: The recursion is run for both values.  $f_i^{[1]}=\binom ni\omega_i(x_i-x_0)$, and later levels are
   combinations of such numbers.
@@ -400,6 +403,7 @@ CLAIM(changed_entries_are_constants)
 :title: After the operations x and y stand only in entry (k,k) and entry (n+k,k), k = 1, ..., n
 :zh: 变换后变量只在前 n 列
 :given: weights with $\omega_0\ne0$ and points, $n\ge1$, two points $(x,y)$ and $(x',y')$
+:where: $\omega_0\ne0$
 :then: the two matrices after the operations differ only in the entries $(k,k)$ and $(n+k,k)$, which are $a_0$ and $b_0$
 :method: The operations are carried out on both matrices; all other entries are compared.
 :degrees: 1..6 sampled 8

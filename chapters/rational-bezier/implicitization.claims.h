@@ -63,7 +63,7 @@ CLAIM(implicit_value_is_the_printed_determinant)
     int n = T->degree;
     num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER];
     num x = parameter(T, "x"), y = parameter(T, "y");
-    G(free_curve)(T, n, 2, R, w);
+    G(curve_of_any_weights)(T, n, 2, R, w);
     G(implicit_coefficients)(n, R, w, 0, x, a);
     for (int k = 0; k < 4 * n * n; k++)
         M[k] = from_int(0);
@@ -93,8 +93,7 @@ the half line and its end: what goes wrong further on goes wrong there.
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse
-:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | the interval is not a point,
-  $a<b$
+:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | $a<b$: the interval is not a point
 
 $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$.
 :::
@@ -106,13 +105,13 @@ $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the val
 :then: $t-a=\frac{b-a}{u+1}\ge0$, $b-t=\frac{u(b-a)}{u+1}\ge0$, $\frac{b-t}{t-a}=u$; and for $a<t\le b$, $t=b-ls$,
   the number $u=\frac{b-t}{t-a}\ge0$ is mapped back to $t$
 :method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $(0,1)$.
-:over: a; l: b - a; u; s: -
+:over: a; l0: b - a; u0: u; s: -
 :control: $t=(bu+a)/(u+1)$
 :::
 */
 CLAIM(parameter_change_and_its_inverse)
 {
-    num a = parameter(T, "a"), l = parameter(T, "l"), u = parameter(T, "u"), s = inside(T, "s");
+    num a = parameter(T, "a"), l = positive(T, "l", 0), u = positive(T, "u", 0), s = inside(T, "s");
     num b = add(a, l), one = from_int(1), u1 = add(u, one);
     num t = fault(T, div(add(mul(a, u), b), u1), div(add(mul(b, u), a), u1));
     about(T, "t - a and b - t");
@@ -166,7 +165,7 @@ CLAIM(parameter_change_needs_two_ends)
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: curve_in_the_new_parameter
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
-  are positive, so that the denominator does not vanish for $u\ge0$
+  are positive: so that the denominator does not vanish for $u\ge0$
 
 At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
 :::
@@ -224,7 +223,7 @@ CLAIM(curve_in_the_new_parameter)
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
 :confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
-  are positive, so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
+  are positive: so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
 
 Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ and $W(u)>0$.
 :::
@@ -237,7 +236,7 @@ Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ a
 :method: An identity in $x$ and $u$, with $X$ by de Casteljau's algorithm.  $W(u)-\omega_n$ has no negative coefficient.
   So for $u\ge0$ the sum vanishes if and only if $x=X(u)$; for $y$ the same.
 :degrees: 1..6 sampled 12
-:over: x#: points; x; u
+:over: x#: points; x; u0: u
 :control: the binomial coefficients left out of the $a_i$
 :::
 */
@@ -245,7 +244,7 @@ CLAIM(equations_of_a_point)
 {
     int n = T->degree;
     num R[2 * MAX_ORDER + 2], P[MAX_ORDER + 1], w[MAX_ORDER + 1], a[MAX_ORDER + 1], point;
-    num x = parameter(T, "x"), u = parameter(T, "u");
+    num x = parameter(T, "x"), u = positive(T, "u", 0);
     for (int i = 0; i <= n; i++) {
         w[i] = positive(T, "w", i);
         P[i] = R[2 * i] = unknown(T, "x", i);
@@ -331,6 +330,7 @@ point of the arc.
 :title: The determinant vanishes at every point of the curve, whatever the weights
 :zh: 曲线上各点处 F=0
 :given: weights and points, $n\ge1$, any $u$ with $W(u)\ne0$; and the point $R_0$
+:where: $W(u)\ne0$
 :then: at $(x,y)=(A(u)/W(u),B(u)/W(u))$ the matrix of (3.4.1) maps $(u^{2n-1},\dots,u,1)$ to 0; at $R_0$ its first
   column is 0; so $F=0$
 :method: A square matrix that maps a vector with an entry 1 to 0 has determinant 0.  The product is formed in the

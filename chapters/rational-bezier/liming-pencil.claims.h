@@ -20,9 +20,9 @@ all triangles.
   conics through $R_0$ and $R_2$ that touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
-:hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$, so that $l_3$ joins two points;
-  $l_1$ and $l_2$ may be parallel.
-:hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted, as in (3.1.2).
+:hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$; so that $l_3$ joins two points; $l_1$ and
+  $l_2$ may be parallel.
+:hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; as in (3.1.2).
 :figure: limings_pencil
 :::
 

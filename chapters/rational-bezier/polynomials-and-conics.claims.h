@@ -243,6 +243,7 @@ which touch two sides of a triangle, and the next sections find out how the weig
 :title: Equal weights give the polynomial curve
 :zh: 权相等时即多项式曲线
 :given: points $R_0,\dots,R_n$ and one weight $\omega\ne0$ for all of them
+:where: $\omega\ne0$
 :then: the rational curve is the Bézier curve $\sum B_i^n(t)R_i$
 :method: The rational curve by its kernel, the polynomial one as the sum over $C(n,i)t^i(1-t)^{n-i}R_i$, compared in
   the field; a coordinate is any coordinate.
@@ -273,6 +274,7 @@ CLAIM(rational_form_contains_the_polynomial_one)
 :zh: 切于三角形两边的二次曲线都是有理二次曲线
 :given: a triangle $R_0R_1R_2$ with the coordinates $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, and a conic
   $\mu\,xy+\nu(x+y-1)^2=0$, $\mu\nu\ne0$
+:where: the conic is no pair of lines
 :then: the rational quadratic with the points $R_i$ and the weights $1,1,-4\nu/\mu$ lies on it
 :method: In the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, at a variable $t$, with $\mu$ and $\nu$ variables.  By
   `conics_touching_two_lines_are_limings` these are all conics that touch $R_1R_0$ in $R_0$ and $R_1R_2$ in

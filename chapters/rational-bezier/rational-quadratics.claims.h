@@ -16,8 +16,8 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :printed: x=\frac{g_1}{g_1+2+g_2},\quad y=\frac{g_2}{g_1+2+g_2}
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no
-  side.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
+  R_0,R_2$, and the tangent is parallel to no side.
 :::
 
 :::{statement} wang-ch3:3.1-R-from-g
@@ -26,8 +26,8 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :printed: \mathbf R=\frac{g_1\mathbf R_0+2\mathbf R_1+g_2\mathbf R_2}{g_1+2+g_2}
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no
-  side.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
+  R_0,R_2$, and the tangent is parallel to no side.
 :::
 
 :::{claim} signed_ratios_give_the_point
@@ -35,6 +35,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :zh: 带符号的比确定点
 :given: a triangle, and a point with $x+y\ne1$, whose ratios are $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$ by
   `ratios_on_the_curve`
+:where: $x+y\ne1$
 :then: $g_1+2+g_2=\frac{-2}{x+y-1}\ne0$, $x=\frac{g_1}{g_1+2+g_2}$, $y=\frac{g_2}{g_1+2+g_2}$ and
   $R_1+x(R_0-R_1)+y(R_2-R_1)=\frac{g_1R_0+2R_1+g_2R_2}{g_1+2+g_2}$
 :method: Identities in $x$, $y$ and one coordinate of the triangle; the other coordinate is the same.
@@ -100,9 +101,8 @@ written as quotients of three weights (权因子), of which only the one ratio $
 :printed: Since $g_1g_2$ is constant, one may put $g_1=\frac{\omega_0(1-t)}{\omega_1t}$,
   $g_2=\frac{\omega_2t}{\omega_1(1-t)}$ with constants $\omega_0,\omega_1,\omega_2$.
 :holds-by: each_pair_of_ratios_has_one_parameter
-:needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as
-  quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
-  lengths.
+:needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
+  $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
 :needs: ratios_do_not_exist_at_the_ends | the sentence itself, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$;
   the ends $R_0$ and $R_2$ come back in (3.1.5), where $0\le t\le1$.
 :::
@@ -212,10 +212,10 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 :holds-by: rational_quadratic_of_the_arc each_pair_of_ratios_has_one_parameter
 :meant: the second half of the sentence: the representation carries a constant | The three points and the constant
   determine the arc.
-:needs: complementary_arc_leaves_the_triangle | § 3.1, which introduces $g_1$, $g_2$ as
-  quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
-  lengths.
-:needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ form a triangle.
+:needs: complementary_arc_leaves_the_triangle | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
+  $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
+:needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
+  on a line.
 :reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant.
 :reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc; but every constant has
   its own.
@@ -346,10 +346,10 @@ CLAIM(points_alone_do_not_determine_the_arc)
 :printed: The $\omega_i$ can be changed to change the form of (3.1.5), but the value of
   $g_1g_2=\frac{\omega_0\omega_2}{\omega_1^2}>0$ cannot be changed.
 :holds-by: weights_with_one_constant_give_one_curve constant_is_read_off_the_curve
-:needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$
-  form a triangle.
-:needs: sign_of_the_middle_weight_changes_the_arc | § 3.1, which introduces
-  $g_1$, $g_2$ as quotients of lengths; the new weights have to give such, too | The new weights, too, are of one sign.
+:needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
+  on a line.
+:needs: sign_of_the_middle_weight_changes_the_arc | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths; the new
+  weights have to give such, too | the new weights, too, are of one sign.
 :figure: middle_weight_sign
 :::
 

@@ -25,8 +25,8 @@ proof line by line, and the definition of the $I_i$.
 :definition: yes
 :checked-by: fractional_change_runs_once
 :confirmed-by: projective_change_of_unit_interval_is_fractional
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $a$ and $b$ of one sign, which positive weights give; with $a/b<0$ the denominator vanishes inside $[0,1]$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
+  and $b$ have one sign: positive weights give it; with $a/b<0$ the denominator vanishes inside $[0,1]$
 :figure: reparametrization
 
 Every projective map of the parameter line that fixes $0$ and $1$ has this form, so nothing is lost by it.
@@ -135,8 +135,8 @@ CLAIM(fractional_change_keeps_curve)
 {
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], before, after;
-    num a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
-    G(free_curve)(T, n, 1, R, w);
+    num a = unknown(T, "a", 0), b = unknown(T, "b", 0), u = parameter(T, "u");
+    G(curve_of_any_weights)(T, n, 1, R, w);
     num D = add(mul(a, u), mul(b, sub(from_int(1), u))), t = G(old_parameter)(a, b, u);
     G(rational_reparametrize)(n, w, fault(T, a, b), fault(T, b, a), v);
     about(T, "the denominators: ω'(u) = D^n ω(t)");
@@ -214,6 +214,7 @@ neighbours does not see such a factor, and this is how the quotients $I_i$ are f
 :title: The computed quotients are those of the formula
 :zh: 不变量的定义
 :given: weights $\omega_0,\dots,\omega_n$, none of them $0$
+:where: no weight is 0
 :then: $I_i\,\omega_{i-1}\omega_{i+1}=\omega_i^2$, $i=1,\dots,n-1$
 :method: The quotients are computed by the program, the products here.
 :degrees: 2..8 sampled 24
@@ -226,7 +227,7 @@ CLAIM(invariants_by_definition)
     int n = T->degree;
     num w[MAX_DEGREE + 1], I[MAX_DEGREE];
     for (int i = 0; i <= n; i++)
-        w[i] = positive(T, "w", i);
+        w[i] = unknown(T, "w", i);
     G(rational_invariants)(n, w, I);
     for (int i = 1; i < n; i++)
         same(T, mul(I[i - 1], mul(w[i - 1], fault(T, w[i + 1], w[i - 1]))), mul(w[i], w[i]));
@@ -240,8 +241,8 @@ CLAIM(invariants_by_definition)
 :definition: yes
 :checked-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
-:needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights, for even $n$: otherwise the roots need not be real
+:needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: for even $n$: otherwise the roots need not be real
 
 The two numbers are to give $a^ib^{n-i}\omega_i=\omega_i^*$ under (3.2.12).  For $i=0$ and $i=n$ this is the definition; for the others it follows because the ratios
 $\omega_i^{*}/\omega_i$ are geometric and positive numbers have one positive $n$-th root.
@@ -302,10 +303,10 @@ CLAIM(negated_weights_have_no_real_factors)
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve end_weights_give_the_factors
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights: with a negative one the other arc of the conic has the same $I_1$
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  positive weights: for $n=1$ there is no condition at all, and the curve may even become unbounded
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: with a negative one the other arc of the conic has the same $I_1$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+  weights are positive: for $n=1$ there is no condition at all, and the curve may even become unbounded
 :figure: equal_invariants_other_arc
 :::
 
@@ -317,8 +318,8 @@ CLAIM(negated_weights_have_no_real_factors)
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights: with a negative one the result may be the curve of other weights, the other arc of the conic
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: with a negative one the result may be the curve of other weights, the other arc of the conic
 :::
 
 There are $n+1$ weights and $n-1$ quotients; the two missing numbers are $a$ and $b$.  So weights with given quotients
@@ -331,6 +332,7 @@ one.
 :given: positive weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, and weights $\omega^*$ with $I_i^*=I_i$
   for $0<i<n$: $\omega_0^*,\omega_1^*$ are free and the others follow from
   $\omega_{i+1}^*=\omega_i^{*2}/(\omega_{i-1}^*I_i)$
+:where: the weights are positive
 :let: $q=\frac{\omega_0\omega_1^*}{\omega_1\omega_0^*}$ and $t=qu/(qu+1-u)$
 :then: $R^*(u)=R(t)$ for every $u$
 :method: The recursion produces every $\omega^*$ with these quotients.  Formula (3.2.10) depends on $a/b$ alone, and
@@ -456,6 +458,7 @@ True for all weights but $0$, of any sign.
 :zh: 三个相邻比成等比当且仅当不变量相等
 :given: three neighbouring weights $\omega_{i-1},\omega_i,\omega_{i+1}$ and ratios $r_{i-1},r_i,r_{i+1}$, none of
   them $0$, with $\omega_k^*=r_k\omega_k$
+:where: no weight is 0
 :then: $I_i^*r_{i-1}r_{i+1}=I_ir_i^2$; so $I_i^*=I_i$ exactly when $r_{i+1}/r_i=r_i/r_{i-1}$
 :method: The equality is one of rational functions.  For all $i$ together it says that the ratios have one common
   quotient $q$, so that $r_i=r_0q^i$.
@@ -486,8 +489,8 @@ CLAIM(equal_invariants_mean_geometric_ratios)
 :printed: For $i=n$, (3.2.11) gives $q=a/b$
 :holds-by: larger_numbers_have_larger_powers
 :confirmed-by: equal_powers_of_positive_numbers
-:needs: quotient_is_lost_up_to_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights;
-  otherwise for even $n$ only $q=\pm a/b$
+:needs: quotient_is_lost_up_to_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive; otherwise for even $n$ only $q=\pm a/b$
 :::
 
 From $q^n=(a/b)^n$ the source concludes $q=a/b$.  That is a statement on positive numbers, and for even $n$ on no others.
@@ -561,8 +564,8 @@ CLAIM(quotient_is_lost_up_to_sign)
 :printed: Hence $a^ib^{n-i}\omega_i=\omega_i^*$, which shows that (3.2.14) is (3.2.13).
 :holds-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is $1$ for $i=1$, the right side $-1$
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is $1$ for $i=1$, the right side $-1$
 :::
 
 :::{claim} end_weights_give_the_factors
@@ -570,6 +573,7 @@ CLAIM(quotient_is_lost_up_to_sign)
 :zh: 由首末权所得因子还原全部权
 :given: positive weights $\omega_0,\dots,\omega_n$ and $\omega_i^*=r\,q^i\omega_i$, $r=\beta^n$, $q=\alpha/\beta$,
   with $\alpha,\beta>0$
+:where: the weights are positive; $\alpha,\beta>0$
 :let: $a=\sqrt[n]{\omega_n^{*}/\omega_n}$, $b=\sqrt[n]{\omega_0^{*}/\omega_0}$
 :then: $a^ib^{n-i}\omega_i=\omega_i^*$, $i=0,\dots,n$
 :method: Every positive geometric sequence of ratios has this form, with $\beta=\sqrt[n]r$.  The roots are taken in
@@ -603,6 +607,7 @@ source uses it for $n=2$.
 :title: The standard form has end weights 1 and is the same curve
 :zh: 标准形:首末权为 1
 :given: positive weights $\omega_0,\dots,\omega_n$ with $\omega_n=\omega_0\rho^n$, and points $R_0,\dots,R_n$
+:where: the weights are positive
 :then: the standard weights are $\omega_i/(\omega_0\rho^i)$, the first and the last are $1$, and with them the curve
   at $u$ is $R(t)$, $t=u/(u+\rho(1-u))$
 :method: All sides are rational functions of $\rho$, the weights, the points and $u$;
@@ -652,6 +657,7 @@ Of the definition this much is sure: the numbers belong to points and weights up
 :title: The change of parameter does not change the quotients
 :zh: 参数变换不改变不变量
 :given: weights $\omega_0,\dots,\omega_n$, $a$ and $b$, none of them $0$
+:where: no weight is 0
 :then: $(a^ib^{n-i}\omega_i)_i$ has the same quotients $I_1,\dots,I_{n-1}$ as $(\omega_i)_i$
 :method: Both are computed as rational functions of the weights, $a$ and $b$.
 :degrees: 2..8 sampled 16
@@ -686,9 +692,9 @@ CLAIM(invariants_survive_fractional_change)
 :confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve reversal_exchanges_invariants
 :hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
   otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
-:hypothesis: segment_has_two_invariants | the parametrization is proper, a general point of the algebraic curve
-  coming from one parameter, complex ones included: otherwise two curves with one point set, the same points and no
-  common factor differ in $I_i$
+:hypothesis: segment_has_two_invariants | the parametrization is proper: a general point of the algebraic curve comes from one
+  parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
+  $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set, without the two hypotheses; the example is
   a regular arc of a parabola written as a cubic
@@ -819,9 +825,8 @@ CLAIM(reversal_exchanges_invariants)
 :zh: n=2 时不变量的几何意义
 :printed: For $n=2$ the geometric meaning of $I_1$ has been discussed in section 3.1.
 :holds-by: first_invariant_is_the_tangent_ratio
-:needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as
-  quotients of lengths and says $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | The weights are of one sign: $g_1$ and $g_2$ are ratios of
-  lengths.
+:needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
+  $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
 :needs: ratios_do_not_exist_at_the_ends | § 3.1, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$
 
 What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $1/I_1$.
@@ -838,6 +843,7 @@ For $n=2$ the source refers to a ratio that is measured on the triangle.  Its pr
 :method: The tangent is the line through $R(t)$ in the direction of $R'(t)$; everything is a rational function of
   $t$ and the weights.  Ratios on lines and tangents are affine invariants, so every triangle is included.
 :scope: n = 2
+:where: the weights are positive; $0<t<1$
 :control: $I_1$ for $1/I_1$
 :::
 */
@@ -864,8 +870,8 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive
 :figure: reparametrization
 
 The distribution need not differ: for $\omega_i^*=c\,\omega_i$ it is the same, as $q=1$.

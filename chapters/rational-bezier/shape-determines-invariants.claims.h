@@ -34,12 +34,12 @@ set run in the same direction; the same map of the parameter; or congruent curve
   differently; the source excludes this reading
 :reading: congruent_cubics_with_other_invariants | congruent curves; then "only if" fails, as the motion may exchange the
   ends, and with them the weights (so for $n=4,5$ as well: `congruent_curves_beyond_cubics`)
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights, for "if"
-:needs: segment_has_two_invariants | the theorem | $n=2$: the three points not collinear
-:needs: palindromes_of_degree_four | the theorem | $n=4$: edges not coplanar at one end at least; without it the point
-  set, run backwards, has other invariants
-:needs: common_factor_hides_the_weights | the theorem | $n=5$: edges not coplanar; a plane quintic can be one and the
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: for "if"
+:needs: segment_has_two_invariants | the theorem | for $n=2$ the three points are not collinear
+:needs: palindromes_of_degree_four | the theorem | for $n=4$ the edges are not coplanar at one end at least; without it the
+  point set, run backwards, has other invariants
+:needs: common_factor_hides_the_weights | the theorem | for $n=5$ the edges are not coplanar; a plane quintic can be one and the
   same map for weights with different invariants
 :needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: for $n\ge6$ the point set, run backwards, can
   have other invariants
@@ -69,6 +69,7 @@ geometric factors beside them are not $0$, and both ends give four: just enough 
 :title: The curvature at an end contains exactly the first invariant
 :zh: 端点曲率只含一个不变量
 :given: positive weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$ of space, $a_1\ne0$, $a_n\ne0$
+:where: the weights are positive; $\mathbf a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$
 :then: $\kappa(0)^2I_1^2\|a_1\|^6=(\frac{n-1}n)^2\|a_1\times a_2\|^2$ and
   $\kappa(1)^2I_{n-1}^2\|a_n\|^6=(\frac{n-1}n)^2\|a_{n-1}\times a_n\|^2$
 :method: The curvatures are computed from the derivatives of the curve; both sides are rational functions of the
@@ -103,6 +104,7 @@ CLAIM(end_curvature_contains_one_invariant)
 :zh: 端点挠率含前两个不变量之积
 :given: positive weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$ of space, $a_1\times a_2\ne0$,
   $a_{n-1}\times a_n\ne0$
+:where: the weights are positive; $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ and $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$
 :then: $\tau(0)I_1I_2\|a_1\times a_2\|^2=\frac{n-2}n(a_1,a_2,a_3)$ and
   $\tau(1)I_{n-2}I_{n-1}\|a_{n-1}\times a_n\|^2=\frac{n-2}n(a_{n-2},a_{n-1},a_n)$
 :method: As for the curvature, from the derivatives of the curve.  When $(a_1,a_2,a_3)\ne0$, curvature and torsion
@@ -529,8 +531,8 @@ the other end to symmetry.
 :holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
   fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
-:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights
+:needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive
 :::
 
 :::{statement} wang-ch3:thm-3.2.1-proof-start
@@ -625,6 +627,7 @@ The two factors are those of $n=5$:
 :title: Curvature and torsion at the start of a quintic
 :zh: 五次曲线始端的曲率与挠率
 :given: $n=5$, weights $\omega_0,\dots,\omega_5$ and points $R_0,\dots,R_5$ of space, $a_1\times a_2\ne0$
+:where: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$
 :then: $\kappa(0)^2=\left(\frac45\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{\|a_1\times a_2\|^2}{\|a_1\|^6}$ and
   $\tau(0)=\frac35\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{\|a_1\times a_2\|^2}$
 :method: From the derivatives of the curve, with all weights and coordinates variables.  The difference of two curves over the same points is that of their weights' factors times
@@ -716,6 +719,7 @@ The product is $1/I_2$, which does as well.
 :title: The weights in the end curvature and torsion are 1/I_1 and 1/(I_1 I_2), in every degree
 :zh: 端点曲率与挠率中的权因子之比即不变量的倒数(任意次数)
 :given: weights $\omega_0,\dots,\omega_3$, none of them 0; or $\omega_n,\dots,\omega_{n-3}$ in their places
+:where: no weight is 0
 :then: $I_1\frac{\omega_0\omega_2}{\omega_1^2}=1$ and $I_1I_2\frac{\omega_0\omega_3}{\omega_1\omega_2}=1$; at the other end with $I_{n-1}$ and $I_{n-2}$
 :method: Identities of rational functions of the four weights; the degree of the curve does not matter.  For $n=2$ only the first one has a meaning.
 :degrees: all
@@ -743,6 +747,7 @@ CLAIM(end_factors_are_reciprocals_of_invariants)
 :then: $I_1\frac{\omega_0\omega_3}{\omega_1\omega_2}=\frac{\omega_1\omega_3}{\omega_2^2}=\frac1{I_2}$
 :method: An identity of rational functions of the four weights; the degree of the curve does not matter.
 :scope: every n from 3 on
+:where: no weight is 0
 :control: $I_2$ for $1/I_2$
 :::
 */

@@ -15,8 +15,8 @@ A designer sees $\omega$: it is the ratio in which the curve divides the median 
 :printed: By the proof of theorem 3.5.1 $\mathbf R_s=\mathbf R^*(u)_{u=1/2}=\frac1{1+\omega}\left(\frac{\mathbf R_0}2+\frac{\mathbf R_2}2\right)
   +\frac\omega{1+\omega}\mathbf R_1$.
 :holds-by: shoulder_point_of_the_curve
-:needs: shoulder_point_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are
-  positive, so $\omega\ne-1$.
+:needs: shoulder_point_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: so $\omega\ne-1$.
 :figure: shoulder_point
 
 On (3.1.5) itself this is the point of $t=\frac{\sqrt{\omega_0}}{\sqrt{\omega_0}+\sqrt{\omega_2}}$, which is $\frac12$ only
@@ -27,6 +27,7 @@ for $\omega_0=\omega_2$.
 :title: The point of parameter 1/2 of the standard form
 :zh: 标准形参数 1/2 处的点
 :given: points $R_0,R_1,R_2$ and positive weights $\omega_0=a^2$, $\omega_1$, $\omega_2=c^2$
+:where: the weights are positive
 :let: $\omega=\frac{\omega_1}{ac}$
 :then: the kernel's standard weight is $\omega$; its shoulder point is the point at $\frac12$ of the curve with the weights
   $1,\omega,1$, the point at $\frac a{a+c}$ of the curve itself, and
@@ -97,8 +98,8 @@ $\omega$ has to be said, and a print that does not say it can be read either way
 :printed: The point $R_s$ lies just on the median of the base of $\triangle R_1R_0R_2$, and this median is divided by the curve into two parts
   in the ratio $1:\omega$.
 :holds-by: curve_divides_the_median
-:needs: negative_weight_leaves_the_median | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
-  are positive, so $\omega>0$.
+:needs: negative_weight_leaves_the_median | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: so $\omega>0$.
 :meant: corollary 3.5.1, which names the parts | The parts are taken from the vertex.
 :reading: curve_divides_the_median | The parts are taken from the vertex, $\|R_1R_s\|:\|R_sM\|=1:\omega$, as in corollary
   3.5.1.
@@ -110,6 +111,7 @@ $\omega$ has to be said, and a print that does not say it can be read either way
 :title: The shoulder point on the median, and no other point of the curve
 :zh: 肩点分中线，且曲线与中线只交一次
 :given: a true triangle $R_0R_1R_2$, the weights $1,\omega,1$, $\omega>0$, and $u\in[0,1]$
+:where: $R_0$, $R_1$, $R_2$ do not lie on a line; the weights are positive
 :let: $M=\frac{R_0+R_2}2$ and $w(u)=(1-u)^2+2\omega u(1-u)+u^2$
 :then: $R_s-M=\frac\omega{1+\omega}(R_1-M)$ and $R_1-R_s=\frac1{1+\omega}(R_1-M)$, so $\|R_1R_s\|:\|R_sM\|=1:\omega$; and
   $w(u)\,(R_1-M)\times(R^*(u)-M)=(1-2u)\,(R_1-M)\times(R_0-M)$, so the curve meets the line $R_1M$ only for $u=\frac12$
@@ -218,10 +220,10 @@ vertex.
   $R_0R_2$ in the shoulder point $R_s$.  If $\frac{\|R_sM\|}{\|R_1R_s\|}=\omega$, the curve is an ellipse, a parabola or a
   hyperbola for $\omega<1$, $\omega=1$ or $\omega>1$.
 :holds-by: shoulder_ratio_is_the_root_of_the_invariant sign_of_the_discriminant kind_in_any_coordinates
-:needs: flat_triangle_has_a_shoulder_point | the corollary, which names the triangle and its median | $R_0R_1R_2$ is a
-  triangle.
-:needs: weight_zero_has_ratio_zero | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights are positive, so
-  $\omega_1\ne0$.
+:needs: flat_triangle_has_a_shoulder_point | the corollary, which names the triangle and its median | $R_0$, $R_1$, $R_2$ do not
+  lie on a line.
+:needs: weight_zero_has_ratio_zero | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive: so $\omega_1\ne0$.
 :figure: shoulder_point
 
 The ratio is $\frac{|\omega_1|}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all weights with $\omega_0\omega_2>0$, not only for
@@ -232,6 +234,7 @@ standard ones.
 :title: The square of the shoulder ratio is the invariant
 :zh: 肩点比的平方等于 I_1
 :given: a true triangle and positive weights $\omega_0=a^2$, $\omega_1$, $\omega_2=c^2$
+:where: $R_0$, $R_1$, $R_2$ do not lie on a line; the weights are positive
 :let: $R_s$ be the point of the curve on the median, $t=\frac a{a+c}$, and $M=\frac{R_0+R_2}2$
 :then: $\|R_sM\|^2=I_1\|R_1R_s\|^2$
 :method: The point is taken on the curve (3.1.5) itself; an identity in the six coordinates, $a$, $\omega_1$ and $c$.  Both

@@ -22,6 +22,7 @@ and gives them simple weights, by a change of the parameter.
 :title: A motion brings the chord onto the first axis, its middle to the origin
 :zh: 经运动可将弦置于 x 轴
 :given: points $R_0\ne R_2$ with the middle $M$ and $R_2-R_0=2(p,q)$, and two more points $P$ and $Q$
+:where: $R_0\ne R_2$
 :let: $l^2=p^2+q^2$, and let a point $P$ have the coordinates $X=\frac{(P-M)\cdot(p,q)}l$, $Y=\frac{(p,q)\times(P-M)}l$
 :then: $R_0$ and $R_2$ have the coordinates $(\mp l,0)$, and distances and the determinant of two differences are those
   of the plane
@@ -77,8 +78,8 @@ of $u$, and $u$ can stand under no root.
   the rational Bézier curve $R^*(u)$ with the same control points and the weights $\left(1,\omega,1\right)$,
   $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$.
 :corrected-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
-:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
-  are positive.
+:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive.
 :figure: standard_parameter
 
 The roots belong over the weights alone; in the text at hand they cover $u$ and $1-u$ too.  With the printed roots the
@@ -99,6 +100,7 @@ static num G(fraction_of)(num a, num c, num u)
 :title: The fractional linear change of parameter gives the weights 1, omega, 1
 :zh: 分式线性变换给出标准形
 :given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2>0$ and $u\in(0,1)$
+:where: the weights are positive
 :let: $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$,
   $t=\frac{\sqrt{\omega_0}\,u}{\sqrt{\omega_0}\,u+\sqrt{\omega_2}\,(1-u)}$
 :then: the curve with the weights $\omega_i$ has at $t$ the point that the curve with the weights $1,\omega,1$ has at $u$;
@@ -165,8 +167,8 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :printed: The curve then becomes the rational Bézier curve $R^*(u)$ with the same control points and the weights
   $(\omega_0^*,\omega_1^*,\omega_2^*)=\left(1,\ \omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}},\ 1\right)$.
 :holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
-:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
-  are positive.
+:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive.
 :::
 
 :::{claim} negative_weights_lose_their_sign
@@ -209,8 +211,8 @@ are to be changed first.
 :zh: 标准形的形状不变
 :printed: By theorem 3.2.1 the shape of this curve is the same as that of (3.1.5).
 :holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
-:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | The weights
-  are positive.
+:needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive.
 
 What is used of theorem 3.2.1 is that equal invariants suffice, property 3.2.10.  That direction asks nothing of the
 points, so it also serves where they lie on a line and the theorem says nothing.

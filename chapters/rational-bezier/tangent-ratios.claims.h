@@ -22,8 +22,7 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 :printed: The tangent of the curve at the point $R$ has the equation $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$.
 :holds-by: tangent_meets_the_conic_doubly
 :confirmed-by: slope_exists_inside_the_triangle
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as at every point of the curve inside the triangle when
-  $0<\lambda<1$.
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$; as at every point of the curve inside the triangle when $0<\lambda<1$.
 
 Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where the gradient is not zero.
 :::
@@ -141,10 +140,10 @@ $(1-\lambda)xy=\lambda(x+y-1)^2$, and this lets $\lambda$ in or out of a formula
 :printed: The tangent of the curve at $R$ cuts $l_1=0$ in
   $A=\left(\frac{-2\lambda(x+y-1)}{(1-\lambda)y-2\lambda(x+y-1)},0\right)$.
 :holds-by: tangent_cuts_the_sides
-:hypothesis: plus_sign_moves_the_cut | The minus sign in (3.1.4); with the plus sign both terms $-2\lambda(x+y-1)$
-  change sign.
-:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$, as at every point of the curve inside the
-  triangle when $0<\lambda<1$.
+:hypothesis: plus_sign_moves_the_cut | the sign in (3.1.4) is minus; with the plus sign both terms $-2\lambda(x+y-1)$ change
+  sign.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$; as
+  at every point of the curve inside the triangle when $0<\lambda<1$.
 :figure: tangent_ratios
 
 The point $B$ on the second side is not printed; it is
@@ -165,6 +164,7 @@ static num G(printed_cut)(num lambda, num x, num y, num z, int other)
 :title: Where the tangent cuts the two sides
 :zh: 切线截两边的点
 :given: a point $R=(x,y)$ with $xy\ne0$ and the conic $S$ of the family through it, with the minus sign
+:where: $xy\ne0$
 :let: $s=x+y-1$
 :then: the tangent at $R$ meets $Y=0$ where $X=\frac{-2\lambda s}{(1-\lambda)y-2\lambda s}$, and $X=0$ where
   $Y=\frac{-2\lambda s}{(1-\lambda)x-2\lambda s}$
@@ -280,9 +280,10 @@ CLAIM(end_has_but_one_ratio)
   every point $R$ of the curve.
 :holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point
 :hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
-:needs: tangent_parallel_to_the_first_side | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ | The tangent meets both sides.
-:needs: end_has_but_one_ratio | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in points $A$ and $B$ | $R\ne R_0,R_2$, where the tangent is one of
-  the two lines.
+:needs: tangent_parallel_to_the_first_side | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ | the tangent
+  meets both sides.
+:needs: end_has_but_one_ratio | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in points $A$ and $B$ | $R\ne
+  R_0,R_2$: there the tangent is one of the two lines.
 :figure: tangent_ratios
 :::
 
@@ -383,10 +384,11 @@ CLAIM(lengths_do_not_tell_points_apart)
 :printed: g_1=\frac{X_A}{1-X_A}=\frac{-2\lambda(x+y-1)}{(1-\lambda)y}
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
-:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else
-  the tangent does not cut the side in one point.
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0$, where the tangent is the side; $g_2$ is 0 there.
+:hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$; as
+  in the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0$: there the
+  tangent is the side; $g_2$ is 0 there.
 
 On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
 :::
@@ -397,9 +399,10 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :printed: In the same way $g_2=\frac{-2\lambda(x+y-1)}{(1-\lambda)x}$.
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
-:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the
-  tangent does not cut the side in one point, as it does not in $R_2$, where it is the side.
+:hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus.
+:needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$; as in
+  the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point, as it does not in $R_2$, where it is the
+  side.
 :::
 
 With $s=x+y-1$ the relation $(1-\lambda)xy=\lambda s^2$ turns the printed $g_1=\frac{-2\lambda s}{(1-\lambda)y}$ into
@@ -409,6 +412,7 @@ $\frac{-2x}s$: the ratio does not depend on the curve at all, only on the point.
 :title: The two ratios on every curve of the family
 :zh: 曲线族上的两个比
 :given: a point $R=(x,y)$ with $xy\ne0$, $s=x+y-1\ne0$, and the conic $S$ of the family through it, with either sign
+:where: $xy\ne0$ and $x+y\ne1$
 :let: $A=(X_A,0)$ and $B=(0,Y_B)$ be the cuts of the tangent, $g_1=\frac{X_A}{1-X_A}$, $g_2=\frac{Y_B}{1-Y_B}$
 :then: $g_1=\frac{-2x}s$, $g_2=\frac{-2y}s$; with the minus sign also $g_1=\frac{-2\lambda s}{(1-\lambda)y}$,
   $g_2=\frac{-2\lambda s}{(1-\lambda)x}$, and with the plus sign the negatives of these
@@ -535,9 +539,8 @@ ratios is $-4\lambda/(1-\lambda)$.
 :zh: g_1 g_2 与动点无关
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no
-  side.
-:hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
+  R_0,R_2$, and the tangent is parallel to no side.
 :figure: tangent_ratios
 :::
 
@@ -545,6 +548,7 @@ ratios is $-4\lambda/(1-\lambda)$.
 :title: On each curve of the family the product of the signed ratios is constant
 :zh: 曲线族上 g_1 g_2 为常数
 :given: a point $R=(x,y)$ with $xy\ne0$, $x+y\ne1$, and the conic of the family through it, with either sign $\sigma$
+:where: $xy\ne0$ and $x+y\ne1$
 :then: $g_1g_2=\frac{-4\sigma\lambda}{1-\lambda}$, and so is the product of the ratios of lengths up to its sign; and
   $\frac{4\lambda}{1-\lambda}>0$ for $0<\lambda<1$
 :method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.  For the sign

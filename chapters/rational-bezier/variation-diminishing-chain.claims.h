@@ -66,8 +66,8 @@ CLAIM(line_form_of_the_curve)
 :printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: sign_of_the_curve_is_that_of_the_numerator designed_curves_cross_no_more
-:needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights,
-  or only $\omega(t)\ne0$
+:needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive, or only $\omega(t)\ne0$
 :meant: the last clause of the property | Crossings, which are roots of odd multiplicity.
 :reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
   clause of the property
@@ -242,6 +242,8 @@ no root is lost and none counted twice.
 :title: s = t/(1-t) runs once through the positive numbers
 :zh: s=t/(1-t) 是 (0,1) 到正数的递增双射
 :given: $0<t<1$; a second parameter $t'>t$ of $(0,1)$; $s>0$
+:harmless: $0<t<1$;  | the open interval is what is mapped
+:harmless: $t'>t$ of $(0,1)$; $s>0$ | any two parameters in order; $s$ is any value of the map
 :then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
 :method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
 :degrees: all
@@ -367,7 +369,7 @@ CLAIM(roots_must_be_counted_up_to_one)
   V\left[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\right]
 :holds-by: factor_of_a_positive_root_adds_a_sign_change averages_between_neighbours_keep_sign_changes
 :confirmed-by: descartes_rule_by_sign_patterns
-:hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$, that is, the curve is not contained in $L$
+:hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$: the curve is not contained in $L$
 
 In the place of $Z_{0<s<+\infty}$ the text at hand has a sign of summation, as in the whole chain.  The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
 The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by
@@ -392,6 +394,7 @@ just this change.
   the rule follows by induction on $V$.  For every $n$: up to the index $i$ all signs are reversed, behind it they stay.
 :degrees: 1..8
 :scope: all patterns of signs
+:where: the polynomial whose roots are counted is not $0$
 :control: $\alpha=i-\frac12$
 :::
 */
@@ -449,8 +452,8 @@ CLAIM(curve_inside_the_line_has_too_many_roots)
 :printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
 :holds-by: sign_changes_are_counted_one_by_one
 :confirmed-by: positive_factors_keep_sign_changes
-:needs: mixed_weights_change_sign_changes | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive
-  weights
+:needs: mixed_weights_change_sign_changes | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive
 :figure: line_crossings
 :::
 

@@ -24,7 +24,7 @@ computed, and a third time from the cutting of corners for every degree.
   averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one
 :confirmed-by: elevation_cuts_corners powers_in_every_degree elevated_polygons_converge
   bernstein_collocation_is_totally_positive designed_curves_cross_no_more
-:needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | positive weights
+:needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are positive
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon, also when edges, ends or the whole curve are on the line.
 :reading: designed_curves_meet_no_more | common points, ends and tangents included and counted along the curve, if the
@@ -314,6 +314,7 @@ numbers do not matter, only their signs.
   the means in, one by one, and then take the old inner numbers away.
 :degrees: 1..6
 :scope: all patterns of signs
+:where: the factors of the means are positive
 :control: a mean of two positive numbers taken to be possibly negative
 :::
 */

@@ -59,6 +59,7 @@ entries lies so far apart that two diagonals cannot hold both.
 :title: Where two rows take their columns in the other order one of the two entries is 0
 :zh: 双对角矩阵的子式中仅恒等排列有贡献
 :given: a matrix of any size whose entries $(r,c)$ are 0 but for $r-c=0$ and $r-c=1$; two rows $r<r'$ and two columns $c<c'$
+:harmless: two rows $r<r'$ and two columns $c<c'$ | of two rows one comes first
 :then: if the entry $(r,c')$ is not 0, then $r'-c>1$, and the entry $(r',c)$ is 0; so of the sum over the permutations that is a minor
   only the product of its own diagonal is left
 :method: With $r'=r+1+a$, $c'=c+1+b$ and $r-c'=e$, which is 0 or 1: $r'-c-1=e+1+a+b$ is positive for all $a,b\ge0$.  Every
@@ -213,6 +214,7 @@ coefficients are 0 but for one, so they do not change their sign.
 :types: field rational
 :degrees: 7..7
 :scope: every β < −21/4
+:harmless: $b>0$ | it is $\beta<-\frac{21}4$
 :over: b: -
 :control: $b$ replaced by $2b$ in the parameter
 :::
@@ -241,6 +243,7 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 :types: field rational
 :degrees: 7..7
 :scope: every β > 1
+:harmless: $b>0$ | it is $\beta>1$
 :over: b: -
 :control: $b$ replaced by $2b$ in the parameter
 :::

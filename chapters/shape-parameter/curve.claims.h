@@ -221,8 +221,8 @@ CLAIM(points_move_evenly_with_beta)
 :zh: 形状可调性
 :printed: with the vertices of the control polygon unchanged, different curves that approximate the polygon can be produced by adjusting the parameter
 :holds-by: points_move_evenly_with_beta polygons_that_do_not_move
-:hypothesis: edges_that_do_not_move | corrected functions: not $P_0=P_1=P_2=P_3$ and $P_4=P_5=P_6=P_7$; printed functions: not
-  $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
+:hypothesis: edges_that_do_not_move | $P_0,\dots,P_3$ are not all equal or $P_4,\dots,P_7$ are not: with the corrected
+  functions; with the printed ones not $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
 :figure: edges_that_do_not_move
 
 Different as parametrized curves; on a line they may be the same set of points.  For $n=7$ the number $a_4$ is 0.

@@ -120,7 +120,7 @@ points.  Other points need not give another curve of the plane, but as parametri
   sums_by_parts_give_the_edges linear_factor_adds_a_change_of_sign
 :confirmed-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one
   bernstein_positive_inside reversed_points_reverse_the_curve roots_are_at_most_sign_changes
-:hypothesis: double_end_point_has_no_end_edge | for the tangency: the end edges are not 0
+:hypothesis: double_end_point_has_no_end_edge | the end edges are not 0: for the tangency
 :figure: end_edges
 :::
 
@@ -208,8 +208,8 @@ CLAIM(second_volume_is_of_the_second_year)
 :zh: 文献 [11] 的曲线次数过高
 :printed: for a polygon of $n+1$ points [11] uses Bernstein polynomials of degree $m=l(n-1)+1$; the geometric meaning of $l$ is vague, and
   the degree is too high for computing
-:reading: degree_with_the_parameter_exceeds_that_of_the_polygon | the degree $m$ exceeds that of a polygon of $n+1$ points: true for
-  $l,n>1$, by $(l-1)(n-1)$
+:reading: degree_with_the_parameter_exceeds_that_of_the_polygon | the degree $m$ exceeds that of a polygon of $n+1$ points: for
+  $l,n>1$ by $(l-1)(n-1)$
 :reading: that [11] has this degree, that its parameter is vague and its degree too high: no computation decides it, and [11] is not at hand
 
 For $l=1$ it is the Bézier curve of degree $n$; for larger $l$ the degree is higher by a product.  What is vague, and what too high, is not
@@ -240,8 +240,8 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 :title: Weights adjust the shape of a rational Bézier curve
 :zh: 权因子可以调整有理 Bezier 曲线的形状
 :printed: rational Bézier curves, with the control points unmoved, have weights, which can adjust the shape of the curve
-:holds-by: more_weight_moves_a_mean_to_its_point
-:confirmed-by: growing_weight_pulls_each_point_straight_to_the_vertex
+:holds-by: two_middle_weights_give_two_arcs
+:confirmed-by: more_weight_moves_a_mean_to_its_point growing_weight_pulls_each_point_straight_to_the_vertex
 :figure: geometric_weights
 
 They can, which does not say that every change of the weights does: weights changed from $w_i$ to $cr^iw_i$ give another

@@ -39,8 +39,8 @@ give the tangents.
 :zh: 图 3 花瓣图形
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
-:reading: points_move_evenly_with_beta | the polygon is not given; for any polygon the points of one $t$ on the nine curves
-  are on a straight line in equal distances
+:reading: points_move_evenly_with_beta | for any polygon the points of one $t$ on the nine curves are on a straight line in equal
+  distances; which polygon it is, is not said
 :figure: petals
 :::
 
@@ -131,12 +131,12 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :corrected-by: functions_vanish_to_their_orders_at_the_ends corrected_functions_are_mirror_images
   surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
-:reading: printed_surface_leaves_a_single_point | the properties are those that section 3 prints for the curve: false;
-  this is what is decided above
+:reading: printed_surface_leaves_a_single_point | the properties are those that section 3 prints for the curve: this is what is
+  decided above
 :reading: what is true of the curve is true of the surface: the failures are those of the curve, and the correction says
   what is left
-:reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its
-  rows and columns are: false; they may all be straight and the surface be a saddle, for every $\beta$
+:reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
+  and columns are: they may all be straight and the surface be a saddle, for every $\beta$
   (`net_of_straight_lines_gives_a_saddle`)
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
   what they are for a net, so that nothing is there to be decided
@@ -398,8 +398,8 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :zh: 形状可调的曲面
 :printed: the tensor product gives a surface whose shape can be adjusted
 :holds-by: nets_that_do_not_move
-:hypothesis: surface_that_does_not_move | corrected functions: $P_{ij}$ not constant on each of the four blocks $i,j\le3$;
-  $i\le3<j$; $j\le3<i$; $i,j\ge4$; printed functions: not $P_{ij}=k_ik_jv$ with $k=(0,0,0,0,5,1,1,1)$ and some $v$
+:hypothesis: surface_that_does_not_move | $P_{ij}$ is not constant on each of the blocks $i,j\le3$, $i\le3<j$, $j\le3<i$ and
+  $i,j\ge4$: with the corrected functions; with the printed ones not $P_{ij}=k_ik_jv$ with $k=(0,0,0,0,5,1,1,1)$ and some $v$
 :figure: shape_surface
 
 One $\beta$ in both directions, and surfaces with their parameters: then they are not the same for all $\beta$; two values

@@ -51,8 +51,7 @@ int kind_of(const struct block *b)
     return k;
 }
 
-/* Whether the blank-separated list has the word. */
-static int has_word(const char *list, const char *word)
+int has_word(const char *list, const char *word)
 {
     size_t n = strlen(word);
     for (const char *at = list; (at = strstr(at, word)) != NULL; at += n)

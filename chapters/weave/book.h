@@ -62,6 +62,8 @@ void check_book(const struct book *book);
 /* The value of an option, or NULL. */
 const char *value_of(const struct block *b, const char *key);
 const struct block *block_named(const struct book *book, const char *name, enum block_kind kind);
+/* Whether the blank-separated list has the word. */
+int has_word(const char *list, const char *word);
 /* The role of that key, or ROLES. */
 int role_of(const char *key);
 role_form form_of(int r);

@@ -16,7 +16,6 @@ static int is_one_of(const char *word, const char *const words[])
 #define KEY(tag, key, form) key,
 #define PLACE(tag, key)     key,
 static const char *const role_keys[] = {ROLE_LIST(KEY) NULL};
-static const char *const data_keys[] = {DATA_LIST(PLACE) NULL};
 
 static void check_keys(const struct block *b, const char *const known[], const char *const more[],
                        const char *const needed[])
@@ -85,13 +84,32 @@ static void check_body(const struct book *book, const struct block *b)
         complain(b->file, b->line, "the body of claim '%s', line %d, does not follow its block", b->name, mine->line);
 }
 
+/* What is given and yet no condition, "words of given | why": the words stand in what is given. */
+static void check_conditions(const struct block *b)
+{
+    const char *where = value_of(b, "where"), *given = value_of(b, "given");
+    if (where != NULL && (*where == '\0' || kind_of(b) == COUNTEREXAMPLE))
+        complain(b->file, b->line, "'%s': where says on what a decision or an identity stands, one condition; another",
+                 b->name);
+    for (int k = 0; k < b->options; k++) {
+        if (strcmp(b->option[k].key, "harmless") != 0)
+            continue;
+        struct link link = read_link(b->option[k].value, PLACE_TEXT);
+        if (link.place == NULL || link.place[0] == '\0' || link.text[0] == '\0' || given == NULL ||
+            strstr(given, link.place) == NULL)
+            complain(b->file, b->option[k].line, "'%s': harmless is written as words of what is given | why", b->name);
+    }
+}
+
 static void check_claim(const struct book *book, const struct block *b)
 {
-    static const char *const known[] = {"title",   "zh",    "given", "let",    "then",    "method",  "kind", "types",
-                                        "degrees", "scope", "over",  "argued", "control", "defines", NULL};
+    static const char *const known[] = {"title",   "zh",    "given", "let",  "then",   "method",  "kind",    "types",
+                                        "degrees", "scope", "where", "over", "argued", "control", "defines", NULL};
+    static const char *const repeated[] = {DATA_LIST(PLACE) "harmless", NULL};
     static const char *const needed[] = {"title", "given", "then", "method", "control", NULL};
     struct degrees d;
-    check_keys(b, known, data_keys, needed);
+    check_keys(b, known, repeated, needed);
+    check_conditions(b);
     check_chinese(book, b);
     if (kind_of(b) == KINDS)
         complain(b->file, b->line, "'%s': unknown kind '%s'", b->name, value_of(b, "kind"));
@@ -119,6 +137,18 @@ static void check_link(const struct book *book, const struct block *b, int r, co
         complain(b->file, b->line, "'%s' lists the counterexample '%s' under %s", b->name, name, role_keys[r]);
 }
 
+/* The first clause of a hypothesis is its condition, which the scope tells behind "where": short, and no sentence. */
+static void check_hypothesis(const struct block *b, int line, const char *text)
+{
+    enum { LONGEST = 110 };
+    const char *clause = first_clause(text);
+    int is_sentence = clause[0] >= 'A' && clause[0] <= 'Z';
+    if (clause[0] == '\0' || is_sentence || strlen(clause) > LONGEST || strstr(clause, ", as ") != NULL)
+        complain(b->file, line,
+                 "'%s': a hypothesis begins with its condition, \"the weights are positive: why\", not '%s'", b->name,
+                 clause);
+}
+
 static void check_links(const struct book *book, const struct block *b)
 {
     for (int k = 0; k < b->options; k++) {
@@ -135,6 +165,8 @@ static void check_links(const struct book *book, const struct block *b)
             if (form_of(r) == CLAIM_PLACE_TEXT && link.claim != NULL && link.place == NULL)
                 complain(b->file, b->option[k].line, "'%s': where does the source state it? claim | place | text",
                          b->name);
+            if (r == HYPOTHESIS || (r == NEEDS && link.place != NULL))
+                check_hypothesis(b, b->option[k].line, link.text);
             if (form_of(r) == PLACE_TEXT && (link.place == NULL || link.text[0] == '\0'))
                 complain(b->file, b->option[k].line, "'%s': %s is written as place | text", b->name, role_keys[r]);
         } else {
@@ -145,23 +177,11 @@ static void check_links(const struct book *book, const struct block *b)
     }
 }
 
-/* Whether a text ends with these words, or with them and a full stop. */
-static int ends_with(const char *text, const char *words)
+/* Whether a reading is true is derived from its claim, and not typed in. */
+static void check_words_of_reading(const struct block *b, int line, const char *text)
 {
-    size_t n = strlen(text), m = strlen(words);
-    n -= n > 0 && text[n - 1] == '.';
-    return n >= m && strncmp(text + n - m, words, m) == 0;
-}
-
-/* Whether a reading is true is derived from its claim, and not typed in; where words explain it they do not say otherwise. */
-static void check_words_of_reading(const struct block *b, int line, int fails, const char *text)
-{
-    if (ends_with(text, ": true") || ends_with(text, ": false"))
+    if (strstr(text, ": true") != NULL || strstr(text, ": false") != NULL)
         complain(b->file, line, "'%s': whether a reading is true is derived from its claim", b->name);
-    int says_true = strstr(text, ": true") != NULL && strstr(text, "false") == NULL;
-    int says_false = strstr(text, ": false") != NULL && strstr(text, "true") == NULL;
-    if (fails ? says_true : says_false)
-        complain(b->file, line, "'%s': by its claim the reading is %s", b->name, fails ? "false" : "true");
 }
 
 /* Where a reading fails it is said what the text itself means, unless readings are all that is known. */
@@ -176,7 +196,7 @@ static void check_readings(const struct book *book, const struct block *b)
         if (role_of(b->option[k].key) != READING || target == NULL)
             continue;
         int fails = kind_of(target) == COUNTEREXAMPLE;
-        check_words_of_reading(b, b->option[k].line, fails, link.text);
+        check_words_of_reading(b, b->option[k].line, link.text);
         if (fails && !told)
             complain(b->file, b->option[k].line, "'%s' is decided, and so read it fails: which reading is meant?",
                      b->name);
@@ -227,16 +247,31 @@ static void check_source(const struct block *b)
     check_keys(b, known, none, needed);
 }
 
-/* Whether the n characters are a phrase of the scope of some claim. */
+/* Whether the n characters are one of the phrases, "one; another". */
+static int is_among_phrases(const char *phrases, const char *text, size_t n)
+{
+    for (const char *at = phrases; at != NULL && *at != '\0'; at += strspn(at, "; ")) {
+        size_t m = strcspn(at, ";");
+        if (m == n && strncmp(at, text, n) == 0)
+            return 1;
+        at += m;
+    }
+    return 0;
+}
+
+/* Whether the n characters are a phrase of the scope of some claim, or a condition of a claim or of a hypothesis. */
 static int is_phrase(const struct book *book, const char *text, size_t n)
 {
     for (int k = 0; k < book->blocks; k++) {
-        const char *scope = book->block[k].kind == CLAIM_BLOCK ? value_of(&book->block[k], "scope") : NULL;
-        for (const char *at = scope; at != NULL && *at != '\0'; at += strspn(at, "; ")) {
-            size_t m = strcspn(at, ";");
-            if (m == n && strncmp(at, text, n) == 0)
+        const struct block *b = &book->block[k];
+        if (b->kind == CLAIM_BLOCK &&
+            (is_among_phrases(value_of(b, "scope"), text, n) || is_among_phrases(value_of(b, "where"), text, n)))
+            return 1;
+        for (int j = 0; j < b->options; j++) {
+            int r = role_of(b->option[j].key);
+            if (b->kind == STATEMENT_BLOCK && (r == HYPOTHESIS || r == NEEDS) &&
+                is_among_phrases(first_clause(read_link(b->option[j].value, form_of(r)).text), text, n))
                 return 1;
-            at += m;
         }
     }
     return 0;

@@ -126,6 +126,7 @@ static void put_claim(FILE *out, const struct book *book, const struct block *b,
     put_option(out, "method", b, "method");
     put_option(out, "control", b, "control");
     put_option(out, "scope", b, "scope");
+    put_option(out, "where", b, "where");
     put_option(out, "defines", b, "defines");
     put_field(out, "over", over_of(book, b));
     put_field(out, "letter", letter_of(book, b, &d));
@@ -166,9 +167,10 @@ static void put_claims(FILE *out, const struct book *book)
 
 static void put_link(FILE *out, int r, const struct link *link)
 {
-    const char *const parts[] = {link->claim, link->place, link->text};
+    const char *condition = r == HYPOTHESIS || r == NEEDS ? first_clause(link->text) : NULL;
+    const char *const parts[] = {link->claim, link->place, link->text, condition};
     fprintf(out, "    {%s", role_tags[r]);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         fputs(", ", out);
         if (parts[k] != NULL)
             put_string(out, parts[k]);
@@ -194,7 +196,7 @@ static void put_links(FILE *out, const struct block *b, int index)
                 put_link(out, r, &(struct link){word, NULL, whole_copy("")});
         }
     }
-    fputs("    {HOLDS_BY, NULL, NULL, NULL}};\n", out);
+    fputs("    {HOLDS_BY, NULL, NULL, NULL, NULL}};\n", out);
 }
 
 /* The letter that the source of a statement has for degrees. */
@@ -202,6 +204,42 @@ static const char *letter_of_source(const struct book *book, const struct block 
 {
     const struct block *source = block_named(book, copy_of(b->name, strcspn(b->name, ":")), SOURCE_BLOCK);
     return source != NULL ? value_of(source, "letter") : NULL;
+}
+
+/* Adds the letters of the formulas in a text, each once: "t", "beta" for \beta.  A text without dollar signs may be a formula; three
+ * letters in a row are a word. */
+static char *with_letters(char *letters, const char *text)
+{
+    int mixed = strchr(text, '$') != NULL, inside = !mixed;
+    for (const char *at = text; *at != '\0'; at++) {
+        inside ^= mixed && *at == '$';
+        const char *name = at + (*at == '\\');
+        size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        int is_command = *at == '\\';
+        for (size_t k = 0; inside && k < n && (is_command || n < 3); k += is_command ? n : 1) {
+            char *letter = copy_of(name + k, is_command ? n : 1);
+            if (!has_word(letters, letter))
+                letters = joined(letters, ' ', letter);
+        }
+        at = n > 0 ? name + n - 1 : at;
+    }
+    return letters;
+}
+
+/* The letters that a source prints in any of its statements, or that correct them. */
+static char *letters_of_source(const struct book *book, const struct block *b)
+{
+    char *letters = whole_copy("");
+    size_t n = strcspn(b->name, ":") + 1;
+    for (int k = 0; k < book->blocks; k++) {
+        const struct block *other = &book->block[k];
+        const char *corrected = value_of(other, "corrected");
+        if (other->kind != STATEMENT_BLOCK || strncmp(other->name, b->name, n) != 0)
+            continue;
+        letters = with_letters(letters, value_of(other, "printed"));
+        letters = with_letters(letters, corrected != NULL ? corrected : "");
+    }
+    return letters;
 }
 
 static void put_statement(FILE *out, const struct book *book, const struct block *b, int index)
@@ -218,6 +256,7 @@ static void put_statement(FILE *out, const struct book *book, const struct block
     put_option(out, "example", b, "example");
     put_field(out, "note", b->note);
     put_field(out, "letter", letter_of_source(book, b));
+    put_field(out, "letters", letters_of_source(book, b));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
     fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .links = links_%d},\n", b->line,

@@ -62,6 +62,18 @@ char *joined(char *a, char between, const char *b)
     return r;
 }
 
+char *first_clause(const char *s)
+{
+    size_t n = 0;
+    for (int in_formula = 0; s[n] != '\0'; n++) {
+        in_formula ^= s[n] == '$';
+        int is_end = s[n + 1] == '\0' || isspace((unsigned char)s[n + 1]);
+        if (!in_formula && is_end && strchr(":;.", s[n]) != NULL)
+            break;
+    }
+    return copy_of(s, n);
+}
+
 void append(struct list *l, char *s)
 {
     l->at = must(realloc(l->at, (size_t)(l->count + 1) * sizeof *l->at));
