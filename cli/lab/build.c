@@ -1,0 +1,455 @@
+/* build.c -- other people's code before it runs: compiled, looked at, and in binary64 under the sanitizers; see lab.h. */
+#include "cli/lab/lab.h"
+
+#include "cli/lab/allowed.h"
+#include "exact/code/names.h"
+#include "exact/number/rational.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { COMPILE_SECONDS = 30, NATIVE_SECONDS = 5, SHOWN_ERRORS = 3, MOST_WORDS = 32 };
+
+static void put_file(const struct lab_place *place, const char *name, const char *text)
+{
+    char path[LAB_MOST_PATH + 128];
+    snprintf(path, sizeof path, "%s/%s", place->folder, name);
+    FILE *out = fopen(path, "w");
+    if (out == NULL || fputs(text, out) < 0 || fclose(out) != 0)
+        perror(path);
+}
+
+static char *copied(const char *text)
+{
+    char *copy = strdup(text);
+    if (copy == NULL)
+        abort();
+    return copy;
+}
+
+/* A program of the folder of clang that cagd-compile-exactly uses. */
+static const char *tool(const char *name, char path[LAB_MOST_PATH])
+{
+    static char folder[LAB_MOST_PATH - 64];
+    if (folder[0] == 0) {
+        char command[LAB_MOST_PATH + 32];
+        ssize_t length = readlink("/proc/self/exe", command, LAB_MOST_PATH - 1);
+        command[length > 0 ? length : 0] = 0;
+        char *slash = strrchr(command, '/');
+        if (slash == NULL)
+            return NULL;
+        strcpy(slash + 1, "cagd-compile-exactly --tools");
+        FILE *said = popen(command, "r");
+        if (said != NULL && fgets(folder, sizeof folder, said) != NULL)
+            folder[strcspn(folder, "\n")] = 0;
+        if (said != NULL)
+            pclose(said);
+    }
+    snprintf(path, LAB_MOST_PATH, "%s/%s", folder, name);
+    return path;
+}
+
+static const char *compiler(char path[LAB_MOST_PATH])
+{
+    ssize_t length = readlink("/proc/self/exe", path, LAB_MOST_PATH - 32);
+    path[length > 0 ? length : 0] = 0;
+    char *slash = strrchr(path, '/');
+    if (slash != NULL)
+        strcpy(slash + 1, "cagd-compile-exactly");
+    return path;
+}
+
+/* The first errors of clang, each "line 12: what", with the line of the source. */
+static char *errors_of(const char *said, const char *source)
+{
+    char *text = NULL;
+    size_t size;
+    int shown = 0;
+    FILE *out = open_memstream(&text, &size);
+    for (const char *at = said; (at = strstr(at, " error: ")) != NULL && shown < SHOWN_ERRORS; at++) {
+        const char *start = at, *end = at + strcspn(at, "\n");
+        while (start > said && start[-1] != '\n')
+            start--;
+        const char *colon = strchr(start, ':');
+        long line = colon != NULL ? strtol(colon + 1, NULL, 10) : 0;
+        fprintf(out, "%sline %ld:%.*s", shown++ > 0 ? "\n" : "", line, (int)(end - at - 7), at + 7);
+        const char *row = source;
+        for (long k = 1; k < line && row != NULL; k++)
+            row = strchr(row, '\n') != NULL ? strchr(row, '\n') + 1 : NULL;
+        if (row != NULL && strncmp(start, "the assignment", 14) != 0)
+            fprintf(out, "\n    %.*s", (int)strcspn(row, "\n"), row);
+    }
+    if (shown == 0)
+        fprintf(out, "%.*s", (int)strcspn(said, "\n"), said);
+    fclose(out);
+    return text;
+}
+
+char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object)
+{
+    char path[LAB_MOST_PATH + 128], program[LAB_MOST_PATH], *said;
+    put_file(place, lab->file, source);
+    snprintf(path, sizeof path, "%s/driver.c", place->folder);
+    if (lab_write_driver(lab, path) != 0)
+        return copied("the driver cannot be written");
+    char *const word[] = {(char *)(uintptr_t)compiler(program),
+                          (char *)(uintptr_t) "-o",
+                          (char *)(uintptr_t)object,
+                          (char *)(uintptr_t) "driver.c",
+                          (char *)(uintptr_t)lab->file,
+                          (char *)(uintptr_t) "--",
+                          (char *)(uintptr_t) "-w",
+                          NULL};
+    int code = lab_run(place, word, COMPILE_SECONDS, &said);
+    char *cause = code == 0 ? NULL : errors_of(said != NULL ? said : "", source);
+    free(said);
+    return cause;
+}
+
+/* ---- what is seen in the source --------------------------------------------------------------------------- */
+
+static int is_allowed(const char *name, size_t length)
+{
+#define NAME(name)    #name,
+#define NUMBERS(name) #name, #name "f", #name "l",
+    static const char *const names[] = {LAB_ALLOWED(NAME) CAGD_CODE_ONE(NUMBERS) CAGD_CODE_TWO(NUMBERS)
+                                            CAGD_CODE_OTHER(NAME)};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (strlen(names[k]) == length && strncmp(names[k], name, length) == 0)
+            return 1;
+    return length > 10 && strncmp(name, "__builtin_", 10) == 0;
+}
+
+/* Where clang's tree is being read. */
+struct tree {
+    const struct lab *lab;
+    json_t *notes;
+    char refused[LAB_CAUSE], file[256];
+    long line;
+    int converted; /* the depth of a conversion of an integer to a number, or -1 */
+};
+
+static void note(struct tree *t, const char *text)
+{
+    size_t k;
+    const json_t *old;
+    json_array_foreach(t->notes, k, old) if (json_integer_value(json_object_get(old, "line")) == t->line &&
+                                             strcmp(json_string_value(json_object_get(old, "text")), text) == 0) return;
+    json_array_append_new(t->notes, json_pack("{s:I, s:s}", "line", (json_int_t)t->line, "text", text));
+}
+
+static void refuse(struct tree *t, const char *what)
+{
+    if (t->refused[0] == 0)
+        snprintf(t->refused, sizeof t->refused, "line %ld: %s", t->line, what);
+}
+
+/* "file:3:4", "line:3:4" or "col:4": the place is known from then on. */
+static void move(struct tree *t, const char *at, size_t length)
+{
+    char text[256];
+    snprintf(text, sizeof text, "%.*s", (int)(length < 255 ? length : 255), at);
+    if (strncmp(text, "line:", 5) == 0) {
+        t->line = strtol(text + 5, NULL, 10);
+        return;
+    }
+    char *last = strrchr(text, ':');
+    if (strncmp(text, "col:", 4) == 0 || last == NULL || last == text)
+        return;
+    *last = 0;
+    char *first = strrchr(text, ':');
+    if (first == NULL || !isdigit((unsigned char)first[1]))
+        return;
+    *first = 0;
+    t->line = strtol(first + 1, NULL, 10);
+    snprintf(t->file, sizeof t->file, "%s", text);
+}
+
+static int contains(const char *line, size_t length, const char *what)
+{
+    return memmem(line, length, what, strlen(what)) != NULL;
+}
+
+/* What the node of this line means, where it stands in what was handed in. */
+static void look(struct tree *t, const char *node, size_t length, int depth)
+{
+    static const char *const tricks[] = {"FileScopeAsmDecl", "GCCAsmStmt",  "MSAsmStmt",   "ConstructorAttr",
+                                         "DestructorAttr",   "IFuncAttr",   "AliasAttr",   "SectionAttr",
+                                         "AsmLabelAttr",     "WeakRefAttr", "CleanupAttr", "NakedAttr"};
+    for (size_t k = 0; k < sizeof tricks / sizeof *tricks; k++)
+        if (strncmp(node, tricks[k], strlen(tricks[k])) == 0)
+            refuse(t, strstr(tricks[k], "Asm") != NULL ? "assembly is no part of an assignment"
+                                                       : "an attribute that is no part of an assignment");
+    if (t->converted >= 0 && depth <= t->converted)
+        t->converted = -1;
+    if (contains(node, length, "<IntegralToFloating>"))
+        t->converted = depth;
+    if (t->converted >= 0 && strncmp(node, "BinaryOperator", 14) == 0 && contains(node, length, " '/'"))
+        note(t, "a division of integers drops the remainder: 1/2 is 0, 1.0/2 is a half");
+    int declared = strncmp(node, "VarDecl", 7) == 0 || strncmp(node, "ParmVarDecl", 11) == 0 ||
+                   strncmp(node, "CStyleCastExpr", 14) == 0 || strncmp(node, "FunctionDecl", 12) == 0;
+    if (declared && contains(node, length, "'long double"))
+        note(t, "long double is not double");
+    else if (declared && contains(node, length, "'float"))
+        note(t, "float keeps 24 bits, double 53");
+    const char *called = memmem(node, length, " Function 0x", 12);
+    if (strncmp(node, "DeclRefExpr", 11) == 0 && called != NULL) {
+        const char *name = memchr(called, '\'', (size_t)(node + length - called));
+        size_t size = name != NULL ? strcspn(name + 1, "'") : 0;
+        if (size > 7 && (strncmp(name + 1, "cagd_", 5) == 0 || strncmp(name + 1, "lab_", 4) == 0))
+            refuse(t, "a function of the grader is no part of an assignment");
+    }
+}
+
+static void read_tree(struct tree *t, const char *said)
+{
+    for (const char *row = said; *row != 0;) {
+        size_t length = strcspn(row, "\n"), indent = strspn(row, " |`-");
+        const char *node = row + indent, *end = row + length, *open = memchr(node, '<', (size_t)(end - node));
+        if (open != NULL && indent < length && isalpha((unsigned char)*node)) {
+            long begun = -1;
+            const char *at = open + 1;
+            while (at < end && *at != '>') {
+                size_t size = strcspn(at, ",>\n");
+                move(t, at, size);
+                if (begun < 0)
+                    begun = t->line;
+                at += size;
+                at += strspn(at, ", ");
+            }
+            long ended = t->line;
+            t->line = begun;
+            if (strstr(t->file, t->lab->file) != NULL)
+                look(t, node, (size_t)(end - node), (int)indent);
+            t->line = ended;
+            if (at < end) /* the place of a name stands behind its range */
+                move(t, at + 2, strcspn(at + (at + 2 <= end ? 2 : 0), " \n"));
+        }
+        row = end + (*end == '\n');
+    }
+}
+
+/* The line of the source in which a word stands, or 0. */
+static long line_of(const char *source, const char *name, size_t length)
+{
+    long line = 1;
+    for (const char *at = source; *at != 0; at++) {
+        if (strncmp(at, name, length) == 0 && !isalnum((unsigned char)at[length]) && at[length] != '_' &&
+            (at == source || (!isalnum((unsigned char)at[-1]) && at[-1] != '_')))
+            return line;
+        line += *at == '\n';
+    }
+    return 0;
+}
+
+/* What the code asks of others, by its object: names that are allowed, and none of ours. */
+static void check_names(struct tree *t, const struct lab_place *place, const char *source)
+{
+    char clang[LAB_MOST_PATH], nm[LAB_MOST_PATH], *said;
+    char *const compile[] = {(char *)(uintptr_t)tool("clang", clang),
+                             (char *)(uintptr_t) "-c",
+                             (char *)(uintptr_t) "-w",
+                             (char *)(uintptr_t) "-fno-builtin",
+                             (char *)(uintptr_t) "-o",
+                             (char *)(uintptr_t) "names.o",
+                             (char *)(uintptr_t)t->lab->file,
+                             NULL};
+    char *const list[] = {(char *)(uintptr_t)tool("llvm-nm", nm), (char *)(uintptr_t) "-P",
+                          (char *)(uintptr_t) "names.o", NULL};
+    int code = lab_run(place, compile, COMPILE_SECONDS, &said);
+    free(said);
+    code = code == 0 ? lab_run(place, list, COMPILE_SECONDS, &said) : -1;
+    for (const char *row = code == 0 ? said : ""; *row != 0;
+         row += strcspn(row, "\n") + (row[strcspn(row, "\n")] != 0)) {
+        size_t length = strcspn(row, " \n");
+        char kind = row[length] == ' ' ? row[length + 1] : 'U', text[200];
+        int ours = strncmp(row, "cagd_", 5) == 0 || strncmp(row, "lab_", 4) == 0;
+        t->line = line_of(source, row, length);
+        snprintf(text, sizeof text, "%.*s is no function for an assignment", (int)length, row);
+        if (ours || (strchr("Uwv", kind) != NULL && !is_allowed(row, length)))
+            refuse(t, text);
+        if (kind == 'i')
+            refuse(t, "an attribute that is no part of an assignment");
+    }
+    if (code != 0)
+        refuse(t, "its names cannot be read");
+    else
+        free(said);
+}
+
+/* What the assignment declares, and then the source: what is declared in another way is an error there. */
+static void write_check(const struct lab *lab, const struct lab_place *place)
+{
+    char *text = NULL;
+    size_t size, k;
+    const json_t *value;
+    FILE *out = open_memstream(&text, &size);
+    fputs("#line 1 \"the assignment\"\n", out);
+    json_array_foreach(json_object_get(lab->head, "declare"), k, value) fprintf(out, "%s\n", json_string_value(value));
+    fprintf(out, "#include \"%s\"\n", lab->file);
+    fclose(out);
+    put_file(place, "check.c", text);
+    free(text);
+}
+
+json_t *lab_inspect(const struct lab *lab, const struct lab_place *place)
+{
+    char clang[LAB_MOST_PATH], path[LAB_MOST_PATH + 128], *said;
+    struct tree t = {.lab = lab, .notes = json_array(), .converted = -1};
+    char *const dump[] = {(char *)(uintptr_t)tool("clang", clang),
+                          (char *)(uintptr_t) "-fsyntax-only",
+                          (char *)(uintptr_t) "-w",
+                          (char *)(uintptr_t) "-fno-color-diagnostics",
+                          (char *)(uintptr_t) "-Xclang",
+                          (char *)(uintptr_t) "-ast-dump",
+                          (char *)(uintptr_t) "check.c",
+                          NULL};
+    char *const plain[] = {dump[0], dump[1], dump[2], dump[3], (char *)(uintptr_t) "-fno-caret-diagnostics",
+                           dump[6], NULL};
+    json_t *result = json_object();
+    snprintf(path, sizeof path, "%s/%s", place->folder, lab->file);
+    char *source = lab_file(path);
+    write_check(lab, place);
+    int code = lab_run(place, dump, COMPILE_SECONDS, &said);
+    if (code == 0) {
+        read_tree(&t, said);
+        check_names(&t, place, source != NULL ? source : "");
+    } else {
+        free(said);
+        lab_run(place, plain, COMPILE_SECONDS, &said);
+        char *cause = errors_of(said, source != NULL ? source : "");
+        json_object_set_new(result, "compiler", json_string(cause));
+        free(cause);
+    }
+    if (t.refused[0] != 0)
+        json_object_set_new(result, "refused", json_string(t.refused));
+    json_object_set_new(result, "notes", t.notes);
+    free(said);
+    free(source);
+    return result;
+}
+
+/* ---- in binary64 --------------------------------------------------------------------------------------------- */
+
+static void write_jobs(const struct lab_place *place, const json_t *jobs)
+{
+    char *text = NULL;
+    size_t size, k, i, e;
+    const json_t *job, *in, *value;
+    FILE *out = open_memstream(&text, &size);
+    cagd_region_mark mark = cagd_region_open();
+    json_array_foreach(jobs, k, job)
+    {
+        const json_t *inputs = json_object_get(job, "inputs");
+        fprintf(out, "%s %zu", strrchr(json_string_value(json_object_get(job, "entry")), '_') + 1,
+                json_array_size(inputs));
+        json_array_foreach(inputs, i, in)
+        {
+            fprintf(out, " %s %zu", json_string_value(json_object_get(in, "name")),
+                    json_array_size(json_object_get(in, "value")));
+            json_array_foreach(json_object_get(in, "value"), e, value)
+                fprintf(out, " %a", cagd_to_double_q(cagd_from_string_q(json_string_value(value))));
+        }
+        fputc('\n', out);
+    }
+    cagd_region_drop(mark);
+    fclose(out);
+    put_file(place, "native.in", text);
+    free(text);
+}
+
+/* What a report of the sanitizers says, in words. */
+static json_t *report_of(const struct lab *lab, const char *said)
+{
+    static const struct {
+        const char *there, *means;
+    } kinds[] = {{"buffer-overflow", "reads or writes outside an array"},
+                 {"buffer-underflow", "reads or writes outside an array"},
+                 {"out of bounds", "reads or writes outside an array"},
+                 {"use-after", "uses memory that was given back"},
+                 {"double-free", "gives memory back twice"},
+                 {"bad-free", "gives back what was not taken"},
+                 {"stack-overflow", "calls itself without end"},
+                 {"SEGV", "uses memory that is not there"},
+                 {"null pointer", "uses memory that is not there"},
+                 {"division by zero", "divides an integer by zero"},
+                 {"signed integer overflow", "an integer overflows"},
+                 {"shift exponent", "shifts by too much"},
+                 {"runtime error", "does what C does not define"}};
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        if (strstr(said, kinds[k].there) == NULL)
+            continue;
+        char name[100];
+        snprintf(name, sizeof name, "%s:", lab->file);
+        const char *at = strstr(said, name);
+        return json_pack("{s:I, s:s}", "line", (json_int_t)(at != NULL ? strtol(at + strlen(name), NULL, 10) : 0),
+                         "text", kinds[k].means);
+    }
+    return NULL;
+}
+
+json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const json_t *jobs)
+{
+    static const char native[] =
+#include "cli/lab/native.inc"
+        ;
+    char clang[LAB_MOST_PATH], symbolizer[LAB_MOST_PATH], define[LAB_MOST_PATH + 32], here[LAB_MOST_PATH + 16], *said;
+    put_file(place, "native.c", native);
+    write_jobs(place, jobs);
+    snprintf(define, sizeof define, "-DSYMBOLIZER=\"%s\"", tool("llvm-symbolizer", symbolizer));
+    snprintf(here, sizeof here, "%s/native", place->folder);
+    char *const compile[] = {(char *)(uintptr_t)tool("clang", clang),
+                             (char *)(uintptr_t) "-g",
+                             (char *)(uintptr_t) "-O0",
+                             (char *)(uintptr_t) "-w",
+                             (char *)(uintptr_t) "-fsanitize=address,undefined",
+                             (char *)(uintptr_t) "-fno-sanitize-recover=all",
+                             (char *)(uintptr_t) "-DLAB_NATIVE",
+                             define,
+                             (char *)(uintptr_t) "-o",
+                             (char *)(uintptr_t) "native",
+                             (char *)(uintptr_t) "native.c",
+                             (char *)(uintptr_t) "driver.c",
+                             (char *)(uintptr_t)lab->file,
+                             (char *)(uintptr_t) "-lm",
+                             NULL};
+    char *const run[] = {here, (char *)(uintptr_t) "native.in", NULL};
+    int code = lab_run(place, compile, COMPILE_SECONDS, &said);
+    free(said);
+    if (code != 0) /* a main() of its own, or no sanitizer: nothing is said */
+        return NULL;
+    code = lab_run(place, run, NATIVE_SECONDS, &said);
+    json_t *report = code != 0 ? report_of(lab, said) : NULL;
+    free(said);
+    return report;
+}
+
+/* ---- wrong solutions -------------------------------------------------------------------------------------- */
+
+char *lab_wrong_source(const struct lab *lab, const json_t *wrong, char cause[LAB_CAUSE])
+{
+    char path[LAB_MOST_PATH + 128];
+    const char *of = lab_text(wrong, "of");
+    const json_t *olds = json_object_get(wrong, "replace"), *news = json_object_get(wrong, "by");
+    snprintf(path, sizeof path, "%s/%s", lab->folder, *of != 0 ? of : "reference.c");
+    char *text = lab_file(path);
+    if (text == NULL || json_array_size(olds) != json_array_size(news))
+        snprintf(cause, LAB_CAUSE, "%s: %s", lab_text(wrong, "of"),
+                 text == NULL ? "cannot be read" : ":replace: and :by: come in pairs");
+    for (size_t k = 0; text != NULL && k < json_array_size(olds) && k < json_array_size(news); k++) {
+        const char *old = json_string_value(json_array_get(olds, k)), *by = json_string_value(json_array_get(news, k));
+        char *at = strstr(text, old), *made = NULL;
+        if (at == NULL || strstr(at + 1, old) != NULL) {
+            snprintf(cause, LAB_CAUSE, "%.200s: \"%.200s\" is there %s", of, old, at == NULL ? "not at all" : "twice");
+            free(text);
+            return NULL;
+        }
+        if (asprintf(&made, "%.*s%s%s", (int)(at - text), text, by, at + strlen(old)) < 0)
+            abort();
+        free(text);
+        text = made;
+    }
+    return text;
+}

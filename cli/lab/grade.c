@@ -1,0 +1,358 @@
+/* grade.c -- a folder of submissions, several at a time, each in a sandbox; see lab.h.
+ *
+ * A submission is SUBMISSIONS/NAME/FILE or SUBMISSIONS/NAME.c.  For each a folder OUT/NAME has results.json, as Gradescope reads
+ * it, result.json, all that is known, and page.html; OUT has results.csv, results.json and junit.xml. */
+#include "cli/commands.h"
+#include "cli/lab/lab.h"
+#include "cli/output.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { MOST = 10000 };
+
+struct class
+{
+    const struct lab *lab;
+    const char *submissions, *out;
+    char *name[MOST];
+    int count;
+};
+
+static const char *member(const json_t *row, const char *key)
+{
+    const char *text = json_string_value(json_object_get(row, key));
+    return text != NULL ? text : "";
+}
+
+/* ---- writing ---------------------------------------------------------------------------------------------- */
+
+/* With the characters of XML and HTML that mean something, and none that is no character, replaced. */
+static void put_escaped(FILE *out, const char *text)
+{
+    for (; *text != 0; text++)
+        switch (*text) {
+        case '<':
+            fputs("&lt;", out);
+            break;
+        case '>':
+            fputs("&gt;", out);
+            break;
+        case '&':
+            fputs("&amp;", out);
+            break;
+        case '"':
+            fputs("&quot;", out);
+            break;
+        default:
+            fputc((unsigned char)*text < ' ' && *text != '\n' ? '?' : *text, out);
+        }
+}
+
+static void put_cell(FILE *out, const char *text)
+{
+    fputc('"', out);
+    if (strchr("=+-@", *text) != NULL && *text != 0) /* no formula for a spreadsheet */
+        fputc('\'', out);
+    for (; *text != 0; text++)
+        fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
+    fputc('"', out);
+}
+
+static int put_json(const char *path, const json_t *document)
+{
+    char *text = json_dumps(document, JSON_INDENT(2));
+    int status = text != NULL ? write_text_file(path, text) : -1;
+    free(text);
+    return status;
+}
+
+/* What is told of a requirement, in lines. */
+static char *story_of(const json_t *row)
+{
+    char *text = NULL;
+    size_t size, k;
+    const char *name;
+    const json_t *values, *value, *one;
+    FILE *out = open_memstream(&text, &size);
+    fprintf(out, "%s", member(row, "text"));
+    if (*member(row, "case") != 0)
+        fprintf(out, "\nfor %s", member(row, "case"));
+    json_object_foreach((json_t *)(uintptr_t)json_object_get(row, "inputs"), name, values)
+    {
+        fprintf(out, "\n%s =", name);
+        json_array_foreach(values, k, value) fprintf(out, "%s %s", k > 0 ? "," : "", json_string_value(value));
+    }
+    json_array_foreach(json_object_get(row, "differences"), k, one)
+        fprintf(out, "\n%s is %s; expected %s", member(one, "name"), member(one, "got"), member(one, "expected"));
+    if (json_object_get(row, "hint") != NULL)
+        fprintf(out, "\nhint: %s\n%s", member(json_object_get(row, "hint"), "text"),
+                member(json_object_get(row, "hint"), "zh"));
+    fclose(out);
+    return text;
+}
+
+static int write_page(const char *path, const char *student, const json_t *result)
+{
+    struct output *o = output_open(path);
+    size_t k;
+    const json_t *row;
+    if (o == NULL)
+        return -1;
+    FILE *out = output_stream(o);
+    fputs("<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>", out);
+    put_escaped(out, student);
+    fputs(
+        "</title><style>body{font:16px/1.4 sans-serif;max-width:50em;margin:2em auto}pre{background:#8881;padding:.6em;"
+        "white-space:pre-wrap}</style><h1>",
+        out);
+    put_escaped(out, student);
+    fprintf(out, "</h1><p>");
+    put_escaped(out, member(result, "title"));
+    fprintf(out, ": %lld of %lld points</p>", (long long)json_integer_value(json_object_get(result, "points")),
+            (long long)json_integer_value(json_object_get(result, "of")));
+    fputs("<pre>", out);
+    put_escaped(out, *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused"));
+    fputs("</pre>", out);
+    json_array_foreach(json_object_get(result, "requirements"), k, row)
+    {
+        char *story = story_of(row);
+        fputs("<h2>", out);
+        put_escaped(out, member(row, "title"));
+        fprintf(out, " (%lld of %lld)</h2><p>", (long long)json_integer_value(json_object_get(row, "points")),
+                (long long)json_integer_value(json_object_get(row, "of")));
+        put_escaped(out, member(row, "zh"));
+        fputs("</p><pre>", out);
+        put_escaped(out, story);
+        fputs("</pre>", out);
+        free(story);
+    }
+    fputs("</html>\n", out);
+    return output_close(o);
+}
+
+static json_t *gradescope(const json_t *result)
+{
+    json_t *tests = json_array();
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(result, "requirements"), k, row)
+    {
+        char *story = story_of(row);
+        json_array_append_new(tests, json_pack("{s:s, s:O, s:O, s:s, s:s}", "name", member(row, "title"), "score",
+                                               json_object_get(row, "points"), "max_score", json_object_get(row, "of"),
+                                               "output", story, "visibility", "visible"));
+        free(story);
+    }
+    const char *whole = *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused");
+    return json_pack("{s:O, s:s, s:o}", "score", json_object_get(result, "points"), "output", whole, "tests", tests);
+}
+
+/* ---- a submission ------------------------------------------------------------------------------------------- */
+
+static char *answer_of(const struct class *c, const char *name)
+{
+    char path[LAB_MOST_PATH + 600];
+    struct stat is;
+    snprintf(path, sizeof path, "%s/%s", c->submissions, name);
+    if (lstat(path, &is) == 0 && S_ISDIR(is.st_mode))
+        snprintf(path, sizeof path, "%s/%s/%s", c->submissions, name, c->lab->file);
+    return lab_file(path);
+}
+
+/* The name without its ending. */
+static void student_of(const struct class *c, const char *name, char student[300])
+{
+    const char *end = strrchr(c->lab->file, '.');
+    size_t length = strlen(name), ending = strlen(end);
+    snprintf(student, 300, "%.*s",
+             (int)(length > ending && strcmp(name + length - ending, end) == 0 ? length - ending : length), name);
+}
+
+static json_t *nothing(const struct class *c, const char *why)
+{
+    json_t *rows = json_array();
+    json_int_t of = 0;
+    size_t k;
+    const json_t *block;
+    json_array_foreach(c->lab->blocks, k, block) if (strcmp(member(block, "kind"), "requirement") == 0)
+    {
+        of += lab_points(block);
+        json_array_append_new(rows, json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:i}", "name", member(block, "name"),
+                                              "title", lab_text(block, "title"), "zh", lab_text(block, "zh"), "verdict",
+                                              "refused", "text", why, "points", 0, "of", lab_points(block)));
+    }
+    return json_pack("{s:s, s:s, s:s, s:o, s:s, s:i, s:I, s:[]}", "schema", "cagd-lab-1", "lab", c->lab->name, "title",
+                     lab_text(c->lab->head, "title"), "requirements", rows, "refused", why, "points", 0, "of", of,
+                     "notes");
+}
+
+static int write_result(const struct class *c, const char *student, json_t *result)
+{
+    char path[LAB_MOST_PATH + 400];
+    snprintf(path, sizeof path, "%s/%s", c->out, student);
+    int status = make_folder(path);
+    snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
+    status |= put_json(path, result);
+    json_t *scores = gradescope(result);
+    snprintf(path, sizeof path, "%s/%s/results.json", c->out, student);
+    status |= put_json(path, scores);
+    json_decref(scores);
+    snprintf(path, sizeof path, "%s/%s/page.html", c->out, student);
+    return status | write_page(path, student, result);
+}
+
+/* One of the processes: takes submissions until there are none. */
+static int work(const struct class *c, atomic_int *next)
+{
+    char cause[LAB_CAUSE], student[300];
+    struct lab_bench *bench = calloc(1, sizeof *bench);
+    if (bench == NULL || lab_bench_open(bench, c->lab, cause) != 0)
+        return 1;
+    for (int k; (k = atomic_fetch_add(next, 1)) < c->count;) {
+        char *answer = answer_of(c, c->name[k]);
+        json_t *result = answer != NULL ? lab_judge(bench, answer, 1) : nothing(c, "there is no file that can be read");
+        student_of(c, c->name[k], student);
+        write_result(c, student, result);
+        json_decref(result);
+        free(answer);
+    }
+    lab_bench_close(bench);
+    free(bench);
+    return 0;
+}
+
+/* ---- all of them ---------------------------------------------------------------------------------------------- */
+
+static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+
+static int find(struct class *c)
+{
+    DIR *d = opendir(c->submissions);
+    if (d == NULL) {
+        fprintf(stderr, "cagd: %s: %s\n", c->submissions, strerror(errno));
+        return -1;
+    }
+    for (const struct dirent *e; (e = readdir(d)) != NULL && c->count < MOST;)
+        if (*e->d_name != '.' && strlen(e->d_name) < 256)
+            c->name[c->count++] = strdup(e->d_name);
+    closedir(d);
+    qsort(c->name, (size_t)c->count, sizeof *c->name, by_name);
+    return 0;
+}
+
+static int write_tables(const struct class *c, json_t *all)
+{
+    char path[LAB_MOST_PATH + 64];
+    size_t k, r;
+    const json_t *result, *row;
+    int status = 0;
+    snprintf(path, sizeof path, "%s/results.json", c->out);
+    status |= put_json(path, all);
+    snprintf(path, sizeof path, "%s/results.csv", c->out);
+    struct output *csv = output_open(path);
+    snprintf(path, sizeof path, "%s/junit.xml", c->out);
+    struct output *xml = output_open(path);
+    if (csv == NULL || xml == NULL)
+        return -1;
+    FILE *table = output_stream(csv), *cases = output_stream(xml);
+    fputs("student,points,of", table);
+    json_array_foreach(json_object_get(json_array_get(all, 0), "requirements"), r, row)
+        fprintf(table, ",%s", member(row, "name"));
+    fprintf(cases, "\n<testsuites>\n");
+    fputc('\n', table);
+    json_array_foreach(all, k, result)
+    {
+        put_cell(table, member(result, "student"));
+        fprintf(table, ",%lld,%lld", (long long)json_integer_value(json_object_get(result, "points")),
+                (long long)json_integer_value(json_object_get(result, "of")));
+        fputs("<testsuite name=\"", cases);
+        put_escaped(cases, member(result, "student"));
+        fputs("\">\n", cases);
+        json_array_foreach(json_object_get(result, "requirements"), r, row)
+        {
+            int right = json_equal(json_object_get(row, "points"), json_object_get(row, "of"));
+            fprintf(table, ",%lld", (long long)json_integer_value(json_object_get(row, "points")));
+            fprintf(cases, "  <testcase name=\"%s\">", member(row, "name"));
+            if (!right) {
+                char *story = story_of(row);
+                fputs("<failure>", cases);
+                put_escaped(cases, story);
+                fputs("</failure>", cases);
+                free(story);
+            }
+            fputs("</testcase>\n", cases);
+        }
+        fputc('\n', table);
+        fputs("</testsuite>\n", cases);
+    }
+    fputs("</testsuites>\n", cases);
+    return status | output_close(csv) | output_close(xml);
+}
+
+/* The results that were written, and of what has none, that it was not graded. */
+static json_t *gather(const struct class *c, int *missing)
+{
+    json_t *all = json_array();
+    char path[LAB_MOST_PATH + 400], student[300];
+    for (int k = 0; k < c->count; k++) {
+        student_of(c, c->name[k], student);
+        snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
+        json_t *result = json_load_file(path, 0, NULL);
+        if (result == NULL) {
+            result = nothing(c, "it was not graded: the grader ended");
+            write_result(c, student, result);
+            ++*missing;
+        }
+        json_object_set_new(result, "student", json_string(student));
+        json_array_append_new(all, result);
+    }
+    return all;
+}
+
+/* Results of an earlier run are no results of this one. */
+static void forget_earlier(const struct class *c)
+{
+    char path[LAB_MOST_PATH + 400], student[300];
+    for (int k = 0; k < c->count; k++) {
+        student_of(c, c->name[k], student);
+        snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
+        unlink(path);
+    }
+}
+
+int lab_grade(const struct lab *lab, const char *submissions, const char *out, int jobs, const char *seed)
+{
+    struct class *c = calloc(1, sizeof *c);
+    atomic_int *next = mmap(NULL, sizeof *next, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (c == NULL || next == MAP_FAILED)
+        abort();
+    *c = (struct class){.lab = lab, .submissions = submissions, .out = out};
+    int missing = 0, code = EXIT_USAGE;
+    if (find(c) == 0 && make_folder(out) == 0) {
+        forget_earlier(c);
+        fflush(NULL);
+        for (int k = 0; k < jobs && k < c->count; k++)
+            if (fork() == 0)
+                _exit(work(c, next));
+        while (wait(NULL) > 0 || errno == EINTR)
+            ;
+        json_t *all = gather(c, &missing);
+        code = write_tables(c, all) == 0 && missing == 0 ? EXIT_AS_EXPECTED : EXIT_INTERNAL;
+        printf("%d submissions of %s, seed %s: %s/results.csv; %d not graded\n", c->count, lab->name, seed, out,
+               missing);
+        json_decref(all);
+    }
+    for (int k = 0; k < c->count; k++)
+        free(c->name[k]);
+    free(c);
+    munmap(next, sizeof *next);
+    return code;
+}

@@ -1,0 +1,793 @@
+/* judge.c -- a submission against the reference: points, ways through the code, the field; see lab.h.
+ *
+ * Both are run in processes of their own and tell what they computed; only here the two are compared.  A requirement is wrong
+ * when there are numbers for which its exact results are not those of the reference: never because something was not understood.
+ * It is right for all inputs when on every way that was found, through both codes together, the results are the same elements of
+ * the field; the ways are looked for on both sides of the border of every comparison. */
+#include "cli/lab/lab.h"
+#include "exact/code/border.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_POINTS = 400, FIRST_POINTS = 3, MOST_SHRINKING = 200, MOST_WAYS = 64, HINT_POINTS = 4, ROUNDED = 12 };
+enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6 };
+
+/* What is known while one submission is judged. */
+struct trial {
+    struct lab_bench *bench;
+    const struct lab *lab;
+    struct lab_place place;
+    struct lab_player student;
+    json_t *jobs;      /* what the sanitizers are shown                                  */
+    char manners[300]; /* what the code does besides computing; empty: nothing was seen  */
+    int manners_line;
+    int compared; /* whether it compares numbers                                    */
+};
+
+/* ---- one run of both -------------------------------------------------------------------------------------- */
+
+static json_t *job_of(const struct lab_case *c, const struct cagd_code_point *p, const char *numbers, const char *entry)
+{
+    char name[40];
+    json_t *inputs = json_array();
+    snprintf(name, sizeof name, "%s_%d", entry, c->number);
+    for (int i = 0; i < p->inputs; i++) {
+        const struct cagd_code_input *in = &p->input[i];
+        json_t *value = json_array(), *like = json_array();
+        for (int j = 0; j < (in->count > 0 ? in->count : 1); j++) {
+            json_array_append_new(value, json_string(in->value[j]));
+            json_array_append_new(like, json_integer(in->like != NULL ? in->like[j] : j));
+        }
+        json_array_append_new(inputs, json_pack("{s:s, s:i, s:b, s:o, s:o}", "name", in->name, "count", in->count,
+                                                "variable", in->variable, "value", value, "like", like));
+    }
+    return json_pack("{s:s, s:s, s:i, s:o}", "entry", name, "numbers", numbers, "seconds",
+                     strcmp(numbers, "field") == 0 ? FIELD_SECONDS : SECONDS, "inputs", inputs);
+}
+
+/* What the two say to a job; the job is released. */
+struct pair {
+    json_t *got, *want;
+};
+
+static void forget(struct pair *p)
+{
+    json_decref(p->got);
+    json_decref(p->want);
+}
+
+static json_t *lost(void)
+{
+    return json_pack("{s:s, s:s}", "end", "crashed", "message",
+                     "the process of the code ended, or said what no run says");
+}
+
+static struct pair ask_both(struct trial *t, json_t *job)
+{
+    struct pair p;
+    lab_ask(&t->student, job);
+    lab_ask(&t->bench->right, job);
+    p.got = lab_answer(&t->student);
+    p.want = lab_answer(&t->bench->right);
+    json_decref(job);
+    if (p.got == NULL) {
+        p.got = lost();
+        lab_player_close(&t->student);
+        lab_player_open(&t->student, &t->place, t->lab, "student.so");
+    }
+    if (p.want == NULL)
+        p.want = lost();
+    return p;
+}
+
+static int finished(const json_t *outcome)
+{
+    return strcmp(json_string_value(json_object_get(outcome, "end")), "finished") == 0;
+}
+
+static const char *member(const json_t *row, const char *key)
+{
+    const char *text = json_string_value(json_object_get(row, key));
+    return text != NULL ? text : "";
+}
+
+/* The index of the first result from `from` on that is not the same, under the key "got" or "field"; -1 when there is none. */
+static int first_difference(const json_t *got, const json_t *want, const char *key, size_t from)
+{
+    const json_t *a = json_object_get(got, "results"), *b = json_object_get(want, "results");
+    for (size_t k = from; k < json_array_size(b); k++) {
+        const json_t *x = json_array_get(a, k), *y = json_array_get(b, k);
+        if (x == NULL || strcmp(member(x, "name"), member(y, "name")) != 0 ||
+            strcmp(member(x, key), member(y, key)) != 0)
+            return (int)k;
+    }
+    return json_array_size(a) != json_array_size(b) ? 0 : -1;
+}
+
+/* Whether the result is an input as it is behind the call. */
+static int is_input(const struct lab_case *c, const char *name)
+{
+    size_t length = strcspn(name, "[");
+    for (int k = 0; k < c->h->inputs; k++)
+        if (strlen(c->h->input[k].name) == length && strncmp(c->h->input[k].name, name, length) == 0)
+            return 1;
+    return 0;
+}
+
+/* The first difference among what was computed; a changed argument is a matter of manners. */
+static int difference_of(struct trial *t, const struct lab_case *c, const struct pair *p)
+{
+    int k = first_difference(p->got, p->want, "got", 0);
+    if (k < 0)
+        return k;
+    const char *name = member(json_array_get(json_object_get(p->want, "results"), (size_t)k), "name");
+    if (!is_input(c, name))
+        return k;
+    if (t->manners[0] == 0)
+        snprintf(t->manners, sizeof t->manners, "changes its argument %.*s", (int)strcspn(name, "["), name);
+    return -1;
+}
+
+/* ---- one case --------------------------------------------------------------------------------------------- */
+
+struct found {
+    int wrong, stopped; /* a difference; the code ended                                */
+    struct cagd_code_point *point;
+    struct pair at; /* what was said there                                         */
+    int points, ways, proved, conditions, undecided, empty; /* empty: no case may stay without a point */
+    char why[300];
+};
+
+/* The points that are still to be tried, and the ways that were seen. */
+struct search {
+    struct cagd_code_point *point[MOST_POINTS];
+    int count, tried;
+    char way[MOST_WAYS][80];
+    int ways;
+};
+
+static void put_point(struct search *s, struct cagd_code_point *p)
+{
+    if (s->count < MOST_POINTS)
+        s->point[s->count++] = p;
+    else
+        cagd_code_point_free(p);
+}
+
+/* The point with one value changed. */
+static void put_beside(struct search *s, const struct cagd_code_point *p, int input, int element, cagd_num_q value)
+{
+    struct cagd_code_point *other = cagd_code_point_copy(p);
+    cagd_code_point_set(other, input, element, cagd_to_string_q(value));
+    put_point(s, other);
+}
+
+/* Points on the border of the condition and to both sides of it, near and far. */
+static int put_border(struct search *s, const struct cagd_code_point *p, const char *difference)
+{
+    int any = 0;
+    for (int i = 0; i < p->inputs; i++)
+        for (int j = 0; p->input[i].variable && j < (p->input[i].count > 0 ? p->input[i].count : 1); j++) {
+            cagd_region_mark mark = cagd_region_open();
+            cagd_num_q x = cagd_code_border(difference, p, i, j), far = cagd_from_int_q(1),
+                       near = cagd_from_ratio_q(1, 1l << 40);
+            if (x.at != NULL) {
+                any = 1;
+                put_beside(s, p, i, j, x);
+                put_beside(s, p, i, j, cagd_add_q(x, near));
+                put_beside(s, p, i, j, cagd_sub_q(x, near));
+                put_beside(s, p, i, j, cagd_add_q(x, far));
+                put_beside(s, p, i, j, cagd_sub_q(x, far));
+            }
+            cagd_region_drop(mark);
+        }
+    return any;
+}
+
+static void put_borders(struct search *s, struct found *f, const struct cagd_code_point *p, const json_t *outcome)
+{
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(outcome, "conditions"), k, row)
+    {
+        f->conditions++;
+        if (!put_border(s, p, member(row, "difference")))
+            f->undecided++;
+    }
+}
+
+/* Whether the way through both codes is new; equal neighbours belong to it. */
+static int is_new_way(struct search *s, const struct pair *at, const struct cagd_code_point *p)
+{
+    unsigned long hash = 0;
+    char way[80];
+    for (int i = 0; i < p->inputs; i++)
+        for (int j = 0; j < p->input[i].count; j++)
+            hash = hash * 31 + (unsigned long)(p->input[i].like != NULL ? p->input[i].like[j] : j);
+    snprintf(way, sizeof way, "%.20s %.20s %lx", member(at->got, "path"), member(at->want, "path"), hash);
+    for (int k = 0; k < s->ways; k++)
+        if (strcmp(s->way[k], way) == 0)
+            return 0;
+    if (s->ways < MOST_WAYS)
+        strcpy(s->way[s->ways++], way);
+    return s->ways < MOST_WAYS;
+}
+
+/* Whether the only name in the expression is this one. */
+static int is_about(const char *expression, const char *name)
+{
+    size_t length = strlen(name);
+    for (const char *at = expression; *at != 0;) {
+        size_t word = strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_[]");
+        if (word > 0 && (word != length || strncmp(at, name, length) != 0))
+            return 0;
+        at += word > 0 ? word : 1;
+    }
+    return 1;
+}
+
+/* On a way where "t = 0" was decided, t is 0 and no variable: the point for that, or NULL where no such condition is known. */
+static struct cagd_code_point *with_fixed(const struct cagd_code_point *p, const json_t *outcome)
+{
+    struct cagd_code_point *other = NULL;
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(outcome, "conditions"), k,
+                       row) for (int i = 0; i < p->inputs;
+                                 i++) if (strcmp(member(row, "relation"), "=") == 0 && p->input[i].count == 0 &&
+                                          is_about(member(row, "difference"), p->input[i].name))
+    {
+        other = other != NULL ? other : cagd_code_point_copy(p);
+        other->input[i].variable = 0;
+    }
+    return other;
+}
+
+/* The way in the field. */
+static void prove(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
+                  const struct cagd_code_point *p)
+{
+    struct pair at = ask_both(t, job_of(c, p, "field", "lab_entry"));
+    f->ways++;
+    if (finished(at.got) && finished(at.want)) {
+        int same = first_difference(at.got, at.want, "field", 0) < 0;
+        struct cagd_code_point *fixed = same ? NULL : with_fixed(p, at.got);
+        if (fixed != NULL) {
+            struct pair there = ask_both(t, job_of(c, fixed, "field", "lab_entry"));
+            same =
+                finished(there.got) && finished(there.want) && first_difference(there.got, there.want, "field", 0) < 0;
+            forget(&there);
+            cagd_code_point_free(fixed);
+        }
+        f->proved += same;
+        t->compared += json_array_size(json_object_get(at.got, "conditions")) > 0;
+        put_borders(s, f, p, at.got);
+        put_borders(s, f, p, at.want);
+    } else if (f->why[0] == 0) {
+        snprintf(f->why, sizeof f->why, "%.250s", member(finished(at.got) ? at.want : at.got, "message"));
+    }
+    forget(&at);
+}
+
+/* In rationals; 1 when the search is over.  Where the reference has no value nothing is asked. */
+static int try_point(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
+                     struct cagd_code_point *p)
+{
+    struct pair at = ask_both(t, job_of(c, p, "rational", "lab_entry"));
+    if (!finished(at.want)) {
+        forget(&at);
+        return 0;
+    }
+    f->points++;
+    f->stopped = !finished(at.got);
+    f->wrong = f->stopped || difference_of(t, c, &at) >= 0;
+    const char *why = f->stopped ? member(at.got, "message") : "";
+    if (strstr(why, "outside an array") != NULL && t->manners[0] == 0) /* wrong, and no manners either */
+        snprintf(t->manners, sizeof t->manners, "%s", why);
+    if (json_integer_value(json_object_get(at.got, "printed")) > 0 && t->manners[0] == 0)
+        snprintf(t->manners, sizeof t->manners, "prints");
+    if (f->wrong) {
+        f->point = cagd_code_point_copy(p);
+        f->at = at;
+        return 1;
+    }
+    int more = s->ways < MOST_WAYS, before = s->ways;
+    if (is_new_way(s, &at, p))
+        prove(t, c, s, f, p);
+    f->undecided += more && before < MOST_WAYS && s->ways == MOST_WAYS; /* there may be other ways */
+    forget(&at);
+    return 0;
+}
+
+/* How many digits a value has: what is made small. */
+static size_t length_of(const char *value)
+{
+    return strlen(value) + (*value == '-' ? 1u : 0u) + (strchr(value, '/') != NULL ? 2u : 0u);
+}
+
+/* One value becomes simpler, if the results still differ. */
+static int shrink_one(struct trial *t, const struct lab_case *c, struct found *f, int i, int j, int *left)
+{
+    static const char *const tries[] = {"0", "1", "2", "3", "-1", "1/2", "1/3"};
+    for (size_t k = 0; k<sizeof tries / sizeof *tries && * left> 0; k++) {
+        const char *now = f->point->input[i].value[j];
+        if (length_of(tries[k]) > length_of(now) ||
+            (length_of(tries[k]) == length_of(now) && strcmp(tries[k], now) >= 0))
+            continue;
+        struct cagd_code_point *other = cagd_code_point_copy(f->point);
+        cagd_code_point_set(other, i, j, tries[k]);
+        struct pair at = ask_both(t, job_of(c, other, "rational", "lab_entry"));
+        --*left;
+        if (finished(at.want) && (f->stopped ? !finished(at.got) : finished(at.got) && difference_of(t, c, &at) >= 0)) {
+            cagd_code_point_free(f->point);
+            forget(&f->at);
+            f->point = other;
+            f->at = at;
+            return 1;
+        }
+        cagd_code_point_free(other);
+        forget(&at);
+    }
+    return 0;
+}
+
+static void shrink(struct trial *t, const struct lab_case *c, struct found *f)
+{
+    int left = MOST_SHRINKING;
+    const char *end = member(f->at.got, "end");
+    if (f->stopped && strcmp(end, "undefined") != 0) /* an endless loop is not waited for so often */
+        return;
+    for (int again = 1; again && left > 0;) {
+        again = 0;
+        for (int i = 0; i < f->point->inputs; i++)
+            for (int j = 0;
+                 f->point->input[i].variable && j < (f->point->input[i].count > 0 ? f->point->input[i].count : 1); j++)
+                again |= shrink_one(t, c, f, i, j, &left);
+    }
+}
+
+static void decide(struct trial *t, const struct lab_case *c, struct found *f)
+{
+    struct search *s = calloc(1, sizeof *s);
+    if (s == NULL)
+        abort();
+    long patterns = cagd_code_patterns(c->h), wanted = FIRST_POINTS > 2 * patterns ? FIRST_POINTS : 2 * patterns;
+    int over = 0, fixed = cagd_code_variables(c->h) == 0;
+    for (long k = 0, found = 0; !over && k < 10 * wanted && found < (fixed ? 1 : wanted); k++) {
+        struct cagd_code_point *p = cagd_code_point_new(c->h, k, 0);
+        int before = f->points;
+        over = try_point(t, c, s, f, p);
+        found += f->points > before;
+        cagd_code_point_free(p);
+        if (!over && f->points > 0 && f->proved < f->ways && wanted < t->bench->points)
+            wanted = t->bench->points; /* what is not proved is tried more often */
+    }
+    for (; !over && s->tried < s->count; s->tried++)
+        over = try_point(t, c, s, f, s->point[s->tried]);
+    for (int k = 0; k < s->count; k++)
+        cagd_code_point_free(s->point[k]);
+    free(s);
+    if (f->wrong)
+        shrink(t, c, f);
+}
+
+/* ---- hints ------------------------------------------------------------------------------------------------ */
+
+static int names(const char *list, const char *name)
+{
+    size_t length = strlen(name);
+    for (const char *at = list; (at = strstr(at, name)) != NULL; at++)
+        if ((at == list || at[-1] == ' ') && (at[length] == 0 || at[length] == ' '))
+            return 1;
+    return 0;
+}
+
+/* The wrong solution of that index, ready to be asked; whether it is. */
+static int is_built(struct lab_bench *b, size_t index, const json_t *wrong)
+{
+    char cause[LAB_CAUSE], object[40];
+    if (index >= sizeof b->built / sizeof *b->built)
+        return 0;
+    if (b->built[index] != 0)
+        return b->built[index] > 0;
+    b->built[index] = -1;
+    char *source = lab_wrong_source(b->lab, wrong, cause);
+    if (source == NULL)
+        return 0;
+    snprintf(object, sizeof object, "wrong-%zu.so", index);
+    char *errors = lab_build(b->lab, &b->own, source, object);
+    if (errors == NULL && lab_player_open(&b->wrong[index], &b->own, b->lab, object) == 0)
+        b->built[index] = 1;
+    free(errors);
+    free(source);
+    return b->built[index] > 0;
+}
+
+/* Whether the wrong solution says to every job what the submission said. */
+static int says_the_same(struct lab_player *wrong, json_t *const job[], json_t *const said[], int count)
+{
+    for (int k = 0; k < count; k++) {
+        lab_ask(wrong, job[k]);
+        json_t *answer = lab_answer(wrong);
+        int same = answer != NULL && finished(answer) && first_difference(answer, said[k], "got", 0) < 0;
+        json_decref(answer);
+        if (!same)
+            return 0;
+    }
+    return 1;
+}
+
+/* The known misconception whose results are those of the submission, at the point that was found and at others. */
+static json_t *hint_for(struct trial *t, const struct lab_case *c, const struct found *f)
+{
+    json_t *job[HINT_POINTS + 1], *said[HINT_POINTS + 1], *hint = NULL;
+    const char *requirement = member(c->requirement, "name");
+    size_t index;
+    const json_t *block;
+    int count = 0;
+    job[count] = job_of(c, f->point, "rational", "lab_entry");
+    said[count++] = json_incref(f->at.got);
+    for (long k = 0; k < 4 * HINT_POINTS && count <= HINT_POINTS; k++) {
+        struct cagd_code_point *p = cagd_code_point_new(c->h, k, 0);
+        job[count] = job_of(c, p, "rational", "lab_entry");
+        struct pair at = ask_both(t, json_incref(job[count]));
+        if (finished(at.want) && finished(at.got))
+            said[count++] = json_incref(at.got);
+        else
+            json_decref(job[count]);
+        forget(&at);
+        cagd_code_point_free(p);
+    }
+    json_array_foreach(t->lab->blocks, index, block)
+    {
+        if (hint != NULL || strcmp(member(block, "kind"), "wrong") != 0 || *lab_text(block, "hint") == 0 ||
+            !names(lab_text(block, "fails"), requirement) || !is_built(t->bench, index, block))
+            continue;
+        if (says_the_same(&t->bench->wrong[index], job, said, count))
+            hint = json_pack("{s:s, s:s, s:s}", "name", member(block, "name"), "text", lab_text(block, "hint"), "zh",
+                             lab_text(block, "zh"));
+    }
+    for (int k = 0; k < count; k++) {
+        json_decref(job[k]);
+        json_decref(said[k]);
+    }
+    return hint;
+}
+
+/* ---- requirements ------------------------------------------------------------------------------------------ */
+
+static json_t *inputs_json(const struct cagd_code_point *p)
+{
+    json_t *object = json_object();
+    for (int i = 0; i < p->inputs; i++) {
+        json_t *values = json_array();
+        for (int j = 0; j < (p->input[i].count > 0 ? p->input[i].count : 1); j++)
+            json_array_append_new(values, json_string(p->input[i].value[j]));
+        json_object_set_new(object, p->input[i].name, values);
+    }
+    return object;
+}
+
+static json_t *differences_json(const struct lab_case *c, const struct pair *at)
+{
+    json_t *list = json_array();
+    size_t k;
+    const json_t *want;
+    json_array_foreach(json_object_get(at->want, "results"), k, want)
+    {
+        const json_t *got = json_array_get(json_object_get(at->got, "results"), k);
+        if (json_array_size(list) == SHOWN || is_input(c, member(want, "name")) ||
+            strcmp(member(got, "got"), member(want, "got")) == 0)
+            continue;
+        json_array_append_new(list, json_pack("{s:s, s:s, s:s}", "name", member(want, "name"), "got",
+                                              member(got, "got"), "expected", member(want, "got")));
+    }
+    return list;
+}
+
+/* What became of code that ended, in words. */
+static const char *ended(const json_t *outcome, char text[LAB_CAUSE])
+{
+    const char *end = member(outcome, "end"), *message = member(outcome, "message");
+    long line = (long)json_integer_value(json_object_get(outcome, "line"));
+    if (strcmp(end, "bound") == 0 && strstr(message, "time") != NULL)
+        message = "does not come to an end";
+    else if (strcmp(end, "undefined") == 0 && strstr(message, "division") != NULL)
+        message = "divides by zero";
+    if (line > 0)
+        snprintf(text, LAB_CAUSE, "%.400s, in line %ld", message, line);
+    else
+        snprintf(text, LAB_CAUSE, "%.400s", message);
+    return text;
+}
+
+static void tell_wrong(struct trial *t, const struct lab_case *c, const struct found *f, json_t *row)
+{
+    char text[LAB_CAUSE];
+    json_object_set_new(row, "verdict", json_string(f->stopped ? "stopped" : "wrong"));
+    json_object_set_new(row, "case", json_string(c->label));
+    json_object_set_new(row, "inputs", inputs_json(f->point));
+    if (f->stopped) {
+        json_object_set_new(row, "text", json_string(ended(f->at.got, text)));
+        json_object_set(row, "line", json_object_get(f->at.got, "line"));
+        return;
+    }
+    json_object_set_new(row, "text", json_string("another result"));
+    json_object_set_new(row, "differences", differences_json(c, &f->at));
+    json_t *hint = hint_for(t, c, f);
+    if (hint != NULL)
+        json_object_set_new(row, "hint", hint);
+}
+
+static void tell_right(const struct lab_case *first, const struct lab_case *last, const struct found *sum, json_t *row)
+{
+    char text[LAB_CAUSE], range[140] = "";
+    int proved = sum->ways > 0 && sum->proved == sum->ways && sum->undecided == 0;
+    if (first != last)
+        snprintf(range, sizeof range, ", %s to %s", first->label, last->label);
+    if (proved && sum->conditions == 0)
+        snprintf(text, sizeof text, "right for all inputs%s", range);
+    else if (proved)
+        snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that %d points took", range,
+                 sum->ways, sum->points);
+    else
+        snprintf(text, sizeof text, "right in %d exact cases%s", sum->points, range);
+    if (sum->empty > 0)
+        snprintf(text, sizeof text, "no numbers were found for which the reference has a result");
+    json_object_set_new(row, "verdict", json_string(sum->empty > 0 ? "undecided" : proved ? "proved" : "sampled"));
+    json_object_set_new(row, "text", json_string(text));
+    if (!proved && sum->why[0] != 0)
+        json_object_set_new(row, "because", json_string(sum->why));
+}
+
+/* The same call again, and behind other calls: nothing may be kept. */
+static void look_for_state(struct trial *t, const struct lab_case *c)
+{
+    struct cagd_code_point *before = cagd_code_point_new(t->lab->at[c->earlier].h, 0, 0),
+                           *p = cagd_code_point_new(c->h, 1, 0);
+    json_t *job = job_of(c, p, "rational", "lab_again"),
+           *other = c->earlier != c->number ? job_of(&t->lab->at[c->earlier], before, "rational", "lab_again") : NULL;
+    json_array_append_new(t->jobs, job_of(c, p, "rational", "lab_entry"));
+    if (other != NULL)
+        json_array_extend(json_object_get(job, "inputs"), json_object_get(other, "inputs"));
+    struct pair at = ask_both(t, job);
+    if (finished(at.want) && t->manners[0] == 0 &&
+        (!finished(at.got) || first_difference(at.got, at.want, "got", 0) >= 0))
+        snprintf(t->manners, sizeof t->manners, "remembers earlier calls: the same call has another result");
+    forget(&at);
+    json_decref(other);
+    cagd_code_point_free(before);
+    cagd_code_point_free(p);
+}
+
+/* The cases from `k` on that belong to the requirement; the index behind them. */
+static int judge_requirement(struct trial *t, int k, json_t *row)
+{
+    const struct lab *lab = t->lab;
+    const struct lab_case *first = &lab->at[k], *last = first;
+    struct found sum = {0};
+    int wrong = 0, stopped = 0;
+    for (; k < lab->cases && lab->at[k].requirement == first->requirement; k++) {
+        struct found f = {0};
+        if (wrong)
+            continue;
+        last = &lab->at[k];
+        decide(t, last, &f);
+        sum.points += f.points, sum.ways += f.ways, sum.proved += f.proved;
+        sum.conditions += f.conditions, sum.undecided += f.undecided;
+        sum.empty += f.points == 0;
+        if (sum.why[0] == 0)
+            memcpy(sum.why, f.why, sizeof sum.why);
+        if (f.wrong) {
+            tell_wrong(t, last, &f, row);
+            cagd_code_point_free(f.point);
+            forget(&f.at);
+            wrong = 1, stopped = f.stopped;
+        }
+    }
+    if (!wrong) {
+        tell_right(first, last, &sum, row);
+        look_for_state(t, last);
+    } else if (!stopped || strstr(member(row, "text"), "end") == NULL) { /* what has no end is not run once more */
+        struct cagd_code_point *p = cagd_code_point_new(last->h, 0, 0);
+        json_array_append_new(t->jobs, job_of(last, p, "rational", "lab_entry"));
+        cagd_code_point_free(p);
+    }
+    return k;
+}
+
+/* ---- rounding and cost ---------------------------------------------------------------------------------------- */
+
+static double worst_of(const json_t *outcome)
+{
+    double worst = 0;
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(outcome, "results"), k, row)
+    {
+        double ulps = json_real_value(json_object_get(row, "ulps"));
+        worst = ulps > worst ? ulps : worst;
+    }
+    return worst;
+}
+
+/* Ulps at worst, and operations, of both, in the last case. */
+static json_t *measure(struct trial *t)
+{
+    const struct lab_case *c = &t->lab->at[t->lab->cases - 1];
+    double got = 0, want = 0;
+    json_int_t ours = 0, theirs = 0;
+    for (long k = 0; k < ROUNDED; k++) {
+        struct cagd_code_point *p = cagd_code_point_new(c->h, k, 1);
+        struct pair at = ask_both(t, job_of(c, p, "rounding", "lab_entry"));
+        if (finished(at.got) && finished(at.want)) {
+            got = worst_of(at.got) > got ? worst_of(at.got) : got;
+            want = worst_of(at.want) > want ? worst_of(at.want) : want;
+            ours = json_integer_value(json_object_get(at.got, "operations"));
+            theirs = json_integer_value(json_object_get(at.want, "operations"));
+        }
+        forget(&at);
+        cagd_code_point_free(p);
+    }
+    return json_pack("{s:s, s:f, s:f, s:I, s:I}", "case", c->label, "ulps", got, "reference_ulps", want, "operations",
+                     ours, "reference_operations", theirs);
+}
+
+/* ---- a submission -------------------------------------------------------------------------------------------- */
+
+static json_t *blank(const json_t *requirement)
+{
+    return json_pack("{s:s, s:s, s:s, s:i, s:i}", "name", member(requirement, "name"), "title",
+                     lab_text(requirement, "title"), "zh", lab_text(requirement, "zh"), "points", 0, "of",
+                     lab_points(requirement));
+}
+
+static void mark(json_t *result)
+{
+    json_int_t points = 0, of = 0;
+    size_t k;
+    json_t *row;
+    json_array_foreach(json_object_get(result, "requirements"), k, row)
+    {
+        const char *verdict = member(row, "verdict");
+        if (strcmp(verdict, "proved") == 0 || strcmp(verdict, "sampled") == 0 || strcmp(verdict, "clean") == 0)
+            json_object_set(row, "points", json_object_get(row, "of"));
+        points += json_integer_value(json_object_get(row, "points"));
+        of += json_integer_value(json_object_get(row, "of"));
+    }
+    json_object_set_new(result, "points", json_integer(points));
+    json_object_set_new(result, "of", json_integer(of));
+}
+
+/* Requirements one by one; then what is asked of the whole code. */
+static void judge_all(struct trial *t, json_t *rows)
+{
+    size_t k;
+    const json_t *block;
+    int at = 0, wrong = 0;
+    json_array_foreach(t->lab->blocks, k, block)
+    {
+        if (strcmp(member(block, "kind"), "requirement") != 0 || json_object_get(block, "call") == NULL)
+            continue;
+        json_t *row = blank(block);
+        at = judge_requirement(t, at, row);
+        wrong += json_object_get(row, "case") != NULL;
+        json_array_append_new(rows, row);
+    }
+    json_t *report = lab_sanitize(t->lab, &t->place, t->jobs);
+    if (report != NULL) {
+        snprintf(t->manners, sizeof t->manners, "%s", member(report, "text"));
+        t->manners_line = (int)json_integer_value(json_object_get(report, "line"));
+    }
+    json_decref(report);
+    json_array_foreach(t->lab->blocks, k, block)
+    {
+        if (strcmp(member(block, "kind"), "requirement") != 0 || json_object_get(block, "call") != NULL)
+            continue;
+        /* who has computed nothing has not behaved well either */
+        int nothing = wrong == (int)json_array_size(rows), bad = t->manners[0] != 0;
+        json_t *row = blank(block);
+        json_object_set_new(row, "verdict", json_string(bad || nothing ? "unclean" : "clean"));
+        json_object_set_new(row, "text",
+                            json_string(bad       ? t->manners
+                                        : nothing ? "nothing is right yet"
+                                                  : "nothing was seen"));
+        if (t->manners_line > 0)
+            json_object_set_new(row, "line", json_integer(t->manners_line));
+        json_array_append_new(rows, row);
+        break;
+    }
+}
+
+/* Nothing was run: why. */
+static void tell_refused(const struct lab *lab, json_t *rows, const char *verdict, const char *text)
+{
+    size_t k;
+    const json_t *block;
+    json_array_foreach(lab->blocks, k, block) if (strcmp(member(block, "kind"), "requirement") == 0)
+    {
+        json_t *row = blank(block);
+        json_object_set_new(row, "verdict", json_string(verdict));
+        json_object_set_new(row, "text", json_string(k == 0 ? text : ""));
+        json_array_append_new(rows, row);
+    }
+    (void)text;
+}
+
+static char *prepare(struct trial *t, const char *source, json_t *result)
+{
+    char *errors = lab_build(t->lab, &t->place, source, "student.so");
+    json_t *seen = lab_inspect(t->lab, &t->place);
+    const char *compiler = member(seen, "compiler"), *refused = member(seen, "refused");
+    json_object_set(result, "notes", json_object_get(seen, "notes"));
+    if (*compiler != 0 || (*refused == 0 && errors != NULL)) {
+        free(errors == NULL || *compiler != 0 ? errors : NULL);
+        errors = *compiler != 0 ? strdup(compiler) : errors;
+        json_object_set_new(result, "compiler", json_string(errors));
+    } else if (*refused != 0) {
+        free(errors);
+        errors = strdup(refused);
+        json_object_set_new(result, "refused", json_string(errors));
+    }
+    json_decref(seen);
+    return errors;
+}
+
+json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
+{
+    struct trial t = {.bench = b, .lab = b->lab, .jobs = json_array()};
+    json_t *rows = json_array(),
+           *result = json_pack("{s:s, s:s, s:s, s:o}", "schema", "cagd-lab-1", "lab", b->lab->name, "title",
+                               lab_text(b->lab->head, "title"), "requirements", rows);
+    if (lab_place_open(&t.place, shut) != 0) {
+        tell_refused(b->lab, rows, "refused", strerror(errno));
+        json_object_set_new(result, "refused", json_string("there is no temporary folder"));
+    } else {
+        char *errors = prepare(&t, source, result);
+        if (errors != NULL) {
+            tell_refused(b->lab, rows, json_object_get(result, "refused") != NULL ? "refused" : "not compiled", errors);
+        } else if (lab_player_open(&t.student, &t.place, b->lab, "student.so") == 0) {
+            judge_all(&t, rows);
+            mark(result);
+            if (json_equal(json_object_get(result, "points"), json_object_get(result, "of")))
+                json_object_set_new(result, "measured", measure(&t));
+            lab_player_close(&t.student);
+        }
+        free(errors);
+        lab_place_close(&t.place);
+    }
+    mark(result);
+    json_decref(t.jobs);
+    return result;
+}
+
+int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE])
+{
+    char path[LAB_MOST_PATH + 32];
+    *b = (struct lab_bench){.lab = lab, .points = 24};
+    snprintf(path, sizeof path, "%s/reference.c", lab->folder);
+    char *source = lab_file(path);
+    if (source == NULL || lab_place_open(&b->own, 0) != 0) {
+        snprintf(cause, LAB_CAUSE, "reference.c: %s", strerror(errno));
+        free(source);
+        return -1;
+    }
+    char *errors = lab_build(lab, &b->own, source, "reference.so");
+    free(source);
+    if (errors == NULL && lab_player_open(&b->right, &b->own, lab, "reference.so") == 0)
+        return 0;
+    snprintf(cause, LAB_CAUSE, "reference.c: %.500s", errors != NULL ? errors : "cannot be started");
+    free(errors);
+    lab_place_close(&b->own);
+    return -1;
+}
+
+void lab_bench_close(struct lab_bench *b)
+{
+    lab_player_close(&b->right);
+    for (size_t k = 0; k < sizeof b->wrong / sizeof *b->wrong; k++)
+        lab_player_close(&b->wrong[k]);
+    lab_place_close(&b->own);
+}

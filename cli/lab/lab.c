@@ -1,0 +1,269 @@
+/* lab.c -- cagd lab: assignments, and a grader that decides by exact computation. */
+#include "cli/lab/lab.h"
+#include "cli/commands.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+struct arguments {
+    struct asked asked;
+    const char *play, *out, *seed, *lab;
+    int watch;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    switch (key) {
+    case 'P':
+        a->play = arg;
+        return 0;
+    case 'o':
+        a->out = arg;
+        return 0;
+    case 's':
+        a->seed = arg;
+        return 0;
+    case 'l':
+        a->lab = arg;
+        return 0;
+    case 'w':
+        a->watch = 1;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* A lab by its name, or by its folder where the text has a slash. */
+static struct lab *lab_called(const char *name, const char *seed)
+{
+    char folder[LAB_MOST_PATH], path[LAB_MOST_PATH + 300], cause[LAB_CAUSE] = "";
+    if (strchr(name, '/') != NULL || access("lab.md", R_OK) == 0)
+        snprintf(path, sizeof path, "%s", name);
+    else if (lab_folder(folder) == 0)
+        snprintf(path, sizeof path, "%s/%s", folder, name);
+    else
+        path[0] = 0;
+    struct lab *lab = lab_read(path, seed, cause);
+    if (lab == NULL)
+        fprintf(stderr, "cagd: %s: %s; cagd lab lists the labs\n", name, cause);
+    return lab;
+}
+
+/* The lab whose file is in the folder. */
+static struct lab *lab_of(const char *folder, const char *seed)
+{
+    static const char *const ends[] = {"c", "py", "txt"};
+    json_t *names = lab_names();
+    struct lab *lab = NULL;
+    size_t k;
+    const json_t *name;
+    char path[LAB_MOST_PATH + 128];
+    json_array_foreach(names, k, name) for (size_t e = 0; lab == NULL && e < sizeof ends / sizeof *ends; e++)
+    {
+        snprintf(path, sizeof path, "%s/%s.%s", folder, json_string_value(name), ends[e]);
+        if (access(path, R_OK) == 0)
+            lab = lab_called(json_string_value(name), seed);
+    }
+    if (lab == NULL)
+        fprintf(stderr, "cagd: %s: there is no file of a lab, such as de-casteljau.c; --lab names the lab\n", folder);
+    json_decref(names);
+    return lab;
+}
+
+/* ---- list ------------------------------------------------------------------------------------------------ */
+
+static int points_of(const struct lab *lab)
+{
+    int sum = 0;
+    size_t k;
+    const json_t *block;
+    json_array_foreach(lab->blocks, k, block) if (strcmp(json_string_value(json_object_get(block, "kind")),
+                                                         "requirement") == 0) sum += lab_points(block);
+    return sum;
+}
+
+static int list(int as_json)
+{
+    json_t *names = lab_names(), *rows = json_array();
+    size_t k;
+    const json_t *name;
+    json_array_foreach(names, k, name)
+    {
+        struct lab *lab = lab_called(json_string_value(name), "0");
+        if (lab == NULL)
+            continue;
+        if (!as_json) {
+            printf("%s%-22s%s %2d points  %s  %s\n", style(stdout, BOLD), lab->name, style(stdout, PLAIN),
+                   points_of(lab), lab_text(lab->head, "title"), lab_text(lab->head, "zh"));
+            printf("%22s %s, chapter %s: %s\n", "", lab->language, lab_text(lab->head, "chapter"),
+                   lab_text(lab->head, "learn"));
+        }
+        json_array_append_new(rows, json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:i}", "name", lab->name, "title",
+                                              lab_text(lab->head, "title"), "zh", lab_text(lab->head, "zh"), "chapter",
+                                              lab_text(lab->head, "chapter"), "learn", lab_text(lab->head, "learn"),
+                                              "language", lab->language, "points", points_of(lab)));
+        lab_free(lab);
+    }
+    if (as_json)
+        print_json(json_pack("{s:s, s:O}", "schema", "cagd-labs-1", "labs", rows));
+    json_decref(rows);
+    json_decref(names);
+    return EXIT_AS_EXPECTED;
+}
+
+/* ---- check ----------------------------------------------------------------------------------------------- */
+
+/* The exit code. */
+static int check_once(struct lab_bench *bench, const char *folder, int as_json)
+{
+    char path[LAB_MOST_PATH + 128];
+    snprintf(path, sizeof path, "%s/%s", folder, bench->lab->file);
+    char *answer = lab_file(path);
+    if (answer == NULL) {
+        fprintf(stderr, "cagd: %s: %s\n", path, strerror(errno));
+        return EXIT_USAGE;
+    }
+    json_t *result = lab_judge(bench, answer, 0);
+    int all = json_equal(json_object_get(result, "points"), json_object_get(result, "of"));
+    free(answer);
+    if (as_json) {
+        print_json(result);
+    } else {
+        lab_print(bench->lab, result);
+        json_decref(result);
+    }
+    return all ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
+}
+
+/* Again whenever the file is another one, until interrupted. */
+static void watch(struct lab_bench *bench, const char *folder)
+{
+    char path[LAB_MOST_PATH + 128];
+    struct timespec seen = {0};
+    snprintf(path, sizeof path, "%s/%s", folder, bench->lab->file);
+    for (;;) {
+        struct stat is;
+        if (stat(path, &is) == 0 && (is.st_mtim.tv_sec != seen.tv_sec || is.st_mtim.tv_nsec != seen.tv_nsec)) {
+            seen = is.st_mtim;
+            fputs(is_terminal(stdout) ? "\033[2J\033[H" : "\n", stdout);
+            check_once(bench, folder, 0);
+            fflush(stdout);
+        }
+        nanosleep(&(struct timespec){0, 200000000}, NULL);
+    }
+}
+
+static int check(const struct arguments *a, const char *folder)
+{
+    char cause[LAB_CAUSE];
+    struct lab *lab = a->lab != NULL ? lab_called(a->lab, a->seed) : lab_of(folder, a->seed);
+    struct lab_bench *bench = calloc(1, sizeof *bench);
+    if (lab == NULL || bench == NULL) {
+        free(bench);
+        return EXIT_USAGE;
+    }
+    int code = EXIT_USAGE;
+    if (lab_bench_open(bench, lab, cause) != 0) {
+        fprintf(stderr, "cagd: %s: %s\n", lab->name, cause);
+    } else {
+        if (a->watch)
+            watch(bench, folder);
+        code = check_once(bench, folder, a->asked.json);
+        lab_bench_close(bench);
+    }
+    free(bench);
+    lab_free(lab);
+    return code;
+}
+
+static int start(const struct arguments *a, const char *name, const char *folder)
+{
+    struct lab *lab = lab_called(name, a->seed);
+    int code = lab != NULL && lab_begin(lab, folder != NULL ? folder : lab->name) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
+    lab_free(lab);
+    return code;
+}
+
+static int grade(const struct arguments *a, const char *submissions)
+{
+    const char *why = lab_cannot_shut();
+    struct lab *lab = NULL;
+    if (a->out == NULL || a->lab == NULL)
+        fprintf(stderr, "cagd: lab grade SUBMISSIONS takes --lab NAME and --out DIR\n");
+    else if (why != NULL)
+        fprintf(stderr, "cagd: submissions are graded in a sandbox only, and there is none: %s\n", why);
+    else
+        lab = lab_called(a->lab, a->seed);
+    int code = lab != NULL ? lab_grade(lab, submissions, a->out, a->asked.jobs, a->seed) : EXIT_USAGE;
+    lab_free(lab);
+    return code;
+}
+
+static int run(const struct call *call)
+{
+    struct arguments a = {.seed = "0"};
+    parse_arguments(call, &a.asked);
+    signal(SIGPIPE, SIG_IGN);
+    if (a.play != NULL)
+        return lab_play(a.play);
+    char **word = a.asked.patterns.at;
+    int words = a.asked.patterns.count;
+    const char *verb = words > 0 ? word[0] : "list";
+    if (strcmp(verb, "list") == 0 && words <= 1)
+        return list(a.asked.json);
+    if (strcmp(verb, "start") == 0 && (words == 2 || words == 3))
+        return start(&a, word[1], words == 3 ? word[2] : NULL);
+    if (strcmp(verb, "check") == 0 && words == 2)
+        return check(&a, word[1]);
+    if (strcmp(verb, "grade") == 0 && words == 2)
+        return grade(&a, word[1]);
+    if (strcmp(verb, "new") == 0 && words == 2)
+        return lab_new(word[1]) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
+    if (strcmp(verb, "test") == 0 && words == 2)
+        return lab_test(word[1], a.asked.json);
+    fprintf(stderr,
+            "cagd: lab: 'list', 'start NAME [DIR]', 'check DIR', 'grade SUBMISSIONS', 'new NAME' or 'test DIR' was "
+            "expected\n");
+    return EXIT_USAGE;
+}
+
+static const struct argp_option options[] = {
+    {"lab", 'l', "NAME", 0, "The lab, or a folder with a slash in its name (default: by the file that is in DIR)", 0},
+    {"out", 'o', "DIR", 0, "Where grade writes its results", 0},
+    {"seed", 's', "TEXT", 0, "What the numbers that decide are drawn from (0)", 0},
+    {"watch", 'w', 0, 0, "Check again whenever the file is saved", 0},
+    {"play", 'P', "OBJECT", OPTION_HIDDEN, "Run the code of a submission for the grader", 0},
+    {0}};
+
+const struct command command_lab = {
+    .name = "lab",
+    .summary = "assignments in ordinary C, and a grader that decides them by exact computation",
+    .example = "  cagd lab start de-casteljau         an assignment; cagd lab check de-casteljau judges it\n",
+    .usage = "[list | start NAME [DIR] | check DIR | grade SUBMISSIONS | new NAME | test DIR]",
+    .text =
+        "Labs are assignments about the chapters. A solution is an ordinary function; it is run in exact arithmetic "
+        "and on "
+        "rational functions of its inputs, so a requirement is right for all inputs of a shape, or there are small "
+        "numbers for which it is wrong.\n\n"
+        "Without words, or with list: the labs. start writes an assignment; check judges the solution in DIR; grade "
+        "judges a folder of them, each in a sandbox; new and test make labs of one's own.\n\n"
+        "Examples:\n"
+        "  cagd lab\n"
+        "  cagd lab start de-casteljau\n"
+        "  cagd lab check de-casteljau --watch\n"
+        "  cagd lab grade submissions --lab de-casteljau --out results --seed 2026\n",
+    .arguments = WORDS,
+    .shared = TAKES_JSON | TAKES_JOBS,
+    .options = options,
+    .parse = parse,
+    .run = run,
+};

@@ -1,0 +1,127 @@
+/* lab.h -- labs: assignments as folders of data, and what judges them; only for cli/lab.
+ *
+ * A lab is a folder NAME with
+ *     README.md     the assignment, in English and Chinese, which the student gets
+ *     lab.md        blocks {lab}, {requirement} and {wrong}, and the page for the lecturer around them
+ *     start.c       what the student begins with; start.py where the language is Python
+ *     reference.c   what is right, by the definition
+ *     right/        other right solutions
+ * A block is ":::{kind} name", lines ":key: text" that go on in lines which begin with a blank, and ":::". */
+#ifndef CAGD_LAB_H
+#define CAGD_LAB_H
+
+#include "exact/code/harness.h"
+#include "exact/code/points.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <sys/types.h>
+
+enum { LAB_MOST_CASES = 128, LAB_MOST_PATH = 4096, LAB_MOST_BYTES = 1 << 20, LAB_CAUSE = 600 };
+
+/* ---- read.c: a lab ------------------------------------------------------------------------------------- */
+
+/* One requirement for one degree, say: what is called, with which inputs. */
+struct lab_case {
+    const json_t *requirement;
+    char label[64]; /* "n = 3", or "" */
+    int number;     /* of its function in the driver */
+    int earlier;    /* another case of the requirement, which is run before it where state is looked for */
+    struct cagd_code_harness *h;
+};
+
+struct lab {
+    char name[64], folder[LAB_MOST_PATH];
+    const char *language; /* "c", "python" or "numbers"                                               */
+    char file[80];        /* that the student hands in                                                */
+    const json_t *head;   /* the block {lab}                                                          */
+    json_t *blocks;       /* all; each has "kind", "name", "line", and for every key a list of texts  */
+    int cases;
+    struct lab_case at[LAB_MOST_CASES];
+};
+
+/* The lab in the folder; seed: what the inputs are drawn from.  NULL and a cause. */
+struct lab *lab_read(const char *folder, const char *seed, char cause[LAB_CAUSE]);
+void lab_free(struct lab *lab);
+/* The first text of a key, or "". */
+const char *lab_text(const json_t *block, const char *key);
+int lab_points(const json_t *requirement);
+/* The text of a file of at most LAB_MOST_BYTES, no link followed; NULL and errno. */
+char *lab_file(const char *path);
+/* The folder of all labs: beside the program, installed or built. */
+int lab_folder(char path[LAB_MOST_PATH]);
+/* The names of the labs there, sorted. */
+json_t *lab_names(void);
+
+/* ---- driver.c ------------------------------------------------------------------------------------------ */
+
+/* The C that calls what is handed in: for case K the functions lab_entry_K and, with other calls before it, lab_again_K. */
+int lab_write_driver(const struct lab *lab, const char *path);
+
+/* ---- place.c: processes ---------------------------------------------------------------------------------- */
+
+/* Where other people's code is compiled and run: a folder of its own and, if `shut`, no more than the system's programs beside
+ * it, no network, and no other process. */
+struct lab_place {
+    char folder[LAB_MOST_PATH];
+    int shut;
+};
+int lab_place_open(struct lab_place *p, int shut); /* 0, or -1 and errno */
+void lab_place_close(const struct lab_place *p);
+/* NULL, or why code cannot be shut in here. */
+const char *lab_cannot_shut(void);
+/* Starts it; writes the ends of the pipes to its input and from its output, unless NULL.  `errors`: a descriptor, or -1. */
+pid_t lab_start(const struct lab_place *p, char *const word[], int *to, int *from, int errors);
+/* Runs it to its end, with at most so many seconds; its output and errors go to a text that the caller frees.  The exit code;
+ * 128 and the signal; -1. */
+int lab_run(const struct lab_place *p, char *const word[], int seconds, char **said);
+
+/* ---- play.c: the process that runs other people's code ----------------------------------------------------- */
+
+/* Reads jobs and writes outcomes, a line of JSON each, until its input ends: `cagd lab --play OBJECT`. */
+int lab_play(const char *object);
+
+struct lab_player {
+    pid_t pid;
+    FILE *to, *from;
+};
+int lab_player_open(struct lab_player *p, const struct lab_place *place, const struct lab *lab, const char *object);
+void lab_player_close(struct lab_player *p);
+void lab_ask(struct lab_player *p, const json_t *job);
+json_t *lab_answer(struct lab_player *p); /* NULL when there is none */
+
+/* ---- build.c ------------------------------------------------------------------------------------------- */
+
+/* The source becomes an object in the place, of that name; NULL, or the cause, which the caller frees. */
+char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object);
+/* What is seen in the source before it runs: {"refused": text or absent, "notes": [{"line", "text"}]}. */
+json_t *lab_inspect(const struct lab *lab, const struct lab_place *place);
+/* What the sanitizers say about the code in binary64; NULL: nothing.  A list of jobs, as for a player. */
+json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const json_t *jobs);
+/* The text of a wrong solution: of the file that the block names, with what it replaces.  NULL and a cause. */
+char *lab_wrong_source(const struct lab *lab, const json_t *wrong, char cause[LAB_CAUSE]);
+
+/* ---- judge.c ------------------------------------------------------------------------------------------- */
+
+/* What is kept from one submission to the next. */
+struct lab_bench {
+    const struct lab *lab;
+    struct lab_place own;    /* the reference, and wrong solutions as they are needed */
+    struct lab_player right; /* the reference */
+    struct lab_player wrong[64];
+    int built[64];
+    int points; /* how many at least are tried */
+};
+int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE]);
+void lab_bench_close(struct lab_bench *b);
+/* The result for the source text: see cli/schemas/cagd-lab-1.schema.json.  shut: as in lab_place. */
+json_t *lab_judge(struct lab_bench *b, const char *source, int shut);
+
+/* ---- page.c, grade.c, make.c ------------------------------------------------------------------------------ */
+
+void lab_print(const struct lab *lab, const json_t *result);
+int lab_grade(const struct lab *lab, const char *submissions, const char *out, int jobs, const char *seed);
+int lab_begin(const struct lab *lab, const char *folder); /* cagd lab start */
+int lab_new(const char *name);
+int lab_test(const char *folder, int json);
+#endif

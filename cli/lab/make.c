@@ -1,0 +1,97 @@
+/* make.c -- folders that are written: what a student begins with, and a lab of one's own; see lab.h. */
+#include "cli/lab/lab.h"
+#include "cli/output.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static int put(const char *folder, const char *name, const char *text)
+{
+    char path[LAB_MOST_PATH + 128];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    if (access(path, F_OK) == 0) {
+        fprintf(stderr, "cagd: %s: is there already; nothing is written over it\n", path);
+        return -1;
+    }
+    return write_text_file(path, text);
+}
+
+/* A file of the lab, under another name perhaps. */
+static int copy(const struct lab *lab, const char *from, const char *folder, const char *to)
+{
+    char path[LAB_MOST_PATH + 128];
+    snprintf(path, sizeof path, "%s/%s", lab->folder, from);
+    char *text = lab_file(path);
+    int status = -1;
+    if (text == NULL)
+        fprintf(stderr, "cagd: %s: %s\n", path, strerror(errno));
+    else
+        status = put(folder, to, text);
+    free(text);
+    return status;
+}
+
+int lab_begin(const struct lab *lab, const char *folder)
+{
+    char start[80], makefile[1000];
+    if (make_folder(folder) != 0)
+        return -1;
+    snprintf(start, sizeof start, "start%s", strrchr(lab->file, '.'));
+    snprintf(makefile, sizeof makefile,
+             "# make: does it compile?  make check: is it right?\n"
+             "all:\n\t%s\n"
+             "check:\n\tcagd lab check .\n"
+             ".PHONY: all check\n",
+             strcmp(lab->language, "python") == 0 ? "python3 -m py_compile $(wildcard *.py)"
+             : strcmp(lab->language, "c") == 0    ? "cc -Wall -Wextra -c $(wildcard *.c)"
+                                                  : "@echo nothing to compile");
+    if (copy(lab, "README.md", folder, "README.md") != 0 || copy(lab, start, folder, lab->file) != 0 ||
+        put(folder, "Makefile", makefile) != 0)
+        return -1;
+    printf("%s/README.md is the assignment, %s/%s the place for the answer; cagd lab check %s judges it\n", folder,
+           folder, lab->file, folder);
+    return 0;
+}
+
+int lab_new(const char *name)
+{
+    static const char lab_md[] =
+        "# %s: for the lecturer\n\nWhat it teaches, how long it takes, how it can be varied.\n\n"
+        ":::{lab} %s\n:title: The sum of two numbers\n:zh: 两数之和\n:chapter: mine\n:learn: what a lab is made of\n"
+        ":declare: double sum(double a, double b);\n:::\n\n"
+        ":::{requirement} sum\n:title: a + b\n:zh: a + b\n:points: 4\n:input: a; b\n:call: double S = sum(a, b);\n"
+        ":output: S\n:::\n\n"
+        ":::{requirement} manners\n:title: nothing outside arrays, nothing kept, nothing printed, arguments unchanged\n"
+        ":zh: 不越界、不留状态、不打印、不改参数\n:points: 1\n:::\n\n"
+        ":::{wrong} difference\n:of: right/plain.c\n:replace: a + b\n:by: a - b\n:fails: sum manners\n"
+        ":hint: The second number is taken away.\n:zh: 减去了第二个数。\n:::\n\n"
+        ":::{wrong} printing\n:of: right/plain.c\n:replace: return a + b;\n"
+        ":by: puts(\"sum\"); return a + b;\n:fails: manners\n:::\n";
+    static const char plain[] = "#include <stdio.h>\n\ndouble sum(double a, double b)\n{\n    return a + b;\n}\n";
+    static const char reference[] = "double sum(double a, double b) { return b + a; }\n";
+    static const char start[] = "double sum(double a, double b)\n{\n    return 0;\n}\n";
+    char path[LAB_MOST_PATH], *text = NULL;
+    if (strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-") != strlen(name) || strlen(name) > 40) {
+        fprintf(stderr, "cagd: '%s': a name of small letters, digits and - was expected\n", name);
+        return -1;
+    }
+    snprintf(path, sizeof path, "%s/right", name);
+    if (make_folder(path) != 0 || asprintf(&text, lab_md, name, name) < 0)
+        return -1;
+    int status = put(name, "lab.md", text);
+    free(text);
+    if (status != 0 || asprintf(&text,
+                                "# %s\n\nWrite `double sum(double a, double b)` in `%s.c`: the sum of the two.\n\n"
+                                "在 `%s.c` 中写出 `double sum(double a, double b)`：两数之和。\n",
+                                name, name, name) < 0)
+        return -1;
+    status = put(name, "README.md", text);
+    free(text);
+    if (status == 0)
+        status = put(name, "reference.c", reference) | put(name, "start.c", start) | put(name, "right/plain.c", plain);
+    if (status == 0)
+        printf("%s is a lab: change its files, and cagd lab test %s says whether it is well made\n", name, name);
+    return status;
+}

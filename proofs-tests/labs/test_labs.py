@@ -1,0 +1,160 @@
+"""cagd lab as its users meet it: a student from start to full marks, a lecturer with a lab of one's own and a class.
+
+    python3 test_labs.py CAGD ROOT
+"""
+import csv
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.dom.minidom
+
+ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+LABS = ROOT / "chapters/labs"
+
+
+def run(*args, **options):
+    return subprocess.run([CAGD, "lab", *map(str, args)], capture_output=True, text=True, timeout=600, **options)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def checked(self, source, *options):
+        (self.folder / "de-casteljau.c").write_text(source)
+        ran = run("check", self.folder, "--json", *options)
+        self.assertIn(ran.returncode, (0, 1), ran.stderr)
+        return json.loads(ran.stdout)
+
+
+RIGHT = (LABS / "de-casteljau/right/iterative.c").read_text()
+
+
+class Student(InFolder):
+    def test_list_has_every_lab_in_two_languages(self):
+        rows = json.loads(run("list", "--json").stdout)["labs"]
+        self.assertEqual([r["name"] for r in rows], sorted(p.parent.name for p in LABS.glob("*/lab.md")))
+        for r in rows:
+            self.assertTrue(r["title"] and r["zh"] and r["chapter"] and r["learn"] and r["points"] > 0, r)
+
+    def test_from_start_to_full_marks(self):
+        place = self.folder / "mine"
+        self.assertEqual(run("start", "de-casteljau", place).returncode, 0)
+        self.assertEqual(sorted(p.name for p in place.iterdir()), ["Makefile", "README.md", "de-casteljau.c"])
+        begun = run("check", place)
+        self.assertEqual(begun.returncode, 1)
+        self.assertIn("0 of 10 points", begun.stdout)
+        (place / "de-casteljau.c").write_text(RIGHT)
+        done = run("check", place)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("right for all inputs, n = 1 to n = 6", done.stdout)
+        self.assertIn("10 of 10 points", done.stdout)
+
+    def test_nothing_is_written_over(self):
+        self.assertEqual(run("start", "de-casteljau", self.folder).returncode, 0)
+        self.assertEqual(run("start", "de-casteljau", self.folder).returncode, 2)
+
+    def test_every_file_that_students_begin_with_compiles_and_is_worth_nothing(self):
+        for lab in sorted(LABS.glob("*/start.c")):
+            (self.folder / (lab.parent.name + ".c")).write_text(lab.read_text())
+            ran = run("check", self.folder, "--lab", lab.parent.name, "--json")
+            result = json.loads(ran.stdout)
+            self.assertNotIn("compiler", result, lab)
+            self.assertLess(result["points"], result["of"] / 2, lab)
+
+    def test_a_small_counterexample_and_its_misconception(self):
+        result = self.checked(RIGHT.replace("(1 - t) * b[i] + t * b[i + 1]", "t * b[i] + (1 - t) * b[i + 1]"))
+        row = result["requirements"][0]
+        self.assertEqual(row["verdict"], "wrong")
+        self.assertEqual(row["case"], "n = 1")
+        self.assertEqual(row["hint"]["name"], "exchanged")
+        for values in row["inputs"].values():
+            for value in values:
+                self.assertLessEqual(len(value.strip("-")), 1, row)
+
+    def test_a_branch_that_no_random_point_takes_is_found(self):
+        result = self.checked(RIGHT.replace("double b[n + 1];", "if (t == 0.123456789) return 7;\n    double b[n + 1];", 1))
+        self.assertEqual(result["requirements"][0]["verdict"], "wrong")
+        result = self.checked(RIGHT.replace(
+            "double b[n + 1];", "if (t > 0.75 && t < 0.750000000001) return 7;\n    double b[n + 1];", 1))
+        self.assertEqual(result["requirements"][0]["verdict"], "wrong")
+
+    def test_a_right_branch_stays_right(self):
+        result = self.checked(RIGHT.replace("double b[n + 1];", "if (t == 0) return p[0];\n    double b[n + 1];", 1))
+        self.assertEqual(result["points"], 10, result)
+        self.assertIn("each of the", result["requirements"][0]["text"])
+
+    def test_errors_of_the_compiler_have_their_line(self):
+        result = self.checked("double point(int n, const double *p, double t)\n{\n    return x;\n}\n")
+        self.assertIn("line 3: use of undeclared identifier 'x'", result["compiler"])
+
+    def test_another_type_is_an_error(self):
+        result = self.checked(RIGHT.replace("double point(int n,", "float point(int n,"))
+        self.assertIn("conflicting types for 'point'", result["compiler"])
+
+    def test_float_is_named(self):
+        result = self.checked(RIGHT.replace("double b[n + 1];", "float b[n + 1];\n    for (int i = 0; i <= n; i++) b[i] = p[i];", 1)
+                              .replace("memcpy(b, p, sizeof b);", "", 1))
+        self.assertIn("float", result["notes"][0]["text"])
+        self.assertEqual(result["notes"][0]["line"], 6)
+
+    def test_printing_is_bad_manners(self):
+        result = self.checked("#include <stdio.h>\n" + RIGHT.replace("return b[0];", 'printf("point 4 of 4\\n");\n    return b[0];'))
+        self.assertEqual(result["points"], 8, result)
+        self.assertEqual(result["requirements"][-1]["text"], "prints")
+
+    def test_there_is_no_lab(self):
+        ran = run("check", self.folder)
+        self.assertEqual((ran.returncode, len(ran.stderr.splitlines())), (2, 1))
+
+
+class Lecturer(InFolder):
+    def test_a_lab_of_ones_own(self):
+        ran = run("new", "mine", cwd=self.folder)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        ran = run("test", self.folder / "mine")
+        self.assertEqual(ran.returncode, 0, ran.stdout)
+        page = self.folder / "mine/lab.md"
+        page.write_text(page.read_text().replace(":fails: sum manners", ":fails: manners"))
+        self.assertEqual(run("test", self.folder / "mine").returncode, 1)
+
+    def test_a_requirement_that_catches_nothing_is_told(self):
+        run("new", "mine", cwd=self.folder)
+        page = self.folder / "mine/lab.md"
+        extra = ":::{requirement} twice\n:title: b + a\n:points: 1\n:input: a; b\n:call: double S = sum(b, a) * 0;\n:output: S\n:::\n"
+        page.write_text(page.read_text() + extra)
+        ran = run("test", self.folder / "mine")
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn("twice: no wrong solution fails this requirement", ran.stdout)
+
+    @unittest.skipUnless(shutil.which("bwrap"), "no bubblewrap")
+    def test_a_class(self):
+        class_ = self.folder / "class"
+        class_.mkdir()
+        (class_ / "ann.c").write_text(RIGHT)
+        (class_ / "bob").mkdir()
+        (class_ / "bob/de-casteljau.c").write_text(RIGHT.replace("right[n - r]", "right[r]"))
+        (class_ / "cy").mkdir()
+        (class_ / "dan.c").write_text("#error <b>\n")
+        out = self.folder / "out"
+        ran = run("grade", class_, "--lab", "de-casteljau", "--out", out, "--seed", "autumn")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        rows = {r["student"]: r for r in csv.DictReader((out / "results.csv").read_text().splitlines())}
+        self.assertEqual({k: r["points"] for k, r in rows.items()}, {"ann": "10", "bob": "8", "cy": "0", "dan": "0"})
+        xml.dom.minidom.parse(str(out / "junit.xml"))
+        scores = json.loads((out / "bob/results.json").read_text())
+        self.assertEqual(scores["score"], 8)
+        self.assertEqual(sum(t["max_score"] for t in scores["tests"]), 10)
+        self.assertIn("expected", (out / "bob/page.html").read_text())
+        self.assertNotIn("<b>", (out / "dan/page.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
