@@ -68,22 +68,30 @@ static error_t parse_own(int key, char *arg, struct argp_state *state)
     return c->parse != NULL ? c->parse(key, arg, state) : ARGP_ERR_UNKNOWN;
 }
 
-/* Ends the program when a file that is to be written cannot be, before anything is computed. */
+static void end_unless_well(int code)
+{
+    if (code != EXIT_AS_EXPECTED)
+        exit(code);
+}
+
+/* Ends the program when what is to be written cannot be, before anything is computed: folders are made when nothing is left
+ * to be refused. */
 static void promise_files(const struct asked *a)
 {
     if (a->path != NULL)
-        output_spare(a->path);
+        end_unless_well(output_spare(a->path));
     for (int k = 0; k < files_given; k++)
         if (is_read_file(given[k].row))
-            output_spare(given[k].path);
-    for (int k = 0; k < files_given; k++) {
-        const struct argp_option *row = given[k].row;
-        int code = is_written_file(row)     ? output_promise(row->name, given[k].path)
-                   : is_written_folder(row) ? output_promise_folder(row->name, given[k].path)
-                                            : 0;
-        if (code != 0)
-            exit(code);
-    }
+            end_unless_well(output_spare(given[k].path));
+    for (int k = 0; k < files_given; k++)
+        if (is_written_file(given[k].row))
+            end_unless_well(output_promise(given[k].row->name, given[k].path));
+    for (int k = 0; k < files_given; k++)
+        if (is_written_folder(given[k].row))
+            end_unless_well(output_promise_folder(given[k].row->name, given[k].path));
+    for (int k = 0; k < files_given; k++)
+        if (is_written_folder(given[k].row) && make_folder(given[k].path) != 0)
+            exit(EXIT_USAGE);
 }
 
 /* ---- arguments --------------------------------------------------------------------------------------- */
@@ -149,7 +157,7 @@ void parse_arguments(const struct call *call, struct asked *a)
     static const struct argp jobs = {.options = jobs_row, .parser = parse_shared};
     static const struct argp none = {0}, names = {.parser = parse_patterns}, file = {.parser = parse_file};
     static const struct argp *const arguments[] = {
-        [NO_ARGUMENTS] = &none, [CLAIM_NAMES] = &names, [FIGURE_NAMES] = &names, [FILE_NAME] = &file};
+        [NO_ARGUMENTS] = &none, [CLAIM_NAMES] = &names, [FIGURE_NAMES] = &names, [FILE_NAME] = &file, [WORDS] = &names};
     const struct command *c = call->command;
     const struct argp own = {.options = c->options, .parser = parse_own};
     const struct argp_child parts[PARTS + 1] = {{.argp = &own},
@@ -182,7 +190,8 @@ int whole_number(struct argp_state *state, const char *option, const char *text,
 void visit_options(const struct command *c, void (*visit)(void *context, const struct argp_option *row), void *context)
 {
     for (const struct argp_option *row = c->options; row != NULL && row->name != NULL; row++)
-        visit(context, row);
+        if (!(row->flags & OPTION_HIDDEN))
+            visit(context, row);
     if (c->shared & TAKES_JSON)
         visit(context, json_row);
     if (c->shared & TAKES_JOBS)

@@ -16,7 +16,8 @@ enum argument_kind {
     NO_ARGUMENTS, /* none is taken                                                  */
     CLAIM_NAMES,  /* ids, or patterns of claims and statements, into asked.patterns */
     FIGURE_NAMES, /* patterns of figures, into asked.patterns                       */
-    FILE_NAME     /* one file, into asked.path                                       */
+    FILE_NAME,    /* one file, into asked.path                                       */
+    WORDS         /* what the command itself understands, into asked.patterns         */
 };
 
 /* The words that an option takes, separated by blanks, for the completion. */

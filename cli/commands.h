@@ -15,7 +15,8 @@
     ROW(check)                                                                                                         \
     ROW(curve)                                                                                                         \
     ROW(fit)                                                                                                           \
-    ROW(exactly)
+    ROW(exactly)                                                                                                       \
+    ROW(lab)
 
 #define DECLARE_COMMAND(name) extern const struct command command_##name;
 COMMANDS(DECLARE_COMMAND)

@@ -1,7 +1,7 @@
 /* completion.c -- what bash, zsh and fish complete, made from the commands and their options.
  *
  * A shell completes the names of the commands, of the options of a command, the words that an option takes, and
- * arguments: names that `cagd list` and `cagd figures --list` print, or files. */
+ * arguments: names that `cagd list --names` and `cagd figures --list` print, or files. */
 #include "cli/commands.h"
 #include "cli/output.h"
 
@@ -61,15 +61,32 @@ static void put_bash_value(void *context, const struct argp_option *row)
 static void put_bash(FILE *out)
 {
     static const char *const arguments[] = {[NO_ARGUMENTS] = "-W ''",
-                                            [CLAIM_NAMES] = "-W \"$(cagd list 2>/dev/null | cut -d' ' -f1)\"",
+                                            [CLAIM_NAMES] = "-W \"$(cagd list --names 2>/dev/null)\"",
                                             [FIGURE_NAMES] = "-W \"$(cagd figures --list 2>/dev/null)\"",
-                                            [FILE_NAME] = "-f"};
-    fputs("# bash completion for cagd\n"
-          "_cagd() {\n"
-          "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}\n"
-          "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-          "        COMPREPLY=($(compgen -W '",
-          out);
+                                            [FILE_NAME] = "-f",
+                                            [WORDS] = "-f"};
+    fputs(
+        "# bash completion for cagd\n"
+        "_cagd() {\n"
+        "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]} "
+        "known=\n"
+        "    # Bash breaks words at a colon, and an id has one: it is put together again, and what is before the last\n"
+        "    # colon, which stands there already, is taken from the answers.\n"
+        "    local line=${COMP_LINE:0:COMP_POINT}\n"
+        "    line=${line##*[[:blank:]]}\n"
+        "    if [[ $line == *\"$word\" && $line == *:* && ( $word == : || $word != *:* ) ]]; then\n"
+        "        known=${line%:*}: word=$line\n"
+        "        local k=$COMP_CWORD\n"
+        "        while ((k > 1)) && [[ ${COMP_WORDS[k]} == : || ${COMP_WORDS[k - 1]} == : ]]; do ((k--)); done\n"
+        "        before=${COMP_WORDS[k - 1]}\n"
+        "    fi\n"
+        "    _cagd_answers\n"
+        "    COMPREPLY=(\"${COMPREPLY[@]#\"$known\"}\")\n"
+        "}\n"
+        "_cagd_answers() {\n"
+        "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+        "        COMPREPLY=($(compgen -W '",
+        out);
     for (int k = 0; commands[k] != NULL; k++)
         fprintf(out, "%s ", commands[k]->name);
     fputs("--help --version' -- \"$word\"))\n"
@@ -119,10 +136,10 @@ static void put_zsh_option(void *context, const struct argp_option *row)
 static void put_zsh(FILE *out)
 {
     static const char *const arguments[] = {[NO_ARGUMENTS] = ":: :",
-                                            [CLAIM_NAMES] =
-                                                "*:name:{compadd -- $(cagd list 2>/dev/null | cut -d\" \" -f1)}",
+                                            [CLAIM_NAMES] = "*:name:{compadd -- $(cagd list --names 2>/dev/null)}",
                                             [FIGURE_NAMES] = "*:figure:{compadd -- $(cagd figures --list 2>/dev/null)}",
-                                            [FILE_NAME] = ":file:_files"};
+                                            [FILE_NAME] = ":file:_files",
+                                            [WORDS] = "*:file:_files"};
     fputs("#compdef cagd\n"
           "# zsh completion for cagd\n"
           "if (( CURRENT == 2 )); then\n"
@@ -171,9 +188,10 @@ static void put_fish_option(void *context, const struct argp_option *row)
 static void put_fish(FILE *out)
 {
     static const char *const arguments[] = {[NO_ARGUMENTS] = "-f",
-                                            [CLAIM_NAMES] = "-f -a '(cagd list 2>/dev/null | cut -d\" \" -f1)'",
+                                            [CLAIM_NAMES] = "-f -a '(cagd list --names 2>/dev/null)'",
                                             [FIGURE_NAMES] = "-f -a '(cagd figures --list 2>/dev/null)'",
-                                            [FILE_NAME] = "-F"};
+                                            [FILE_NAME] = "-F",
+                                            [WORDS] = "-F"};
     fputs("# fish completion for cagd\n", out);
     for (int k = 0; commands[k] != NULL; k++) {
         fprintf(out, "complete -c cagd -n __fish_use_subcommand -f -a %s -d '", commands[k]->name);

@@ -281,17 +281,10 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
 
 /* ---- what the curve is ------------------------------------------------------------------------ */
 
-static void describe(const cagd_spline_q *c, FILE *out)
+/* The knots, each with how often it stands there, and whether they clamp the ends. */
+static void describe_knots(const cagd_spline_q *c, FILE *out)
 {
-    static const char *const where[] = {"", "on a line", "in the plane", "in space"};
-    int n = c->count, p = c->degree, segments = 0, first = 1;
-    for (int mu = p; mu < n; mu++)
-        segments += cagd_compare_q(c->knots[mu], c->knots[mu + 1]) < 0;
-    fprintf(out, "%s curve of degree %d (order %d) %s\n", c->weights != NULL ? "NURBS" : "B-spline", p, p + 1,
-            where[c->dim]);
-    fprintf(out, "  points      %d\n", n);
-    fprintf(out, "  domain      [%s, %s], %d segment%s\n", to_string_q(c->knots[p]), to_string_q(c->knots[n]), segments,
-            segments == 1 ? "" : "s");
+    int n = c->count, p = c->degree, first = 1;
     fputs("  knots      ", out);
     for (int i = 0, times = 1; i <= n + p; i++, times++) {
         if (i < n + p && cagd_equal_q(c->knots[i], c->knots[i + 1]))
@@ -309,20 +302,40 @@ static void describe(const cagd_spline_q *c, FILE *out)
             : clamped              ? "clamped at the start"
             : clamped_end          ? "clamped at the end"
                                    : "not clamped");
-    if (c->weights != NULL) {
-        int negative = 0, zero = 0;
-        for (int i = 0; i < n; i++) {
-            negative += cagd_sign_q(c->weights[i]) < 0;
-            zero += cagd_is_zero_q(c->weights[i]);
-        }
-        fprintf(out, "  weights     ");
-        if (negative == 0 && zero == 0)
-            fputs("positive\n", out);
-        else
-            fprintf(out, "%d positive, %d zero, %d negative; the total weight %s\n", n - negative - zero, zero,
-                    negative,
-                    cagd_spline_has_poles_q(c) ? "vanishes somewhere in the domain" : "vanishes nowhere in the domain");
+}
+
+static void describe_weights(const cagd_spline_q *c, FILE *out)
+{
+    int n = c->count, negative = 0, zero = 0;
+    for (int i = 0; i < n; i++) {
+        negative += cagd_sign_q(c->weights[i]) < 0;
+        zero += cagd_is_zero_q(c->weights[i]);
     }
+    fprintf(out, "  weights     ");
+    if (negative == 0 && zero == 0)
+        fputs("positive\n", out);
+    else
+        fprintf(out, "%d positive, %d zero, %d negative; the total weight %s\n", n - negative - zero, zero, negative,
+                cagd_spline_has_poles_q(c) ? "vanishes somewhere in the domain" : "vanishes nowhere in the domain");
+}
+
+/* A Bézier curve is told without its knots, which say nothing. */
+static void describe(const cagd_spline_q *c, FILE *out)
+{
+    static const char *const where[] = {"", "on a line", "in the plane", "in space"};
+    static const char *const kinds[] = {"B-spline", "NURBS", "Bézier", "rational Bézier"};
+    int n = c->count, p = c->degree, segments = 0, bezier = is_bezier(c);
+    for (int mu = p; mu < n; mu++)
+        segments += cagd_compare_q(c->knots[mu], c->knots[mu + 1]) < 0;
+    fprintf(out, "%s curve of degree %d (order %d) %s\n", kinds[2 * bezier + (c->weights != NULL)], p, p + 1,
+            where[c->dim]);
+    fprintf(out, "  points      %d\n", n);
+    fprintf(out, "  domain      [%s, %s], %d segment%s\n", to_string_q(c->knots[p]), to_string_q(c->knots[n]), segments,
+            segments == 1 ? "" : "s");
+    if (!bezier)
+        describe_knots(c, out);
+    if (c->weights != NULL)
+        describe_weights(c, out);
 }
 
 /* ---- changed curves --------------------------------------------------------------------------- */

@@ -215,17 +215,9 @@ static int read_document(struct reading *r, const json_t *document, cagd_spline_
 /* All bytes of the file, which the caller frees; NULL and the error when it cannot be read. */
 static char *read_file(const struct reading *r, const char *path, size_t *length)
 {
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
-    struct stat is;
-    if (file == NULL) {
-        refuse(r, "", "%s; expected the file of a curve", strerror(errno));
+    FILE *file = open_input(path, "a curve", r->error);
+    if (file == NULL)
         return NULL;
-    }
-    if (fstat(fileno(file), &is) == 0 && S_ISDIR(is.st_mode)) {
-        fclose(file);
-        refuse(r, "", "is a folder; expected the file of a curve");
-        return NULL;
-    }
     char *text = NULL;
     size_t room = 0, had = 0, got;
     do {
@@ -264,6 +256,8 @@ static int refuse_syntax(const struct reading *r, const char *text, const json_e
     if (json_error_code(syntax) == json_error_numeric_overflow)
         return refuse(r, place, "%s; a number that binary64 does not hold is written in quotes, such as \"1e400\"",
                       syntax->text);
+    if (json_error_code(syntax) == json_error_invalid_utf8)
+        return refuse(r, place, "%s; expected JSON, in UTF-8", syntax->text);
     return refuse(r, place, "%s", syntax->text);
 }
 
@@ -300,8 +294,7 @@ static json_t *numbers_json(int count, const num_q x[])
     return array;
 }
 
-/* Whether the knots are those of a Bézier curve: 0, ..., 0, 1, ..., 1. */
-static int is_bezier(const cagd_spline_q *c)
+int is_bezier(const cagd_spline_q *c)
 {
     int so = c->count == c->degree + 1;
     for (int i = 0; so && i < 2 * c->count; i++)

@@ -1,24 +1,29 @@
 /* exactly.c -- cagd exactly: other people's code, executed in exact arithmetic. */
+#include "chapters/judge/memory_text.h"
+#include "cli/certify.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/junit.h"
 #include "cli/layout.h"
+#include "cli/memory.h"
 #include "cli/output.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "exact/code/build.h"
 #include "exact/code/decide.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_BYTES = 1 << 22, MOST_SHOWN_PATHS = 4, MOST_SHOWN = 12, MOST_TEXT = 200, WIDTH = 100 };
+enum { MOST_BYTES = 1 << 22, MOST_SHOWN_PATHS = 4, MOST_SHOWN = 12, MOST_TEXT = 200, WIDEST_LINE = 100 };
 
 struct arguments {
     struct asked asked;
-    const char *only, *junit;
+    const char *only, *junit, *certificates;
     int points, rounding;
 };
 
@@ -34,6 +39,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case 'r':
         a->rounding = arg != NULL ? whole_number(state, "--rounding", arg, 1, 1000000) : 400;
+        return 0;
+    case 'c':
+        a->certificates = arg;
         return 0;
     case 'u':
         a->junit = arg;
@@ -53,19 +61,23 @@ static int is_expected(const struct cagd_code_verdict *v)
 /* The file, whole; NULL and a line on stderr. */
 static char *read_all(const char *path)
 {
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+    struct input_error error;
+    FILE *file = open_input(path, "blocks, as in 'cagd help exactly'", &error);
+    if (file == NULL) {
+        report_input_error(path, &error);
+        return NULL;
+    }
     char *text = malloc(MOST_BYTES + 1);
     if (text == NULL)
         abort();
-    size_t size = file != NULL ? fread(text, 1, MOST_BYTES + 1, file) : 0;
-    struct input_error error = {"", ""};
-    if (file == NULL || ferror(file))
-        snprintf(error.cause, sizeof error.cause, "cannot be read");
+    size_t size = fread(text, 1, MOST_BYTES + 1, file);
+    if (ferror(file))
+        snprintf(error.cause, sizeof error.cause, "cannot be read to its end: %s", strerror(errno));
     else if (size > MOST_BYTES)
-        snprintf(error.cause, sizeof error.cause, "more than %d bytes", MOST_BYTES);
+        snprintf(error.cause, sizeof error.cause, "more than %d bytes, the largest size that is read", MOST_BYTES);
     else if (memchr(text, '\0', size) != NULL)
-        snprintf(error.cause, sizeof error.cause, "is no text");
-    if (file != NULL && file != stdin)
+        snprintf(error.cause, sizeof error.cause, "is no text, there is a zero byte in it; expected Markdown");
+    if (file != stdin)
         fclose(file);
     if (error.cause[0] != 0) {
         report_input_error(path, &error);
@@ -91,12 +103,13 @@ static void find_compiler(size_t room, char path[])
 static void print_row(const char *name, const char *text)
 {
     printf("  %-16s  ", name);
-    if ((int)strlen(text) < WIDTH - 20) {
+    int width = page_width(WIDEST_LINE);
+    if ((int)strlen(text) < width - 20) {
         puts(text);
         return;
     }
     putchar('\n');
-    put_paragraph(stdout, text, 4, WIDTH);
+    put_paragraph(stdout, text, 4, width);
 }
 
 static const char *clipped(const char *text) { return strlen(text) <= MOST_TEXT ? text : "(long)"; }
@@ -169,6 +182,33 @@ static void print_rounding(const struct cagd_code_verdict *v)
     }
 }
 
+static int has_preconditions(const struct cagd_code_harness *h)
+{
+    int any = h->where.count > 0;
+    for (int k = 0; k < h->inputs; k++)
+        any = any || (h->input[k].shape != CAGD_CODE_ANY && h->input[k].shape != CAGD_CODE_FIXED);
+    return any;
+}
+
+/* For which inputs it is proved: all, or those that take the ways that were met. */
+static void print_scope(const struct cagd_code_harness *h, const struct cagd_code_verdict *v)
+{
+    char line[1200];
+    int divides = v->undefined > 0;
+    for (int k = 0; k < v->paths; k++)
+        divides = divides || (v->path[k].field->denominators != NULL && v->path[k].field->denominators[0] != 0);
+    printf(": equal for all values of the variables%s", has_preconditions(h) ? " that satisfy the preconditions" : "");
+    puts(v->exhaustive ? "" : ", on each way that was met");
+    if (divides)
+        print_row("as far as", "the code has a value there");
+    snprintf(line, sizeof line, "%d through the code%s", v->paths, v->exhaustive ? ", and there are no others" : "");
+    print_row("ways", line);
+    if (v->exhaustive)
+        return;
+    snprintf(line, sizeof line, "it is not known whether inputs take another one, at the branch %s", v->open);
+    print_row("open", line);
+}
+
 static void print_verdict(const struct cagd_code_harness *h, const struct cagd_code_verdict *v)
 {
     printf("%s%s%s", style(stdout, BOLD), h->name, style(stdout, PLAIN));
@@ -177,11 +217,7 @@ static void print_verdict(const struct cagd_code_harness *h, const struct cagd_c
     printf("%s%s%s", style(stdout, colour), words[v->word], style(stdout, PLAIN));
     switch (v->word) {
     case CAGD_CODE_PROVED:
-        printf(": equal for all values of the variables, ");
-        if (v->paths == 1)
-            printf("on the one way through the code that all %ld points took\n", v->points);
-        else
-            printf("on each of the %d ways through the code that %ld points took\n", v->paths, v->points);
+        print_scope(h, v);
         break;
     case CAGD_CODE_SAMPLED:
         printf(": equal at all %ld points tried", v->points);
@@ -295,6 +331,12 @@ static json_t *verdict_json(const struct cagd_code_harness *h, const struct cagd
                             (json_int_t)v->outside, "paths", v->paths, "paths_proved", v->proved);
     if (v->message[0] != 0)
         json_object_set_new(row, "because", json_string(v->message));
+    if (v->word == CAGD_CODE_PROVED) {
+        json_object_set_new(row, "exhaustive", json_boolean(v->exhaustive));
+        json_object_set_new(row, "branches_that_no_inputs_take", json_integer(v->closed));
+        if (!v->exhaustive)
+            json_object_set_new(row, "open", json_string(v->open));
+    }
     if (v->patterns > 1)
         json_object_set_new(row, "patterns",
                             json_pack("{s:I, s:I}", "all", (json_int_t)v->patterns, "met", (json_int_t)v->seen));
@@ -330,10 +372,12 @@ static json_t *verdict_json(const struct cagd_code_harness *h, const struct cagd
 
 /* ---- the command -------------------------------------------------------------------------------------------- */
 
-static int answer(const struct arguments *a, const struct cagd_code_harness *h, json_t *list, int *expected)
+static int answer(const struct arguments *a, const struct cagd_code_harness *h, json_t *list,
+                  struct certifying *certificates, int *expected)
 {
     char message[600], compiler[4200];
     find_compiler(sizeof compiler, compiler);
+    also_forget(cagd_code_build_forget);
     struct cagd_code_program *p = cagd_code_build(h, a->asked.path, compiler, sizeof message, message);
     if (p == NULL) {
         fprintf(stderr, "cagd: %s: line %d: %s: %s\n", name_of_input(a->asked.path), h->line, h->name, message);
@@ -345,33 +389,74 @@ static int answer(const struct arguments *a, const struct cagd_code_harness *h, 
         json_array_append_new(list, verdict_json(h, v));
     if (!a->asked.json)
         print_verdict(h, v);
+    int bad = a->certificates != NULL && certify_block(certificates, p, h, v) != 0;
     cagd_code_verdict_free(v);
     cagd_code_unload(p);
-    return EXIT_AS_EXPECTED;
+    return bad ? EXIT_INTERNAL : EXIT_AS_EXPECTED;
+}
+
+/* The inputs at which a block fails, what came out there, and the cause, in one line.  The caller frees it. */
+static char *line_of_failure(json_t *row)
+{
+    json_t *point = json_object_get(row, "point"), *results = json_object_get(row, "results");
+    const char *because = json_string_value(json_object_get(row, "because")), *name, *between = "";
+    json_t *values, *one;
+    size_t room, k;
+    char *text = NULL;
+    FILE *out = text_open(&text, &room);
+    json_object_foreach(point, name, values)
+    {
+        fprintf(out, "%s%s = ", between, name);
+        json_array_foreach(values, k, one) fprintf(out, "%s%s", k > 0 ? ", " : "", json_string_value(one));
+        between = "; ";
+    }
+    json_array_foreach(results, k, one)
+    {
+        const char *answer = json_string_value(json_object_get(one, "answer"));
+        if (answer == NULL || strcmp(answer, "different") != 0)
+            continue;
+        fprintf(out, "%s%s = %s, expected %s", between, json_string_value(json_object_get(one, "name")),
+                json_string_value(json_object_get(one, "value")), json_string_value(json_object_get(one, "expected")));
+        between = "; ";
+    }
+    if (because != NULL)
+        fprintf(out, "%s%s", between, because);
+    text_close(out, &text);
+    return text;
 }
 
 /* The verdicts as JUnit XML: a case for each block. */
-static int write_cases(const char *path, json_t *list, int failures)
+static int write_cases(const char *path, const json_t *list)
 {
-    struct output *o = output_open(path);
-    if (o == NULL)
-        return -1;
-    FILE *out = output_stream(o);
+    struct junit *j = junit_new();
     size_t k;
     json_t *row;
-    fprintf(
-        out,
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"cagd exactly\" tests=\"%zu\" failures=\"%d\">\n",
-        json_array_size(list), failures);
     json_array_foreach(list, k, row)
     {
         const char *word = json_string_value(json_object_get(row, "verdict"));
         int failed = strcmp(word, "differs") == 0 || strcmp(word, "undecided") == 0;
-        fprintf(out, "  <testcase classname=\"exactly\" name=\"%s\"", json_string_value(json_object_get(row, "name")));
-        fprintf(out, failed ? "><failure message=\"%s\"/></testcase>\n" : "/>\n", word);
+        char *text = failed ? line_of_failure(row) : NULL, failure[64];
+        snprintf(failure, sizeof failure, "%s, expected otherwise", word);
+        junit_add(j, "exactly", json_string_value(json_object_get(row, "name")), 0, failed ? failure : NULL, text);
+        free(text);
     }
-    fputs("</testsuite>\n", out);
-    return output_close(o);
+    return junit_write(j, "cagd exactly", path);
+}
+
+/* The sources that the blocks name are read: nothing is written over them. */
+static int spare_sources(const struct arguments *a, const struct cagd_code_harness *all)
+{
+    const char *slash = strrchr(a->asked.path, '/');
+    int folder = slash != NULL ? (int)(slash + 1 - a->asked.path) : 0;
+    for (const struct cagd_code_harness *h = all; h != NULL; h = h->next)
+        for (int k = 0; k < h->source.count; k++) {
+            const char *name = h->source.text[k];
+            char path[4200];
+            snprintf(path, sizeof path, "%.*s%s", name[0] == '/' ? 0 : folder, a->asked.path, name);
+            if (output_spare(path) != EXIT_AS_EXPECTED)
+                return EXIT_USAGE;
+        }
+    return EXIT_AS_EXPECTED;
 }
 
 static int run(const struct call *call)
@@ -386,26 +471,31 @@ static int run(const struct call *call)
     free(text);
     if (all == NULL) {
         struct input_error wrong;
-        snprintf(wrong.place, sizeof wrong.place, "line %d", error.line);
+        snprintf(wrong.place, sizeof wrong.place, "line %d", error.line > 0 ? error.line : 1);
         snprintf(wrong.cause, sizeof wrong.cause, "%s", error.cause);
         report_input_error(a.asked.path, &wrong);
         return EXIT_USAGE;
     }
     json_t *list = json_array();
-    int answered = 0, expected = 0, code = EXIT_AS_EXPECTED;
+    int answered = 0, expected = 0, code = spare_sources(&a, all);
+    struct certifying certificates;
+    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_begin(&certificates, a.certificates) != 0)
+        code = EXIT_INTERNAL;
     for (const struct cagd_code_harness *h = all; h != NULL && code == EXIT_AS_EXPECTED; h = h->next) {
         if (a.only != NULL && strcmp(a.only, h->name) != 0)
             continue;
         if (answered++ > 0 && !a.asked.json)
             puts("");
-        code = answer(&a, h, list, &expected);
+        code = answer(&a, h, list, &certificates, &expected);
     }
-    if (answered == 0) {
+    if (code == EXIT_AS_EXPECTED && answered == 0) {
         fprintf(stderr, "cagd: %s: no block is named '%s'\n", name_of_input(a.asked.path), a.only);
         code = EXIT_USAGE;
     }
-    if (code == EXIT_AS_EXPECTED && a.junit != NULL && write_cases(a.junit, list, answered - expected) != 0)
-        code = EXIT_USAGE;
+    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_end(&certificates) != 0)
+        code = EXIT_INTERNAL;
+    if (code == EXIT_AS_EXPECTED && a.junit != NULL && write_cases(a.junit, list) != 0)
+        code = EXIT_INTERNAL;
     if (code == EXIT_AS_EXPECTED && a.asked.json)
         print_json_exactly(json_pack("{s:s, s:O}", "schema", "cagd-exactly-1", "blocks", list));
     json_decref(list);
@@ -417,6 +507,7 @@ static const struct argp_option options[] = {
     {"only", 'n', "NAME", 0, "The block of that name alone", 0},
     {"points", 'p', "N", 0, "Run the code at so many points (default: as the block says, else 20)", 0},
     {"rounding", 'r', "N", OPTION_ARG_OPTIONAL, "Search for the largest error in binary64, at N points (400)", 0},
+    {"certificates", 'c', "DIR", 0, "Write what is proved as certificates that recheck.py takes", 0},
     {"junit", 'u', "FILE", 0, "Write the verdicts as JUnit XML", 0},
     {0}};
 
@@ -436,6 +527,7 @@ const struct command command_exactly = {
         "Examples:\n"
         "  cagd exactly casteljau.md\n"
         "  cagd exactly casteljau.md --rounding\n"
+        "  cagd exactly casteljau.md --certificates build/certificates\n"
         "  cagd exactly casteljau.md --only casteljau_is_bernstein --json\n",
     .arguments = FILE_NAME,
     .file = "blocks that say what is asked",

@@ -67,8 +67,11 @@ static int run(const struct call *call)
     parse_arguments(call, &a.asked);
     if (!all_match(call->reg, &a.asked.patterns, FIGURES))
         return EXIT_USAGE;
-    if (a.out == NULL)
+    if (a.out == NULL) {
         a.out = ".";
+        if (!a.list && output_promise_folder("out", a.out) != EXIT_AS_EXPECTED)
+            return EXIT_USAGE;
+    }
     int count;
     const figure **list = matching_figures(call->reg, &a.asked.patterns, &count);
     struct work w = {.folder = a.out, .list = list};

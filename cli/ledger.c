@@ -160,16 +160,28 @@ static json_t *ledger_json(const statement_result *list, int statements, const c
     return json_pack("{s:s, s:o}", "schema", "cagd-ledger-1", "statements", rows);
 }
 
+static const char *const report_names[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
+
+int promise_report(const char *folder)
+{
+    int code = EXIT_AS_EXPECTED;
+    for (int k = 0; k < 4 && code == EXIT_AS_EXPECTED; k++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/%s", folder, report_names[k]);
+        code = output_promise("report", path);
+    }
+    return code;
+}
+
 int write_report(const cagd_register *r, const char *folder, const claim_result *results, int claims)
 {
-    static const char *const names[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
     const struct patterns everything = {0};
     int statements, bad = make_folder(folder) != 0;
     const statement **all = matching_statements(r, &everything, &statements);
     statement_result *list = derive_all(all, statements, results, claims);
     for (int k = 0; k < 4 && !bad; k++) {
         char path[4096];
-        snprintf(path, sizeof path, "%s/%s", folder, names[k]);
+        snprintf(path, sizeof path, "%s/%s", folder, report_names[k]);
         struct output *o = output_open(path);
         if (o == NULL) {
             bad = 1;

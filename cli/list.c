@@ -1,5 +1,6 @@
 /* list.c -- cagd list: the claims by their names. */
 #include "cli/commands.h"
+#include "cli/names.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 
@@ -7,12 +8,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+struct arguments {
+    struct asked asked;
+    int names;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    (void)arg;
+    struct arguments *a = state->input;
+    if (key == ARGP_KEY_END && a->names && a->asked.json)
+        argp_error(state, "one form at a time: --json or --names?");
+    if (key != 'n')
+        return ARGP_ERR_UNKNOWN;
+    a->names = 1;
+    return 0;
+}
+
 static int run(const struct call *call)
 {
-    struct asked a = {0};
-    parse_arguments(call, &a);
-    if (!all_match(call->reg, &a.patterns, CLAIMS))
+    struct arguments arguments = {0};
+    parse_arguments(call, &arguments.asked);
+    const struct asked a = arguments.asked;
+    if (!all_match(call->reg, &a.patterns, arguments.names ? STATEMENTS : CLAIMS))
         return EXIT_USAGE;
+    if (arguments.names) {
+        print_names(call->reg, &a.patterns);
+        return EXIT_AS_EXPECTED;
+    }
     int count;
     const claim **list = matching_claims(call->reg, &a.patterns, &count);
     json_t *claims = json_array();
@@ -39,6 +62,9 @@ static int run(const struct call *call)
     return EXIT_AS_EXPECTED;
 }
 
+static const struct argp_option options[] = {
+    {"names", 'n', 0, 0, "Only names, all that 'cagd show' takes: of statements, of tables, and of claims", 0}, {0}};
+
 const struct command command_list = {
     .name = "list",
     .summary = "the claims, one a line",
@@ -48,8 +74,11 @@ const struct command command_list = {
             "  cagd list\n"
             "  cagd list '*curvature*'\n"
             "  cagd list 'wang-ch3:3.2.*'\n"
+            "  cagd list --names               also of the statements, for 'cagd show'\n"
             "  cagd list 包络                  whose titles have the word\n",
     .arguments = CLAIM_NAMES,
     .shared = TAKES_JSON,
+    .options = options,
+    .parse = parse,
     .run = run,
 };

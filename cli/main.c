@@ -21,8 +21,9 @@ void print_help(FILE *out)
     fputs("\nCommands:\n", out);
     for (int k = 0; commands[k] != NULL; k++)
         fprintf(out, "  %-10s %s\n", commands[k]->name, commands[k]->summary);
-    fputs("\n'cagd help COMMAND' explains a command.  Exit status: 0 as expected, 1 a verdict is not as\n"
-          "expected, 2 bad usage or input, 3 internal error.\n",
+    fputs("\n'cagd help COMMAND' explains a command.  Exit status: 0 as expected; 1 a verdict is not as\n"
+          "expected; 2 the call, a file that is read or the name of one to write to has to be mended, and nothing\n"
+          "was written; 3 something failed on the way: a full disk, too little memory, an error inside.\n",
           out);
 }
 

@@ -141,8 +141,10 @@ int write_manual(const char *folder)
         ".TP\n0\nas expected\n"
         ".TP\n1\na verdict is not as expected; a knot or a degree that cannot be removed; a fit that did not converge, "
         "or not to a minimum\n"
-        ".TP\n2\nbad usage or input\n"
-        ".TP\n3\ninternal error\n"
+        ".TP\n2\nthe call, a file that is read or the name of a file to write to has to be mended; this is seen first, "
+        "and "
+        "nothing was written\n"
+        ".TP\n3\nsomething failed on the way: writing, on a full disk say, memory, or the program itself\n"
         ".SH ENVIRONMENT\n"
         ".TP\n.B NO_COLOR\nwhen set and not empty, no colours are used.\n",
         out);

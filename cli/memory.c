@@ -11,12 +11,18 @@
 #include <string.h>
 #include <unistd.h>
 
+static void (*forget)(void);
+
+void also_forget(void (*what)(void)) { forget = what; }
+
 /* Nothing that is not allowed in a handler. */
 static _Noreturn void stop(const char *line)
 {
     ssize_t unseen = write(STDERR_FILENO, line, strlen(line));
     (void)unseen;
     output_forget();
+    if (forget != NULL)
+        forget();
     _exit(EXIT_INTERNAL);
 }
 

@@ -8,4 +8,7 @@ void memory_begin(void);
 
 /* There is not enough memory. */
 _Noreturn void no_memory(void);
+
+/* What else to clear away then; it does nothing that is not allowed in a handler of a signal. */
+void also_forget(void (*what)(void));
 #endif

@@ -14,12 +14,36 @@ static void *must(void *p)
     return p;
 }
 
-/* Calls visit(context, name, title, title_zh) for everything of the kind: statements and claims, or figures. */
+/* The name of the table of which the id is an entry, as long as the program runs: it stands nowhere by itself.  NULL for no
+ * entry. */
+static const char *table_of(const char *id)
+{
+    static struct kept {
+        struct kept *next;
+        char *name;
+    } * first;
+    size_t length = table_length(id);
+    if (length == 0)
+        return NULL;
+    for (const struct kept *k = first; k != NULL; k = k->next)
+        if (strlen(k->name) == length && strncmp(k->name, id, length) == 0)
+            return k->name;
+    struct kept *more = must(malloc(sizeof *more));
+    *more = (struct kept){first, must(strndup(id, length))};
+    first = more;
+    return more->name;
+}
+
+/* Calls visit(context, name, title, title_zh) for everything of the kind: statements, tables of them and claims, or figures. */
 typedef void visitor(void *context, const char *name, const char *title, const char *title_zh);
 static void visit_names(const cagd_register *r, enum kind_of_name kind, visitor *visit, void *context)
 {
-    for (const statement *s = r->statements; kind != FIGURES && s->id != NULL; s++)
+    for (const statement *s = r->statements; kind != FIGURES && s->id != NULL; s++) {
+        const char *table = table_of(s->id);
+        if (table != NULL && (s == r->statements || table_of(s[-1].id) != table))
+            visit(context, table, NULL, NULL);
         visit(context, s->id, s->title, s->title_zh);
+    }
     for (const claim *c = r->claims; kind != FIGURES && c->name != NULL; c++)
         visit(context, c->name, c->title, c->title_zh);
     for (const figure *f = r->figures; kind == FIGURES && f->name != NULL; f++)
@@ -35,6 +59,9 @@ struct meant {
 
 static void note(struct meant *m, const char *name)
 {
+    for (int k = 0; k < m->count && k < LISTED; k++)
+        if (m->at[k] == name) /* a table whose entries do not stand together */
+            return;
     if (m->count < LISTED)
         m->at[m->count] = name;
     m->count++;
@@ -146,6 +173,26 @@ static void consider_title(void *context, const char *name, const char *title, c
         note(m, name);
 }
 
+/* ---- all names --------------------------------------------------------------------------------------- */
+
+void print_names(const cagd_register *r, const struct patterns *p)
+{
+    int statements, claims;
+    const statement **s = matching_statements(r, p, &statements);
+    const claim **c = matching_claims(r, p, &claims);
+    const char *table = NULL;
+    for (int k = 0; k < statements; k++) {
+        const char *its = table_of(s[k]->id);
+        if (its != NULL && its != table)
+            puts(its);
+        table = its;
+        puts(s[k]->id);
+    }
+    for (int k = 0; k < claims; k++)
+        printf("%s\n%s.%s\n", c[k]->name, c[k]->chapter, c[k]->name);
+    free(s), free(c);
+}
+
 /* ---- nearest names --------------------------------------------------------------------------------- */
 
 /* Levenshtein's distance. */
@@ -229,10 +276,14 @@ static void complain(const cagd_register *r, const char *text, enum kind_of_name
 const char *name_meant_by(const cagd_register *r, const char *text, enum kind_of_name kind)
 {
     char end[LONGEST + 1];
-    struct meant m = {.text = end}, titled = {.text = text};
-    m.formula = as_end_of_id(text, end, sizeof end);
+    struct meant m = {.text = text}, titled = {.text = text};
+    int formula = as_end_of_id(text, end, sizeof end);
     if (kind != FIGURES && !is_glob(text)) {
         visit_names(r, kind, consider_end, &m);
+        if (m.count == 0) {
+            m = (struct meant){.text = end, .formula = formula};
+            visit_names(r, kind, consider_end, &m);
+        }
         if (m.count == 0 || isdigit((unsigned char)end[0])) /* a number alone may stand for any part of a place */
             visit_names(r, kind, consider_part, &m);
         if (m.count == 0)

@@ -9,4 +9,6 @@
  * NULL and one line on stderr: the names that it may stand for, or those that are spelled nearly so, or how to find
  * the names. */
 const char *name_meant_by(const cagd_register *r, const char *text, enum kind_of_name kind);
+/* Every name of a statement, a table or a claim that matches, a line each: a claim has two, NAME and CHAPTER.NAME. */
+void print_names(const cagd_register *r, const struct patterns *p);
 #endif

@@ -101,13 +101,13 @@ static int find_place(const char *path, struct place *p)
     char folder[PATH_MAX];
     *p = (struct place){.exists = 0};
     if (path[0] == '\0')
-        return failed("''", "is no name of a file");
+        return failed("''", "is no name of a file; give one");
     if (strlen(path) >= sizeof p->path)
-        return failed(path, "%s", strerror(ENAMETOOLONG));
+        return failed(path, "%s; choose another name", strerror(ENAMETOOLONG));
     strcpy(p->path, path);
     for (int links = 0; stat(p->path, &p->is) != 0;) {
         if (errno != ENOENT)
-            return failed(path, "%s", strerror(errno));
+            return failed(path, "no file can be there: %s; choose another name", strerror(errno));
         if (links++ < MOST_LINKS && follow(p))
             continue;
         folder_of(p->path, folder);
@@ -208,7 +208,7 @@ struct output *output_open(const char *path)
         o->file = open(o->place.path, O_WRONLY | O_NOCTTY | O_CLOEXEC);
     }
     if (o->file < 0) {
-        failed(path, "%s", strerror(errno));
+        failed(path, "cannot be written: %s; choose another name", strerror(errno));
         end_writing(o);
         free(o);
         return NULL;
@@ -219,33 +219,53 @@ struct output *output_open(const char *path)
 
 FILE *output_stream(struct output *o) { return o->stream; }
 
+/* Whether the file is a regular one that is written in place, and so loses what it has. */
+static int is_overwritten(const struct output *o) { return o->temporary[0] == '\0' && S_ISREG(o->place.is.st_mode); }
+
+/* Room for the whole text behind what the file has, before anything of that is lost; 0, or -1 and errno. */
+static int find_room(const struct output *o)
+{
+    struct stat was;
+    if (fstat(o->file, &was) != 0)
+        return -1;
+    int cause = (off_t)o->size > was.st_size ? posix_fallocate(o->file, 0, (off_t)o->size) : 0;
+    if (cause != 0 && ftruncate(o->file, was.st_size) == 0)
+        errno = cause;
+    return cause == 0 ? 0 : -1;
+}
+
 /* The whole text into the file; 0, or -1 and errno. */
 static int write_whole(const struct output *o)
 {
-    if (o->temporary[0] == '\0' && S_ISREG(o->place.is.st_mode) && ftruncate(o->file, 0) != 0)
-        return -1;
     for (size_t done = 0; done < o->size;) {
         ssize_t more = write(o->file, o->text + done, o->size - done);
         if (more < 0 && errno != EINTR)
             return -1;
         done += more > 0 ? (size_t)more : 0;
     }
-    return 0;
+    return is_overwritten(o) ? ftruncate(o->file, (off_t)o->size) : 0;
+}
+
+const char *output_advice(int cause)
+{
+    return cause == 0 || cause == ENOSPC || cause == EDQUOT || cause == EFBIG ? "make room there, or " : "";
 }
 
 int output_close(struct output *o)
 {
     text_close(o->stream, &o->text);
-    int bad = write_whole(o), cause = errno;
+    int kept = is_overwritten(o) && find_room(o) != 0, bad = kept ? -1 : write_whole(o), cause = errno;
     if (close(o->file) != 0 && bad == 0)
         bad = -1, cause = errno;
     if (bad == 0 && o->temporary[0] != '\0' && rename(o->temporary, o->place.path) != 0)
         bad = -1, cause = errno;
     if (bad != 0) {
-        failed(o->path, "%s%s", strerror(cause),
-               o->temporary[0] == '\0' ? ""
-               : o->place.exists       ? "; what was there is unchanged"
-                                       : "; nothing was left there");
+        failed(o->path, "%s%s; %schoose another name", strerror(cause),
+               kept || (o->temporary[0] != '\0' && o->place.exists) ? "; what was there is unchanged"
+               : o->temporary[0] != '\0'                            ? "; nothing was left there"
+               : is_overwritten(o)                                  ? "; what was there is lost"
+                                                                    : "",
+               output_advice(cause));
         if (o->temporary[0] != '\0')
             unlink(o->temporary);
     }
@@ -279,7 +299,9 @@ int make_folder(const char *path)
     free(copy);
     if (is_folder)
         return 0;
-    return failed(path, "%s", cause == EEXIST ? "is no folder; name another one" : strerror(cause));
+    if (cause == EEXIST)
+        return failed(path, "is no folder; choose another name");
+    return failed(path, "no folder can be made there: %s; choose another name", strerror(cause));
 }
 
 /* ---- promises --------------------------------------------------------------------------------------- */
@@ -309,16 +331,40 @@ static void note(struct named n)
         named[names++] = n;
 }
 
-void output_spare(const char *path)
+/* What is already noted of the same file; NULL: nothing. */
+static const struct named *noted(const struct named *n)
+{
+    for (int k = 0; k < names; k++)
+        if (named[k].device == n->device && named[k].number == n->number && strcmp(named[k].name, n->name) == 0)
+            return &named[k];
+    return NULL;
+}
+
+int output_spare(const char *path)
 {
     struct stat is;
-    if ((strcmp(path, "-") == 0 ? fstat(STDIN_FILENO, &is) : stat(path, &is)) == 0 && S_ISREG(is.st_mode))
-        note(identity(NULL, &is, ""));
+    if ((strcmp(path, "-") == 0 ? fstat(STDIN_FILENO, &is) : stat(path, &is)) != 0 || !S_ISREG(is.st_mode))
+        return 0;
+    const struct named n = identity(NULL, &is, "");
+    const struct named *other = noted(&n);
+    if (other != NULL && other->option != NULL) {
+        fprintf(stderr, "cagd: %s: is read, and --%s would write over it; choose another name\n", path, other->option);
+        return EXIT_USAGE;
+    }
+    if (other == NULL)
+        note(n);
+    return 0;
 }
 
 static int misused(const char *option, const char *path, const char *cause)
 {
     fprintf(stderr, "cagd: --%s %s: %s\n", option, path, cause);
+    return EXIT_USAGE;
+}
+
+static int given_already(const char *option, const char *path, const char *other)
+{
+    fprintf(stderr, "cagd: --%s %s: --%s writes that file; choose another name\n", option, path, other);
     return EXIT_USAGE;
 }
 
@@ -328,34 +374,72 @@ int output_promise(const char *option, const char *path)
     struct stat is;
     if (strcmp(path, "-") == 0)
         return misused(option, path, "takes the name of a file; standard output is /dev/stdout");
+    if (path[0] == '\0')
+        return misused(option, "''", "is no name of a file; give one");
     if (find_place(path, &place) != 0)
-        return EXIT_INTERNAL;
+        return EXIT_USAGE;
     if (place.exists && !S_ISREG(place.is.st_mode))
         return 0;
     for (int stream = STDOUT_FILENO; stream <= STDERR_FILENO; stream++)
         if (place.exists && fstat(stream, &is) == 0 && is.st_dev == place.is.st_dev && is.st_ino == place.is.st_ino)
             return misused(option, path, "is where other output goes already; choose another name");
     const struct named n = identity(option, &place.is, place.exists ? "" : name_of(place.path));
-    for (int k = 0; k < names; k++)
-        if (named[k].device == n.device && named[k].number == n.number && strcmp(named[k].name, n.name) == 0) {
-            if (named[k].option == NULL)
-                return misused(option, path, "is read, and would be lost; choose another name");
-            fprintf(stderr, "cagd: --%s %s: --%s writes that file; choose another name\n", option, path,
-                    named[k].option);
-            return EXIT_USAGE;
-        }
+    const struct named *other = noted(&n);
+    if (other != NULL && other->option == NULL)
+        return misused(option, path, "is read, and would be lost; choose another name");
+    if (other != NULL)
+        return given_already(option, path, other->option);
     note(n);
+    return 0;
+}
+
+/* Where a folder that is not there yet begins: the first part of the path that is missing, and the folder that it is missing
+ * from, whose name is a part of the path, too.  0 where nothing is missing; -1 where something else is in the way. */
+static int first_missing(const char *path, char part[PATH_MAX], struct stat *parent)
+{
+    size_t length = 0;
+    if (strlen(path) >= PATH_MAX)
+        return errno = ENAMETOOLONG, -1;
+    if (stat(path[0] == '/' ? "/" : ".", parent) != 0)
+        return -1;
+    while (path[length] != '\0') {
+        struct stat is;
+        length += strspn(path + length, "/");
+        length += strcspn(path + length, "/");
+        snprintf(part, PATH_MAX, "%.*s", (int)length, path);
+        if (stat(part, &is) != 0) {
+            if (errno != ENOENT)
+                return -1;
+            return lstat(part, &is) != 0 ? 1 : (errno = EEXIST, -1); /* a link to nothing */
+        }
+        if (!S_ISDIR(is.st_mode))
+            return errno = path[length] == '\0' ? EEXIST : ENOTDIR, -1;
+        *parent = is;
+    }
     return 0;
 }
 
 int output_promise_folder(const char *option, const char *path)
 {
+    char part[PATH_MAX], parent[PATH_MAX];
+    struct stat is;
     if (strcmp(path, "-") == 0)
-        return misused(option, path, "takes the name of a folder");
-    if (make_folder(path) != 0)
-        return EXIT_INTERNAL;
-    return access(path, W_OK | X_OK) == 0
-               ? 0
-               : (failed(path, "nothing can be written in this folder: %s; choose another", strerror(errno)),
-                  EXIT_INTERNAL);
+        return misused(option, path, "takes the name of a folder; give one");
+    if (path[0] == '\0')
+        return misused(option, "''", "is no name of a folder; give one");
+    int missing = first_missing(path, part, &is);
+    if (missing < 0 && errno == EEXIST)
+        return failed(path, "is no folder; choose another name"), EXIT_USAGE;
+    if (missing < 0)
+        return failed(path, "no folder can be made there: %s; choose another name", strerror(errno)), EXIT_USAGE;
+    const struct named n = identity(option, &is, missing ? name_of(part) : "");
+    const struct named *other = missing ? noted(&n) : NULL;
+    if (other != NULL)
+        return given_already(option, path, other->option);
+    folder_of(part, parent);
+    if (access(missing ? parent : path, W_OK | X_OK) != 0)
+        return failed(path, "nothing can be written in the folder '%s': %s; choose another", missing ? parent : path,
+                      strerror(errno)),
+               EXIT_USAGE;
+    return 0;
 }

@@ -18,11 +18,16 @@ void output_forget(void); /* what is not whole is taken away: in a handler, befo
 int write_text_file(const char *path, const char *text);
 int make_folder(const char *path); /* with its parents */
 
-/* Before anything is computed.  A file that is read, "-" for standard input: no output may take its place. */
-void output_spare(const char *path);
-/* Whether an option may write to the file, or into the folder, which is made: 0; EXIT_USAGE for a file that is read, that
- * standard output goes to, or that another option writes; EXIT_INTERNAL where nothing can be written; then with a line on
- * stderr. */
+/* What is to be done where writing failed for that cause, an errno, 0 if it is not known: "make room there, or " where that may
+ * help, otherwise nothing; then the caller says where else it can go. */
+const char *output_advice(int cause);
+
+/* Before anything is computed; nothing is made or written by these.  Each returns 0, or EXIT_USAGE and a line on stderr.
+ *
+ * A file that is read, "-" for standard input: no output may take its place. */
+int output_spare(const char *path);
+/* Whether an option may write to the file, or into the folder, which make_folder makes: not to a file that is read, that
+ * standard output goes to, or that another option writes, and not where nothing can be written. */
 int output_promise(const char *option, const char *path);
 int output_promise_folder(const char *option, const char *path);
 #endif

@@ -75,57 +75,62 @@ void print_readings(const statement *s, const claim_result *results, int count)
     }
 }
 
-/* "1, 3 and 4 are true": the readings of one state. */
+/* Where `end`, a sign and the blank behind it, first stands in the text outside of formulas and parentheses; NULL: nowhere. */
+static const char *first_outside(const char *text, const char *end)
+{
+    int formula = 0, depth = 0;
+    for (const char *at = text; *at != '\0'; at++) {
+        formula ^= *at == '$';
+        depth += !formula && *at == '(' ? 1 : !formula && *at == ')' ? -1 : 0;
+        if (!formula && depth == 0 && strncmp(at, end, strlen(end)) == 0)
+            return at;
+    }
+    return NULL;
+}
+
+/* What a reading says, without what is said of it: its words before a colon, or a semicolon, or the end of a sentence. */
+static void put_in_short(FILE *out, const char *text)
+{
+    static const char *const ends[] = {": ", "; ", ". "};
+    const char *end = NULL;
+    for (int k = 0; k < 3 && end == NULL; k++)
+        end = first_outside(text, ends[k]);
+    size_t length = end != NULL ? (size_t)(end - text) : strlen(text);
+    while (length > 0 && text[length - 1] == '.')
+        length--;
+    fprintf(out, "%.*s", (int)length, text);
+}
+
+/* "False: the one in short (2); the other (3). ", the readings of one state with their numbers; nothing where none is. */
 static void put_readings_in(FILE *out, const statement *s, enum reading_state wanted, const claim_result *results,
                             int count)
 {
-    static const char *const told[READING_STATES] = {"true", "false", "not decided"};
-    int all = 0, put = 0, number = 0;
-    for (int pass = 0; pass < 2; pass++, number = 0)
-        for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
-            if (l->role != READING)
-                continue;
-            number++;
-            if (state_of(l->claim != NULL ? result_of(l->claim, results, count) : NULL) != wanted)
-                continue;
-            if (pass == 0)
-                all++;
-            else
-                fprintf(out, "%s%d", put == 0 ? "" : put + 1 == all ? " and " : ", ", number), put++;
-        }
-    if (all > 0)
-        fprintf(out, " %s %s", all == 1 ? "is" : "are", told[wanted]);
+    static const char *const told[READING_STATES] = {"True", "False", "Not decided"};
+    int put = 0, number = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        if (l->role != READING)
+            continue;
+        number++;
+        if (state_of(l->claim != NULL ? result_of(l->claim, results, count) : NULL) != wanted)
+            continue;
+        fprintf(out, "%s%s", put > 0 ? "; " : told[wanted], put > 0 ? "" : ": ");
+        put_in_short(out, l->text);
+        fprintf(out, " (%d)", number);
+        put++;
+    }
+    fputs(put > 0 ? ". " : "", out);
 }
 
 void print_undecided(const statement *s, const claim_result *results, int count)
 {
-    static const char *const number[] = {"one way", "two ways", "three ways", "four ways", "five ways", "six ways"};
-    int of[READING_STATES] = {0}, all = 0;
-    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
-        if (l->role == READING) {
-            of[state_of(l->claim != NULL ? result_of(l->claim, results, count) : NULL)]++;
-            all++;
-        }
     char *text = NULL;
     size_t room;
     FILE *out = text_open(&text, &room);
-    fputs("It can be read in ", out);
-    if (all >= 1 && all <= 6)
-        fputs(number[all - 1], out);
-    else
-        fprintf(out, "%d ways", all);
-    const char *between = ": ";
-    for (enum reading_state k = 0; k < READING_STATES && all > 1; k++)
-        if (of[k] > 0) {
-            fputs(between, out);
-            put_readings_in(out, s, k, results, count);
-            between = ", ";
-        }
-    if (all == 1)
-        fprintf(out, ", which is %s", of[READING_TRUE] ? "true" : of[READING_FALSE] ? "false" : "not decided");
-    fputs(".", out);
+    for (enum reading_state k = 0; k < READING_STATES; k++)
+        put_readings_in(out, s, k, results, count);
     text_close(out, &text);
-    paragraph(text, INDENT);
+    text[strlen(text) - 1] = '\0'; /* the last blank: there is a reading, or the statement would be open */
+    prose(text, INDENT);
     free(text);
 }
 

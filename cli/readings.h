@@ -5,7 +5,7 @@
 #include "chapters/judge/run.h"
 
 int has_reading(const statement *s);
-/* "It can be read in three ways: 1 and 2 are true, 3 is false." */
+/* The verdict, what is true first: "True: an envelope (1). False: the envelope (2); the same without inflections (3)." */
 void print_undecided(const statement *s, const claim_result *results, int count);
 /* Which of several readings the text itself has, and by what one knows. */
 void print_meant(const statement *s);

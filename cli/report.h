@@ -20,6 +20,7 @@ void print_json_exactly(json_t *document);
  * striking.txt the three most striking counterexamples, ledger.json.  How many statements are not as expected, or -1 and
  * a line on stderr when a file cannot be written. */
 int write_report(const cagd_register *r, const char *folder, const claim_result *results, int claims);
+int promise_report(const char *folder); /* that these files can be written there, as output_promise does */
 /* 0, or -1 and a line on stderr. */
 int write_junit(const char *path, const claim_result *results, int count);
 

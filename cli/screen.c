@@ -2,8 +2,10 @@
 #include "cli/screen.h"
 #include "chapters/judge/memory_text.h"
 #include "cli/command.h"
+#include "cli/output.h"
 #include "cli/terminal.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdio.h>
@@ -78,9 +80,11 @@ static int put_lines(FILE *out, const char *text, int width)
 
 /* ---- the end ------------------------------------------------------------------------------------------ */
 
-static void fail(void)
+/* One line: what, why where that is known, and what to do. */
+static void fail(int cause)
 {
-    fputs("cagd: standard output cannot be written\n", stderr);
+    fprintf(stderr, "cagd: standard output: cannot be written%s%s; %ssend it elsewhere\n", cause != 0 ? ": " : "",
+            cause != 0 ? strerror(cause) : "", output_advice(cause));
     _exit(EXIT_INTERNAL);
 }
 
@@ -108,29 +112,30 @@ static char *kept_text(void)
     for (ssize_t more = 1; text != NULL && had < size && more > 0; had += more)
         more = pread(STDOUT_FILENO, text + had, (size_t)(size - had), had);
     if (text == NULL || had != size)
-        fail();
+        fail(errno);
     text[size] = '\0';
     return text;
 }
 
 static void end(void)
 {
+    errno = 0;
     if (fflush(stdout) != 0 || ferror(stdout))
-        fail();
+        fail(errno);
     if (terminal < 0)
         return;
     char *text = kept_text(), *page = NULL;
     size_t room;
     struct winsize size = {0};
     if (dup2(terminal, STDOUT_FILENO) < 0)
-        fail();
+        fail(errno);
     ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
     FILE *out = text_open(&page, &room);
     int lines = put_lines(out, text, page_width(size.ws_col > 0 ? size.ws_col : INT_MAX));
     text_close(out, &page);
     if ((size.ws_row == 0 || lines < size.ws_row || !is_paged(page)) &&
         (fputs(page, stdout) < 0 || fflush(stdout) != 0))
-        fail();
+        fail(errno);
     free(text), free(page);
 }
 

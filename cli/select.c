@@ -24,6 +24,28 @@ static int any(const struct patterns *p, const char *text)
     return 0;
 }
 
+size_t table_length(const char *id)
+{
+    const char *row = strstr(id, "-row-");
+    return row != NULL ? (size_t)(row - id) : 0;
+}
+
+int id_matches(const char *pattern, const char *id)
+{
+    const char *colon = strchr(id, ':');
+    size_t table = table_length(id);
+    return fnmatch(pattern, id, 0) == 0 || (colon != NULL && is_glob(pattern) && fnmatch(pattern, colon + 1, 0) == 0) ||
+           (table > 0 && strlen(pattern) == table && strncmp(pattern, id, table) == 0);
+}
+
+static int any_id(const struct patterns *p, const char *id)
+{
+    for (int k = 0; k < p->count; k++)
+        if (id_matches(p->at[k], id))
+            return 1;
+    return 0;
+}
+
 int is_glob(const char *text) { return strpbrk(text, "*?[") != NULL; }
 
 /* Letters compare whatever their case is; a word of other letters may begin anywhere. */
@@ -68,14 +90,14 @@ static int claim_matches(const cagd_register *r, const claim *c, const struct pa
     if (p->count == 0 || any_name(p, c) || any_title(p, c->title, c->title_zh))
         return 1;
     for (const statement *s = r->statements; s->id != NULL; s++)
-        if (names(s, c->name) && any(p, s->id))
+        if (names(s, c->name) && any_id(p, s->id))
             return 1;
     return 0;
 }
 
 static int statement_matches(const cagd_register *r, const statement *s, const struct patterns *p)
 {
-    if (p->count == 0 || any(p, s->id) || any_title(p, s->title, s->title_zh))
+    if (p->count == 0 || any_id(p, s->id) || any_title(p, s->title, s->title_zh))
         return 1;
     for (const claim *c = r->claims; c->name != NULL; c++)
         if (names(s, c->name) && any_name(p, c))

@@ -45,7 +45,7 @@ struct entry {
 static int is_of_table(const statement *s, const char *id)
 {
     size_t n = strlen(id);
-    return strncmp(s->id, id, n) == 0 && strncmp(s->id + n, "-row-", 5) == 0;
+    return n > 0 && table_length(s->id) == n && strncmp(s->id, id, n) == 0;
 }
 
 static struct entry entry_of(const cagd_register *r, const char *id)
@@ -174,11 +174,11 @@ static void add(struct entries *list, struct entry e)
     list->at[list->count++] = e;
 }
 
-/* The statements whose ids match, and the claims whose names do. */
+/* The statements whose ids match, with or without their source, and the claims whose names do. */
 static void add_matching(const cagd_register *r, const char *glob, struct entries *list)
 {
     for (const statement *s = r->statements; s->id != NULL; s++)
-        if (fnmatch(glob, s->id, 0) == 0)
+        if (id_matches(glob, s->id))
             add(list, (struct entry){.statement = s});
     for (const claim *c = r->claims; c->name != NULL; c++) {
         char full[256];
@@ -267,7 +267,7 @@ const struct command command_show = {
             "  cagd show elevation_keeps_rational_curve\n"
             "  cagd show thm-3.3.2                    the end of an id, where only one ends so\n"
             "  cagd show 定理3.3.2                    as the book calls it\n"
-            "  cagd show 'wang-ch3:thm-3.2.*'         one page after another\n"
+            "  cagd show 'thm-3.2.*'                  one page after another\n"
             "  cagd show slides-ch4:table-bezier      a printed table, all entries on one page\n",
     .arguments = CLAIM_NAMES,
     .shared = TAKES_JSON | TAKES_JOBS,

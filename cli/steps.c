@@ -51,13 +51,14 @@ static void print_kind(const struct steps *at, claim_kind kind, const char *know
     free(text);
 }
 
-/* Whether a step is known in the same words as all together, which may be told with " that the hypotheses allow". */
+/* Whether a step is known in the same words as all together, which may have further conditions behind ", where". */
 static int is_the_same(const char *words, const char *all)
 {
+    static const char more[] = ", where ";
     size_t n = 0;
     while (words[n] != '\0' && words[n] == all[n])
         n++;
-    return words[n] == '\0' && (all[n] == '\0' || strcmp(all + n, " that the hypotheses allow") == 0);
+    return words[n] == '\0' && (all[n] == '\0' || strncmp(all + n, more, sizeof more - 1) == 0);
 }
 
 /* What the claim computes, and why that suffices; how it is known, where that is not what is said of all steps together. */

@@ -261,10 +261,21 @@ static int write_certificates(const cagd_register *r, const char *folder, const 
     return bad ? -1 : 0;
 }
 
+/* That the files in the folders can be written, those that always have the same names, and are not those of other options. */
+static int promise_folders(const struct arguments *a)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/manifest.json", a->certificates != NULL ? a->certificates : "");
+    int code = a->certificates != NULL ? output_promise("certificates", path) : EXIT_AS_EXPECTED;
+    return code == EXIT_AS_EXPECTED && a->report != NULL ? promise_report(a->report) : code;
+}
+
 static int run(const struct call *call)
 {
     struct arguments a = {.shards = 1, .shard = 1};
     parse_arguments(call, &a.asked);
+    if (promise_folders(&a) != EXIT_AS_EXPECTED)
+        return EXIT_USAGE;
     if (!all_match(call->reg, &a.asked.patterns, CLAIMS))
         return EXIT_USAGE;
     int count, kept = 0;

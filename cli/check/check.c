@@ -154,6 +154,24 @@ static int check_sheets(const struct arguments *a, const struct document *d, int
     return good;
 }
 
+/* What nobody asked for and could not be read: a list on the page, or what comes out for JSON. */
+static json_t *tell_left_out(const struct document *d, int as_json)
+{
+    json_t *list = as_json ? json_array() : NULL;
+    if (!as_json && d->left_outs > 0)
+        printf("\n\nLeft out, for they could not be read: %d labelled formula%s\n", d->left_outs,
+               d->left_outs == 1 ? "" : "s");
+    for (int k = 0; k < d->left_outs; k++) {
+        const struct left_out *l = &d->left_out[k];
+        if (as_json)
+            json_array_append_new(list, json_pack("{s:s, s:i, s:i, s:s}", "name", l->name, "line", l->line, "column",
+                                                  l->column, "reason", l->message));
+        else
+            printf("    %s  (%s:%d)\n", l->name, name_of_input(d->path), l->line);
+    }
+    return list;
+}
+
 static int check(const cagd_register *reg, const struct arguments *a)
 {
     struct document d;
@@ -177,11 +195,13 @@ static int check(const cagd_register *reg, const struct arguments *a)
     }
     to.list = sheets;
     good &= check_sheets(a, &d, count > 0, &to, &code);
+    good &= d.left_outs == 0;
+    json_t *left_out = tell_left_out(&d, a->asked.json);
     if (to.junit != NULL && junit_write(to.junit, "cagd check", a->junit) != 0)
         code = EXIT_INTERNAL;
     if (a->asked.json)
-        print_json(json_pack("{s:s, s:s, s:b, s:o, s:o}", "schema", "cagd-check-1", "file", a->asked.path,
-                             "as_expected", good, "statements", list, "bases", sheets));
+        print_json(json_pack("{s:s, s:s, s:b, s:o, s:o, s:o}", "schema", "cagd-check-1", "file", a->asked.path,
+                             "as_expected", good, "statements", list, "bases", sheets, "left_out", left_out));
     return code != EXIT_AS_EXPECTED ? code : good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
 }
 
@@ -213,7 +233,11 @@ static const struct topic topics[] = {
      "answered with "
      "what is asked of every basis: independence, sum 1, signs, symmetry, values at the ends, total positivity, each "
      "with the "
-     "exact range of the parameter. A block ends with a line of three colons. "
+     "exact range of the parameter. A block ends with a line of three colons. A LaTeX source, NAME.tex, has its "
+     "labelled formulas taken, with what comments say of them: % cagd: let LINE; for RANGES, find, expected, seconds, "
+     "title "
+     "as the lines of a statement; statement NAME; definition; skip. In Markdown, :from: paper.tex LABEL stands for "
+     ":printed:. "
      "The "
      "file - is standard input."},
     {0}};
@@ -232,9 +256,10 @@ const struct command command_check = {
     .text = "Decides formulas that are written down as they are printed, in TeX.\n\n"
             "Examples:\n"
             "  cagd check paper.md\n"
+            "  cagd check paper.tex             the labelled formulas of a LaTeX source\n"
             "  cagd check --json paper.md\n"
             "  cagd check --basis basis.md      all that is asked of a basis, with exact ranges of its parameter\n"
-            "\vA file is Markdown, with blocks\n\n"
+            "\vA file is a LaTeX source, or Markdown with blocks\n\n"
             "  :::{let}\n"
             "  B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"
             "  :::\n\n"

@@ -1,6 +1,7 @@
 #include "cli/check/document.h"
 
 #include "chapters/judge/register.h"
+#include "cli/check/paper.h"
 #include "cli/input.h"
 #include "cli/terminal.h"
 #include "exact/expression/evaluate.h"
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LARGEST = 1 << 22, MOST_COMPLAINTS = 20, WIDEST = 100 };
+enum { MOST_COMPLAINTS = 20, WIDEST = 100, MESSAGE = 400 };
 static const double usual_seconds = 10;
 
 const char *const expected_name[] = {"holds", "fails", "undecided"};
@@ -21,54 +22,135 @@ const char *const expected_name[] = {"holds", "fails", "undecided"};
 
 static int is_character(const char *s) { return ((unsigned char)*s & 0xC0) != 0x80; }
 
-void place_of(const struct document *d, int at, int *line, int *column)
+static void count_lines(const char *text, int at, int *line, int *column)
 {
     *line = *column = 1;
     for (int k = 0; k < at; k++) {
-        *column += is_character(d->text + k);
-        if (d->text[k] == '\n')
+        *column += is_character(text + k);
+        if (text[k] == '\n')
             ++*line, *column = 1;
     }
 }
 
-/* The line on stderr, the line of the file if it is not too long, and a caret under what is meant. */
-static void complain(struct document *d, int from, int to, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-static void complain(struct document *d, int from, int to, const char *format, ...)
+/* The chunk that the byte is of; NULL where it stands where it comes from. */
+static const struct chunk *chunk_at(const struct document *d, int at)
 {
-    int line, column, begin = from, end = from;
-    if (++d->complaints > MOST_COMPLAINTS)
-        return;
-    place_of(d, from, &line, &column);
-    if (from >= d->size && d->size > 0)
-        fprintf(stderr, "cagd: %s: %s, column %d: ", name_of_input(d->path), d->entry, column);
-    else
-        fprintf(stderr, "cagd: %s:%d:%d: ", name_of_input(d->path), line, column);
-    va_list list;
-    va_start(list, format);
-    vfprintf(stderr, format, list);
-    va_end(list);
-    fputc('\n', stderr);
-    while (begin > 0 && d->text[begin - 1] != '\n')
+    for (int k = 0; k < d->chunks; k++)
+        if (d->chunk[k].at <= at && at < d->chunk[k].to)
+            return &d->chunk[k];
+    return NULL;
+}
+
+/* What is meant by a byte of a chunk, and by the end of bytes. */
+static int source_of(const struct chunk *c, int at) { return c->from[at - c->at]; }
+static int source_end(const struct chunk *c, int from, int to)
+{
+    int end = to > from && to <= c->to ? source_of(c, to - 1) + 1 : 0, begin = source_of(c, from);
+    return end > begin ? end : begin + 1;
+}
+
+const char *place_of(const struct document *d, int at, int *line, int *column)
+{
+    const struct chunk *c = chunk_at(d, at);
+    count_lines(c != NULL ? c->source : d->text, c != NULL ? source_of(c, at) : at, line, column);
+    return c != NULL ? c->path : d->path;
+}
+
+/* The line if it is not too long, and a caret under bytes of it. */
+static void show_place(const char *text, int size, int from, int to)
+{
+    int begin = from, end = from;
+    while (begin > 0 && text[begin - 1] != '\n')
         begin--;
-    while (end < d->used && d->text[end] != '\n')
+    while (end < size && text[end] != '\n')
         end++;
-    if (end - begin > WIDEST || memchr(d->text + begin, '\t', (size_t)(end - begin)) != NULL)
+    if (end - begin > WIDEST || memchr(text + begin, '\t', (size_t)(end - begin)) != NULL)
         return;
-    fprintf(stderr, "  %.*s\n  ", end - begin, d->text + begin);
-    const char *before = cagd_text_of(d->text + begin, from - begin);
+    fprintf(stderr, "  %.*s\n  ", end - begin, text + begin);
+    const char *before = cagd_text_of(text + begin, from - begin);
     for (int k = before != NULL ? columns_of(before) : 0; k > 0; k--)
         fputc(' ', stderr);
     fputc('^', stderr);
     for (int k = from + 1; k < to && k < end; k++)
-        if (is_character(d->text + k))
+        if (is_character(text + k))
             fputc('~', stderr);
     fputc('\n', stderr);
 }
 
+static void tell_in(const char *path, const char *text, int size, int from, int to, const char *message)
+{
+    int line, column;
+    count_lines(text, from, &line, &column);
+    fprintf(stderr, "cagd: %s:%d:%d: %s\n", name_of_input(path), line, column, message);
+    show_place(text, size, from, to);
+}
+
+static void tell(struct document *d, int from, int to, const char *message)
+{
+    const struct chunk *c = chunk_at(d, from < to || from == 0 ? from : from - 1);
+    if (c != NULL) { /* the end of a formula is behind its last byte */
+        int at = from < to ? source_of(c, from) : source_of(c, from > c->at ? from - 1 : from) + 1;
+        tell_in(c->path, c->source, c->size, at, from < to ? source_end(c, from, to) : at + 1, message);
+    } else if (from >= d->size && d->size > 0) { /* of the ledger */
+        int line, column;
+        count_lines(d->text, from, &line, &column);
+        fprintf(stderr, "cagd: %s: %s, column %d: %s\n", name_of_input(d->path), d->entry, column, message);
+        show_place(d->text, d->used, from, to);
+    } else {
+        tell_in(d->path, d->text, d->used, from, to, message);
+    }
+}
+
+void complain(struct document *d, int from, int to, const char *format, ...)
+{
+    char message[MESSAGE];
+    if (++d->complaints > MOST_COMPLAINTS)
+        return;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    tell(d, from, to, message);
+}
+
+void complain_in(struct document *d, const char *path, const char *text, int size, int from, int to, const char *format,
+                 ...)
+{
+    char message[MESSAGE];
+    if (++d->complaints > MOST_COMPLAINTS)
+        return;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    tell_in(path, text, size, from, to, message);
+}
+
+/* What was not read; a command whose expansion does not end is no name that is not known. */
+static const char *message_of(const struct document *d, const cagd_reading_error *e)
+{
+    const struct chunk *c = chunk_at(d, e->from);
+    const char *better = c != NULL ? trouble_of_command(d, c->source, source_of(c, e->from)) : NULL;
+    return better != NULL ? better : cagd_text_of(e->message, (int)strlen(e->message));
+}
+
 static void complain_of_reading(struct document *d, const cagd_reading_error *e)
 {
-    complain(d, e->from, e->to, "%s", e->message);
+    complain(d, e->from, e->to, "%s", message_of(d, e));
+}
+
+/* A formula that nobody asked for: told, and not counted as a complaint. */
+static void leave_out(struct document *d, const char *name, int head, const cagd_reading_error *e)
+{
+    char message[MESSAGE];
+    struct left_out *l = &d->left_out[d->left_outs];
+    if (d->left_outs == MOST_STATEMENTS)
+        return;
+    d->left_outs++;
+    *l = (struct left_out){.name = name, .message = message_of(d, e)};
+    place_of(d, e->from < e->to ? e->from : head, &l->line, &l->column);
+    snprintf(message, sizeof message, "%s is left out: %s", name, l->message);
+    tell(d, e->from, e->to, message);
 }
 
 /* ---- lines --------------------------------------------------------------------------------------------- */
@@ -129,17 +211,6 @@ static int behind(const struct document *d, int end) { return next_line(d, end);
 
 /* ---- blocks -------------------------------------------------------------------------------------------- */
 
-static void read_let(struct document *d, int at, int stop)
-{
-    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
-        cagd_reading_error error;
-        int from = at, to = end;
-        strip(d, &from, &to);
-        if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
-            complain_of_reading(d, &error);
-    }
-}
-
 /* ":key: value": 1, and where the value is. */
 static int field(const struct document *d, int at, int end, const char *key, int *from, int *to)
 {
@@ -149,6 +220,30 @@ static int field(const struct document *d, int at, int end, const char *key, int
     *from = at + n + 2, *to = end;
     strip(d, from, to);
     return 1;
+}
+
+static void read_let(struct document *d, int at, int stop)
+{
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        cagd_reading_error error;
+        int from = at, to = end, a, b;
+        strip(d, &from, &to);
+        if (field(d, at, end, "from", &a, &b) && !put_from_paper(d, a, b, &from, &to))
+            continue;
+        if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
+            complain_of_reading(d, &error);
+    }
+}
+
+/* A formula that defines what it has on its left side, though nobody said that it is to be read. */
+static void read_defined(struct document *d, int head, int at, int stop)
+{
+    cagd_reading_error error;
+    int from = at, to = end_of_entry(d, at, stop), name = head + (int)strlen(":::{defined}"),
+        name_end = end_of_line(d, head);
+    strip(d, &name, &name_end);
+    if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
+        leave_out(d, cagd_text_of(d->text + name, name_end - name), from, &error);
 }
 
 static void read_expected(struct document *d, struct formula *f, int from, int to)
@@ -190,11 +285,12 @@ static const char *parameter_named(struct document *d, const cagd_scope *scope, 
 /* ---- what the ledger has as printed -------------------------------------------------------------------- */
 
 /* Text behind the text of the file, where formulas of the ledger are read; 0 where there is no room. */
-static int put(struct document *d, const char *text, int length)
+int put_in_document(struct document *d, const char *text, int length)
 {
-    if (d->used + length > 2 * LARGEST)
+    if (d->used + length > 2 * LARGEST_FILE)
         return 0;
-    memcpy(d->room + d->used, text, (size_t)length);
+    if (length > 0)
+        memcpy(d->room + d->used, text, (size_t)length);
     d->used += length;
     return 1;
 }
@@ -229,7 +325,7 @@ static int put_parts(struct document *d, const char *printed, int from, int to)
         char *end;
         long k = from < to ? strtol(d->text + from, &end, 10) : 1;
         int length = k > 0 ? formula_of(printed, (int)k, &begin) : -1;
-        if (length < 0 || (!first && !put(d, ", \\quad ", 8)) || !put(d, begin, length))
+        if (length < 0 || (!first && !put_in_document(d, ", \\quad ", 8)) || !put_in_document(d, begin, length))
             return 0;
         first = 0;
         from = from < to ? (int)(end - d->text) : to;
@@ -269,7 +365,7 @@ static void read_print(struct document *d, struct formula *f, int head, int at, 
         if (field(d, at, end, "part", &from, &to))
             part = from, part_end = to;
         else if (field(d, at, end, "before", &from, &to))
-            put(d, d->text + from, to - from);
+            put_in_document(d, d->text + from, to - from);
     int start = d->used;
     if (!put_parts(d, f->entry->printed, part, part_end))
         complain(d, head, end_of_line(d, head), "%s has no formula of that number", f->name);
@@ -278,12 +374,12 @@ static void read_print(struct document *d, struct formula *f, int head, int at, 
         if (field(d, at, end, "without", &from, &to) && !take_out(d, start, from, to))
             complain(d, from, to, "that does not stand in %s", f->name);
     *printed_end = d->used;
-    put(d, "\n", 1);
+    put_in_document(d, "\n", 1);
 }
 
 static void read_statement(struct document *d, const char *kind, int head, int at, int stop)
 {
-    int is_printed = strcmp(kind, ":::{printed}") == 0;
+    int is_printed = strcmp(kind, ":::{printed}") == 0, is_tried = strcmp(kind, ":::{equation}") == 0;
     struct formula *f = &d->formula[d->count];
     int column, from = 0, to = 0, printed = 0, printed_end = 0, ranges = 0, ranges_end = 0, complaints = d->complaints;
     int find = 0, find_end = 0;
@@ -306,6 +402,8 @@ static void read_statement(struct document *d, const char *kind, int head, int a
             continue;
         if (!is_printed && field(d, at, end, "printed", &from, &to))
             printed = from, printed_end = to;
+        else if (!is_printed && field(d, at, end, "from", &from, &to))
+            put_from_paper(d, from, to, &printed, &printed_end);
         else if (field(d, at, end, "for", &from, &to))
             ranges = from, ranges_end = to;
         else if (field(d, at, end, "find", &from, &to))
@@ -316,7 +414,8 @@ static void read_statement(struct document *d, const char *kind, int head, int a
             f->seconds = seconds_of(d, from, to);
         else if (d->text[at] == ':' && !field(d, at, end, "source", &from, &to) &&
                  !field(d, at, end, "title", &from, &to))
-            complain(d, at, at + 1, "expected :printed:, :for:, :find:, :title:, :source:, :expected: or :seconds:");
+            complain(d, at, at + 1,
+                     "expected :printed:, :from:, :for:, :find:, :title:, :source:, :expected: or :seconds:");
     }
     if (printed_end == printed && d->complaints == complaints)
         complain(d, head, end_of_line(d, head), "a statement without a formula: expected a line :printed: ...");
@@ -336,7 +435,9 @@ static void read_statement(struct document *d, const char *kind, int head, int a
             f->expected = EXPECT_FAILS;
     d->entry = f->name;
     f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
-    if (f->tree == NULL)
+    if (f->tree == NULL && is_tried)
+        leave_out(d, f->name, printed, &error);
+    else if (f->tree == NULL)
         complain_of_reading(d, &error);
     else
         d->count++;
@@ -470,6 +571,10 @@ static void read_blocks(struct document *d)
             read_statement(d, ":::{statement}", at, inside, stop);
         else if (begins(d, at, ":::{printed}"))
             read_statement(d, ":::{printed}", at, inside, stop);
+        else if (d->chunks > 0 && begins(d, at, ":::{equation}"))
+            read_statement(d, ":::{equation}", at, inside, stop);
+        else if (d->chunks > 0 && begins(d, at, ":::{defined}"))
+            read_defined(d, at, inside, stop);
         else if (begins(d, at, ":::{basis}"))
             read_sheet(d, at, inside, stop);
         else
@@ -480,38 +585,58 @@ static void read_blocks(struct document *d)
 
 /* ---- the file ------------------------------------------------------------------------------------------ */
 
-static int refuse_file(const struct document *d, const char *why)
+static int refuse_file(const char *path, const char *why)
 {
-    fprintf(stderr, "cagd: %s: %s\n", name_of_input(d->path), why);
-    return 1;
+    fprintf(stderr, "cagd: %s: %s\n", name_of_input(path), why);
+    return -1;
+}
+
+int read_whole_file(const char *path, char **text)
+{
+    struct input_error error;
+    FILE *in = open_input(path, "formulas", &error);
+    if (in == NULL)
+        return refuse_file(path, error.cause);
+    *text = region_bytes(2 * LARGEST_FILE);
+    size_t size = *text != NULL ? fread(*text, 1, LARGEST_FILE + 1, in) : 0;
+    int bad = ferror(in);
+    if (in != stdin)
+        fclose(in);
+    if (*text == NULL)
+        abort();
+    if (bad)
+        return refuse_file(path, "cannot be read to its end; expected the file of formulas");
+    if (size > LARGEST_FILE)
+        return refuse_file(path, "is larger than 4 MB, the largest size that is read");
+    if (memchr(*text, '\0', size) != NULL)
+        return refuse_file(path, "is no text, there is a zero byte in it; expected Markdown or LaTeX");
+    return (int)size;
 }
 
 int read_document(const cagd_register *reg, const char *path, struct document *d)
 {
     *d = (struct document){.reg = reg, .path = path};
-    FILE *in = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
-    if (in == NULL)
-        return refuse_file(d, "cannot be read");
-    char *text = region_bytes(2 * LARGEST);
-    size_t size = text != NULL ? fread(text, 1, LARGEST + 1, in) : 0;
-    int bad = ferror(in);
-    if (in != stdin)
-        fclose(in);
+    char *text;
+    int size = read_whole_file(path, &text);
+    if (size < 0)
+        return 1;
     d->formula = cagd_region_array(MOST_STATEMENTS + 1, 1, sizeof *d->formula);
     d->sheet = cagd_region_array(MOST_SHEETS + 1, 1, sizeof *d->sheet);
-    if (text == NULL || d->formula == NULL || d->sheet == NULL)
+    d->chunk = cagd_region_array(MOST_CHUNKS, 1, sizeof *d->chunk);
+    d->left_out = cagd_region_array(MOST_STATEMENTS, 1, sizeof *d->left_out);
+    if (d->formula == NULL || d->sheet == NULL || d->chunk == NULL || d->left_out == NULL)
         abort();
-    if (bad)
-        return refuse_file(d, "cannot be read");
-    if (size > LARGEST)
-        return refuse_file(d, "is larger than 4 MB");
-    if (memchr(text, '\0', size) != NULL)
-        return refuse_file(d, "is no text");
-    d->text = d->room = text, d->size = d->used = (int)size;
-    put(d, "\n", 1);
-    read_blocks(d);
+    d->text = d->room = text, d->size = d->used = size;
+    if (is_paper(path, text, size))
+        put_paper(d);
+    put_in_document(d, "\n", 1);
+    if (d->complaints == 0)
+        read_blocks(d);
     if (d->complaints == 0 && d->count == 0 && d->sheets == 0)
-        return refuse_file(d, "has no statement: expected a block :::{statement} NAME or :::{basis} NAME");
+        return -refuse_file(path, d->papers == NULL
+                                      ? "has no statement: expected a block :::{statement} NAME or :::{basis} NAME"
+                                  : d->left_outs > 0 ? "has no formula that could be read"
+                                                     : "has no formula with a \\label, or with a comment % cagd: ...");
     if (d->complaints > MOST_COMPLAINTS)
         fprintf(stderr, "cagd: %s: and %d more\n", name_of_input(path), d->complaints - MOST_COMPLAINTS);
     return d->complaints;

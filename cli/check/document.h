@@ -14,11 +14,25 @@
 
 struct cagd_register;
 struct statement;
-enum { MOST_STATEMENTS = 1000, MOST_SHEETS = 100, MOST_SHOWN = 3 };
+enum { MOST_STATEMENTS = 1000, MOST_SHEETS = 100, MOST_SHOWN = 3, MOST_CHUNKS = 1000, LARGEST_FILE = 1 << 22 };
 
 /* What a file says is to come out, where it says so. */
 enum expected { EXPECT_HOLDS, EXPECT_FAILS, EXPECT_UNDECIDED, EXPECT_NOTHING };
 extern const char *const expected_name[];
+
+/* Text that is read, and comes from another place than it stands at: byte k from byte from[k] of the source. */
+struct chunk {
+    int at, to; /* bytes of the document's text */
+    const char *path, *source;
+    int size; /* of the source */
+    const int *from;
+};
+
+/* A labelled formula of a LaTeX source that nobody asked for, and that could not be read. */
+struct left_out {
+    const char *name, *message;
+    int line, column;
+};
 
 struct formula {
     const char *name, *printed;    /* as it is written, TeX                             */
@@ -66,6 +80,11 @@ struct document {
     char *room; /* the text, and behind it formulas of the ledger */
     int size, used, complaints;
     const char *entry; /* of the ledger, that is being read */
+    struct chunk *chunk;
+    int chunks;
+    const struct paper *papers; /* the LaTeX sources that were read */
+    struct left_out *left_out;
+    int left_outs;
     cagd_scope scope;
     struct formula *formula;
     struct sheet *sheet;
@@ -76,6 +95,17 @@ struct document {
  * their number.  All is in the region. */
 int read_document(const struct cagd_register *reg, const char *path, struct document *d);
 
-/* Line and column of a byte, from 1; columns count characters. */
-void place_of(const struct document *d, int at, int *line, int *column);
+/* Line and column of a byte, from 1, in the file that it comes from, which comes out; columns count characters. */
+const char *place_of(const struct document *d, int at, int *line, int *column);
+
+/* The line on stderr, the line of the file if it is not too long, and a caret under what is meant; counted. */
+void complain(struct document *d, int from, int to, const char *format, ...) __attribute__((format(printf, 4, 5)));
+/* The same of bytes of a file of that name and text. */
+void complain_in(struct document *d, const char *path, const char *text, int size, int from, int to, const char *format,
+                 ...) __attribute__((format(printf, 7, 8)));
+
+/* Text behind what the document has; 0 where there is no room.  The whole of a file in the region, "-" being standard input: its size, or
+ * -1 and the line on stderr. */
+int put_in_document(struct document *d, const char *text, int length);
+int read_whole_file(const char *path, char **text);
 #endif

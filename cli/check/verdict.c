@@ -54,6 +54,18 @@ static int is_of(const char *key, const char *head)
     return strncmp(key, head, n) == 0 && (key[n] == '\0' || head[n - 1] == '_' || key[n] == '^');
 }
 
+/* Whether a condition for every index speaks of names that the statement has; any other condition is told. */
+static int is_about_names(const cagd_finding *f, const cagd_tree *t)
+{
+    int is = t->kind != CAGD_EVERY_INDEX && t->kind != CAGD_NAME && t->kind != CAGD_RELATION && t->kind != CAGD_ALL;
+    if (t->kind == CAGD_RELATION || t->kind == CAGD_ALL)
+        return 1;
+    for (int k = 0; t->kind == CAGD_EVERY_INDEX && k < f->names && !is; k++)
+        for (int m = 0; m < t->at[0]->count && !is; m++)
+            is = t->at[0]->at[m]->kind == CAGD_NAME && is_of(f->name[k], t->at[0]->at[m]->head);
+    return is;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -66,7 +78,13 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         else
             text = append(text, "%s$%s = %s$ to $%s$", comma, v->head, source(d, v->low), source(d, v->high));
     }
-    for (const cagd_variable *v = s->scope.variables; v != NULL; v = v->next) {
+    int variables = 0;
+    for (const cagd_variable *v = s->scope.variables; v != NULL; v = v->next)
+        variables++;
+    for (int which = variables - 1; which >= 0; which--) { /* the last declared stands first */
+        const cagd_variable *v = s->scope.variables;
+        for (int k = 0; k < which; k++)
+            v = v->next;
         int named = 0;
         for (int k = 0; k < f->names; k++)
             named |= is_of(f->name[k], v->head);
@@ -94,8 +112,14 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         if (!declared)
             text = append(text, "%sall $%s$", comma, f->name[k]), comma = ", ";
     }
-    for (int k = 0; k < s->scope.condition_count; k++, comma = ", ")
+    for (int k = 0; k < s->scope.condition_count; k++) {
+        if (!is_about_names(f, s->scope.conditions[k]))
+            continue;
         text = append(text, "%s$%s$", comma, source(d, s->scope.conditions[k]));
+        comma = ", ";
+    }
+    if (f->leaves_out_poles)
+        text = append(text, "%swherever both sides are defined", text[0] != '\0' ? ", " : "");
     return text;
 }
 
@@ -108,8 +132,9 @@ const char *reason_of(const struct document *d, const cagd_finding *f)
         text = append(text, "%s%s", text[0] != '\0' ? "; " : "", f->why);
     if (f->where != NULL) {
         int line, column;
-        place_of(d, f->where->from, &line, &column);
-        text = append(text, " (line %d, column %d: %s)", line, column, source(d, f->where));
+        const char *file = place_of(d, f->where->from, &line, &column);
+        text = append(text, " (%s%sline %d, column %d: %s)", file != d->path ? file : "", file != d->path ? ", " : "",
+                      line, column, source(d, f->where));
     }
     return text;
 }
@@ -146,18 +171,21 @@ static const char *const relation_word[] = {"=", "\\ne", "<", "\\le", ">", "\\ge
 
 static void print_example(const struct document *d, const cagd_finding *f)
 {
-    const char *sides[2] = {source(d, f->of_left), source(d, f->of_right)};
+    int relates = f->of_left != NULL;
+    const char *sides[2] = {relates ? source(d, f->of_left) : "", relates ? source(d, f->of_right) : ""};
     int width = 0;
     for (int k = 0; k < 2; k++)
         if (width_of(sides[k]) > READABLE / 2)
             sides[k] = k == 0 ? "left" : "right";
-    for (int k = 0; k < f->given + 2; k++) {
+    for (int k = 0; k < f->given + 2 * relates; k++) {
         int w = width_of(k < f->given ? f->example[k].name : sides[k - f->given]);
         width = w > width ? w : width;
     }
     heading("Counterexample");
     for (int k = 0; k < f->given; k++)
         labelled(f->example[k].name, width, to_string_q(f->example[k].value));
+    if (!relates)
+        return;
     labelled(sides[0], width, to_string_q(f->left));
     if (f->of_right->kind != CAGD_NUMBER)
         labelled(sides[1], width, to_string_q(f->right));
@@ -236,9 +264,11 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         for (int k = 0; k < f->given; k++)
             json_array_append_new(
                 values, json_pack("{s:s, s:s}", "name", f->example[k].name, "value", to_string_q(f->example[k].value)));
-        example = json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", source(d, f->of_left),
-                            "relation", relation_word[f->relation], "right_tex", source(d, f->of_right), "left",
-                            to_string_q(f->left), "right", to_string_q(f->right));
+        example = f->of_left == NULL
+                      ? json_pack("{s:o}", "values", values)
+                      : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", source(d, f->of_left),
+                                  "relation", relation_word[f->relation], "right_tex", source(d, f->of_right), "left",
+                                  to_string_q(f->left), "right", to_string_q(f->right));
     }
     char *scope = tex_to_text(scope_of_finding(d, s, f), 1);
     json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:I, s:I, s:I, s:o}", "name", s->name, "line", s->line,

@@ -84,7 +84,7 @@ void print_choice(const struct fit *f);  /* what was chosen, and why: verdict.c 
 void print_ellipse(const struct fit *f); /* verdict.c */
 void print_quality(const struct fit *f); /* verdict.c */
 /* Sentences without full stop about what is not good, each with what cures it; their number (verdict.c). */
-enum { MOST_PROBLEMS = 6 };
+enum { MOST_PROBLEMS = 7 };
 int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS]);
 json_t *fit_json(const struct fit *f);                      /* json.c    */
 json_t *fitted_curve_json(const cagd_spline *c);            /* as read_curve reads it; binary64 in 17 digits */

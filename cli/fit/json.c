@@ -32,7 +32,7 @@ json_t *fitted_curve_json(const cagd_spline *c)
 
 static json_t *estimate_json(cagd_fit_estimate e)
 {
-    static const char *const by[] = {"standard error", "profile", "none"};
+    static const char *const by[] = {"standard error", "profile", "none", "not sought"};
     return json_pack("{s:o, s:o, s:o, s:o, s:s}", "value", real(e.origin + e.value), "standard_error", real(e.error),
                      "low", real(e.origin + e.low), "high", real(e.origin + e.high), "interval_by", by[e.by]);
 }

@@ -118,7 +118,9 @@ static int find_all(struct reader *r, const char *sigma, struct found *f)
         if (document == NULL) {
             go_to(r, s);
             r->line += error.line > 0 ? error.line - 1 : 0;
-            return refuse(r, NULL, "JSON: %s", error.text);
+            return refuse(r, NULL, "JSON: %s%s", error.text,
+                          json_error_code(&error) == json_error_numeric_overflow ? "; expected numbers up to 1.7e308"
+                                                                                 : "");
         }
         int code = find_lines(r, document, sigma, f);
         json_decref(document);

@@ -128,9 +128,10 @@ int only_stroke(struct reader *r, const struct strokes *s, const char *what)
 /* The whole file, ended by a zero byte.  NULL and the error when it cannot be read, or has no end. */
 static char *read_all(const char *path, size_t *length, const struct reader *r)
 {
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    struct input_error error;
+    FILE *file = open_input(path, "the points", &error);
     if (file == NULL) {
-        refuse(r, NULL, "%s", strerror(errno));
+        refuse(r, NULL, "%s", error.cause);
         return NULL;
     }
     size_t room = 1 << 16, used = 0, got;

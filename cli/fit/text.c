@@ -85,9 +85,12 @@ void print_number(const char *name, cagd_fit_number x)
     if (isfinite(x.error) && x.error > 0) {
         put_column(0, x.error, x.error, 18);
         fputs("     ", stdout);
-        put_rounded(stdout, 0, x.low, x.error);
-        fputs(" to ", stdout);
-        put_rounded(stdout, 0, x.high, x.error);
+        if (isfinite(x.low) && isfinite(x.high)) {
+            put_rounded(stdout, 0, x.low, x.error);
+            fputs(" to ", stdout);
+            put_rounded(stdout, 0, x.high, x.error);
+        } else
+            fputs("none: it is hardly determined", stdout);
     }
     puts("");
 }
@@ -300,7 +303,8 @@ static void print_estimates(const struct fit *f)
     const cagd_fit_result *r = f->result;
     int minimum = cagd_fit_is_minimum(f->result);
     if (r->unknowns > 0 && minimum)
-        printf("\n%12s%17s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
+        printf("\n%12s%17s%18s%s\n", "", "estimate", "standard error",
+               r->interval_by[0] == CAGD_FIT_INTERVAL_NOT_SOUGHT ? "" : "     95 % interval");
     else if (r->unknowns > 0)
         printf("\n%12s%17s\n", "", "reached");
     else
@@ -325,7 +329,8 @@ static void print_estimates(const struct fit *f)
             puts("  no standard error");
         } else {
             put_column(0, e.error, e.error, 18);
-            put_interval(e);
+            if (e.by != CAGD_FIT_INTERVAL_NOT_SOUGHT)
+                put_interval(e);
             puts(e.by == CAGD_FIT_INTERVAL_PROFILE ? " *" : "");
         }
     }
@@ -337,7 +342,8 @@ static void print_estimates(const struct fit *f)
         put_column(0, e.value, e.error, 17);
         if (isfinite(e.error) && e.error > 0) {
             put_column(0, e.error, e.error, 18);
-            put_interval(e);
+            if (e.by != CAGD_FIT_INTERVAL_NOT_SOUGHT)
+                put_interval(e);
             fputs(e.by == CAGD_FIT_INTERVAL_PROFILE ? " *" : "", stdout);
         } else if (e.by == CAGD_FIT_INTERVAL_NONE && minimum)
             fputs("  hardly determined", stdout);
@@ -523,6 +529,10 @@ static const char *hardly_because(const struct fit *f)
     return f->options.weight_low > 0 || isfinite(f->options.weight_high)
                ? "the cost is far from quadratic over the interval that the standard error says, and weights are "
                  "bounded"
+           : f->result->curve.count > f->result->curve.degree + 1
+               ? "points of several segments can slide along the curve, so that the cost is far from quadratic over "
+                 "the "
+                 "interval that the standard error says; more points, or smaller errors, determine more"
                : "the cost is far from quadratic over the interval that the standard error says, and its profile does "
                  "not "
                  "come to an end, or there are too many unknowns to follow it; more points, or fewer unknowns (--free "
@@ -566,7 +576,7 @@ static void print_statistics(const struct fit *f)
             sqrt(r->scale_squared), r->quantile);
     else
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
-    int by[CAGD_FIT_INTERVAL_NONE + 1] = {0};
+    int by[CAGD_FIT_INTERVAL_NOT_SOUGHT + 1] = {0};
     for (int q = 0; q < r->unknowns + r->invariants; q++)
         by[r->interval_by[q]]++;
     if (by[CAGD_FIT_INTERVAL_PROFILE] > 0)
@@ -575,6 +585,17 @@ static void print_statistics(const struct fit *f)
             "would not cover 95 %%");
     if (by[CAGD_FIT_INTERVAL_NONE] > 0)
         say("No intervals", "of what is hardly determined: %s", hardly_because(f));
+    if (by[CAGD_FIT_INTERVAL_NOT_SOUGHT] > 0)
+        say("No intervals", "%s",
+            r->found.smoothed || f->options.smooth > 0
+                ? "how far smoothing moves the curve by itself is in no standard error"
+            : r->found.weights == 1
+                ? "that weights are fitted was decided by these points, and standard errors know nothing of that: they "
+                  "are "
+                  "too small; --free weights,inner,ends gives intervals"
+                : "the knots were chosen by these points, and standard errors for given knots know nothing of that: "
+                  "they are "
+                  "too small; --control-points N or --knots gives intervals");
     if (!known && f->result->points_on_curve && r->scale_squared > 0)
         say("Rounding",
             "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "

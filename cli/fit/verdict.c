@@ -210,6 +210,10 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
         add(sentence, &count,
             "%d of the feet go%s back by more than six times the rms (--unordered, where the points are not in order)",
             q->backwards, q->backwards == 1 ? "es" : "");
+    if (q->problems & CAGD_FIT_COARSE)
+        add(sentence, &count,
+            "the distances are large, and too few points say whether they are noise or the curve is too simple (more "
+            "points, --degree 3 --control-points N, or a file with standard deviations)");
     return count;
 }
 

@@ -1,0 +1,135 @@
+#include "cli/certify.h"
+
+#include "cli/digest.h"
+#include "cli/output.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int certify_begin(struct certifying *c, const char *folder)
+{
+    static const char *const parts[] = {"claims", "exactly"};
+    *c = (struct certifying){folder, json_array(), json_array()};
+    for (int k = 0; k < 2; k++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/%s", folder, parts[k]);
+        if (make_folder(path) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* FOLDER/PART/NAME.json; its digest. */
+static int write_json(const struct certifying *c, const char *part, const char *name, json_t *document,
+                      char digest[DIGEST])
+{
+    char path[4096], *text = json_dumps(document, JSON_COMPACT);
+    json_decref(document);
+    if (text == NULL)
+        abort();
+    snprintf(path, sizeof path, "%s/%s%s%s.json", c->folder, part, *part != 0 ? "/" : "", name);
+    digest_of_text(text, digest);
+    int bad = write_text_file(path, text);
+    free(text);
+    return bad;
+}
+
+/* A way as a case, and what the manifest says of it; NULL where its operations were not noted. */
+static json_t *case_of(const struct cagd_code_outcome *o, int number, json_t **listed)
+{
+    if (o->end != CAGD_CODE_FINISHED || o->trace[2] == NULL)
+        return NULL;
+    json_t *inputs = json_loads(o->trace[0], 0, NULL), *nodes = json_loads(o->trace[1], 0, NULL),
+           *steps = json_loads(o->trace[2], 0, NULL), *step;
+    size_t k;
+    int facts = 0, of_the_same = 0;
+    json_array_foreach(steps, k, step)
+    {
+        json_t *same = json_object_get(step, "same");
+        facts += json_object_get(step, "fact") != NULL;
+        if (same != NULL)
+            of_the_same += json_equal(json_array_get(nodes, (size_t)json_integer_value(json_array_get(same, 0))),
+                                      json_array_get(nodes, (size_t)json_integer_value(json_array_get(same, 1))));
+    }
+    *listed = json_pack("{s:s, s:i, s:I, s:I, s:I, s:i, s:i}", "type", "field", "degree", number, "inputs",
+                        (json_int_t)json_array_size(inputs), "nodes", (json_int_t)json_array_size(nodes), "compared",
+                        (json_int_t)json_array_size(steps) - facts, "of_the_same", of_the_same, "facts", facts);
+    return json_pack("{s:s, s:i, s:o, s:o, s:o}", "type", "field", "degree", number, "inputs", inputs, "nodes", nodes,
+                     "steps", steps);
+}
+
+/* What the block asks, as the manifest prints it. */
+static char *printed(const struct cagd_code_harness *h, const struct cagd_code_verdict *v)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        abort();
+    for (int k = 0; k < h->expect.count; k++)
+        fprintf(out, "%s%s", k > 0 ? "; " : "", h->expect.text[k]);
+    fprintf(out, " on %s%d ways through the code", v->exhaustive ? "all " : "", v->paths);
+    for (int k = 0; k < v->paths; k++) {
+        fprintf(out, "; way %d:", k);
+        for (const struct cagd_code_condition *c = v->path[k].field->conditions; c != NULL; c = c->next)
+            if (c->given || !c->implied)
+                fprintf(out, " %s %s %s,", c->left, c->relation, c->right);
+    }
+    if (fclose(out) != 0)
+        abort();
+    return text;
+}
+
+int certify_block(struct certifying *c, const struct cagd_code_program *p, const struct cagd_code_harness *h,
+                  const struct cagd_code_verdict *v)
+{
+    if (v->word != CAGD_CODE_PROVED)
+        return 0;
+    json_t *cases = json_array(), *listed = json_array();
+    json_int_t compared = 0;
+    for (int k = 0; k < v->paths; k++)
+        for (const struct cagd_code_result *r = v->path[k].field->results; r != NULL; r = r->next)
+            compared += r->wanted != NULL;
+    for (int k = 0; k < v->paths; k++) {
+        struct cagd_code_outcome *o = cagd_code_certify(p, h, &v->path[k]);
+        json_t *row = NULL, *one = case_of(o, k, &row);
+        cagd_code_outcome_free(o);
+        if (one == NULL) { /* all ways, or no certificate */
+            json_array_clear(cases);
+            json_array_clear(listed);
+            break;
+        }
+        json_array_append_new(cases, one);
+        json_array_append_new(listed, row);
+    }
+    char digest[DIGEST], name[300], *text = printed(h, v);
+    int bad =
+        write_json(c, "claims", h->name,
+                   json_pack("{s:s, s:s, s:s, s:s, s:s, s:b, s:o}", "schema", "cagd-certificate-1", "claim", h->name,
+                             "kind", "identity", "outcome", "holds", "evidence", "proved", "argued", 0, "cases", cases),
+                   digest);
+    json_t *types = json_pack("[{s:s, s:i, s:I, s:i, s:i}]", "type", "field", "cases", v->paths, "compared", compared,
+                              "degree_low", 0, "degree_high", v->paths - 1);
+    json_array_append_new(c->claims, json_pack("{s:s, s:s, s:o, s:o, s:s}", "claim", h->name, "kind", "identity",
+                                               "types", types, "certificate", listed, "sha256", digest));
+    json_t *links = json_pack("[{s:s, s:s}]", "role", "holds-by", "claim", h->name);
+    snprintf(name, sizeof name, "exactly:%s", h->name);
+    bad = bad || write_json(c, "exactly", h->name,
+                            json_pack("{s:s, s:s, s:b, s:s, s:s, s:O}", "schema", "cagd-certificate-1", "statement",
+                                      name, "definition", 0, "verdict", "holds", "evidence", "proved", "links", links),
+                            digest) != 0;
+    json_array_append_new(c->statements, json_pack("{s:s, s:b, s:s, s:o, s:s}", "statement", name, "definition", 0,
+                                                   "printed", text, "links", links, "sha256", digest));
+    free(text);
+    return bad ? -1 : 0;
+}
+
+int certify_end(struct certifying *c)
+{
+    char digest[DIGEST];
+    return write_json(
+        c, "", "manifest",
+        json_pack("{s:s, s:o, s:o}", "schema", "cagd-manifest-1", "claims", c->claims, "statements", c->statements),
+        digest);
+}
