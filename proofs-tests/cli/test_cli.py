@@ -11,12 +11,15 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 import xml.dom.minidom
+
+import figure_words  # beside this file
 
 REGISTER_FILE = sys.argv.pop(4)
 WHOLE_RUN = pathlib.Path(sys.argv.pop(3)).resolve()
@@ -105,7 +108,8 @@ class Usage(Case):
 
     def completed(self, folder, *words):
         """What bash completes when the last of the words is begun."""
-        script = 'source "$1/cagd.bash"; shift; COMP_WORDS=(cagd "$@"); COMP_CWORD=$#; _cagd; printf "%s\\n" "${COMPREPLY[@]}"'
+        script = ('source "$1/cagd.bash"; shift; COMP_WORDS=(cagd "$@"); COMP_CWORD=$#; COMP_LINE="cagd $*"; '
+                  'COMP_POINT=${#COMP_LINE}; _cagd; printf "%s\\n" "${COMPREPLY[@]}"')
         path = str(pathlib.Path(CAGD).parent) + os.pathsep + os.environ["PATH"]
         return subprocess.run(["bash", "-c", script, "bash", folder, *words], capture_output=True, text=True, check=True,
                               env={**os.environ, "PATH": path}).stdout.split()
@@ -156,11 +160,9 @@ class Usage(Case):
         self.refuses("show", "wang-ch3:thm-3.2.1", "thm", words=["thm"])
 
     def test_output_that_cannot_be_written(self):
-        r = run("verify", "elevation_keeps_rational_curve", "--junit", "/nonexistent/folder/x.xml")
-        self.assertEqual(r.returncode, 3)
-        self.assertIn("/nonexistent/folder/x.xml", r.stderr)
-        r = run("figures", "--out", "/dev/null/x", "elevation*")
-        self.assertEqual(r.returncode, 3)
+        self.refuses("verify", "elevation_keeps_rational_curve", "--junit", "/nonexistent/folder/x.xml",
+                     words=["/nonexistent/folder/x.xml", "make it first"])
+        self.refuses("figures", "--out", "/dev/null/x", "elevation*", words=["/dev/null/x", "choose another name"])
         with open("/dev/full", "w") as full:
             r = subprocess.run([CAGD, "list"], stdout=full, stderr=subprocess.PIPE)
         self.assertEqual(r.returncode, 3)
@@ -421,8 +423,46 @@ class Figures(Case):
                 self.assertEqual(text, (ROOT / "figures" / "gallery" / name).read_bytes(), name)
 
     def test_nothing_more_is_drawn_after_a_failure(self):
-        r = run("figures", "--jobs", "1", "--out", "/proc/self", "e*")
-        self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (3, "", 1))
+        with tempfile.TemporaryDirectory() as folder:  # no file has room there
+            r = run("figures", "--jobs", "1", "--out", folder, "e*",
+                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
+            self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (3, "", 1))
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+        self.refuses("figures", "--out", "/proc/self", "e*", words=["/proc/self"])
+
+    def test_words_do_not_touch_in_a_wider_font(self):
+        """DejaVu takes the place of fonts that are not there.  Captions, legends and headings keep a distance, labels do not overlap."""
+        tried = 0
+        for path in sorted((ROOT / "figures" / "gallery").glob("*.svg")):
+            words, width, height = figure_words.boxes(path)
+            for k, (x0, y0, x1, y1, kind, text) in enumerate(words):
+                tried += 1
+                self.assertTrue(0 <= x0 and x1 <= width and 0 <= y0 and y1 <= height, (path.name, text))
+                for u0, v0, u1, v1, other, said in words[:k]:
+                    gap = 8 if kind in "nd" and other in "nd" else 0
+                    self.assertFalse(x0 < u1 + gap and u0 < x1 + gap and y0 < v1 and v0 < y1, (path.name, text, said))
+        self.assertGreater(tried, 1000)
+
+    def test_figures_say_which_curve_is_which(self):
+        """What a reader looked for in them and did not find."""
+        for name, wanted in (("marsden_identity", ["ω1N1", "ω2N2", "ω3N3", "ω4N4", "ω5N5", "(x−t)2", "knots"]),
+                             ("two_twists", ["the twist in M is 0", "the twist in M is 1", "asked for", "what the patch has"]),
+                             ("bezier_patch", ["the net", "lines, and Pu×Pw", "borders", "parameter lines", "normals"]),
+                             ("worked_table", ["printed points", "error of x", "error of y"]),
+                             ("circular_arc", ["θ", "2θ", "r", "l", "C", "weights 1, 3/5, 1: the arc of angle 2θ", "weights 1, −3/5, 1: the arc of angle 2π−2θ"]),
+                             ("hermite_blending_functions", ["q00", "q01", "q10", "q11", "4/27 at u=1/3", "−4/27 at u=2/3"]),
+                             ("convex_hull", ["outside 0 ≤ t ≤ 1", "t=1/2", "t=1", "t=3/2", "R(2)", "outside the hull", "convex hull"])):
+            words = [text for *_, text in figure_words.boxes(ROOT / "figures" / "gallery" / (name + ".svg"))[0]]
+            self.assertEqual([text for text in wanted if text not in words], [], (name, words))
+
+    def test_no_word_of_a_title_is_left_over(self):
+        """Its lines are about as long as one another."""
+        broken = 0
+        for path in sorted((ROOT / "figures" / "gallery").glob("*.svg")):
+            lines = [x1 - x0 for x0, _, x1, _, kind, _ in figure_words.boxes(path)[0] if kind == "t"]
+            broken += len(lines) > 1
+            self.assertGreater(min(lines), 0.5 * max(lines), path.name)
+        self.assertGreater(broken, 10)
 
     def test_figures_are_accessible(self):
         for path in (ROOT / "figures" / "gallery").glob("*.svg"):

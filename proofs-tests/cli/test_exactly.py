@@ -2,6 +2,7 @@
 
     python3 test_exactly.py CAGD ROOT
 """
+import hashlib
 import json
 import os
 import pathlib
@@ -11,6 +12,7 @@ import sys
 import tempfile
 import unittest
 import xml.dom.minidom
+from fractions import Fraction as F
 
 ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
@@ -80,6 +82,92 @@ class Page(Exactly):
         self.assertEqual((suite.getAttribute("tests"), suite.getAttribute("failures")), ("4", "1"))
 
 
+class Certificates(Exactly):
+    """What is proved is rechecked by a program that shares nothing with this one; what was tampered with is not."""
+
+    def certified(self, page):
+        folder = self.folder / "certificates"
+        ran = run(page, "--certificates", folder)
+        self.assertIn(ran.returncode, (0, 1), ran.stderr)
+        return folder
+
+    def recheck(self, folder):
+        ran = subprocess.run([sys.executable, ROOT / "proofs-tests/recheck.py", folder], capture_output=True, text=True, timeout=100)
+        return ran.returncode, ran.stdout
+
+    def test_the_page_is_rechecked(self):
+        folder = self.certified(PAGE)
+        code, out = self.recheck(folder)
+        self.assertEqual(code, 0, out)
+        self.assertIn("3 rechecked, 0 wrong, 0 cannot recheck this kind", out)
+        ways = json.loads((folder / "claims/deboor_is_the_sum_of_basis_functions.json").read_text())["cases"]
+        self.assertEqual(len(ways), 2)
+        self.assertTrue(all(any(s.get("fact") == "order" for s in w["steps"]) for w in ways))
+
+    def test_what_differs_is_not_certified(self):
+        folder = self.certified(PAGE)
+        self.assertFalse((folder / "claims/divided_horner_is_casteljau.json").exists())
+
+    def test_roots_are_not_rechecked(self):
+        block = Verdicts.BLOCK % "x*x + y*y + 1"
+        folder = self.certified(self.harness(block, "#include <math.h>\ndouble f(double x, double y) { double r = sqrt(x * x + y * y + 1); return r * r; }"))
+        self.assertIn("it: cannot recheck this kind", self.recheck(folder)[1])
+
+    def test_every_corruption_is_refused(self):
+        """Of the program, of what it compared and of the list of ways; the manifest's digests made to fit."""
+        folder = self.certified(PAGE)
+        path, manifest = folder / "claims/deboor_is_the_sum_of_basis_functions.json", folder / "manifest.json"
+        text, listed = path.read_text(), manifest.read_text()
+        good = json.loads(text)
+
+        def constant(claim):
+            nodes, below = claim["cases"][0]["nodes"], claim["cases"][0]["steps"][-1]["same"][:1]
+            for k in below:  # the first of those from which one side is made
+                if nodes[k][0] == "c":
+                    nodes[k][1] = "2" if nodes[k][1] != "2" else "3"
+                    return
+                below += nodes[k][1:] if nodes[k][0] in "+-*/" else []
+
+        def operation(claim):
+            case = claim["cases"][1]
+            i = case["steps"][-1]["same"][0]
+            case["nodes"][i][0] = {"+": "-", "-": "+", "*": "/", "/": "*"}[case["nodes"][i][0]]
+
+        def another_node(claim):
+            claim["cases"][0]["steps"][-1]["same"][1] -= 1
+
+        def sign(claim):
+            fact = next(s for s in claim["cases"][0]["steps"] if s.get("fact") == "order" and s["is"] != 0)
+            fact["is"] = -fact["is"]
+
+        def fewer_ways(claim):
+            claim["cases"].pop()
+
+        def value(claim):
+            claim["cases"][0]["inputs"][0][1] = "1000"
+
+        def nothing_compared(claim):
+            claim["cases"][0]["steps"] = [s for s in claim["cases"][0]["steps"] if "fact" in s]
+
+        for change in [constant, operation, another_node, sign, fewer_ways, value, nothing_compared]:
+            with self.subTest(change.__name__):
+                claim = json.loads(text)
+                change(claim)
+                self.assertNotEqual(claim, good)
+                path.write_text(json.dumps(claim))
+                self.assertEqual(self.recheck(folder)[0], 1)  # another file than the manifest says
+                everything = json.loads(listed)
+                row = next(c for c in everything["claims"] if c["claim"] == claim["claim"])
+                row["sha256"] = hashlib.sha256(path.read_bytes()).hexdigest()
+                manifest.write_text(json.dumps(everything))
+                code, out = self.recheck(folder)
+                # Where branches are noted, what stays equal at the point of the way but is no identity is not called wrong.
+                self.assertRegex(out, "exactly:deboor_is_the_sum_of_basis_functions: (wrong|cannot recheck this kind .a program that depends)")
+                self.assertIn(code, (1, 3), out)
+                path.write_text(text)
+                manifest.write_text(listed)
+
+
 class Verdicts(Exactly):
     BLOCK = ":::{exactly} it\n:source: code.c\n:declare: double f(double, double);\n:input: x; y\n:call: double r = f(x, y);\n:expect: r = %s\n:::\n"
 
@@ -134,6 +222,55 @@ class Verdicts(Exactly):
         self.assertEqual(v["verdict"], "undecided")
         self.assertRegex(v["because"], r"the function tgamma, at \S*code\.c:4 in f")
 
+    def test_proved_for_all_inputs(self):
+        """No input takes another way, which is proved; or there is one, and it is found however rare it is."""
+        for code in ["return x * y;", "return x > y ? x * y : y * x;", "return fabs(x) * y * (x < 0 ? -1 : 1);",
+                     "return x > 1 && x < 0 ? 7 : x * y;",
+                     "return x + y < x + y - 1 ? 7 : x * y;"]:
+            v = self.verdict(self.BLOCK % "x * y", "#include <math.h>\ndouble f(double x, double y) { %s }" % code)
+            self.assertEqual((v["verdict"], v.get("exhaustive")), ("proved", True), code)
+
+    def test_a_branch_that_chance_does_not_find_is_found(self):
+        for condition, point in [("x == 0.123", lambda x, y: x == F(0.123)), ("x > 1000 && y < x - 5000", lambda x, y: x > 1000 and y < x - 5000),
+                                 ("x + y == 7 && x - y == 1", lambda x, y: (x, y) == (4, 3)), ("3 * x > 1e9", lambda x, y: 3 * x > 10**9)]:
+            v = self.verdict(self.BLOCK % "x * y", "double f(double x, double y) { return %s ? 7777 : x * y; }" % condition)
+            self.assertEqual(v["verdict"], "differs", condition)
+            self.assertTrue(point(F(v["point"]["x"][0]), F(v["point"]["y"][0])), v["point"])
+
+    def test_a_read_outside_on_a_rare_way_leaves_nothing_proved(self):
+        code = "double f(double x, double y) { double a[2] = {x, y}, *p = a; return x == 0.123 ? p[2] : x * y; }"
+        v = self.verdict(self.BLOCK % "x * y", code)
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertIn("0 bytes behind the end of a, which has 16 bytes, at", v["because"])
+
+    def test_preconditions_close_branches(self):
+        code = "double f(double x, double y) { return x * y < 0 || x + y > 7 ? 7777 : x * y; }"
+        for inputs, word, exhaustive in [("x in [0, 3]; y in (0, 4)", "proved", True), ("x > 0; y in (0, 4)", "differs", None),
+                                         ("x in (1, 3); y in (1/2, 4]", "proved", True)]:
+            v = self.verdict(self.BLOCK.replace(":input: x; y", ":input: " + inputs) % "x * y", code)
+            self.assertEqual((v["verdict"], v.get("exhaustive")), (word, exhaustive), v)
+
+    def test_conditions_that_follow_from_others_are_not_told(self):
+        code = "double f(double x, double y) { return x > 1 && y > 2 && x + y > 3 && x + 2 * y > 4 ? x * y : y * x; }"
+        v = self.verdict(self.BLOCK % "x * y", code, "code.c", "--points", "60")
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+        self.assertIn([("x", ">", "1"), ("y", ">", "2")],
+                      [[(c["left"], c["relation"], c["right"]) for c in w["conditions"] if not c["implied"]] for w in v["ways"]])
+        v = self.verdict(self.BLOCK.replace(":input: x; y", ":input: x in (0, 1); y in (2, 3)") % "1 / (x + y) - 1 / (3 * x - y - 4)",
+                         "double f(double x, double y) { return 1 / (x + y) - 1 / (3 * x - y - 4); }")
+        self.assertEqual([w["not_zero"] for w in v["ways"]], [[]])
+
+    def test_a_branch_of_higher_degree_stays_open(self):
+        v = self.verdict(self.BLOCK % "x * y", "double f(double x, double y) { return x * x * y > 1e9 + x ? 7777 : x * y; }")
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", False))
+        self.assertIn("x^2*y", v["open"])
+
+    def test_where_a_root_is_taken_is_a_condition(self):
+        code = "#include <math.h>\ndouble f(double x, double y) { double r = sqrt(x - y); return r * r; }"
+        v = self.verdict(self.BLOCK % "x - y", code)
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+        self.assertEqual([(c["left"], c["relation"], c["right"]) for c in v["ways"][0]["conditions"]], [("x", ">=", "y")])
+
     def test_roots(self):
         code = "#include <math.h>\ndouble f(double x, double y) { double r = sqrt(x * x + y * y + 1); return r * r; }"
         self.assertEqual(self.verdict(self.BLOCK % "x*x + y*y + 1", code)["verdict"], "proved")
@@ -185,7 +322,7 @@ class Mistakes(Exactly):
 
     def test_lines(self):
         for words, wrong in [
-            ("no block :::{exactly} NAME is in it", "text\n"),
+            ("no block is in it; expected one that begins with :::{exactly} NAME", "text\n"),
             ("line 3: the block has no name", ":::{exactly}\n:::\n"),
             ("the block does not end", self.GOOD.replace(":::\n", "")),
             ("line 4: \"2x\": a name", self.GOOD.replace("input: x", "input: 2x")),
@@ -212,7 +349,7 @@ class Mistakes(Exactly):
     def test_a_file_that_is_not_there(self):
         ran = run(self.folder / "none.md")
         self.assertEqual(ran.returncode, 2)
-        self.assertIn("cannot be read", ran.stderr)
+        self.assertIn("No such file or directory; expected the file of blocks", ran.stderr)
 
     def test_a_file_that_is_no_text(self):
         path = self.folder / "binary.md"

@@ -410,7 +410,7 @@ class Mistakes(Case):
         self.refuses("1,2\n".encode("utf-16"), ["UTF-16"])
         self.refuses(b"1,2\n\0\n", ["zero byte"])
         self.refuses_usage("/does/not/exist.csv", words=["/does/not/exist.csv", "No such file"])
-        self.refuses_usage("/", words=["directory"])
+        self.refuses_usage("/", words=["is a folder", "expected the file of the points"])
         self.refuses_usage(words=["file of the points"])
         self.refuses_usage("a.csv", "b.csv", words=["one file", "b.csv"])
 
@@ -462,7 +462,7 @@ class Mistakes(Case):
     def test_files_that_cannot_be_written(self):
         for option in "--svg", "--residuals", "--curve":
             r = run("fit", self.file(self.GOOD), option, "/nonexistent/folder/x")
-            self.assertEqual(r.returncode, 3)
+            self.assertEqual(r.returncode, 2)
             self.assertEqual(r.stdout, b"")
             self.assertIn(b"/nonexistent/folder/x", r.stderr)
 

@@ -14,6 +14,7 @@ import pathlib
 import pty
 import re
 import resource
+import select
 import shutil
 import stat
 import struct
@@ -22,6 +23,7 @@ import sys
 import tempfile
 import termios
 import threading
+import time
 import unicodedata
 import unittest
 import xml.etree.ElementTree
@@ -108,7 +110,7 @@ class Output(Case):
             full = pathlib.Path("/dev/full")
         r = run("fit", ARCH, "--svg", full)
         self.assertEqual(r.returncode, 3)
-        self.assertIn("No space left", r.stderr)
+        self.assertEqual(r.stderr, f"cagd: {full}: No space left on device; make room there, or choose another name\n")
         self.assertTrue(stat.S_ISCHR(full.stat().st_mode))
 
     def test_a_fifo_is_written_to(self):
@@ -135,7 +137,7 @@ class Output(Case):
         self.assertEqual(sorted(p.name for p in (self.folder / "deep").iterdir()), ["m.svg", "t.svg"])
         link.unlink()
         link.symlink_to("l.svg")
-        self.refuses("fit", ARCH, "--svg", link, code=3, words=[link])
+        self.refuses("fit", ARCH, "--svg", link, words=[link, "choose another name"])
 
     def test_both_names_of_a_file_stay_one_file(self):
         a, b = self.folder / "a.svg", self.folder / "b.svg"
@@ -143,6 +145,13 @@ class Output(Case):
         os.link(a, b)
         self.picture(a)
         self.assertEqual(a.stat().st_ino, b.stat().st_ino)
+        self.is_picture(b.read_text())
+        b.write_text("short")  # where there is no room it is not lost, though it is written in place
+        r = run("fit", ARCH, "--svg", a, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
+        self.assertEqual((r.returncode, b.read_text(), a.stat().st_ino), (3, "short", b.stat().st_ino), r)
+        self.assertEqual(r.stderr, f"cagd: {a}: File too large; what was there is unchanged; make room there, or choose another name\n")
+        b.write_text("long" * 100000)
+        self.picture(a)
         self.is_picture(b.read_text())
 
     def test_modes_are_those_of_the_umask_or_stay(self):
@@ -184,6 +193,26 @@ class Output(Case):
         r = run("fit", ARCH, "--svg", null, "--curve", null)
         self.assertEqual((r.returncode, null.is_symlink()), (0, True), r)
 
+    def test_a_name_is_given_once_for_a_file_and_a_folder(self):
+        new, report = self.folder / "j.xml", self.folder / "report"
+        for options in (["--junit", new, "--certificates", new], ["--certificates", new, "--junit", new],
+                        ["--junit", new, "--report", new / "deep" / "er"], ["--junit", new, "--report", self.folder / "." / "j.xml"]):
+            self.refuses("verify", *options, words=["--junit", "choose another name"])
+            self.assertEqual(list(self.folder.iterdir()), [])  # nothing is made of what is refused
+        self.refuses("verify", "--certificates", self.folder / "made", "--report", ARCH, words=["is no folder"])
+        self.assertEqual(list(self.folder.iterdir()), [])
+        report.mkdir()
+        for option, name in ("--report", "ledger.json"), ("--report", "summary.txt"), ("--certificates", "manifest.json"):
+            self.refuses("verify", option, report, "--junit", report / name, words=["--junit", name, "choose another name"])
+        self.assertEqual(list(report.iterdir()), [])
+
+    def test_the_sources_of_a_harness_are_read(self):
+        code, harness = self.folder / "code.c", self.folder / "h.md"
+        code.write_text("double f(double x) { return x; }\n")
+        harness.write_text(":::{exactly} it\n:source: code.c\n:declare: double f(double);\n:input: x\n:call: double r = f(x);\n:expect: r = x\n:::\n")
+        self.refuses("exactly", harness, "--junit", code, words=["code.c", "is read", "--junit"])
+        self.assertIn("return x", code.read_text())
+
     def test_a_hyphen_is_no_file(self):
         self.refuses("fit", ARCH, "--svg", "-", words=["--svg -", "/dev/stdout"], cwd=self.folder)
         self.refuses("verify", NAME, "--certificates", "-", words=["folder"], cwd=self.folder)
@@ -203,15 +232,29 @@ class Output(Case):
 
     def test_what_cannot_be_written_is_noticed_first(self):
         """One claim of the whole book takes a minute; a refusal takes no time."""
+        a_file, held = "choose another name", self.folder / "held"
+        (held / "ledger.txt").mkdir(parents=True)
         for option, name, word in (("--junit", self.folder / "no" / "x.xml", "make it first"),
-                                   ("--junit", self.folder, "is a folder"), ("--report", ARCH, "is no folder"),
-                                   ("--certificates", ARCH / "x", "Not a directory")):
+                                   ("--junit", self.folder, "name a file in it"), ("--junit", ARCH / "x", a_file),
+                                   ("--junit", self.folder / ("x" * 300), a_file), ("--junit", "", "give one"),
+                                   ("--report", ARCH, a_file), ("--report", "", "give one"), ("--report", held, "name a file in it"),
+                                   ("--certificates", ARCH / "x", "no folder can be made there: Not a directory; choose another name"),
+                                   ("--certificates", self.folder / ("x" * 300), a_file)):
             with self.subTest(option=option, name=name):
                 r = subprocess.run([CAGD, "verify", option, str(name)], capture_output=True, text=True, timeout=5)
-                self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (3, "", 1), r)
-                self.assertIn(str(name), r.stderr)
+                self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (2, "", 1), r)
+                self.assertIn(str(name) or "''", r.stderr)
                 self.assertIn(word, r.stderr)
-        self.refuses("fit", ARCH, "--svg", "", code=3)
+
+    def test_one_rule_for_exit_codes(self):
+        """2: seen first, nothing was written; 3: writing failed.  Help and manual say so."""
+        self.refuses("fit", ARCH, "--svg", self.folder, code=2)
+        self.assertEqual(run("fit", ARCH, "--svg", "/dev/full").returncode, 3)
+        self.assertIn("2 the call, a file that is read or the name of one to write to", run("help").stdout)
+        self.assertEqual(run("--write-documents", self.folder).returncode, 0)
+        manual = (self.folder / "cagd.1").read_text()
+        for code, words in ("2", "the name of a file to write to has to be mended"), ("3", "something failed on the way"):
+            self.assertRegex(manual, rf"\.TP\n{code}\n.*{words}")
 
     @unittest.skipUnless(os.geteuid() == 0, "takes the rights of root away")
     def test_of_an_ordinary_user(self):
@@ -232,10 +275,14 @@ class Output(Case):
         # The program may stand where others do not look.
         for name, word in ((mine, "another name"), (locked / "x.svg", "choose another")):
             r = subprocess.run([program, "fit", points, "--svg", name], capture_output=True, text=True, preexec_fn=as_nobody)
-            self.assertEqual((r.returncode, r.stdout), (3, ""), r)
+            self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (2, "", 1), r)
             self.assertIn(str(name), r.stderr)
             self.assertIn(word, r.stderr)
         self.assertEqual(mine.read_text(), "kept")
+        for args in ["figures", "envelope_extra"], ["figures", "--out", locked / "deep", "envelope_extra"], ["verify", "--report", locked]:
+            r = subprocess.run([program, *args], capture_output=True, text=True, cwd=locked, preexec_fn=as_nobody)
+            self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (2, "", 1), r)
+        self.assertEqual(list(locked.iterdir()), [])
         r = subprocess.run([program, "fit", points, "--svg", writable], capture_output=True, text=True, preexec_fn=as_nobody)
         self.assertEqual((r.returncode, r.stderr), (0, ""))
         self.is_picture(writable.read_text())
@@ -245,7 +292,7 @@ class Output(Case):
         """A disk that is full while a file is written: here the limit on the size of files takes its part."""
         old, new = self.folder / "old.svg", self.folder / "new.svg"
         old.write_text("kept")
-        for name, words in (old, "what was there is unchanged"), (new, "nothing was left there"):
+        for name, words in (old, "what was there is unchanged; make room"), (new, "nothing was left there; make room"):
             r = run("fit", ARCH, "--svg", name, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
             self.assertEqual((r.returncode, len(r.stderr.splitlines())), (3, 1), r)
             self.assertIn(f"{name}: File too large; {words}", r.stderr)
@@ -257,14 +304,131 @@ class Output(Case):
                      ["curve", CIRCLE, "--elevate"]):
             with open("/dev/full", "w") as full:
                 r = subprocess.run([CAGD, *map(str, args)], stdout=full, stderr=subprocess.PIPE, text=True)
-            self.assertEqual((r.returncode, r.stderr), (3, "cagd: standard output cannot be written\n"), args)
+            self.assertEqual(r.returncode, 3, args)
+            self.assertRegex(r.stderr, r"^cagd: standard output: cannot be written(: No space left on device)?; make room there, or send it elsewhere\n$")
+        r = subprocess.run(f"'{CAGD}' list >&-", shell=True, capture_output=True, text=True)
+        self.assertEqual((r.returncode, len(r.stderr.splitlines())), (3, 1), r)
+
+
+class Places(Case):
+    """Every option that writes, in every place where it cannot: as root, and as an ordinary user where root can be left."""
+
+    INPUTS = {"fit": "in.csv", "check": "basis.md", "exactly": "harness.md"}
+    # Where a name leads, for what is to be a file and for what is to be a folder; None: it may be written.
+    REFUSED = {"loop": ("choose another name",) * 2, "dangling": ("make it first", "choose another name"), "file/x": ("choose another name",) * 2,
+               "x" * 300: ("choose another name",) * 2, "": ("give one",) * 2, "-": ("takes the name of a file", "takes the name of a folder"),
+               "input": ("is read",) + ("is no folder; choose another name",), "file": (None, "is no folder; choose another name"),
+               "folder": ("name a file in it", None), "none/x": ("make it first", None), "/dev/full": (None, "is no folder; choose another name")}
+    OF_OTHERS = {"locked": ("name a file in it", "choose another"), "locked/x": ("choose another",) * 2,
+                 "unreadable/x": ("choose another",) * 2, "readonly": ("choose another name or change what it permits", "is no folder")}
+
+    theirs = False
+
+    def options(self):
+        """Of every command, what its help says it writes: [(command, option, whether it is a folder)]."""
+        found = []
+        for command in re.findall(r"^  (\w+)  ", run("help").stdout, re.M):
+            for option, kind in re.findall(r"--([a-z-]+)=(FILE|DIR)\b", run("help", command).stdout):
+                found.append((command, "--" + option, kind == "DIR"))
+        return found
+
+    def fill(self):
+        for name in "folder", "locked", "unreadable":
+            (self.folder / name).mkdir()
+        for name in "file", "readonly", "locked/old":
+            (self.folder / name).write_text("kept")
+        (self.folder / "loop").symlink_to("loop")
+        (self.folder / "dangling").symlink_to("nowhere/x")
+        os.link(self.folder / "file", self.folder / "second")
+        shutil.copy(ARCH, self.folder / "in.csv")
+        shutil.copy(ROOT / "cli/check/basis.md", self.folder / "basis.md")
+        (self.folder / "harness.md").write_text(":::{exactly} it\n:source: code.c\n:declare: double f(double);\n:input: x\n:call: double r = f(x);\n"
+                                                ":expect: r = x\n:::\n")
+        for path in [self.folder, *self.folder.iterdir()] if self.theirs else []:
+            os.chown(path, 65534, 65534, follow_symlinks=False)
+        (self.folder / "readonly").chmod(0o444)
+        (self.folder / "locked").chmod(0o555)
+        (self.folder / "unreadable").chmod(0o000)
+
+    def state(self):
+        def what(path):
+            s = path.lstat()
+            return s.st_mode, s.st_ino, os.readlink(path) if path.is_symlink() else path.read_bytes() if path.is_file() else None
+        return {str(path): what(path) for path in self.folder.rglob("*")}
+
+    def refused(self, program, places, **options):
+        self.fill()
+        before, tried = self.state(), 0
+        for command, option, is_folder in self.options():
+            file = [self.INPUTS[command]] if command in self.INPUTS else []
+            for place, words in places.items():
+                if words[is_folder] is None or (place == "input" and not file):
+                    continue
+                tried += 1
+                name = file[0] if place == "input" else place
+                with self.subTest(command=command, option=option, place=place[:20]):
+                    r = subprocess.run([program, command, *file, option, name], capture_output=True, text=True, cwd=self.folder, timeout=20, **options)
+                    self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (2, "", 1), r)
+                    self.assertTrue(r.stderr.startswith("cagd: "), r.stderr)
+                    self.assertIn(name or "''", r.stderr)
+                    self.assertIn(words[is_folder], r.stderr)
+        self.assertEqual(self.state(), before)
+        return tried
+
+    def test_of_anybody(self):
+        self.assertGreater(self.refused(CAGD, self.REFUSED), 60)
+
+    def test_of_an_ordinary_user(self):
+        if os.geteuid() != 0:
+            self.assertGreater(self.refused(CAGD, self.OF_OTHERS), 30)
+            return
+        program = self.folder.parent / (self.folder.name + "-cagd")  # it may stand where others do not look
+        shutil.copy(CAGD, program)
+        self.addCleanup(program.unlink)
+        self.theirs = True
+        self.assertGreater(self.refused(program, {**self.REFUSED, **self.OF_OTHERS}, preexec_fn=lambda: (os.setgid(65534), os.setuid(65534))), 90)
+
+    @unittest.skipUnless(os.geteuid() == 0, "mounts a small disk")
+    def test_a_disk_of_16_kilobytes(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", str(disk)], capture_output=True).returncode != 0:
+            self.skipTest("nothing can be mounted here")
+        self.addCleanup(lambda: subprocess.run(["umount", str(disk)], check=True))
+        old, first, link = disk / "old.svg", disk / "first.svg", disk / "link.svg"
+        old.write_text("kept")
+        first.write_text("both")
+        os.link(first, disk / "second.svg")
+        link.symlink_to("old.svg")
+        before = sorted((p.name, p.lstat().st_ino, p.read_bytes()) for p in disk.iterdir())
+        for name, words in (old, "what was there is unchanged; "), (first, "what was there is unchanged; "), (link, "what was there is unchanged; "), \
+                (disk / "new.svg", "nothing was left there; "):
+            r = run("fit", ARCH, "--svg", name)
+            self.assertEqual(r.returncode, 3)
+            self.assertEqual(r.stderr, f"cagd: {name}: No space left on device; {words}make room there, or choose another name\n")
+            self.assertEqual(sorted((p.name, p.lstat().st_ino, p.read_bytes()) for p in disk.iterdir()), before)
+        with open(disk / "out", "w") as out:
+            r = subprocess.run([CAGD, "list"], stdout=out, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(r.returncode, 3)
+        self.assertIn("make room there, or send it elsewhere", r.stderr)
+        (disk / "out").unlink()
+        self.assertEqual(subprocess.run(["mount", "-o", "remount,ro", str(disk)]).returncode, 0)
+        for option, name in ("--svg", disk / "new.svg"), ("--curve", old), ("--residuals", link):
+            self.refuses("fit", ARCH, option, name, words=[name, "Read-only file system; choose another"])
+        self.refuses("verify", NAME, "--certificates", disk / "new", words=["Read-only file system; choose another"])
+        self.assertEqual(sorted((p.name, p.lstat().st_ino, p.read_bytes()) for p in disk.iterdir()), before)
 
 
 class Terminal(Case):
     COMMANDS = [["--help"], ["help", "fit"], ["verify", "--help"], ["curve", "--help"], ["list", "end_*"], ["verify", "end_*"],
                 ["ledger", "wang-ch3:3.2.*"], ["ledger", "--summary", "wang-ch3:3.2.*"], ["show", "wang-ch3:3.2.8"],
                 ["show", NAME], ["fit", ARCH], ["curve", CIRCLE], ["curve", CIRCLE, "--at", "1/3", "-d", "2"],
-                ["ledger", "--striking", "2", "wang-ch3:*"]]
+                ["ledger", "--striking", "2", "wang-ch3:*"], ["list", "--names", "thm-*"], ["show", "table-bezier"], ["show", "--numbers", "3.4.8"],
+                ["figures", "--list"], ["check", ROOT / "cli/check/example.md"], ["check", ROOT / "cli/check/basis.md"], ["help", "exactly"], ["lab", "list"], ["help", "lab"]]
+
+    def test_every_command_is_tried(self):
+        commands = re.findall(r"^  (\w+)  ", run("help").stdout, re.M)
+        self.assertEqual(set(commands) - {args[k] for args in self.COMMANDS for k in (0, 1) if k < len(args)}, set())
 
     def test_no_line_is_wider_than_the_terminal(self):
         for args in self.COMMANDS:
@@ -323,6 +487,13 @@ class Help(Case):
                             self.assertEqual(run("show", *names).returncode, 0)
         self.assertGreater(tried, 6)
 
+    def test_there_are_changes_and_a_citation_of_this_version(self):
+        version = run("--version").stdout.split()[1]
+        self.assertRegex((ROOT / "CHANGELOG.md").read_text(), rf"(?m)^## {re.escape(version)}\b")
+        citation = dict(re.findall(r"(?m)^([a-z-]+): *(.*)$", (ROOT / "CITATION.cff").read_text()))
+        self.assertEqual(citation.get("version", "").strip('"'), version)
+        self.assertLessEqual({"cff-version", "message", "title", "authors", "license"}, set(citation))
+
     def test_options_that_contradict_each_other(self):
         self.refuses("verify", "--json", "--tap", NAME, words=["--json", "--tap"])
         self.refuses("ledger", "--json", "--summary", words=["one form"])
@@ -363,7 +534,7 @@ x \\in \\mathbb{R}
         x = fractions.Fraction(re.match(r"x = (\S+); left", failure.text)[1])
         self.assertLess(x * x, x)
         self.refuses("check", file, "--junit", file, words=[file, "read"])
-        self.refuses("check", file, "--junit", self.folder / "no" / "x", code=3, words=["make it first"])
+        self.refuses("check", file, "--junit", self.folder / "no" / "x", words=["make it first"])
 
 
 class Completion(Case):
@@ -424,7 +595,7 @@ class Completion(Case):
                     options[command][said["-l"]] = said
                     self.is_described(command, said["-l"], said["-d"])
                 elif "-a" in said:
-                    self.assertRegex(said["-a"], r"^\(cagd (list|figures --list) 2>/dev/null( \| cut -d\" \" -f1)?\)$")
+                    self.assertRegex(said["-a"], r"^\(cagd (list --names|figures --list) 2>/dev/null\)$")
         self.assertEqual(list(commands), list(self.helps))
         for command, summary in commands.items():
             self.assertIn(summary, " ".join(run("help").stdout.split()))
@@ -463,7 +634,62 @@ class Completion(Case):
                 if row[2] != "help":
                     self.is_described(command, row[2], re.sub(r"\\(.)", r"\1", row[4]))
             self.assertEqual(set(found) - {"help"}, self.options(command))
-            self.assertRegex(last, r"^(\*:\w+:\{compadd -- \$\(cagd (list|figures --list) 2>/dev/null( \| cut -d\" \" -f1)?\)\}|:file:_files)$")
+            self.assertRegex(last, r"^(\*:\w+:\{compadd -- \$\(cagd (list --names|figures --list) 2>/dev/null\)\}|\*?:file:_files)$")
+
+    # A command in its own words, completed with the tabulator; what it prints begins with the completed name.
+    BEGUN = (("wang-ch3:thm-3.3.2-con", "wang-ch3:thm-3.3.2-contact"), ("elevation_keeps_rational_c", NAME),
+             ("rational-bezier.elevation_keeps_rational_c", NAME), ("'wang-ch3:thm-3.3.2-con", "wang-ch3:thm-3.3.2-contact"),
+             ("slides-ch4:table-b", "slides-ch4:table-bezier"))
+
+    def typed(self, shell, prepare, line):
+        """What stands on the terminal of the shell when the line was typed."""
+        main, other = pty.openpty()
+        env = {**os.environ, "PATH": str(pathlib.Path(CAGD).parent) + os.pathsep + os.environ["PATH"], "TERM": "dumb", "PAGER": "",
+               "HOME": str(self.folder)}
+        p = subprocess.Popen(shell, stdin=other, stdout=other, stderr=other, env=env, start_new_session=True)
+        os.close(other)
+        said = b""
+
+        def until(mark):
+            nonlocal said
+            end = time.monotonic() + 60
+            while mark not in said and time.monotonic() < end:
+                if select.select([main], [], [], 1)[0]:
+                    said += os.read(main, 1 << 16)
+            self.assertIn(mark, said)
+
+        os.write(main, f"{prepare}; printf '%s%s\\n' READ Y\n".encode())
+        until(b"READY\r\n")
+        os.write(main, f"{line}\t".encode())
+        os.write(main, b"\nprintf '%s%s\\n' DO NE\n")
+        until(b"DONE\r\n")
+        p.kill(), p.wait(), os.close(main)
+        return said.decode(errors="replace").replace("\r\n", "\n")
+
+    def test_ids_are_completed_in_bash_whose_words_end_at_a_colon(self):
+        for begun, wanted in self.BEGUN:
+            with self.subTest(begun=begun):
+                said = self.typed(["bash", "--norc", "--noprofile", "-i"], f"source {self.folder}/cagd.bash", f"cagd list --names {begun}")
+                self.assertIn(f"\n{wanted}\n", said)
+                self.assertNotIn("cagd: no ", said)
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is missing")
+    def test_ids_are_completed_in_zsh(self):
+        prepare = f"fpath=({self.folder} $fpath); autoload -U compinit; compinit -u -D"
+        for begun, wanted in self.BEGUN:
+            with self.subTest(begun=begun):
+                said = self.typed(["zsh", "-f", "-i"], prepare, f"cagd list --names {begun}")
+                self.assertIn(f"\n{wanted}\n", said)
+                self.assertNotIn("cagd: no ", said)
+
+    @unittest.skipUnless(shutil.which("fish"), "fish is missing")
+    def test_ids_are_completed_in_fish(self):
+        env = {**os.environ, "PATH": str(pathlib.Path(CAGD).parent) + os.pathsep + os.environ["PATH"], "HOME": str(self.folder)}
+        for begun, wanted in self.BEGUN:
+            if begun[0] != "'":
+                r = subprocess.run(["fish", "-c", f"source {self.folder}/cagd.fish; complete -C 'cagd show {begun}'"],
+                                   capture_output=True, text=True, env=env)
+                self.assertIn(wanted, [name.split(".")[-1] if "." in begun and ":" not in begun else name for name in r.stdout.split()], r)
 
 
 class Names(Case):
@@ -494,6 +720,45 @@ class Names(Case):
         rows = json.loads(run("list", "--json", "升阶").stdout)["claims"]
         self.assertIn(NAME, [row["name"] for row in rows])
         self.assertTrue(all("升阶" in row["title_zh"] for row in rows))
+
+    def test_the_end_of_an_id_is_taken_where_only_one_ends_so(self):
+        """Whatever words it begins with: what is behind the source of every id."""
+        ids = [s["id"] for s in json.loads((WHOLE_RUN / "report/ledger.json").read_text())["statements"]]
+        names = [name for name in run("list", "--names").stdout.split() if name not in ids]
+        tried = 0
+        for word in "formula-", "properties-", "prop-", "thm-", "def-", "fig-", "sec-", "eq-", "alg", "lemma-", "cor-":
+            places = [i.split(":")[1] for i in ids if i.split(":")[1].startswith(word)]
+            for place in [p for p in places if sum(re.search(r"(^|[:_-])" + re.escape(p) + "$", n) is not None for n in ids + names) == 1][:4]:
+                tried += 1
+                wanted = next(i for i in ids if i.endswith(":" + place))
+                self.assertIn(wanted, run("list", "--names", place).stdout.split(), place)
+        self.assertGreater(tried, 25)
+
+    def test_every_name_is_listed(self):
+        claims = json.loads((WHOLE_RUN / "verify.json").read_text())["claims"]
+        ids = [s["id"] for s in json.loads((WHOLE_RUN / "report/ledger.json").read_text())["statements"]]
+        tables = {i[:i.index("-row-")] for i in ids if "-row-" in i}
+        names = run("list", "--names").stdout.split("\n")[:-1]
+        self.assertEqual(len(names), len(set(names)))
+        self.assertEqual(set(names), {*ids, *tables, *(c["name"] for c in claims), *(c["chapter"] + "." + c["name"] for c in claims)})
+        for name in "slides-ch4:table-bezier", "wang-ch3:3.2.8", NAME, "rational-bezier." + NAME:
+            self.assertIn(name, names)
+            self.assertEqual(run("show", name).returncode, 0)
+        self.assertEqual(set(run("list", "--names", "thm-3.3.2").stdout.split()) & set(ids), {"wang-ch3:thm-3.3.2"})
+        self.refuses("list", "--names", "--json", words=["--names", "--json"])
+
+    def test_a_table_without_its_source(self):
+        self.assertEqual(run("show", "table-bezier").stdout, run("show", "slides-ch4:table-bezier").stdout)
+        for command in "list", "ledger":
+            rows = run(command, "table-bezier").stdout
+            self.assertEqual(rows, run(command, "slides-ch4:table-bezier-row-*").stdout)
+            self.assertGreater(len(rows.splitlines()), 10)
+
+    def test_patterns_without_a_source(self):
+        for command in "show", "list", "ledger":
+            said = run(command, "thm-3.3.*")
+            self.assertEqual((said.returncode, said.stdout), (0, run(command, "*:thm-3.3.*").stdout))
+        self.assertIn("wang-ch3:thm-3.3.2 ", said.stdout)
 
     def test_patterns_in_show(self):
         pages = run("show", "wang-ch3:thm-3.2.*").stdout.split("\n\n\n")
@@ -573,6 +838,16 @@ class Curves(Case):
         self.assertEqual(run("curve", path, "--bezier").stderr, "")
         self.assertLess(max(map(len, re.split(r"\r\x1b\[K", said.decode()))), 61)
 
+    def test_a_curve_is_called_what_it_is(self):
+        points, knots = [[0, 0], [1, 2], [3, 0]], [0, 0, 0, 1, 1, 1]
+        for document, words in (({"kind": "bezier"}, "Bézier curve of degree 2"), ({"kind": "rational-bezier", "weights": [1, 2, 1]}, "rational Bézier curve of degree 2"),
+                                ({"kind": "bspline", "degree": 2, "knots": [0, 0, 0, 2, 2, 2]}, "B-spline curve of degree 2"),
+                                ({"kind": "nurbs", "degree": 2, "knots": knots, "weights": [1, 2, 1]}, "rational Bézier curve of degree 2"),
+                                ({"kind": "nurbs", "degree": 2, "knots": [0, 0, 0, 2, 2, 2], "weights": [1, 2, 1]}, "NURBS curve of degree 2")):
+            said = run("curve", self.curve({**document, "points": points})).stdout
+            self.assertTrue(said.startswith(words), said)
+            self.assertEqual("knots" in said, "Bézier" not in words)
+
     def test_a_bezier_curve_is_written_back_as_one(self):
         for document in ({"kind": "bezier", "degree": 2, "points": [[0, 0], [1, 2], [3, 0]]},
                          {"kind": "rational-bezier", "degree": 2, "points": [[0, 0], [1, 2], [3, 0]], "weights": [1, 2, 1]}):
@@ -621,6 +896,17 @@ class Curves(Case):
         self.refuses("curve", CIRCLE, "--at-file", file, "--csv", words=["outside the domain", "9"])
         self.refuses("curve", CIRCLE, "--at-file", self.folder / "none", words=["none", "one a line"])
         self.refuses("curve", CIRCLE, "--at-file", self.folder, words=["directory"])
+
+    def test_every_command_says_which_file_it_expects(self):
+        empty, noise, huge = (self.folder / name for name in ("empty", "noise", "huge.json"))
+        empty.touch()
+        noise.write_bytes(bytes(range(255, 127, -1)) * 4)
+        huge.write_text('{"kind": "bezier", "points": [[0, 0], [1e99999, 1]]}')
+        for command, what in ("fit", "the points"), ("check", "formulas"), ("curve", "a curve"), ("exactly", "blocks"):
+            self.refuses(command, self.folder / "none", words=["none", "No such file", "expected the file of " + what])
+            self.refuses(command, self.folder, words=[self.folder, "is a folder", "expected the file of " + what])
+            for file in empty, noise, pathlib.Path("/dev/null"), huge:
+                self.refuses(command, file, words=[file, "quotes" if (command, file) == ("curve", huge) else "expected"])
 
     def test_files_that_are_none(self):
         line = {"kind": "bezier", "points": [[0], [1]]}
@@ -695,6 +981,14 @@ class Schemas(Case):
                      ["curve", CIRCLE, "--json"], ["curve", CIRCLE, "--json", "--at", "1/3", "--at", "2", "-d", "3"]):
             with self.subTest(args=args):
                 self.fits(self.said(*args))
+
+    @unittest.skipUnless(pathlib.Path(CAGD).with_name("cagd-compile-exactly").exists(), "built without LLVM")
+    def test_code_that_is_run_exactly(self):
+        page = ROOT / "exact/code/example/README.md"
+        for options in [], ["--rounding=20", "--only", "casteljau_is_bernstein"]:
+            r = run("exactly", page, "--json", *options)
+            self.assertEqual(r.returncode, 0 if options else 1, r.stderr)
+            self.fits(json.loads(r.stdout))
 
     def test_what_is_printed_of_claims_that_fail(self):
         tried = 0

@@ -97,6 +97,9 @@ class Language(unittest.TestCase):
     def test_refused(self):
         self.exact("refused.c")
 
+    def test_outside_of_arrays(self):
+        self.exact("outside.c")
+
     def test_cpp(self):
         self.exact("cpp.cc", flags=["-std=c++17"])
 

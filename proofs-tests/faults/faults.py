@@ -3,7 +3,7 @@
     faults.py ROOM [--per-function N] [--one-in N] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
               [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
-ROOM is kernels, exact, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
+ROOM is kernels, exact, expression, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
 gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
 by the tests of its room, those of its file first, until one fails, crashes or takes many times its usual time; in the kernels by
 the claims that define the kernel, by all claims, and by the unit test under both sanitizers, which sees what is read or written
@@ -46,7 +46,7 @@ def sources(*patterns):
 class Room:
     """What can be faulty: files by the translation unit that shows them, and the tests, the quick ones first."""
 
-    optimised, targets, tests, slow, options = "-O1", [], {}, [], []
+    optimised, targets, tests, slow, options, configured = "-O1", [], {}, [], [], []
 
     def units(self):
         raise NotImplementedError
@@ -60,7 +60,7 @@ class Exact(Room):
     """A test in the order of the time that it takes."""
     tests = {name: [f"proofs-tests/unit/{name}"] for name in (
         "test_sums test_resultant test_polynomial test_sign test_sturm test_total_positivity test_crossings test_ends test_record test_field test_numbers "
-        "test_hull test_fraction test_exact_curve test_comparison test_command test_region test_roots test_svg test_judge test_stationary_parts test_stationary test_expression").split()}
+        "test_hull test_simplex test_fraction test_exact_curve test_comparison test_command test_region test_roots test_svg test_judge test_stationary_parts test_stationary test_expression").split()}
     slow = {"test_exact_memory": ["proofs-tests/unit/test_exact_memory"], "test_kernels": ["proofs-tests/unit/test_kernels"]}
     KNOWS = {"interval": "test_ends test_numbers", "rational": "test_numbers", "field": "test_field test_fraction test_numbers", "fraction": "test_fraction",
              "polynomial": "test_polynomial", "region": "test_region", "slots": "test_region", "recorder": "test_record", "parallel": "test_region",
@@ -78,6 +78,22 @@ class Exact(Room):
         if file.startswith("exact/record"):
             return ["test_record"]
         return self.KNOWS.get(stem, f"test_{stem}").split()
+
+
+class Expression(Room):
+    """What reads formulas and decides them, judged by what `cagd check` says of formulas and bases that are known."""
+    configured = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"]
+    SCRIPT = [sys.executable, ROOT / "proofs-tests/check/test_check.py", "cagd", "-f"]
+    tests = {"test_expression": ["proofs-tests/unit/test_expression"], "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges"],
+             "what holds for small numbers": [*SCRIPT, "Cells"],
+             "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"], "the literature": [*SCRIPT, "Literature"],
+             "mistakes": [*SCRIPT, "Mistakes"]}
+
+    def units(self):
+        return {c: [c] for c in sources("exact/expression/*.c")}
+
+    def first(self, file):
+        return ["bases"] if file.endswith("basis.c") else ["mistakes"] if "/read" in file or file.endswith("token.c") else []
 
 
 class Judge(Room):
@@ -122,7 +138,7 @@ class Kernels(Room):
         return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}
 
 
-ROOMS = {"kernels": Kernels, "exact": Exact, "judge": Judge, "core": Core, "fit": Fit}
+ROOMS = {"kernels": Kernels, "exact": Exact, "expression": Expression, "judge": Judge, "core": Core, "fit": Fit}
 
 
 def equivalents():
@@ -216,9 +232,9 @@ class Copy:
         configured = ["-DCAGD_ONLY_CHAPTERS=" + ";".join(with_what_they_name(register, a.chapters))] if a.chapters else []
         self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug",
                   f"-DCMAKE_C_FLAGS_DEBUG={room.optimised} -w", f"-DCMAKE_CXX_FLAGS_DEBUG={room.optimised} -w",
-                  "-DCAGD_TYPES=" + ";".join(a.types), *configured)
+                  "-DCAGD_TYPES=" + ";".join(a.types), *configured, *room.configured)
         self.verified = isinstance(room, Kernels)
-        self.targets = [words[0].split("/")[-1] for words in self.tests.values()] + ["cagd"] * self.verified
+        self.targets = sorted({"cagd" if "cagd" in words else words[0].split("/")[-1] for words in self.tests.values()} | ({"cagd"} if self.verified else set()))
         self.usual = {}
 
     def must(self, *command):

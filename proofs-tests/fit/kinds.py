@@ -1,8 +1,8 @@
-"""kinds.py CAGD [--write] -- what the defaults of cagd fit do on twenty-five kinds of simulated measurement, whose truth is known.
+"""kinds.py CAGD [--write [FOLDER]] -- what the defaults of cagd fit do on twenty-five kinds of simulated measurement, whose truth is known.
 
 A table: the kind, how many points, what was chosen, whether it was found closed, how far the truth is from the fitted curve at the
 most and how far the fitted curve from the truth, in standard deviations of the noise, and what the report says against it.
---write puts it into kinds.md, which a test compares; without, it is printed.  Exit status 1: a kind misses what is asked of it.
+--write puts it into kinds.md, with what they do on the files of real/ and of a folder of other files; without, it is printed.  Exit status 1: a kind misses what is asked of it.
 
 Nothing of cagd computes here: curves are evaluated by Cox and de Boor's recursion."""
 import json
@@ -130,6 +130,26 @@ def chosen(d):
     return name + (", smoothed" if d["choice"]["smoothing"] else "")
 
 
+def of_files(cagd, files):
+    """The same without a truth: distances in the units of the file."""
+    rows = []
+    for path in files:
+        more = ["--unordered"] if "unordered" in path.name else []
+        r = subprocess.run([cagd, "fit", path, "--json", "--no-verify", *more], capture_output=True, text=True)
+        if r.returncode not in (0, 1) or not r.stdout:
+            rows.append((path.name, "", "refused: " + r.stderr.strip().splitlines()[0].split(": ", 2)[-1], "", "", "", ""))
+            continue
+        d = json.loads(r.stdout)
+        said = "; ".join(s.split(" (")[0] for s in d["quality"]["problems"]) or "nothing"
+        rows.append((path.name, d["points"]["count"], chosen(d), "closed" if d["choice"]["closed"] else "open",
+                     f"{d['distances']['rms']:.2g}", f"{d['distances']['largest']:.2g}", said))
+    return rows
+
+
+def table(head, rows):
+    return "".join("| " + " | ".join(map(str, row)) + " |\n" for row in [head, ["---"] * len(head), *rows])
+
+
 def main():
     cagd, write = pathlib.Path(sys.argv[1]).resolve(), "--write" in sys.argv
     rows, bad = [], []
@@ -157,9 +177,13 @@ def main():
             if most is not None and got > most:
                 bad.append(f"{name}: {what} is {got:.1f} standard deviations away, more than {most}")
     head = ("kind", "points", "chosen", "found", "truth away", "curve away", "said against it")
-    text = "".join("| " + " | ".join(map(str, row)) + " |\n" for row in [head, ["---"] * len(head), *rows])
+    text = table(head, rows)
     if write:
-        (HERE / "kinds.md").write_text("# What the defaults do\n\nMade by `python3 proofs-tests/fit/kinds.py build/release/cagd --write`. Away: the largest distance, in standard\n"
+        others = pathlib.Path(sys.argv[sys.argv.index("--write") + 1]) if sys.argv[-1] != "--write" else None
+        files = [p for folder in (HERE / "real", others) if folder for p in sorted(folder.iterdir()) if p.suffix not in (".py", ".md")]
+        text += "\n## On files\n\nDistances are in the units of the file.\n\n" + table(
+            ("file", "points", "chosen", "found", "rms", "largest", "said against it"), of_files(cagd, files))
+        (HERE / "kinds.md").write_text("# What the defaults do\n\nMade by `cmake --build build/release --target fit-kinds-table`. Away: the largest distance, in standard\n"
                                        "deviations of the noise. With `--unordered` where the points are in no order, and `--loss huber` where there are outliers.\n\n" + text)
     else:
         print(text, end="")

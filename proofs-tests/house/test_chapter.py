@@ -6,6 +6,7 @@ BUILD is a build of the program; what the chapter adds is compiled in a copy of 
 """
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -98,6 +99,21 @@ class Chapter(unittest.TestCase):
         for words in ("It fails as printed: a misprint (decided).", "It holds: proved for n = 1 to 4; all data.",
                       "It holds as printed: decided for 0 ≤ t ≤ 1.", "A. Author: On curves, 2026\n"):
             self.assertIn(words, r.stdout)
+
+        # A decision that fails shows its data, those of the block and random ones, and the condition, wherever it is told.
+        right = (EXAMPLE / "elevation.claims.h").read_text()
+        wrong = right.replace("c = 1/2\n:instead: c = 1/3", "c = 1/3\n:instead: c = 1/4").replace(
+            "    agree(T, sign_on(", "    gap = poly_mul(gap, poly_constant(positive(T, \"w\", 0)));\n    agree(T, sign_on(")
+        self.assertEqual(wrong.count(":instead: c = 1/4") + wrong.count("positive("), 2)
+        section.write_text(wrong)
+        cagd = self.cagd()
+        condition = "sign_on gap from_int 0 from_int 1 CLOSED SIGN_NONNEGATIVE"
+        for args in ["verify"], ["verify", "--tap"], ["verify", "--json"], ["verify", "--junit", "/dev/stdout"], ["show"]:
+            r = run(cagd, *args, "middle_function_is_at_most_one_half", env={**os.environ, "COLUMNS": "100"})
+            self.assertEqual(r.returncode, 1, r.stdout)
+            said = " ".join(re.sub(r"\b(name|value)\b|[^\w/]", " ", r.stdout).split())
+            for words in r"w0 \d+/\d+ c 1/3 condition " + condition, r"mall.instance[a-z ]* w0 1 c 1/3 condition " + condition:
+                self.assertRegex(said, words)
 
 
 if __name__ == "__main__":

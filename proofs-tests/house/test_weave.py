@@ -42,7 +42,8 @@ FIRST = r"""/*
   \ b="c"
 :holds-by: sum_is_zero
 :needs: ratio_fails | section 1 | a hypothesis that is stated
-:hypothesis: ratio_fails | a hypothesis that is not
+:hypothesis: ratio_fails | $a:b$ is less.b; as a
+  sentence says
 :reading: a way to read it
 :meant: the title | what is meant
 :confirmed-by: range_is_decided
@@ -113,6 +114,8 @@ CLAIM(ratio_fails)
 :then: it is decided
 :method: by roots
 :scope: the interval
+:where: $t>0$; all is well
+:harmless: an inter | it has no hole
 :control: a larger interval
 :::
 */
@@ -221,12 +224,13 @@ class Good(Weaving):
 
     def test_links_and_texts(self):
         text = self.register()
-        for link in ('{HOLDS_BY, "sum_is_zero", NULL, ""}', '{NEEDS, "ratio_fails", "section 1", "a hypothesis that is stated"}',
-                     '{HYPOTHESIS, "ratio_fails", NULL, "a hypothesis that is not"}', '{READING, NULL, NULL, "a way to read it"}',
-                     '{MEANT, NULL, "the title", "what is meant"}', '{CONFIRMED_BY, "range_is_decided", NULL, ""}',
-                     '{ARGUED, NULL, "every n", "by induction"}', '{CITES, NULL, "a book", "a theorem"}',
-                     '{REFUTED_BY, "ratio_fails", NULL, ""}', '{CORRECTED_BY, "sum_is_zero", NULL, ""}',
-                     '{CORRECTED_BY, "range_is_decided", NULL, ""}'):
+        for link in ('{HOLDS_BY, "sum_is_zero", NULL, "", NULL}', '{NEEDS, "ratio_fails", "section 1", "a hypothesis that is stated", "a hypothesis that is stated"}',
+                     '{HYPOTHESIS, "ratio_fails", NULL, "$a:b$ is less.b; as a sentence says", "$a:b$ is less.b"}',
+                     '{READING, NULL, NULL, "a way to read it", NULL}',
+                     '{MEANT, NULL, "the title", "what is meant", NULL}', '{CONFIRMED_BY, "range_is_decided", NULL, "", NULL}',
+                     '{ARGUED, NULL, "every n", "by induction", NULL}', '{CITES, NULL, "a book", "a theorem", NULL}',
+                     '{REFUTED_BY, "ratio_fails", NULL, "", NULL}', '{CORRECTED_BY, "sum_is_zero", NULL, "", NULL}',
+                     '{CORRECTED_BY, "range_is_decided", NULL, "", NULL}'):
             self.assertIn(link, text)
         self.assertIn(r'.printed = "a=b, \\ b=\"c\""', text)
         self.assertIn('.note = "A remark: with a colon."', text)
@@ -315,8 +319,16 @@ class Good(Weaving):
         (self.root / "sources").mkdir()
         (self.root / "sources" / "index.md").write_text(
             ":::{source} source\n:author: A\n:title: A book\n:letter: k\n:::\n", encoding="utf-8")
-        self.assertIn('.letter = "k", .chapter = "chapter", .file = "chapter/first.claims.h", .line = 4,',
+        self.assertIn('.letter = "k", .letters = "a b c", .chapter = "chapter", .file = "chapter/first.claims.h", .line = 4,',
                       self.register(chapters=("chapter", "sources")))
+
+
+    def test_letters_that_a_source_prints(self):
+        self.assertIn('.letters = "a b c"', self.register())  # of all its statements, each letter once
+        self.write("first.claims.h", FIRST.replace(":printed: a/b", r":printed: The line $\\beta_1=x'y$ and $\\frac{zu}2$, a word"))
+        self.assertIn('.letters = "a b c beta x y frac z u"', self.register())
+        self.write("first.claims.h", FIRST.replace(":printed: a/b", ":printed: some words and a=ji"))
+        self.assertIn('.letters = "a b c j i"', self.register())
 
 
 class BadWords(Weaving):
@@ -331,6 +343,22 @@ class BadWords(Weaving):
                 at = ":::{claim} sum_is_zero" if "degrees" in new or "by words" in new else None
                 self.spoiled("first.claims.h", old, new, *words,
                              at=at or (":::{statement} source:1.1" if "confirmed" in new else None))
+
+    def test_a_hypothesis_begins_with_its_condition(self):
+        old = ":needs: ratio_fails | section 1 | a hypothesis that is stated"
+        for text in ("A hypothesis that is stated", "a hypothesis, as it is stated", "a " + "long " * 30 + "hypothesis", ": why"):
+            with self.subTest(text):
+                self.spoiled("first.claims.h", old, f":needs: ratio_fails | section 1 | {text}", "begins with its condition")
+        self.spoiled("first.claims.h", ":hypothesis: ratio_fails | $a:b$ is", ":hypothesis: ratio_fails | It is", "begins with its condition")
+
+    def test_conditions_of_claims(self):
+        self.assertIn('.where = "$t>0$; all is well"', self.register())
+        at = ":::{claim} range_is_decided"
+        self.spoiled("second.claims.h", ":where: $t>0$; all is well", ":where:", "one condition; another", at=at)
+        self.spoiled("second.claims.h", ":let: one be 0", ":where: one is 0", "one condition; another", at=":::{claim} ratio_fails")
+        for bad in ("an inter", "a hole | it has none", " | it has no hole", "an inter |"):
+            with self.subTest(bad):
+                self.spoiled("second.claims.h", ":harmless: an inter | it has no hole", f":harmless: {bad}", "words of what is given")
 
     def test_letters_are_those_of_their_chapter(self):
         self.spoiled("index.md", ":::{letters} chapter", ":::{letters} other", "chapter")
@@ -472,8 +500,7 @@ class BadLinks(Weaving):
                      at=":::{statement} source:1.2")
 
     def test_a_hypothesis_is_tried(self):
-        self.spoiled("first.claims.h", ":hypothesis: ratio_fails | ", ":hypothesis: ", "no claim tries", "hypothesis",
-                     at=":hypothesis: a")
+        self.spoiled("first.claims.h", ":hypothesis: ratio_fails | $a:b$ is", ":hypothesis: it is", "no claim tries", "hypothesis")
         self.spoiled("first.claims.h", ":needs: ratio_fails | ", ":needs: ", "does not exist", "'section 1'",
                      at=":::{statement} source:1.1")
         self.spoiled("first.claims.h", ":needs: ratio_fails | section 1 | ", ":needs: ratio_fails | ", "where does the source",
@@ -497,8 +524,8 @@ class BadLinks(Weaving):
 
 
     def test_words_of_a_reading_agree_with_its_claim(self):
-        self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: ratio_fails | one way: true, as always", "is false")
-        self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: sum_is_zero | one way: false, as always", "is true")
+        self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: ratio_fails | one way: true, as always", "derived from its claim")
+        self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: sum_is_zero | one way: false, as always", "derived from its claim")
         for word in "true", "false.":
             self.spoiled("first.claims.h", ":reading: a way to read it", f":reading: sum_is_zero | one way: {word}", "is derived")
 

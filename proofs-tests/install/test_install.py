@@ -48,6 +48,18 @@ with tempfile.TemporaryDirectory() as folder:
     roots = sh(str(by_cmake / "roots_in_ten_lines"))
     assert roots == "0.211 0.788 2\n", roots
 
+    # Code of others over exact numbers, from C; the compiler is found in the PATH.  And from Python.
+    curves, with_path = source.parent.parent / "exact/code/example/curves.c", {**os.environ, "PATH": f"{prefix}/bin:{os.environ['PATH']}"}
+    compiles = (prefix / "bin/cagd-compile-exactly").exists()
+    horner = "64/147 p[0]*t^2-2*p[0]*t+p[0]-2*p[1]*t^2+2*p[1]*t+p[2]*t^2\n"
+    if compiles:
+        assert sh(str(by_cmake / "exactly_in_twenty_lines"), str(curves), env=with_path) == horner
+        python = ("from cagd_exactly import Code\nfrom fractions import Fraction as F\n"
+                  f"code = Code(source='{curves}', declare='double horner(int n, const double *p, double t);', input='p[3]; t',\n"
+                  "            call='double R = horner(2, p, t);', output='R')\n"
+                  "print(code(p=[0, 1, F(1, 3)], t='2/7')['R'], code.function(p=[0, 1, 2], t=0)['R'])\ncode.close()\n")
+        assert sh(sys.executable, "-c", python, env={**with_path, "PYTHONPATH": str(prefix / "share/cagd/python")}) == horner
+
     env = {**os.environ, "PKG_CONFIG_PATH": str(lib / "pkgconfig")}
     for compiler, name, package, says in (("cc", "ten_lines.c", "cagd", first), ("c++", "ten_lines.c", "cagd", first),
                                           ("cc", "fit_in_ten_lines.c", "cagd_fit", "0.707106781\n"),
@@ -59,5 +71,9 @@ with tempfile.TemporaryDirectory() as folder:
         language = ["-x", "c++"] if compiler == "c++" else []
         sh(compiler, *language, str(source / name), "-x", "none", "-o", str(program), *flags)
         assert sh(str(program)) == says
+    if compiles:
+        flags = sh("pkg-config", "--cflags", "--libs", "--static", "cagd_exactly", env=env).split()
+        sh("cc", str(source / "exactly_in_twenty_lines.c"), "-o", str(pathlib.Path(folder) / "exactly"), *flags)
+        assert sh(str(pathlib.Path(folder) / "exactly"), str(curves), env=with_path) == horner
     assert first.split() == ["0.6", "0.8"], first
     print("installed, found by find_package and pkg-config, from C and C++:", first.strip())

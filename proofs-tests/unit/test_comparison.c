@@ -231,7 +231,7 @@ static void the_generator_is_splitmix64(void **state)
     assert_int_equal(pick(&T, -5, 999994), (int)(0x06c45d188009454fu % 1000000) - 5);
 }
 
-/* Numbers in [-1, 1], weights in [1/8, 4], parameters inside (0, 1), of twenty binary digits. */
+/* Numbers in [-1, 1], weights in [1/8, 4], parameters in (-1, 2), what is inside in (0, 1), of twenty binary digits. */
 static void where_data_lie(void **state)
 {
     (void)state;
@@ -240,7 +240,7 @@ static void where_data_lie(void **state)
     for (int k = 0; k < 10; k++) {
         assert_true(cagd_equal_q(unknown_q(&T, "x", 0), from_ratio_q(pick(&U, -ONE, ONE), ONE)));
         assert_true(cagd_equal_q(positive_q(&T, "w", 0), from_ratio_q(pick(&U, ONE / 8, 4 * ONE), ONE)));
-        assert_true(cagd_equal_q(parameter_q(&T, "t"), from_ratio_q(pick(&U, 1, ONE - 1), ONE)));
+        assert_true(cagd_equal_q(parameter_q(&T, "t"), from_ratio_q(pick(&U, 1 - ONE, 2 * ONE - 1), ONE)));
         assert_true(cagd_equal_q(whole_q(&T, "n", 3, 99), from_int_q(pick(&U, 3, 99))));
         assert_true(cagd_equal_q(inside_q(&T, "s"), from_ratio_q(pick(&U, 1, ONE - 1), ONE)));
     }
@@ -533,32 +533,32 @@ static statement_result derived(const statement_link links[])
     const statement s = {.id = "source:1", .links = links};
     return derive(&s, results, sizeof results / sizeof *results);
 }
-#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL}})
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL}})
 
 static void verdicts_from_links(void **state)
 {
     (void)state;
     /* A link without a text, and one without a claim, are links. */
-    statement_result r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL}, {ARGUED, NULL, "", "words"}));
+    statement_result r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL, NULL}, {ARGUED, NULL, "", "words", NULL}));
     assert_int_equal(r.verdict, VERDICT_HOLDS);
     assert_int_equal(r.as_printed.evidence, BY_ARGUMENT);
     free_statement_result(&r);
-    r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL}, {HOLDS_BY, "broken", NULL, NULL}));
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL, NULL}, {HOLDS_BY, "broken", NULL, NULL, NULL}));
     assert_int_equal(r.verdict, VERDICT_OPEN);
     free_statement_result(&r);
     /* The first that refutes speaks. */
-    r = derived(LINKS({REFUTED_BY, "against", NULL, NULL}, {REFUTED_BY, "another", NULL, NULL}));
+    r = derived(LINKS({REFUTED_BY, "against", NULL, NULL, NULL}, {REFUTED_BY, "another", NULL, NULL, NULL}));
     assert_int_equal(r.verdict, VERDICT_FAILS);
     assert_ptr_equal(r.refuted_by, &results[1]);
     assert_string_equal(r.as_printed.scope, instance);
     free_statement_result(&r);
     /* What corrects is no reading that fails. */
-    r = derived(
-        LINKS({HOLDS_BY, "proved", NULL, ""}, {READING, "proved", NULL, ""}, {CORRECTED_BY, "against", NULL, ""}));
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, "", NULL}, {READING, "proved", NULL, "", NULL},
+                      {CORRECTED_BY, "against", NULL, "", NULL}));
     assert_int_equal(r.verdict, VERDICT_HOLDS);
     free_statement_result(&r);
     /* Nobody speaks for what is open. */
-    r = derived(LINKS({REFUTED_BY, "against", NULL, ""}, {CORRECTED_BY, "broken", NULL, ""}));
+    r = derived(LINKS({REFUTED_BY, "against", NULL, "", NULL}, {CORRECTED_BY, "broken", NULL, "", NULL}));
     assert_int_equal(r.verdict, VERDICT_OPEN);
     assert_false(r.as_expected);
     assert_null(r.refuted_by);
@@ -570,29 +570,30 @@ static void cases_that_words_add(void **state)
 {
     (void)state;
     /* Each is told once; a claim without degrees stays behind nobody. */
-    statement_result r = derived(
-        LINKS({HOLDS_BY, "induction", NULL, ""}, {ARGUED, NULL, "every n", "words"}, {ARGUED, NULL, "n < 0", "words"}));
+    statement_result r =
+        derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {ARGUED, NULL, "every n", "words", NULL},
+                      {ARGUED, NULL, "n < 0", "words", NULL}));
     assert_string_equal(r.as_printed.argued_for, "every n; n < 0");
     assert_int_equal(r.as_printed.evidence, PROVED);
     free_statement_result(&r);
-    r = derived(LINKS({HOLDS_BY, "proved", NULL, ""}, {ARGUED, NULL, "n > 7", ""}, {ARGUED, NULL, "n < 0", ""},
-                      {ARGUED, NULL, "n > 7", ""}));
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, "", NULL}, {ARGUED, NULL, "n > 7", "", NULL},
+                      {ARGUED, NULL, "n < 0", "", NULL}, {ARGUED, NULL, "n > 7", "", NULL}));
     assert_string_equal(r.as_printed.argued_for, "n > 7; n < 0");
     free_statement_result(&r);
     /* One that stays behind is enough, wherever it stands. */
     for (int turned = 0; turned < 2; turned++) {
-        r = derived(turned ? LINKS({HOLDS_BY, "few_degrees", NULL, ""}, {HOLDS_BY, "induction", NULL, ""})
-                           : LINKS({HOLDS_BY, "induction", NULL, ""}, {HOLDS_BY, "few_degrees", NULL, ""}));
+        r = derived(turned ? LINKS({HOLDS_BY, "few_degrees", NULL, "", NULL}, {HOLDS_BY, "induction", NULL, "", NULL})
+                           : LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {HOLDS_BY, "few_degrees", NULL, "", NULL}));
         assert_string_equal(r.as_printed.argued_for, "");
         assert_string_equal(r.as_printed.scope, "n = 2 to 4");
         free_statement_result(&r);
     }
     static char long_text[4001];
     memset(long_text, 'n', 4000);
-    r = derived(LINKS({HOLDS_BY, "induction", NULL, ""}, {ARGUED, NULL, long_text, ""}));
+    r = derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {ARGUED, NULL, long_text, "", NULL}));
     assert_int_equal(strlen(r.as_printed.argued_for), strlen("every n; ") + 4000);
     free_statement_result(&r);
-    r = derived(LINKS({HOLDS_BY, "induction", NULL, ""}, {HOLDS_BY, "proved", NULL, ""}));
+    r = derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {HOLDS_BY, "proved", NULL, "", NULL}));
     assert_string_equal(r.as_printed.argued_for, "every n");
     free_statement_result(&r);
 }
@@ -620,7 +621,7 @@ static void scopes_in_words(void **state)
         for (int k = 0; k < 3; k++) {
             const statement s = {.id = "source:1",
                                  .letter = letter ? "k" : "n",
-                                 .links = LINKS({HOLDS_BY, scoped[k].claim->name, NULL, ""})};
+                                 .links = LINKS({HOLDS_BY, scoped[k].claim->name, NULL, "", NULL})};
             statement_result r = derive(&s, scoped, 3);
             assert_string_equal(r.as_printed.scope, expected[k]);
             free_statement_result(&r);

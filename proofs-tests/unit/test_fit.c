@@ -1075,9 +1075,36 @@ static void a_weight_that_goes_to_zero_is_no_minimum(void **state)
     cagd_fit_free(r);
 }
 
+/* Without intervals the curve and its standard errors are the same; no type of a conic is certain. */
+static void intervals_may_be_left_out(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 30; i++) {
+        double t = (i + 0.5) / 30;
+        Q[2 * i] = 3 * t + 0.002 * sin(9.0 * i), Q[2 * i + 1] = t * (1 - t) * (2 + t) + 0.002 * cos(7.0 * i);
+    }
+    cagd_fit_data data = {30, 2, Q, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_result *with, *without;
+    assert_int_equal(cagd_fit(&data, &o, &with, NULL), CAGD_OK);
+    o.without_intervals = 1;
+    assert_int_equal(cagd_fit(&data, &o, &without, NULL), CAGD_OK);
+    assert_memory_equal(with->value, without->value, (size_t)with->unknowns * sizeof *with->value);
+    for (int k = 0; k < with->unknowns; k++) {
+        cagd_fit_estimate a = cagd_fit_unknown_estimate(with, k), b = cagd_fit_unknown_estimate(without, k);
+        assert_true(a.by != CAGD_FIT_INTERVAL_NOT_SOUGHT && b.by == CAGD_FIT_INTERVAL_NOT_SOUGHT);
+        assert_true(isfinite(b.error) && isnan(b.low) && isnan(b.high) && (isnan(a.error) || a.error == b.error));
+    }
+    assert_true(isnan(cagd_fit_invariant_estimate(without, 0).low));
+    assert_int_not_equal(cagd_fit_conic_of(without).kind, CAGD_FIT_CONIC_CERTAIN);
+    cagd_fit_free(with);
+    cagd_fit_free(without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(intervals_may_be_left_out),
         cmocka_unit_test(a_weight_that_goes_to_zero_is_no_minimum),
         cmocka_unit_test(derivatives_are_those_of_the_kernels),
         cmocka_unit_test(feet_are_orthogonal),

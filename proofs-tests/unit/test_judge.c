@@ -150,7 +150,8 @@ static void test_false_is_false(void **state)
         assert_int_equal(b->outcome, FAILS);
         assert_int_equal(b->cases, 1); /* the first failing case ends the run, and shows its first difference */
         assert_int_equal(b->compared, 2);
-        assert_int_equal(b->exhibits, 3);
+        assert_int_equal(b->exhibits, t == FIELD_TYPE ? 3 : 4); /* with the number that x is */
+        assert_int_equal(shown(b, "x0") == NULL, t == FIELD_TYPE);
         assert_string_equal(shown(b, "compared"), "x + 1 and x");
         assert_non_null(shown(b, "left"));
         assert_non_null(shown(b, "right"));
@@ -379,7 +380,7 @@ static void take_q(trial *T)
     }
     agree(T, cagd_compare_q(seen_q[0], from_int_q(-1)) >= 0 && cagd_compare_q(seen_q[0], from_int_q(1)) <= 0);
     agree(T, cagd_compare_q(seen_q[1], from_ratio_q(1, 8)) >= 0 && cagd_compare_q(seen_q[1], from_int_q(4)) <= 0);
-    agree(T, cagd_sign_q(seen_q[2]) > 0 && cagd_compare_q(seen_q[2], from_int_q(1)) < 0);
+    agree(T, cagd_compare_q(seen_q[2], from_int_q(-1)) > 0 && cagd_compare_q(seen_q[2], from_int_q(2)) < 0);
 }
 
 static void test_data_are_the_same_dyadics_everywhere(void **state)
@@ -682,7 +683,14 @@ static void fails_in_one_corner_q(trial *T)
     same_q(T, add_q(x[0], from_int_q(corner)), add_q(x[0], from_int_q(fault(T, 0, 2))));
 }
 static void false_everywhere_q(trial *T) { same_q(T, from_int_q(1), from_int_q(2 * T->degree)); }
-static void false_of_any_q(trial *T) { vanishes_q(T, sub_q(positive_q(T, "w", 0), from_int_q(-1))); }
+static void true_of_any_q(trial *T) { nonnegative_q(T, positive_q(T, "w", 0)); }
+/* Decided to be false where w > 2, which its data are. */
+static void at_most_q(trial *T)
+{
+    num_q w = add_q(positive_q(T, "w", 0), from_int_q(2));
+    about(T, "whether w_0 + 2 is at most 2");
+    agree(T, cagd_compare_q(w, from_int_q(fault(T, 2, 1))) <= 0);
+}
 static void false_everywhere_f(trial *T) { same_f(T, variable_f("x"), from_int_f(2 * T->degree)); }
 static void test_the_smallest_instance_of_a_failure(void **state)
 {
@@ -701,11 +709,11 @@ static void test_the_smallest_instance_of_a_failure(void **state)
         assert_string_equal(r->witness[k].value, wanted[k][1]);
     }
     free_results(r, 1);
-    /* Without data to choose, in the field alone, of a decision, and of what is as expected there is none. */
+    /* Without data to choose, in the field alone, of a counterexample, and of what is as expected there is none. */
     const claim without[] = {
         {IN(RATIONAL_TYPE, _q, false_everywhere)},
         {IN(FIELD_TYPE, _f, false_everywhere)},
-        {IN(RATIONAL_TYPE, _q, false_of_any), .kind = DECISION},
+        {IN(RATIONAL_TYPE, _q, true_of_any), .kind = COUNTEREXAMPLE},
         {IN(RATIONAL_TYPE, _q, at_most_two), .degree_low = 1, .degree_high = 2, .degree_sampled = 2}};
     for (size_t k = 0; k < sizeof without / sizeof *without; k++) {
         r = judge_one(&without[k]);
@@ -713,6 +721,61 @@ static void test_the_smallest_instance_of_a_failure(void **state)
         assert_int_equal(r->witnesses, 0);
         free_results(r, 1);
     }
+}
+
+/* What a case is told with: its data, and the condition that does not hold. */
+static void test_a_failing_decision_tells_its_data_and_its_condition(void **state)
+{
+    (void)state;
+    const claim c = {IN(RATIONAL_TYPE, _q, at_most), .kind = DECISION};
+    claim_result *r = judge_one(&c);
+    const type_result *b = &r->by[RATIONAL_TYPE];
+    const exhibit *lists[] = {b->shown, r->witness};
+    assert_int_equal(b->exhibits, 3);
+    assert_int_equal(r->witnesses, 3);
+    for (int k = 0; k < 2; k++) {
+        assert_string_equal(lists[k][0].name, "w0");
+        assert_string_equal(lists[k][1].name, "compared");
+        assert_string_equal(lists[k][2].name, "condition");
+        assert_string_equal(lists[k][2].value, "cagd_compare_q(w, from_int_q(fault(T, 2, 1))) <= 0");
+    }
+    assert_non_null(strchr(b->shown[0].value, '/')); /* the random number of the case */
+    assert_string_equal(r->witness[0].value, "1");
+    free_results(r, 1);
+}
+
+/* Without data there is one instance of each degree, and it is not tried again and again. */
+static int times_run;
+static void is_below_four_q(trial *T)
+{
+    times_run++;
+    agree(T, T->degree < fault(T, 4, 1));
+}
+static void test_a_decision_without_data_is_tried_once_a_degree(void **state)
+{
+    (void)state;
+    const claim c = {IN(RATIONAL_TYPE, _q, is_below_four), .kind = DECISION, .degree_low = 1, .degree_high = 4,
+                     .degree_sampled = 4};
+    times_run = 0;
+    claim_result *r = judge_one(&c);
+    assert_int_equal(r->outcome, FAILS);
+    assert_int_equal(r->witnesses, 0);
+    assert_true(times_run <= 4 + 1 + 4 + 4); /* the run, the case that is told, the control, the search */
+    free_results(r, 1);
+}
+
+/* Of a failing case in intervals, which have no small instance, the data are told as well. */
+static void false_of_any_i(trial *T) { vanishes_i(T, add_i(positive_i(T, "w", 0), from_int_i(1))); }
+static void test_a_failing_case_tells_its_data(void **state)
+{
+    (void)state;
+    const claim c = {IN(INTERVAL_TYPE, _i, false_of_any)};
+    claim_result *r = judge_one(&c);
+    const type_result *b = &r->by[INTERVAL_TYPE];
+    assert_int_equal(b->outcome, FAILS);
+    assert_true(b->exhibits >= 2);
+    assert_string_equal(b->shown[0].name, "w0");
+    free_results(r, 1);
 }
 
 static claim_result *judge_many(int jobs, int *finished)
@@ -833,9 +896,10 @@ static void test_every_combination_of_roles(void **state)
                 for (int k = 0; k < ROLES; k++)
                     if (in(roles, (role)k)) {
                         const char *name = bad == k ? "wrong" : bad == ROLES + k ? "missing" : good[k];
-                        links[count++] = (statement_link){(role)k, name, form_of_role[k] == PLACE_TEXT ? "" : NULL, ""};
+                        links[count++] =
+                            (statement_link){(role)k, name, form_of_role[k] == PLACE_TEXT ? "" : NULL, "", NULL};
                     }
-                links[count] = (statement_link){HOLDS_BY, NULL, NULL, NULL};
+                links[count] = (statement_link){HOLDS_BY, NULL, NULL, NULL, NULL};
                 statement_result r = verdict_of(links, is_definition);
                 assert_int_equal(r.as_expected, bad < 0);
                 assert_int_equal(r.verdict, bad < 0 ? expected_verdict(roles, is_definition) : VERDICT_OPEN);
@@ -865,13 +929,13 @@ static void test_evidence_is_that_of_the_weakest_claim(void **state)
     (void)state;
     static const char *const orders[][3] = {{"proved", "decided", "sampled"}, {"sampled", "proved", "decided"}};
     for (int k = 0; k < 2; k++) {
-        const statement_link links[] = {{HOLDS_BY, orders[k][0], NULL, ""},
-                                        {HOLDS_BY, orders[k][1], NULL, ""},
-                                        {HOLDS_BY, orders[k][2], NULL, ""},
-                                        {CORRECTED_BY, orders[k][0], NULL, ""},
-                                        {CORRECTED_BY, orders[k][1], NULL, ""},
-                                        {CORRECTED_BY, orders[k][2], NULL, ""},
-                                        {HOLDS_BY, NULL, NULL, NULL}};
+        const statement_link links[] = {{HOLDS_BY, orders[k][0], NULL, "", NULL},
+                                        {HOLDS_BY, orders[k][1], NULL, "", NULL},
+                                        {HOLDS_BY, orders[k][2], NULL, "", NULL},
+                                        {CORRECTED_BY, orders[k][0], NULL, "", NULL},
+                                        {CORRECTED_BY, orders[k][1], NULL, "", NULL},
+                                        {CORRECTED_BY, orders[k][2], NULL, "", NULL},
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
         statement_result r = verdict_of(links, 0);
         assert_int_equal(r.verdict, VERDICT_HOLDS);
         assert_int_equal(r.as_printed.evidence, SAMPLED);
@@ -883,19 +947,20 @@ static void test_evidence_is_that_of_the_weakest_claim(void **state)
 static void test_readings(void **state)
 {
     (void)state;
-    const statement_link words[] = {
-        {READING, NULL, NULL, "one way"}, {READING, NULL, NULL, "another"}, {HOLDS_BY, NULL, NULL, NULL}};
+    const statement_link words[] = {{READING, NULL, NULL, "one way", NULL},
+                                    {READING, NULL, NULL, "another", NULL},
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
     statement_result r = verdict_of(words, 0);
     assert_true(r.as_expected);
     assert_int_equal(r.verdict, VERDICT_UNDECIDED); /* a reading in words has no claim */
     free_statement_result(&r);
-    const statement_link none[] = {{HOLDS_BY, NULL, NULL, NULL}};
+    const statement_link none[] = {{HOLDS_BY, NULL, NULL, NULL, NULL}};
     r = verdict_of(none, 0);
     assert_true(r.as_expected);
     assert_int_equal(r.verdict, VERDICT_OPEN);
     free_statement_result(&r);
     const statement_link good[] = {
-        {HOLDS_BY, "proved", NULL, ""}, {READING, "sampled", NULL, ""}, {HOLDS_BY, NULL, NULL, NULL}};
+        {HOLDS_BY, "proved", NULL, "", NULL}, {READING, "sampled", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
     r = verdict_of(good, 0);
     assert_int_equal(r.verdict, VERDICT_HOLDS); /* no reading fails */
     free_statement_result(&r);
@@ -914,8 +979,10 @@ static void test_result_of(void **state)
 /* ---- Scopes ------------------------------------------------------------------------------------------ */
 
 static char weighted_names[] = "x0 w1 t", weighted_positive[] = "w1", plain_names[] = "x3 w0 beta0", odd_names[] = "h7",
-            no_names[] = "", one_weight[] = "w0 t", shift_names[] = "x1 h1 gamma", five_names[] = "x1 w1 h1 gamma t";
-static const char order[] = "simple knots | every pattern of knots;0 < t < 1 | 0 ≤ t ≤ 1;* | all maps";
+            no_names[] = "", one_weight[] = "w0 t", shift_names[] = "x1 h1 gamma", five_names[] = "x1 w1 h1 gamma t",
+            knot_names[] = "x1 w1 t1", primed_names[] = "a b c d", one_gap[] = "d";
+static const char order[] =
+    "simple knots | every pattern of knots;0 < t < 1 | 0 ≤ t ≤ 1;* | all maps;the weights are positive | P ≠ 0";
 static const claim
     weighted = {.name = "weighted", .scope = "simple knots", .over = "x#: points; w#: weights;t", .degree_high = 6},
     plain = {.name = "plain", .scope = "", .over = "x#: points; w#: weights; beta", .letter = "k"},
@@ -935,6 +1002,17 @@ static const claim
     five = {.name = "five", .scope = "", .over = "x#: points; w#: weights; h#: shifts; gamma; t"},
     maps = {.name = "maps", .scope = "all maps", .within = order},
     designed = {.name = "designed", .scope = "the stated polygons"},
+    regular = {.name = "regular", .scope = "", .where = "P ≠ 0; 0 < t < 1", .over = "w#: weights; t"},
+    nonzero = {.name = "nonzero",
+               .scope = "simple knots",
+               .where = "P ≠ 0; 0 ≤ t ≤ 1",
+               .over = "w#: weights; t",
+               .within = order},
+    numbers = {.name = "numbers",
+               .scope = "the distinct knots variables up to order 5, numbers above",
+               .over = "x#: gaps of the knots; w#: weights; t#: knots"},
+    primed = {.name = "primed", .scope = "", .over = "a: t'; b: gamma'; c: h/l; d: gap"},
+    bare = {.name = "bare", .scope = "", .where = "P ≠ 0"},
     seventh = {.name = "seventh", .scope = "the stated polygon"},
     stated = {.name = "stated", .scope = "the stated curves"};
 #define RUN_IN_FIELD(c, low, high_, names, positive_names)                                                             \
@@ -958,6 +1036,11 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(maps, 0, 0, no_names, no_names),
     RUN_IN_FIELD(below, 0, 0, one_weight, no_names),
     RUN_IN_FIELD(arc, 0, 0, one_weight, no_names),
+    RUN_IN_FIELD(regular, 1, 4, one_weight, no_names),
+    RUN_IN_FIELD(nonzero, 1, 3, one_weight, no_names),
+    RUN_IN_FIELD(numbers, 1, 6, knot_names, no_names),
+    RUN_IN_FIELD(primed, 0, 0, primed_names, one_gap),
+    {.claim = &bare, .as_expected = 1, .evidence = DECIDED, .computed = DECIDED, .by = {[RATIONAL_TYPE] = {.ran = 1}}},
     RUN_IN_FIELD(five, 1, 4, five_names, no_names),
     RUN_IN_FIELD(shifts, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(letters, 1, 9, shift_names, no_names),
@@ -997,9 +1080,9 @@ static void assert_finding(const char *letter, evidence e, const char *scope, co
 }
 #define BY(name)                                                                                                       \
     {                                                                                                                  \
-        HOLDS_BY, name, NULL, ""                                                                                       \
+        HOLDS_BY, name, NULL, "", NULL                                                                                 \
     }
-#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL}})
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL}})
 
 static void test_the_scope_is_what_all_claims_have_in_common(void **state)
 {
@@ -1022,7 +1105,7 @@ static void test_the_scope_is_what_all_claims_have_in_common(void **state)
     assert_finding("n", SAMPLED, "n = 2 to 8; all points and weights, every β; 24 random instances", "",
                    LINKS(BY("plain"), BY("instances")));
     assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β", "",
-                   LINKS(BY("plain"), {CONFIRMED_BY, "instances", NULL, ""}));
+                   LINKS(BY("plain"), {CONFIRMED_BY, "instances", NULL, "", NULL}));
 }
 
 /* Of two phrases that the chapters compare the narrower one is left, whichever comes first; a letter of which a phrase
@@ -1071,9 +1154,8 @@ static void test_data_that_nobody_has_together_are_told_by_step(void **state)
     assert_finding("n", PROVED, "n = 1 to 9; simple knots; all points and shifts, every γ", "", LINKS(BY("shifts")));
     assert_finding("n", PROVED, "n = 1 to 6; simple knots; all points; each step for its own other data", "",
                    LINKS(BY("shifts"), BY("weighted")));
-    assert_finding("n", PROVED,
-                   "n = 1 to 6; simple knots; all points that the hypotheses allow; each step for its own other data",
-                   "", LINKS(BY("weighted"), BY("shifts"), {NEEDS, NULL, "", ""}));
+    assert_finding("n", PROVED, "n = 1 to 6; simple knots; all points; each step for its own other data, where P ≠ 0",
+                   "", LINKS(BY("weighted"), BY("shifts"), {NEEDS, NULL, "", "why", "P ≠ 0"}));
     assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights, points and shifts, every γ", "",
                    LINKS(BY("closed"), BY("letters"))); /* of t a phrase speaks */
     assert_finding("n", PROVED, "n = 2 to 8; each step for its own data", "", LINKS(BY("plain"), BY("others")));
@@ -1085,15 +1167,106 @@ static void test_data_that_nobody_has_together_are_told_by_step(void **state)
                    LINKS(BY("weighted"), BY("plain"))); /* four kinds, no claim has all */
 }
 
-/* What hypotheses ask of the data is not everything that the claims were computed for. */
+/* What a claim takes for granted of its data stands in the scope of everything that needs the claim. */
+static void test_conditions_reach_the_verdict(void **state)
+{
+    (void)state;
+    const char *const both = "n = 1 to 3; simple knots; all weights, where P ≠ 0, and 0 < t < 1";
+    assert_finding("n", PROVED, "n = 1 to 4; all weights, where P ≠ 0, and 0 < t < 1", "", LINKS(BY("regular")));
+    assert_finding("n", PROVED, "n = 1 to 3; simple knots; all weights, where P ≠ 0, and 0 ≤ t ≤ 1", "",
+                   LINKS(BY("nonzero")));                                       /* of t a condition speaks */
+    assert_finding("n", PROVED, both, "", LINKS(BY("nonzero"), BY("regular"))); /* the narrower one of two is left */
+    assert_finding("n", PROVED, both, "", LINKS(BY("regular"), BY("nonzero")));
+    assert_finding("n", PROVED, "n = 2 to 6; simple knots; all points, all positive weights, every t and β", "",
+                   LINKS(BY("weighted"), BY("plain"), {CONFIRMED_BY, "regular", NULL, "", NULL}));
+    assert_finding("n", PROVED, "n = 1 to 4; all weights, where P ≠ 0, and 0 < t < 1", "",
+                   LINKS(BY("regular"), {HYPOTHESIS, NULL, NULL, "P is not 0", NULL})); /* the condition is named */
+    assert_finding("n", PROVED, "0 < t < 1; all weights, where P ≠ 0", "",
+                   LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t<1$"}, {NEEDS, NULL, "", "", "P ≠ 0"})); /* said */
+    assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights", "",
+                   LINKS(BY("closed"), {NEEDS, NULL, "", "", "$0\\le t\\le1$"}));
+    assert_finding("n", PROVED, "0 < t < 1; all weights, where $0<t\\le1$, and $0<t<12$, and $0<t$", "",
+                   LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t\\le1$"}, {NEEDS, NULL, "", "", "$0<t<12$"},
+                         {NEEDS, NULL, "", "", "$0<t$"}));
+    for (int k = 0; k < 2; k++) /* positive weights meet what is within it, whichever is told first */
+        assert_finding("n", PROVED, "0 < t < 1; all positive weights, where Q ≠ 0", "",
+                       LINKS(BY("inside"), {NEEDS, NULL, "", "", k ? "P ≠ 0" : "the weights are positive"},
+                             {NEEDS, NULL, "", "", k ? "the weights are positive" : "P ≠ 0"},
+                             {NEEDS, NULL, "", "", "Q ≠ 0"}));
+    assert_finding("n", DECIDED, "where P ≠ 0", "", LINKS(BY("bare")));
+    assert_finding("n", DECIDED, "n = 1 to 4; where P ≠ 0", "every n", LINKS(BY("bare"), BY("stretched")));
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+                   LINKS(BY("patterns"), BY("said"), BY("regular"))); /* they stand at the steps */
+}
+
+/* Of knots that are numbers above some order nobody says that they are all knots. */
+static void test_what_a_phrase_says_are_definite_ones_are_not_all(void **state)
+{
+    (void)state;
+    assert_finding("n", PROVED, "n = 1 to 6; the distinct knots variables up to order 5, numbers above; all weights",
+                   "", LINKS(BY("numbers")));
+    assert_finding(
+        "n", PROVED,
+        "n = 2 to 6; the distinct knots variables up to order 5, numbers above; all weights and points, every β", "",
+        LINKS(BY("numbers"), BY("plain")));
+}
+
+/* What hypotheses ask of the data is told by its condition; positive data are called so. */
 static void test_data_within_hypotheses(void **state)
 {
     (void)state;
-    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β that the hypotheses allow", "",
-                   LINKS(BY("plain"), {HYPOTHESIS, NULL, NULL, "positive weights"}));
-    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β that the hypotheses allow", "",
-                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "positive weights"}));
-    assert_finding("n", PROVED, "n = 1 to 4", "every n", LINKS(BY("stretched"), {NEEDS, NULL, "", ""}));
+    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β, where β ≠ 0", "",
+                   LINKS(BY("plain"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0"}));
+    assert_finding("n", PROVED, "n = 2 to 8; all points, all positive weights, every β", "",
+                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "", "the weights are positive"}));
+    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β, where the weights are positive there", "",
+                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "", "the weights are positive there"}));
+    assert_finding("n", PROVED, "n = 2 to 8; all points and weights, where $\\beta>0$, and $t_0<t_1$", "",
+                   LINKS(BY("plain"), {NEEDS, NULL, "", "", "$\\beta>0$"}, {NEEDS, NULL, "", "", "$t_0<t_1$"},
+                         {NEEDS, NULL, "", "", "$\\beta>0$"}));
+    assert_finding("n", PROVED, "n = 1 to 4; where the weights are positive", "every n",
+                   LINKS(BY("stretched"), {NEEDS, NULL, "", "", "the weights are positive"}));
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+                   LINKS(BY("patterns"), BY("said"), {NEEDS, NULL, "", "", "t > 0"}));
+    const statement_link refuted[] = {{REFUTED_BY, "against", NULL, "", NULL},
+                                      {CORRECTED_BY, "plain", NULL, "", NULL},
+                                      {NEEDS, NULL, "", "", "P ≠ 0"},
+                                      {HOLDS_BY, NULL, NULL, NULL, NULL}};
+    claim_result all[sizeof scoped / sizeof *scoped + 1];
+    memcpy(all, scoped, sizeof scoped);
+    all[sizeof scoped / sizeof *scoped] = (claim_result){
+        .claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED, .scope = against_scope};
+    const statement s = {.id = "source:1", .letter = "n", .class = "false", .links = refuted};
+    statement_result r = derive(&s, all, sizeof all / sizeof *all);
+    assert_string_equal(r.as_corrected.scope, "n = 2 to 8; all points and weights, every β, where P ≠ 0");
+    free_statement_result(&r);
+}
+
+/* A letter that the source does not have says nothing to its reader, unless it is what is positive. */
+static void test_letters_of_the_source_alone_are_told(void **state)
+{
+    (void)state;
+    struct {
+        const char *letters, *claim, *scope;
+    } list[] = {{"x t", "plain", "n = 2 to 8; all points and weights"},
+                {"beta", "plain", "n = 2 to 8; all points and weights, every β"},
+                {"bet a x", "plain", "n = 2 to 8; all points and weights"},
+                {"t", "weighted", "n = 1 to 6; simple knots; all points, all positive weights, every t"},
+                {"T", "weighted", "n = 1 to 6; simple knots; all points, all positive weights"},
+                {"a t", "primed", "every t', every positive gap"},
+                {"a b", "primed", "every positive gap"},
+                {"t gamma", "primed", "every t' and gamma', every positive gap"},
+                {"l h", "primed", "every positive gap"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const statement s = {
+            .id = "source:1", .letter = "n", .letters = list[k].letters, .links = LINKS(BY(list[k].claim))};
+        statement_result r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+        assert_string_equal(r.as_printed.scope, list[k].scope);
+        free_statement_result(&r);
+        finding f = finding_of(result_of(list[k].claim, scoped, sizeof scoped / sizeof *scoped), "n");
+        assert_true(strlen(f.scope) >= strlen(list[k].scope)); /* a step tells all of its letters */
+        free_finding(&f);
+    }
 }
 
 static void test_the_finding_of_one_claim(void **state)
@@ -1134,11 +1307,12 @@ static void test_arguments(void **state)
     assert_finding("n", PROVED, "n = 2 to 4; all points and weights, every β", "", /* plain ends at 8 */
                    LINKS(BY("stretched"), BY("plain")));
     assert_finding("n", PROVED, "n = 2 to 4; all points and weights, every β", "every n; n > 9",
-                   LINKS(BY("stretched"), BY("plain"), {ARGUED, NULL, "n > 9", "text"}));
+                   LINKS(BY("stretched"), BY("plain"), {ARGUED, NULL, "n > 9", "text", NULL}));
     assert_finding("n", BY_ARGUMENT, "n = 1 to 4", "", LINKS(BY("worded")));
-    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {ARGUED, NULL, "", "text"}));
-    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {CITES, NULL, "place", "text"}));
-    assert_finding("n", SAMPLED, "24 random instances", "", LINKS(BY("instances"), {CITES, NULL, "place", "text"}));
+    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {ARGUED, NULL, "", "text", NULL}));
+    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {CITES, NULL, "place", "text", NULL}));
+    assert_finding("n", SAMPLED, "24 random instances", "",
+                   LINKS(BY("instances"), {CITES, NULL, "place", "text", NULL}));
 }
 
 static void test_a_claim_that_needs_words_is_argued(void **state)
@@ -1202,6 +1376,9 @@ int main(void)
         unit(test_exhibits),
         unit(test_a_failing_case_tells_its_degree),
         unit(test_the_smallest_instance_of_a_failure),
+        unit(test_a_failing_decision_tells_its_data_and_its_condition),
+        unit(test_a_failing_case_tells_its_data),
+        unit(test_a_decision_without_data_is_tried_once_a_degree),
         unit(test_given_data),
         unit(test_given_data_are_tied_to_the_body),
         unit(test_data_instead),
@@ -1217,7 +1394,10 @@ int main(void)
         unit(test_a_narrower_phrase_is_left),
         unit(test_claims_about_different_things_are_apart),
         unit(test_data_that_nobody_has_together_are_told_by_step),
+        unit(test_conditions_reach_the_verdict),
+        unit(test_what_a_phrase_says_are_definite_ones_are_not_all),
         unit(test_data_within_hypotheses),
+        unit(test_letters_of_the_source_alone_are_told),
         unit(test_the_finding_of_one_claim),
         unit(test_claims_without_a_common_case),
         unit(test_arguments),

@@ -695,6 +695,25 @@ static svg *busy(void)
     return s;
 }
 
+/* Where three of four equal entries have room, two stand in each row. */
+static void the_rows_of_a_legend_are_alike(void **state)
+{
+    (void)state;
+    svg *s = svg_new("legend", "Legend", "d");
+    svg_panel(s, svg_integer_window(0, 0, 100, 100), 300, 0, NULL);
+    svg_frame(s);
+    for (int k = 0; k < 4; k++)
+        svg_legend_line(s, SVG_CURVE, "entry");
+    static const char row[] = "//s:g[contains(@transform,\"%s)\")][s:text='entry']";
+    const char *first = value(s, "substring-before(substring-after((//s:g[s:text='entry'])[1]/@transform, ' '), ')')");
+    char here[120], height[40];
+    snprintf(height, sizeof height, " %s", first);
+    snprintf(here, sizeof here, row, height);
+    assert_int_equal(count(s, "//s:g[s:text='entry']"), 4);
+    assert_int_equal(count(s, here), 2);
+    svg_free(s);
+}
+
 static void the_bytes_are_always_the_same(void **state)
 {
     (void)state;
@@ -826,6 +845,7 @@ int main(void)
         unit(a_cloud_is_one_path_of_dots),
         unit(rows_stand_below_one_another),
         unit(the_title_stands_above),
+        unit(the_rows_of_a_legend_are_alike),
         unit(points_are_of_one_scale),
         unit(a_matrix_shows_its_entries_or_their_signs),
         unit(overlaps_are_counted_and_words_never_cut_off),

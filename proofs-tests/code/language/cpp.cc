@@ -106,6 +106,33 @@ double p_lower_bound(void) { std::vector<double> k{0, 1.0 / 3, 2.0 / 3, 1}; retu
 double p_uninitialised(void) { double *p = new double[3]; return p[1] + 1; }
 /* ! outside an array */
 double p_outside(void) { std::vector<double> v(3, 1.0 / 3); return v[3] + 1; }
+/* ! 8 bytes before the beginning of the memory */
+double p_before(void)
+{
+    double *p = new double[3]{1, 2, 3};
+    return p[-1]; // here
+}
+/* ! outside an array */
+double p_before_a_vector(void) { std::vector<double> v(3, 1.0 / 3), w(3, 1); return *(v.begin() - 1) + w[0]; }
+/* ! given back */
+double p_deleted(void)
+{
+    auto *p = new double(1.0 / 3);
+    delete p;
+    return *p; // here
+}
+/* = F(5, 3) */
+double p_many_of_the_library(void)
+{
+    std::map<std::string, std::vector<double>> m;
+    for (int i = 0; i < 5; i++)
+        m["key " + std::to_string(i % 2) + std::string(40, 'x')].push_back(1.0 / 3);
+    double s = 0;
+    for (auto &[name, values] : m)
+        for (double x : values)
+            s += x;
+    return s;
+}
 /* ! the function tgamma */
 double p_unknown(void) { std::istringstream i("1.5"); double x = 0; i >> x; return std::tgamma(x) + x; }
 }

@@ -244,8 +244,8 @@ double r_null(void)
 {
     double *p = NULL;
     double x = 1.0 / 3;
-    x = x + 1; // here
-    *p = x;
+    x = x + 1;
+    *p = x; // here
     return 0;
 }
 /* ! aborted */

@@ -1,0 +1,256 @@
+"""cagd check on LaTeX sources: what is read of them, and what is no formula.
+
+    python3 test_latex.py CAGD
+
+Every way to write a formula is tried with a true formula, which has to hold, and with the same changed in one place, which has to
+fail; so what was passed over is not taken for what was read.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+LET = "% cagd: let x, y, u, x_i \\in \\mathbb{R}\n% cagd: let B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n% cagd: let F(t) = t^2\n"
+
+
+def check(text, *options):
+    return subprocess.run([CAGD, "check", *options, "-"], input=text, capture_output=True, text=True, timeout=120)
+
+
+def source(body, preamble=""):
+    return f"\\documentclass{{article}}\n{preamble}\n\\begin{{document}}\n{LET}{body}\n\\end{{document}}\n"
+
+
+def statements(text):
+    r = check(text, "--json")
+    assert r.returncode in (0, 1), r.stderr
+    return json.loads(r.stdout)["statements"]
+
+
+def verdicts(text):
+    return {s["name"]: s["verdict"] for s in statements(text)}
+
+
+# What stands around a formula; @ is the formula, and each has the label a or the name a.
+SETTINGS = [
+    "\\begin{equation}\\label{a} @ \\end{equation}",
+    "\\begin{equation} @ \\label{a}\\end{equation}",
+    "\\begin{equation*} @ \\tag{a} \\end{equation*}",
+    "\\begin{equation*} % cagd: statement a\n @ \\end{equation*}",
+    "\\[ @ % cagd: statement a\n\\]",
+    "\\[ @ \\] % cagd: statement a\n\\[ u = u \\] % cagd: statement b",
+    "$$ @ % cagd: statement a\n$$",
+    "% cagd: statement a\n\\[ @ \\]",
+    "% cagd: statement: a\n\n\\begin{displaymath} @ \\end{displaymath}",
+    "\\begin{align} @ \\label{a} \\end{align}",
+    "\\begin{align} u &= u \\label{b} \\\\ @ \\label{a} \\\\[2pt] x &= x \\end{align}",
+    "\\begin{align*} @ \\\\ % cagd: statement a\n u &= u \\end{align*}",
+    "\\begin{gather} @ \\label{a} \\\\* u = u \\notag \\end{gather}",
+    "\\begin{alignat}{2} @ &\\label{a} \\end{alignat}",
+    "\\begin{flalign} && @ && \\label{a} \\end{flalign}",
+    "\\begin{eqnarray} @ \\label{a} \\nonumber \\end{eqnarray}",
+    "\\begin{multline}\\label{a} @ \\end{multline}",
+    "\\begin{equation}\\label{a}\\begin{split} @ \\end{split}\\end{equation}",
+    "\\begin{equation}\\label{a}\\begin{aligned}[t] @ \\end{aligned}\\end{equation}",
+    "\\begin{subequations}\n\\begin{equation}\\label{a} @ \\end{equation}\\end{subequations}",
+    "\\begin{theorem} It is $x = 1$ and \\verb|\\begin{equation}|: % a remark, 100\\% sure\n\\begin{equation}\\label{a} @ . \\end{equation}\\end{theorem}",
+    "\\begin{verbatim}\n\\begin{equation}\\label{b} x = 1 \\end{equation}\n\\end{verbatim}\n\\begin{equation}\\label{a} @ , \\end{equation}",
+    "\\begin{equation}\\label{a} @ \\quad;\\end{equation}",
+    "\\begin{equation}\\label{a}\n  % a comment with \\end{equation}\n  @\n\\hspace{2em}\\end{equation}",
+]
+# In a preamble; a true formula, and the same changed in one place.
+COMMANDS = [
+    ("\\newcommand{\\half}{\\frac12}", "\\half + \\half = 1", "\\half + \\half = 2"),
+    ("\\newcommand\\two{2}", "\\two x = x + x", "\\two x = x"),
+    ("\\newcommand*{\\B}[2]{B_{#1}^{#2}}", "\\B{1}{2}(t) = 2 t (1-t)", "\\B{1}{2}(t) = t (1-t)"),
+    ("\\newcommand{\\B}[2][3]{B_{#2}^{#1}}", "\\B{0}(t) = (1-t)^3", "\\B[2]{0}(t) = (1-t)^3"),
+    ("\\newcommand{\\B}[2][3]{B_{#2}^{#1}}", "\\B[2]{0}(t) = (1-t)^2", "\\B{0}(t) = (1-t)^2"),
+    ("\\renewcommand{\\vec}[1]{#1}", "\\vec x + \\vec{y} = y + x", "\\vec x + \\vec{y} = y"),
+    ("\\def\\sq#1{{#1}^2}", "\\sq x = x x", "\\sq x = x"),
+    ("\\def\\add#1#2{(#1+#2)}", "\\add xy \\add{x}{y} = x^2 + 2 x y + y^2", "\\add xy \\add{x}{y} = x^2 + x y + y^2"),
+    ("\\newcommand{\\a}{\\b x}\\newcommand{\\b}{3}", "\\a = 3 x", "\\a = 2 x"),
+    ("\\newcommand{\\vx}{\\mathbf#1}\\renewcommand{\\vx}[1]{\\hat#1}", "\\hat{x} = \\vx x", "\\hat{x} = 2 \\vx x"),
+    ("\\DeclareMathOperator{\\sq}{sq}", "\\sq(x) = x^2", "\\sq(x) = x"),
+    ("\\DeclarePairedDelimiter{\\abs}{\\lvert}{\\rvert}", "\\abs{x}^2 = \\abs*{x} \\cdot \\abs[\\big]{x}", "\\abs{x}^2 = \\abs{x}"),
+    ("\\NewDocumentCommand{\\pr}{m m}{#1 #2}", "\\pr{x}{y} = y x", "\\pr{x}{y} = y"),
+    ("\\let\\al=\\lambda\n\\let\\R\\mathbb", "\\al - \\al = 0", "\\al - 2 \\al = 0"),
+    ("\\providecommand{\\k}{1}\\providecommand{\\k}{2}", "\\k = 1", "\\k = 2"),
+    ("\\newcommand{\\D}{\\mathrm{d}}", "\\int_0^1 t^2 \\D t = \\frac13", "\\int_0^1 t^2 \\D t = \\frac12"),
+]
+# Formulas: true, and changed in one place.
+FORMULAS = [
+    ("F(x) &= x^2 \\\\ &= x x", "F(x) &= x^2 \\\\ &= x"),
+    ("F(x) = \\begin{cases} x^2 & x > 0, \\\\ x^2 & \\text{otherwise} \\end{cases}", "F(x) = \\begin{cases} x^2 & x > 0, \\\\ x & \\text{otherwise} \\end{cases}"),
+    ("\\left( x + y \\right)^2 - \\bigl[ x^2 + y^2 \\bigr] = 2 x y", "\\left( x + y \\right)^2 - \\bigl[ x^2 + y^2 \\bigr] = x y"),
+    ("x +{}\\mathstrut\\phantom{y} x = 2 x", "x + \\phantom{y} x + y = 2 x"),
+    ("\\begin{vmatrix} x & y \\\\ u & 1 \\end{vmatrix} = x - u y", "\\begin{vmatrix} x & y \\\\ u & 1 \\end{vmatrix} = x + u y"),
+    ("x = x, \\quad y + y = 2 y", "x = x, \\quad y + y = y"),
+    ("|x_1|^2 = x_1^2", "|x_1|^2 = x_1"),
+]
+# What is no formula, or no source: the body, the line and column, and the beginning of what is told.
+MISTAKES = [
+    ("\\begin{equation}\\label{a} x = 1 % cagd: for n = 1\n", "7:1", "this environment does not end"),
+    ("text \\[ x = 1", "7:6", "this formula does not end: expected \\]"),
+    ("$$ x = 1", "7:1", "this formula does not end: expected $$"),
+    ("% cagd: for n = 1..2\nText, and no formula.", "7:9", "no formula follows"),
+    ("% cagd: for n = 1..2", "7:9", "no formula follows"),
+    ("\\[ x = x % cagd: fro n = 1..2\n\\]", "7:18", "expected let, definition"),
+    ("\\[ x = x % cagd:\n\\]", None, "expected let, definition"),
+    ("\\[ x = x \\foo % cagd: statement a\n\\]", "7:10", ""),
+    ("\\[ x = z % cagd: statement a\n\\]", "7:8", "z is not defined"),
+    ("\\[ x = \n  z % cagd: statement a\n\\]", "8:3", "z is not defined"),
+    ("\\[ x = x % cagd: for n = 1..\\foo\n\\]", "7:29", ""),
+    ("\\[ x = x % cagd: expected true\n\\]", "7:27", "expected holds, fails or undecided"),
+    ("\\[ x = x % cagd: seconds many\n\\]", "7:26", "expected the seconds"),
+    ("\\[ x = x % cagd: find 2\n\\]", "7:23", ""),
+    ("% cagd: let z", "7:14", "expected '='"),
+    ("% cagd: let x = \\frac{1", None, ""),
+    ("\\newcommand{\\w}[1]{#1 + z}\\[ x = \\w{y} % cagd: statement a\n\\]", "7:34", "z is not defined"),
+    ("\\newcommand{\\w}[1]{#1 + x}\\[ x = \\w{z} % cagd: statement a\n\\]", "7:37", "z is not defined"),
+    ("\\newcommand{\\w}{\\w x}\\[ x = \\w % cagd: statement a\n\\]", "7:29", "the expansion of this command does not end"),
+    ("\\newcommand{\\w}{\\v\\v}\\newcommand{\\v}{\\w\\w}\\[ x = \\w % cagd: statement a\n\\]", None, "the expansion of this command does not end"),
+    ("\\newcommand{\\w}[1]{#1#1}\\[ x = \\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{x}}}}}}}}}}}}}}}}}} % cagd: statement a\n\\]", None, ""),
+    ("\\newcommand{\\w}[2]{#1#2}\\[ x = \\w % cagd: statement a\n\\]", None, ""),
+    ("\\begin{align} x &= x \\end{align}\n% cagd: statement a\n \\[ \\]", "8:9", "no formula follows"),
+    ("\\[ \\] % cagd: statement a", "7:15", "no formula follows"),
+    ("\\[ % cagd: statement a\n \\]", "7:12", "the row that this is said of has no formula"),
+    ("\\[ \\begin{foo} x \\end{foo} = x % cagd: statement a\n\\]", None, ""),
+]
+
+
+class Reading(unittest.TestCase):
+    def test_settings(self):
+        for setting in SETTINGS:
+            for formula, expected in (("x + x = 2 x", "holds"), ("x + x = 3 x", "fails")):
+                with self.subTest(setting=setting, formula=formula):
+                    self.assertEqual(verdicts(source(setting.replace("@", formula)))["a"], expected)
+
+    def test_commands(self):
+        let = "% cagd: let \\hat x, \\lambda \\in \\mathbb{R}\n% cagd: let \\operatorname{sq}(t) = t^2\n"
+        for preamble, true, false in COMMANDS:
+            for formula, expected in ((true, "holds"), (false, "fails")):
+                for before, behind in ((preamble, ""), ("", preamble + "\n")):
+                    with self.subTest(preamble=preamble, formula=formula):
+                        text = source(f"{let}{behind}\\begin{{equation}}\\label{{a}} {formula}. \\end{{equation}}", before)
+                        self.assertEqual(verdicts(text), {"a": expected})
+
+    def test_formulas(self):
+        for true, false in FORMULAS:
+            for formula, expected in ((true, "holds"), (false, "fails")):
+                with self.subTest(formula=formula):
+                    self.assertEqual(verdicts(source(f"\\begin{{align}}\\label{{a}} {formula} \\end{{align}}"))["a"], expected)
+
+    def test_a_command_may_be_an_environment(self):
+        preamble = "\\newcommand{\\be}{\\begin{equation}}\\newcommand\\ee{\\end{equation}}"
+        self.assertEqual(verdicts(source("\\be\\label{a} x + x = 2 x\\ee and \\be x = 1 \\ee", preamble)), {"a": "holds"})
+
+    def test_rows_are_formulas_unless_they_go_on(self):
+        text = source("\\begin{align} x &= x \\label{a} \\\\ F(x) &= x^2 \\label{b} \\\\ &= x \\\\ y &\\le y \\\\ u &= 2 u \\label{c} \\end{align}")
+        self.assertEqual(verdicts(text), {"a": "holds", "b": "fails", "c": "fails"})
+        text = source("\\begin{multline}\\label{a} x + x \\\\ + x \\\\ = 3 x \\end{multline}")
+        self.assertEqual(verdicts(text), {"a": "holds"})
+
+    def test_comments_belong_to_their_rows(self):
+        text = source("\\begin{align} \\sum_{i=0}^n B_i^n(t) &= 1 \\label{a} \\\\ % cagd: for n = 1..3\n"
+                      "  % cagd: for n = 2..4\n  % cagd: expected fails\n  \\sum_{i=1}^n B_i^n(t) &= 1 \\label{b} \\end{align}")
+        s = statements(text)
+        self.assertEqual([(x["name"], x["verdict"], x["cases"]) for x in s], [("a", "holds", 3), ("b", "fails", 3)])
+        self.assertEqual(check(text).returncode, 0)
+
+    def test_comments_in_front_belong_to_all_rows(self):
+        s = statements(source("% cagd: for n = 1..3\n% cagd: for i = 0..n\n\\begin{align} B_i^n(t) &= B_{n-i}^n(1-t) \\label{a} \\\\ "
+                              "n &= i \\label{b} \\end{align}"))
+        self.assertEqual([(x["name"], x["cases"]) for x in s], [("a", 9), ("b", 9)])
+
+    def test_definitions(self):
+        for definition in ("\\begin{equation}\\label{d} G(t) = 3 t % cagd: definition\n\\end{equation}", "\\[ G(t) := 3 t \\]", "\\[ G(t) \\coloneqq 3 t. \\]",
+                           "\\[ G(t) \\overset{\\text{def}}{=} 3 t \\]", "% cagd: let G(t) = 3 t"):
+            with self.subTest(definition=definition):
+                for value, expected in ((3, "holds"), (2, "fails")):
+                    text = source(f"{definition}\n\\begin{{equation}}\\label{{a}} G(x) = {value} x \\end{{equation}}")
+                    self.assertEqual(verdicts(text), {"a": expected})
+
+    def test_what_is_skipped(self):
+        self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x = x\\end{equation}\\begin{equation}\\label{b} x = 1 % cagd: skip\n\\end{equation}")),
+                         {"a": "holds"})
+        self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x = x\\end{equation}\n\\end{document}\n\\begin{equation}\\label{b} x = 1 \\end{equation}")),
+                         {"a": "holds"})
+
+    def test_find(self):
+        s = statements(source("\\[ t \\le x \\le t + 1 % cagd: find x\n % cagd: for 0 \\le t \\le 1\n\\]"))
+        self.assertEqual((s[0]["name"], s[0]["values"]), ("line-7", "x = 1"))
+
+
+class Mistakes(unittest.TestCase):
+    def test_every_mistake_is_named_where_it_is(self):
+        for body, place, message in MISTAKES:
+            with self.subTest(body=body):
+                r = check(source(body).replace("\n\\end{document}", "") if "not end" in message else source(body))
+                self.assertEqual((r.returncode, r.stdout), (2, ""), r.stderr)
+                lines = r.stderr.splitlines()
+                self.assertTrue(lines[0].startswith(f"cagd: standard input:{place or ''}"), lines[0])
+                self.assertIn(message, lines[0])
+                if place is not None and len(lines) > 2:
+                    self.assertEqual(lines[2].index("^") - 2, int(place.split(":")[1]) - 1)
+
+    def test_what_nobody_asked_for_is_left_out_and_told(self):
+        text = source("\\begin{equation}\\label{a} x = x \\end{equation}\n\\begin{equation}\\label{b} \\Psi = x \\end{equation}")
+        r = check(text, "--json")
+        j = json.loads(r.stdout)
+        self.assertEqual(r.returncode, 1)
+        self.assertEqual([(x["name"], x["line"], x["column"]) for x in j["left_out"]], [("b", 8, 27)])
+        self.assertIn("b is left out: \\Psi is not defined", r.stderr)
+        self.assertIn("Left out, for they could not be read: 1 labelled formula\n    b  (standard input:8)", check(text).stdout)
+
+    def test_a_source_without_formulas(self):
+        for text in (source("Text."), source("\\[ x = x \\]")):
+            r = check(text)
+            self.assertEqual(r.returncode, 2)
+
+    def test_what_is_large_gets_few_lines(self):
+        for body in ("\\newcommand{\\w}[1]{#1}\\[" + "\\w{" * 10**5, "{" * 10**6, "\\[" * 10**5, "\\begin{align}" * 10**4 + "\\\\" * 10**5,
+                     "\\newcommand{\\a}{" + "x" * 10**5 + "}\\[" + "\\a" * 1000 + "\\]", "\\def" * 10**5, "%" * 10**6, "\\begin{split}" * 10**5):
+            r = check(source(body))
+            self.assertEqual((r.returncode, r.stdout), (2, ""), body[:30])
+            self.assertLess(len(r.stderr), 12000, body[:30])
+
+
+class FromPaper(unittest.TestCase):
+    """A file of formulas that takes them from a source."""
+
+    def run_beside(self, markdown, paper):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "paper.tex").write_text(paper)
+            (pathlib.Path(folder) / "notes.md").write_text(markdown)
+            return subprocess.run([CAGD, "check", "--json", pathlib.Path(folder) / "notes.md"], capture_output=True, text=True, timeout=60)
+
+    PAPER = ("\\newcommand{\\G}{G}\n\\begin{equation}\\label{eq:g} \\G(t) = 3 t, \\end{equation}\n"
+             "\\begin{equation}\\label{eq:a} \\G(x) = 3 x. \\end{equation}\n\\begin{equation}\\label{eq:b} \\G(x) = z \\end{equation}\n")
+
+    def test_definitions_and_statements(self):
+        r = self.run_beside(":::{let}\n:from: paper.tex eq:g\nx \\in \\mathbb{R}\n:::\n:::{statement} s\n:from: paper.tex eq:a\n:::\n", self.PAPER)
+        s = json.loads(r.stdout)["statements"]
+        self.assertEqual((r.returncode, s[0]["verdict"], s[0]["printed_tex"], s[0]["line"]), (0, "holds", "G(x) = 3 x", 5))
+
+    def test_mistakes_are_named_in_the_paper(self):
+        let = ":::{let}\n:from: paper.tex eq:g\nx \\in \\mathbb{R}\n:::\n"
+        for line, place, words in ((":from: paper.tex eq:b", "paper.tex:4:38", "z is not defined"), (":from: paper.tex eq:c", "notes.md:6:18", "it has eq:g, eq:a, eq:b"),
+                                   (":from: other.tex eq:c", "notes.md:6:8", "not read"), (":from: paper.tex", "notes.md:6:8", "expected a LaTeX source"),
+                                   (":from: notes.md x", "notes.md:6:8", "expected a LaTeX source")):
+            with self.subTest(line=line):
+                r = self.run_beside(f"{let}:::{{statement}} s\n{line}\n:::\n", self.PAPER)
+                self.assertEqual((r.returncode, r.stdout), (2, ""))
+                self.assertIn(place, r.stderr)
+                self.assertIn(words, r.stderr)
+
+
+class Counts(unittest.TestCase):
+    def test_there_are_sixty_cases(self):
+        self.assertGreaterEqual(len(SETTINGS) + len(COMMANDS) + len(FORMULAS) + len(MISTAKES), 60)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
