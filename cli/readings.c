@@ -68,7 +68,8 @@ void print_readings(const statement *s, const claim_result *results, int count)
         if (l->role != READING)
             continue;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        char *known = known_of_reading(s, c, l->place != NULL), *plain = tex_to_layout(l->text, 1), *how = tex_to_layout(known, 1);
+        char *known = known_of_reading(s, c, l->place != NULL), *plain = tex_to_layout(l->text, 1),
+             *how = tex_to_layout(known, 1);
         printf("%*s%2d  %-7s", INDENT, "", ++number, told[state_of(c)]);
         put_behind(stdout, plain, INDENT + 11, INDENT + 11, page_width(WIDEST));
         put_paragraph(stdout, how, INDENT + 11, page_width(WIDEST));

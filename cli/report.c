@@ -106,8 +106,8 @@ static json_t *steps_json(const statement *s, role wanted, const claim_result *r
         const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (c != NULL)
             json_array_append_new(
-                steps,
-                with_finding(json_pack("{s:s, s:s}", "claim", l->claim, "kind", kind_name[c->claim->kind]), s, c, NULL));
+                steps, with_finding(json_pack("{s:s, s:s}", "claim", l->claim, "kind", kind_name[c->claim->kind]), s, c,
+                                    NULL));
     }
     return steps;
 }
@@ -156,8 +156,8 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
                               r->as_corrected.argued_for, "steps", steps_json(s, CORRECTED_BY, results, count));
     return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:s, s:b}", "id", s->id, "title", s->title,
                      "title_zh", s->title_zh, "printed_tex", s->printed, "chapter", s->chapter, "as_printed", printed,
-                     "corrected", corrected, "claims", claims, "figure", s->figure, "example", s->example, "note", s->note, "as_expected",
-                     r->as_expected);
+                     "corrected", corrected, "claims", claims, "figure", s->figure, "example", s->example, "note",
+                     s->note, "as_expected", r->as_expected);
 }
 
 static void print_with(json_t *document, int digits)

@@ -344,7 +344,7 @@ It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span. 
 :::{claim} marsden_identity_of_order_one
 :title: The identity of order 1
 :zh: 一阶 Marsden 恒等式
-:given: $k=1$, the knots $t_r<t_{r+1}$, $x$ and a $t$ of the span, variables
+:given: $k=1$, the two knots of a span that is not empty, $x$ and a $t$ of the span, variables
 :then: $\omega_{r,1}(x)N_{r,1}(t)=1$, and $(x-t)^0=1$
 :method: $\omega$ by its letter, the product of no factors; the function of order 1 by the definition of the B-splines.
 :degrees: 0..0
