@@ -258,7 +258,7 @@ const struct command command_check = {
             "  cagd check paper.md\n"
             "  cagd check paper.tex             the labelled formulas of a LaTeX source\n"
             "  cagd check --json paper.md\n"
-            "  cagd check --basis basis.md      all that is asked of a basis, with exact ranges of its parameter\n"
+            "  cagd check --basis basis.md      what is asked of a basis, with exact ranges\n"
             "\vA file is a LaTeX source, or Markdown with blocks\n\n"
             "  :::{let}\n"
             "  B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"

@@ -607,7 +607,7 @@ int read_whole_file(const char *path, char **text)
     if (bad)
         return refuse_file(path, "cannot be read to its end; expected the file of formulas");
     if (size > LARGEST_FILE)
-        return refuse_file(path, "is larger than 4 MB, the largest size that is read");
+        return refuse_file(path, "is larger than 4 MB, the largest size that is read; divide it");
     if (memchr(*text, '\0', size) != NULL)
         return refuse_file(path, "is no text, there is a zero byte in it; expected Markdown or LaTeX");
     return (int)size;

@@ -341,7 +341,7 @@ class Files(Case):
         endless.kill()
         endless.wait()
         self.assertEqual((r.returncode, r.stdout), (2, b""))
-        self.assertIn(b"standard input: it goes on after 536870912 bytes, the largest size that is read", r.stderr)
+        self.assertIn(b"standard input: more than 536870912 bytes, the largest size that is read; divide it", r.stderr)
 
     def test_measured_files(self):
         """Real files, where they lie: an airfoil with a title and its nose twice, outlines, columns of different scales."""
