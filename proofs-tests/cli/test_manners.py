@@ -46,12 +46,13 @@ def run(*args, **options):
     return subprocess.run([CAGD, *map(str, args)], capture_output=True, text=True, timeout=600, **options)
 
 
-def on_terminal(*args, rows=24, columns=60, **environment):
+def on_terminal(*args, rows=24, columns=60, messages=False, **environment):
     """What stands on a terminal when the program has ended, without colours, and its exit code."""
     main, other = pty.openpty()
     fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
     env = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "LINES", "PAGER", "LESS")}
-    p = subprocess.Popen([CAGD, *map(str, args)], stdin=other, stdout=other, stderr=subprocess.DEVNULL, env={**env, **environment})
+    p = subprocess.Popen([CAGD, *map(str, args)], stdin=other, stdout=other, stderr=other if messages else subprocess.DEVNULL,
+                         env={**env, **environment})
     os.close(other)
     said = b""
     while True:
@@ -476,6 +477,15 @@ class Terminal(Case):
                 self.assertEqual(code, 0)
                 self.assertTrue(said.strip())
                 self.assertEqual([line for line in said.splitlines() if columns(line) > 60], [])
+
+    def test_progress_is_not_wider_either(self):
+        """A line of progress that is broken by the terminal cannot be taken away again."""
+        said, code = on_terminal("verify", "end_*", PAGER="", messages=True)
+        self.assertEqual(code, 0)
+        told = [line for line in re.split(r"\r|\x1b\[K|\n", said) if line.startswith("[")]
+        self.assertGreater(len(told), 5)
+        self.assertEqual([line for line in told if columns(line) > 59], [])
+        self.assertTrue(any(line.endswith("...") for line in told))
 
     def test_nothing_is_lost_in_the_breaks(self):
         said, _ = on_terminal("list", "end_*", PAGER="")
