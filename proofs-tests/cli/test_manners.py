@@ -536,6 +536,16 @@ class Help(Case):
                             self.assertEqual(run("show", *names).returncode, 0)
         self.assertGreater(tried, 6)
 
+    def test_contributors_are_told_what_a_test_takes(self):
+        """Every call of a test in CONTRIBUTING gives what its first lines ask for."""
+        tried = 0
+        for script, given in re.findall(r"python3 (proofs-tests/\S+/test_\w+\.py)([^`\n]*)", (ROOT / "CONTRIBUTING.md").read_text()):
+            asked = re.search(r"python3 test_\w+\.py((?: \S+)*)", (ROOT / script).read_text())
+            if asked:
+                tried += 1
+                self.assertEqual(len([w for w in given.split() if w != "CLASS"]), len(asked[1].split()), script)
+        self.assertGreater(tried, 0)
+
     def test_there_are_changes_and_a_citation_of_this_version(self):
         version = run("--version").stdout.split()[1]
         self.assertRegex((ROOT / "CHANGELOG.md").read_text(), rf"(?m)^## {re.escape(version)}\b")
