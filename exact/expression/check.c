@@ -612,11 +612,30 @@ static int has_no_end(const struct run *r)
     return 0;
 }
 
+/* Whether a condition speaks of any name that the statement depends on, its index that means nothing left out: where none does, it takes
+ * nothing from the first cases. */
+static int speaks_of(const cagd_scope *scope, const cagd_tree *condition, const char *letter,
+                     const cagd_tree *statement)
+{
+    if (condition->kind == CAGD_EVERY_INDEX)
+        letter = condition->head;
+    else if (condition->kind == CAGD_NAME && (letter == NULL || strcmp(letter, condition->head) != 0) &&
+             uses(scope, statement, condition->head, 0))
+        return 1;
+    for (int k = 0; k < condition->count; k++)
+        if (speaks_of(scope, condition->at[k], letter, statement))
+            return 1;
+    return 0;
+}
+
 /* For the only whole number, whose first cases hold. */
 static int proved_for_every(struct run *r)
 {
     long low;
-    if (r->wholes != 1 || r->scope->condition_count > 0 || !end_of_range(r, 0, r->whole[0]->low, &low))
+    for (int k = 0; k < r->scope->condition_count; k++)
+        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+            return 0;
+    if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, &low))
         return 0;
     r->out->for_every = cagd_holds_for_every(r->scope, r->statement, r->whole[0], low + r->whole[0]->low_open,
                                              FIRST_CASES, &r->out->every);
@@ -647,16 +666,16 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
     }
     if (out->undecided == 0 && !out->has_example && !out->out_of_time && !quick && has_no_end(&r) &&
         !proved_for_every(&r)) {
-        out->undecided = 1;
+        out->first_alone = 1;
         out->why = "the first cases hold, and for every number it is not proved";
     }
-    if (out->comparisons == 0 && out->undecided == 0) {
+    if (out->comparisons == 0 && out->undecided == 0 && !out->first_alone) {
         out->undecided = 1;
         out->why = out->cases == 0 ? "there is no case: a range is empty" : "what is supposed is never true";
     }
-    out->answer = out->has_example                                             ? CAGD_FAILS
-                  : out->undecided > 0 || out->failing > 0 || out->out_of_time ? CAGD_UNDECIDED
-                                                                               : CAGD_HOLDS;
+    out->answer = out->has_example                                                                 ? CAGD_FAILS
+                  : out->undecided > 0 || out->failing > 0 || out->out_of_time || out->first_alone ? CAGD_UNDECIDED
+                                                                                                   : CAGD_HOLDS;
 }
 
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
