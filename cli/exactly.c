@@ -479,7 +479,7 @@ static int run(const struct call *call)
     json_t *list = json_array();
     int answered = 0, expected = 0, code = spare_sources(&a, all);
     struct certifying certificates;
-    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_begin(&certificates, a.certificates) != 0)
+    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_begin(&certificates, a.certificates, "exactly") != 0)
         code = EXIT_INTERNAL;
     for (const struct cagd_code_harness *h = all; h != NULL && code == EXIT_AS_EXPECTED; h = h->next) {
         if (a.only != NULL && strcmp(a.only, h->name) != 0)
