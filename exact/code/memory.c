@@ -126,8 +126,8 @@ void *cagd_code_lib_memcpy(void *to, const void *from, size_t n)
 {
     uintptr_t a = (uintptr_t)to, b = (uintptr_t)from;
     if (a != b && (a < b ? b - a : a - b) < n)
-        cagd_code_stop(CAGD_CODE_REFUSED, "memcpy of %zu bytes to %zu bytes %s, which overlap", n, a < b ? b - a : a - b,
-                       a < b ? "before" : "behind");
+        cagd_code_stop(CAGD_CODE_REFUSED, "memcpy of %zu bytes to %zu bytes %s, which overlap", n,
+                       a < b ? b - a : a - b, a < b ? "before" : "behind");
     return cagd_code_lib_memmove(to, from, n);
 }
 void *cagd_code_lib_memmove(void *to, const void *from, size_t n)

@@ -231,12 +231,13 @@ class Workshop:
         (self.work / "eigen.h").write_text('extern "C" {' + declared + " }\n")
         return "eigen.cc", "-I/usr/include/eigen3", ['"eigen.h"']
 
-    def ask(self, row, rounding=0, sources=(), points=12):
-        """What cagd exactly says of a row, as JSON, or a line where it says nothing; `sources` come before the library."""
+    def ask(self, row, rounding=0, sources=(), points=12, apart=""):
+        """What cagd exactly says of a row, as JSON, or a line where it says nothing; `sources` come before the library; `apart`
+        names the page, where a row is asked more than once at a time."""
         if row.library not in self.made:
             self.made[row.library] = getattr(self, row.library)()
         source, flags, headers = self.made[row.library]
-        page = self.work / f"{row.name}.md"
+        page = self.work / f"{row.name}{apart}.md"
         page.write_text(f":::{{exactly}} {row.name}\n" + "".join(f":source: {s}\n" for s in [*sources, source])
                         + f":flag: {flags} -w\n" + "".join(f":include: {h}\n" for h in [*headers, '"reference.h"'])
                         + f":input: {row.inputs}\n:call: {row.statements}\n"
