@@ -171,8 +171,8 @@ static const char *const order_keys[CAGD_CODE_ORDERS] = {"smallest_first", "larg
 /* Whether the same sums in another order would lose less: a tenth at least, at points taken by chance. */
 static void print_orders(const struct cagd_code_worst *w)
 {
-    static const char *const orders[CAGD_CODE_ORDERS] = {"from the smallest term to the largest",
-                                                         "from the largest term to the smallest", "in halves"};
+    static const char *const orders[CAGD_CODE_ORDERS] = {"from the smallest term up", "from the largest term down",
+                                                         "in halves"};
     char line[300];
     int best = 0;
     if (w->by_chance == 0)
@@ -181,12 +181,9 @@ static void print_orders(const struct cagd_code_worst *w)
         if (w->mean_in_order[k] < w->mean_in_order[best])
             best = k;
     if (w->mean_in_order[best] < 0.9 * w->mean)
-        snprintf(line, sizeof line, "%.3g ulps as it is written, %.3g with sums done %s (%ld points)",
-                 w->mean, w->mean_in_order[best], orders[best], w->by_chance);
+        snprintf(line, sizeof line, "%.3g ulps; %.3g with sums %s", w->mean, w->mean_in_order[best], orders[best]);
     else
-        snprintf(line, sizeof line,
-                 "%.3g ulps; none of three other orders of the sums loses a tenth less (%ld points)",
-                 w->mean, w->by_chance);
+        snprintf(line, sizeof line, "%.3g ulps; sums in other orders lose not a tenth less", w->mean);
     print_row("on average", line);
 }
 

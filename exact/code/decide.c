@@ -17,6 +17,7 @@ static struct cagd_code_outcome *run_noting(const struct cagd_code_program *p, c
                                 .numbers = numbers,
                                 .certify = certify,
                                 .enclose = !h->refuse_roots,
+                                .no_root_variables = h->enclose_roots,
                                 .inputs = at->inputs,
                                 .input = at->input};
     struct cagd_code_outcome *o = cagd_code_run(p, &job);

@@ -23,6 +23,7 @@ struct cagd_code_job {
     enum cagd_code_numbers numbers;
     int certify; /* in the field: note the operations, for others to do them again */
     int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
+    int no_root_variables; /* in the field such a root is refused: it is wanted as an interval          */
     int inputs;
     const struct cagd_code_input *input;
     long most_values, most_bits, most_seconds, most_megabytes; /* 0: as usual                      */

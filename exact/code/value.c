@@ -414,6 +414,8 @@ static cagd_code_value field_root(cagd_code_value a, cagd_code_value root)
         cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
     else
         value = at_point(f);
+    if (value.at == NULL && cagd_code_machine.job->no_root_variables)
+        cagd_code_stop(CAGD_CODE_REFUSED, "a square root, which is asked for as an interval");
     if (value.at == NULL)
         return cagd_code_new_root(cagd_code_function(a), root, 1);
     root.f = f;

@@ -313,6 +313,9 @@ class Verdicts(Exactly):
         self.assertEqual(self.verdict(self.BLOCK % "x*x + y*y + 2", code)["verdict"], "differs")
         v = self.verdict(self.BLOCK.replace(":call:", ":roots: refuse\n:call:") % "x*x + y*y + 1", code)
         self.assertIn("not rational", v["because"])
+        v = self.verdict(self.BLOCK.replace(":call:", ":roots: enclose\n:call:") % "x*x + y*y + 1", code)
+        self.assertEqual(v["verdict"], "enclosed")
+        self.assertIn("asked for as an interval", v["because"])
 
     def test_no_end_of_time(self):
         v = self.verdict(self.BLOCK % "x", "double f(double x, double y)\n{\n    for (;;)\n        y = y * y + 1;\n    return x;\n}\n")
