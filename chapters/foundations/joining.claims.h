@@ -269,9 +269,8 @@ curvature that grows without bound.
 :::{statement} hu-1987:1-5-3-sufficient
 :title: The condition of order two makes the curvature continuous
 :zh: 曲率连续的充分条件
-:printed: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm
-  I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the curvature
-  continuous at the joint.
+:printed: Condition for a continuous curvature (曲率连续条件), after those for position and slope: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm
+  I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$
 :holds-by: condition_keeps_the_curvature_vector
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
@@ -279,7 +278,7 @@ curvature that grows without bound.
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 
-The index $x$ stands for II.
+The index $x$ stands for II.  That it suffices is decided here; whether it is necessary, as the words before it have it, in an entry below.
 :::
 
 :::{statement} hu-1987:1-5-3-beta
@@ -728,6 +727,7 @@ CLAIM(backward_piece_has_negative_length)
 :zh: 切矢长度的变化
 :printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
 :holds-by: derivatives_of_a_piece
+:needs: backward_piece_has_negative_length | $0\le(t_1-t_0)\le1$ stands before it | $t_0\le t_1$: no length is negative
 :figure: piece_of_a_cubic
 :::
 
