@@ -79,13 +79,42 @@ derivative continuous; the three conditions of the source say what this requires
 :refuted-by: joined_pieces_are_not_closed
 :class: misprint
 :corrected: P_{\mathrm{II}}(0)=P_{\mathrm I}(1)
-:corrected-by: conditions_make_one_curve_in_another_parameter
+:corrected-by: pieces_tend_to_their_ends
 :figure: joined_and_closed
 
 One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in
 (1-5-2) and (1-5-3), where this can be understood.
 :::
+
+:::{claim} pieces_tend_to_their_ends
+:title: At the joint the two pieces tend to P_I(1) and P_II(0)
+:zh: 两段曲线在连接点处的极限
+:given: two cubics, $A,\dots,D$ the coefficients of the first, any $u$
+:then: $P_{\mathrm I}(1-u)-P_{\mathrm I}(1)=-u\,(3A+2B+C-u(3A+B)+u^2A)$, and likewise $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ is $u$ times a polynomial in $u$;
+  so both tend to 0 with $u$, and position is continuous exactly where $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$
+:method: The points by the kernel, the values at the joint by the sum of the powers; everything a variable.
+:over: x# y#: coefficients; v#: coefficients; u
+:control: $2A$ in the place of $3A$
+:::
 */
+CLAIM(pieces_tend_to_their_ends)
+{
+    num c[4 * dim], d[4 * dim], before[dim], after[dim], u = parameter(T, "u"), one = from_int(1);
+    G(free_points)(T, 3, dim, c);
+    for (int k = 0; k < 4 * dim; k++)
+        d[k] = unknown(T, "v", k);
+    G(power_point)(3, dim, c, sub(one, u), before);
+    G(power_point)(3, dim, d, u, after);
+    for (int j = 0; j < dim; j++) {
+        num A = c[3 * dim + j], B = c[2 * dim + j], C = c[dim + j], triple = mul(from_int(fault(T, 3, 2)), A);
+        num first = add(triple, add(mul(from_int(2), B), C)), second = sub(mul(u, A), add(triple, B));
+        about(T, "the first piece");
+        same(T, sub(before[j], G(power_sum)(3, dim, c, j, one)), neg(mul(u, add(first, mul(u, second)))));
+        num rest = add(d[dim + j], mul(u, add(d[2 * dim + j], mul(u, d[3 * dim + j]))));
+        about(T, "the second piece");
+        same(T, sub(after[j], G(power_sum)(3, dim, d, j, from_int(0))), mul(u, rest));
+    }
+}
 
 #if RATIONAL
 /*

@@ -165,6 +165,7 @@ CLAIM(division_keeps_power_curve)
 :zh: 凸包性与变差减小性
 :printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry linear_factor_adds_a_change_of_sign
+  sign_changes_are_counted_one_by_one
 :confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
 Bézier curves of every degree are such curves: their points are averages of the control points, and along a line $ax+by+c=0$
