@@ -283,7 +283,8 @@ Horner's rule (秦九韶算法) takes the powers apart: the cubic is written in 
 :title: The cubic by Horner's rule
 :zh: 三次曲线的嵌套形式
 :printed: P(t)=[(At+B)t+C]t+D
-:holds-by: horner_computes_the_sum_of_powers
+:holds-by: horner_step_keeps_the_sum
+:confirmed-by: horner_computes_the_sum_of_powers
 :::
 
 :::{claim} horner_step_keeps_the_sum

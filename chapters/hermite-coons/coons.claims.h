@@ -318,6 +318,8 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
 :printed: The four elements of $M$ are the position vectors of the corners, and can be computed from the four given curves.
 :holds-by: four_curves_are_borders
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners: each corner is an end of two of them, and both give one point
+:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
+  $f_0(1)=f_1(0)=0$: with these the corners of the patch are the elements of $M$
 :figure: boolean_sum
 :::
 
