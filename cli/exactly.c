@@ -74,7 +74,7 @@ static char *read_all(const char *path)
     if (ferror(file))
         snprintf(error.cause, sizeof error.cause, "cannot be read to its end: %s", strerror(errno));
     else if (size > MOST_BYTES)
-        snprintf(error.cause, sizeof error.cause, "more than %d bytes, the largest size that is read", MOST_BYTES);
+        snprintf(error.cause, sizeof error.cause, "more than %d bytes, the largest size that is read; divide it", MOST_BYTES);
     else if (memchr(text, '\0', size) != NULL)
         snprintf(error.cause, sizeof error.cause, "is no text, there is a zero byte in it; expected Markdown");
     if (file != stdin)
@@ -509,7 +509,7 @@ static int run(const struct call *call)
     json_t *list = json_array();
     int answered = 0, expected = 0, code = spare_sources(&a, all);
     struct certifying certificates;
-    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_begin(&certificates, a.certificates) != 0)
+    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_begin(&certificates, a.certificates, "exactly") != 0)
         code = EXIT_INTERNAL;
     for (const struct cagd_code_harness *h = all; h != NULL && code == EXIT_AS_EXPECTED; h = h->next) {
         if (a.only != NULL && strcmp(a.only, h->name) != 0)
@@ -544,8 +544,7 @@ static const struct argp_option options[] = {
 const struct command command_exactly = {
     .name = "exactly",
     .summary = "code in C or C++, executed in exact arithmetic and compared with what it should compute",
-    .example = "  cagd exactly HARNESS.md           your own C, run exactly and in the field: proved, or an input "
-               "where it errs\n",
+    .example = "  cagd exactly harness.md          your own C, run exactly and on variables\n",
     .usage = "HARNESS.md",
     .text =
         "Runs the C or C++ that the blocks of HARNESS.md name in exact arithmetic, and compares what it computes with "
