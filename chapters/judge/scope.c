@@ -296,7 +296,7 @@ int is_empty_scope(const scope *s)
 
 void free_scope(scope *s)
 {
-    free_phrases(&s->said), free_phrases(&s->where);
+    free_phrases(&s->said), free_phrases(&s->where), free_phrases(&s->asked);
     for (int k = 0; k < s->kinds; k++)
         free(s->data[k].noun);
     free(s->range), free(s->data);
@@ -570,15 +570,16 @@ static int is_said(const scope *s, const char *condition)
 }
 
 /* "all points and weights, where ω ≠ 0, and 0 < t < 1". */
-static void put_conditions(FILE *out, const scope *s, int behind_data)
+static void put_conditions(FILE *out, const scope *s, const phrases *conditions, int behind_data)
 {
     int put = 0;
-    for (int k = 0; k < s->where.count; k++) {
-        if (is_among_data(s, s->where.at[k]) || is_said(s, s->where.at[k]))
+    for (int k = 0; k < conditions->count; k++) {
+        const char *condition = conditions->at[k];
+        if (!s->apart && (is_among_data(s, condition) || is_said(s, condition)))
             continue;
         if (put == 0 && !behind_data)
             put_between(out);
-        fprintf(out, "%s%s", put > 0 ? ", and " : behind_data ? ", where " : "where ", s->where.at[k]);
+        fprintf(out, "%s%s", put > 0 ? ", and " : behind_data ? ", where " : "where ", condition);
         put++;
     }
 }
@@ -586,8 +587,10 @@ static void put_conditions(FILE *out, const scope *s, int behind_data)
 void add_condition(scope *s, const char *condition)
 {
     const phrases one = {(char *[]){(char *)condition}, 1};
-    if (condition != NULL && condition[0] != '\0')
+    if (condition != NULL && condition[0] != '\0') {
         meet_phrases(&s->where, &one, s->within);
+        meet_phrases(&s->asked, &one, s->within);
+    }
 }
 
 char *scope_words(const scope *s, const char *letter)
@@ -611,11 +614,12 @@ char *scope_words(const scope *s, const char *letter)
         put_between(out);
         fputs(data, out);
     }
-    if (!s->apart)
-        put_conditions(out, s, any_data);
     if (s->apart) {
         put_between(out);
         fputs("each step for its own cases", out);
+        put_conditions(out, s, &s->asked, 1);
+    } else {
+        put_conditions(out, s, &s->where, any_data);
     }
     if (s->instances > 0) {
         put_between(out);
