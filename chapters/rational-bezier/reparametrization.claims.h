@@ -651,6 +651,8 @@ CLAIM(standard_form_has_unit_ends)
 :definition: yes
 :checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
+  and $b$ have one sign: positive weights give it; with $a/b<0$ the denominator vanishes inside $[0,1]$
 
 They are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
 :::

@@ -71,6 +71,8 @@ Between two points on one side of $L$ there is no point of $L$.  That is what th
 :title: Between two points on one side of a line or plane there is no point of it
 :zh: 同侧两点之间的线段不与直线(平面)相交
 :given: points $A$, $B$ and $Q$ of space, any vector $u$, a point $X=A+\lambda(B-A)$, $0<\lambda<1$; and two numbers $a,b>0$
+:harmless: a point $X=A+\lambda(B-A)$, $0<\lambda<1$ | the points of the edge but its ends are these
+:harmless: two numbers $a,b>0$ | the values at two ends on one side are such, or their negatives are
 :then: $u\cdot(X-Q)=(1-\lambda)\,u\cdot(A-Q)+\lambda\,u\cdot(B-Q)$, and $(1-\lambda)a+\lambda b>0$
 :method: Everything is a variable, $\lambda=s/(1+s)$ with $s>0$; in the plane the third coordinates are 0.  So with both ends strictly on one side, $a$ and $b$ being
   their values or the negatives of them, the whole edge is; an edge that meets $L$ and has no end on it has its ends on two sides.
@@ -225,7 +227,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :class: false
 :corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
   curve is not on $L$
-:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+:corrected-by: totally_positive_exactly_in_the_range nonnegative_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign line_function_of_the_curve
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon

@@ -1143,6 +1143,9 @@ static void test_claims_about_different_things_are_apart(void **state)
     assert_finding("n", DECIDED, "n = 2 to 3; the stated polygons", "", LINKS(BY("designed"), BY("stretched")));
     assert_finding("n", DECIDED, "n = 2 to 3; each step for its own cases", "", LINKS(BY("designed"), BY("plain")));
     assert_finding("n", DECIDED, "n = 7; each step for its own cases", "", LINKS(BY("seventh"), BY("high")));
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where β ≠ 0, and P is not 0", "",
+                   LINKS(BY("patterns"), BY("said"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0"},
+                         {NEEDS, NULL, "here", "P is not 0", "P is not 0"})); /* hypotheses are asked of all steps */
     assert_finding("n", SAMPLED, "n = 1 to 3; each step for its own cases; 24 random instances", "",
                    LINKS(BY("patterns"), BY("said"), BY("instances")));
 }
