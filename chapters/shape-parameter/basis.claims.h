@@ -488,7 +488,7 @@ difference of its sides has the factor $1-2t$, and in the middle of the interval
 :refuted-by: printed_middle_functions_are_no_mirror_images
 :class: misprint
 :corrected: for $i=0,1,2$ as printed; $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation needs
-  $\beta=0$; the corrected functions have all four for every $\beta$
+  $\beta=0$; the corrected functions (`sec-2-properties`) have all four for every $\beta$
 :corrected-by: printed_outer_functions_are_mirror_images corrected_functions_are_mirror_images
 :figure: eight_functions
 :::

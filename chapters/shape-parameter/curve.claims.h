@@ -485,7 +485,7 @@ of the curve is $B_2(t)$.
 :printed: by property 2.1 the curve lies in the convex hull of the control points
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
 :class: false
-:corrected: true for the corrected functions exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
+:corrected: true for the corrected functions (`sec-2-properties`) exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
 :corrected-by: corrected_functions_sum_to_one nonnegative_exactly_in_the_range printed_sum_in_closed_form
 :figure: hull_and_sum
 
@@ -550,7 +550,7 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :printed: the curve of $P_7,\dots,P_0$ is the curve of $P_0,\dots,P_7$ with the opposite direction
 :refuted-by: printed_curve_is_not_reversed
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$, for the printed ones only for $\beta=0$
+:corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
 :figure: two_directions_two_curves
 :::
@@ -663,7 +663,7 @@ where it is, do no harm.
   the same after translations and rotations of the coordinates
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$; the printed curve of the points $P_i+v$ is the old one
+:corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; the printed curve of the points $P_i+v$ is the old one
   moved by $(1-4\beta(1-t)^3t^4)v$, so it moves along only for $\beta=0$ or $v=0$; linear maps, rotations about the origin
   among them, do no harm
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
@@ -678,7 +678,7 @@ where it is, do no harm.
   the same map
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$; with the printed ones for linear maps, for all affine maps
+:corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; with the printed ones for linear maps, for all affine maps
   only if $\beta=0$
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
 :figure: hull_and_sum

@@ -210,7 +210,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
 :printed: the number of intersections of $B_1(t)$ with $L$ is Zero$(0,1)\{\sum_{j=0}^7B_{j,7}(t)(P_j-Q)\cdot u\}$
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
 :class: false
-:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters $t$ of common
+:corrected: for the corrected functions (`sec-2-properties`) the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters $t$ of common
   points with $0<t<1$; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
 :corrected-by: line_function_of_the_curve
 :figure: crossings_off_the_polygon
@@ -225,7 +225,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
+:corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
   curve is not on $L$
 :corrected-by: totally_positive_exactly_in_the_range nonnegative_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign line_function_of_the_curve

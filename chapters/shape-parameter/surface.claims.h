@@ -126,7 +126,7 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :printed: it can be proved that the surface has geometric properties similar to those of the curve
 :refuted-by: printed_surface_leaves_a_single_point surface_leaves_the_hull_at_minus_seven
 :class: false
-:corrected: corners and boundary curves as printed; with the corrected functions symmetry and affine maps for every
+:corrected: corners and boundary curves as printed; with the corrected functions (`sec-2-properties`) symmetry and affine maps for every
   $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
 :corrected-by: functions_vanish_to_their_orders_at_the_ends corrected_functions_are_mirror_images
   surface_functions_sum_to_one nonnegative_exactly_in_the_range

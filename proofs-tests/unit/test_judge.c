@@ -1229,7 +1229,7 @@ static void test_data_within_hypotheses(void **state)
                          {NEEDS, NULL, "", "", "$\\beta>0$"}));
     assert_finding("n", PROVED, "n = 1 to 4; where the weights are positive", "every n",
                    LINKS(BY("stretched"), {NEEDS, NULL, "", "", "the weights are positive"}));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where t > 0", "",
                    LINKS(BY("patterns"), BY("said"), {NEEDS, NULL, "", "", "t > 0"}));
     const statement_link refuted[] = {{REFUTED_BY, "against", NULL, "", NULL},
                                       {CORRECTED_BY, "plain", NULL, "", NULL},
