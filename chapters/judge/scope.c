@@ -296,7 +296,7 @@ int is_empty_scope(const scope *s)
 
 void free_scope(scope *s)
 {
-    free_phrases(&s->said), free_phrases(&s->where), free_phrases(&s->asked);
+    free_phrases(&s->said), free_phrases(&s->where);
     for (int k = 0; k < s->kinds; k++)
         free(s->data[k].noun);
     free(s->range), free(s->data);
@@ -569,17 +569,16 @@ static int is_said(const scope *s, const char *condition)
     return 0;
 }
 
-/* "all points and weights, where ω ≠ 0, and 0 < t < 1". */
-static void put_conditions(FILE *out, const scope *s, const phrases *conditions, int behind_data)
+/* "all points and weights, where ω ≠ 0, and 0 < t < 1"; of cases that are not told, every condition. */
+static void put_conditions(FILE *out, const scope *s, int behind_data)
 {
     int put = 0;
-    for (int k = 0; k < conditions->count; k++) {
-        const char *condition = conditions->at[k];
-        if (!s->apart && (is_among_data(s, condition) || is_said(s, condition)))
+    for (int k = 0; k < s->where.count; k++) {
+        if (!s->apart && (is_among_data(s, s->where.at[k]) || is_said(s, s->where.at[k])))
             continue;
         if (put == 0 && !behind_data)
             put_between(out);
-        fprintf(out, "%s%s", put > 0 ? ", and " : behind_data ? ", where " : "where ", condition);
+        fprintf(out, "%s%s", put > 0 ? ", and " : behind_data ? ", where " : "where ", s->where.at[k]);
         put++;
     }
 }
@@ -587,10 +586,8 @@ static void put_conditions(FILE *out, const scope *s, const phrases *conditions,
 void add_condition(scope *s, const char *condition)
 {
     const phrases one = {(char *[]){(char *)condition}, 1};
-    if (condition != NULL && condition[0] != '\0') {
+    if (condition != NULL && condition[0] != '\0')
         meet_phrases(&s->where, &one, s->within);
-        meet_phrases(&s->asked, &one, s->within);
-    }
 }
 
 char *scope_words(const scope *s, const char *letter)
@@ -617,10 +614,8 @@ char *scope_words(const scope *s, const char *letter)
     if (s->apart) {
         put_between(out);
         fputs("each step for its own cases", out);
-        put_conditions(out, s, &s->asked, 1);
-    } else {
-        put_conditions(out, s, &s->where, any_data);
     }
+    put_conditions(out, s, any_data || s->apart);
     if (s->instances > 0) {
         put_between(out);
         fprintf(out, "%d random instances", s->instances);

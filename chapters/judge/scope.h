@@ -7,7 +7,7 @@
  * Of two phrases one may be the narrower: the option `within` of a chapter's letters says of which, "simple knots | every
  * pattern of the knots", or "* | all coefficients" of one that leaves nothing out.  The narrower one is left.  Where each of two claims has a phrase with which the other one's cannot
  * be compared, they are about different things, steps of a proof for instance, and their scopes are apart: the degree
- * alone is common to them, and what the statement asks as a hypothesis; every step is told with its own.  So are one
+ * alone is common to them, and every step is told with its own.  So are one
  * instance and a range of cases; and more than four kinds of data of which no claim has all are told as far as several
  * claims have them.
  *
@@ -44,7 +44,6 @@ typedef struct scope {
     whole_range *range;
     quantity *data;
     phrases said, where; /* of which cases, and under which conditions on the data         */
-    phrases asked;       /* those of the conditions that are hypotheses of the statement   */
     int ranges, kinds;
     int instances; /* random instances; 0 where nothing was sampled                          */
     int apart;     /* of several claims, about different things                                 */

@@ -1198,7 +1198,7 @@ static void test_conditions_reach_the_verdict(void **state)
                              {NEEDS, NULL, "", "", "Q ≠ 0"}));
     assert_finding("n", DECIDED, "where P ≠ 0", "", LINKS(BY("bare")));
     assert_finding("n", DECIDED, "n = 1 to 4; where P ≠ 0", "every n", LINKS(BY("bare"), BY("stretched")));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where P ≠ 0, and 0 < t < 1", "",
                    LINKS(BY("patterns"), BY("said"), BY("regular"))); /* they stand at the steps */
 }
 
