@@ -368,10 +368,10 @@ static void print_fixed(const struct fit *f)
 {
     const cagd_spline *c = &f->result->curve;
     struct cagd_line l;
-    FILE *out = begin(&l);
     int said = 0;
     if (is_ellipse(f))
         return;
+    FILE *out = begin(&l);
     const int same_weights = !nothing_is_free(f) && !fits_weights(f) && are_one(c);
     for (int j = 0; j < own_points(f); j++) {
         int weight = same_weights, point = 0;
