@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-int certify_begin(struct certifying *c, const char *folder)
+int certify_begin(struct certifying *c, const char *folder, const char *part)
 {
-    static const char *const parts[] = {"claims", "exactly"};
-    *c = (struct certifying){folder, json_array(), json_array()};
+    const char *const parts[] = {"claims", part};
+    *c = (struct certifying){folder, part, json_array(), json_array()};
     for (int k = 0; k < 2; k++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s", folder, parts[k]);
@@ -35,13 +35,10 @@ static int write_json(const struct certifying *c, const char *part, const char *
     return bad;
 }
 
-/* A way as a case, and what the manifest says of it; NULL where its operations were not noted. */
-static json_t *case_of(const struct cagd_code_outcome *o, int number, json_t **listed)
+json_t *certified_case(const char *type, int number, const char *const trace[3], json_t **listed)
 {
-    if (o->end != CAGD_CODE_FINISHED || o->trace[2] == NULL)
-        return NULL;
-    json_t *inputs = json_loads(o->trace[0], 0, NULL), *nodes = json_loads(o->trace[1], 0, NULL),
-           *steps = json_loads(o->trace[2], 0, NULL), *step;
+    json_t *inputs = json_loads(trace[0], 0, NULL), *nodes = json_loads(trace[1], 0, NULL),
+           *steps = json_loads(trace[2], 0, NULL), *step;
     size_t k;
     int facts = 0, of_the_same = 0;
     json_array_foreach(steps, k, step)
@@ -52,11 +49,44 @@ static json_t *case_of(const struct cagd_code_outcome *o, int number, json_t **l
             of_the_same += json_equal(json_array_get(nodes, (size_t)json_integer_value(json_array_get(same, 0))),
                                       json_array_get(nodes, (size_t)json_integer_value(json_array_get(same, 1))));
     }
-    *listed = json_pack("{s:s, s:i, s:I, s:I, s:I, s:i, s:i}", "type", "field", "degree", number, "inputs",
+    *listed = json_pack("{s:s, s:i, s:I, s:I, s:I, s:i, s:i}", "type", type, "degree", number, "inputs",
                         (json_int_t)json_array_size(inputs), "nodes", (json_int_t)json_array_size(nodes), "compared",
                         (json_int_t)json_array_size(steps) - facts, "of_the_same", of_the_same, "facts", facts);
-    return json_pack("{s:s, s:i, s:o, s:o, s:o}", "type", "field", "degree", number, "inputs", inputs, "nodes", nodes,
+    return json_pack("{s:s, s:i, s:o, s:o, s:o}", "type", type, "degree", number, "inputs", inputs, "nodes", nodes,
                      "steps", steps);
+}
+
+/* A way as a case, and what the manifest says of it; NULL where its operations were not noted. */
+static json_t *case_of(const struct cagd_code_outcome *o, int number, json_t **listed)
+{
+    if (o->end != CAGD_CODE_FINISHED || o->trace[2] == NULL)
+        return NULL;
+    return certified_case("field", number, o->trace, listed);
+}
+
+int certify_statement(struct certifying *c, const struct certified *s)
+{
+    char digest[DIGEST], name[400];
+    int holds = strcmp(s->outcome, "holds") == 0;
+    int bad = write_json(c, "claims", s->name,
+                         json_pack("{s:s, s:s, s:s, s:s, s:s, s:b, s:o}", "schema", "cagd-certificate-1", "claim",
+                                   s->name, "kind", s->kind, "outcome", s->outcome, "evidence", s->evidence, "argued",
+                                   0, "cases", s->cases),
+                         digest);
+    json_t *types = json_pack("[{s:s, s:I, s:I, s:i, s:I}]", "type", s->type, "cases", s->number, "compared",
+                              s->compared, "degree_low", 0, "degree_high", s->number - 1);
+    json_array_append_new(c->claims, json_pack("{s:s, s:s, s:o, s:o, s:s}", "claim", s->name, "kind", s->kind, "types",
+                                               types, "certificate", s->listed, "sha256", digest));
+    json_t *links = json_pack("[{s:s, s:s}]", "role", holds ? "holds-by" : "refuted-by", "claim", s->name);
+    snprintf(name, sizeof name, "%s:%s", c->part, s->name);
+    bad =
+        bad || write_json(c, c->part, s->name,
+                          json_pack("{s:s, s:s, s:b, s:s, s:s, s:O}", "schema", "cagd-certificate-1", "statement", name,
+                                    "definition", 0, "verdict", s->outcome, "evidence", s->evidence, "links", links),
+                          digest) != 0;
+    json_array_append_new(c->statements, json_pack("{s:s, s:b, s:s, s:o, s:s}", "statement", name, "definition", 0,
+                                                   "printed", s->printed, "links", links, "sha256", digest));
+    return bad ? -1 : 0;
 }
 
 /* What the block asks, as the manifest prints it. */
@@ -103,26 +133,12 @@ int certify_block(struct certifying *c, const struct cagd_code_program *p, const
         json_array_append_new(cases, one);
         json_array_append_new(listed, row);
     }
-    char digest[DIGEST], name[300], *text = printed(h, v);
-    int bad =
-        write_json(c, "claims", h->name,
-                   json_pack("{s:s, s:s, s:s, s:s, s:s, s:b, s:o}", "schema", "cagd-certificate-1", "claim", h->name,
-                             "kind", "identity", "outcome", "holds", "evidence", "proved", "argued", 0, "cases", cases),
-                   digest);
-    json_t *types = json_pack("[{s:s, s:i, s:I, s:i, s:i}]", "type", "field", "cases", v->paths, "compared", compared,
-                              "degree_low", 0, "degree_high", v->paths - 1);
-    json_array_append_new(c->claims, json_pack("{s:s, s:s, s:o, s:o, s:s}", "claim", h->name, "kind", "identity",
-                                               "types", types, "certificate", listed, "sha256", digest));
-    json_t *links = json_pack("[{s:s, s:s}]", "role", "holds-by", "claim", h->name);
-    snprintf(name, sizeof name, "exactly:%s", h->name);
-    bad = bad || write_json(c, "exactly", h->name,
-                            json_pack("{s:s, s:s, s:b, s:s, s:s, s:O}", "schema", "cagd-certificate-1", "statement",
-                                      name, "definition", 0, "verdict", "holds", "evidence", "proved", "links", links),
-                            digest) != 0;
-    json_array_append_new(c->statements, json_pack("{s:s, s:b, s:s, s:o, s:s}", "statement", name, "definition", 0,
-                                                   "printed", text, "links", links, "sha256", digest));
+    char *text = printed(h, v);
+    struct certified proved = {h->name, text,   "identity", "holds",  "proved",
+                               cases,   listed, compared,   v->paths, "field"};
+    int bad = certify_statement(c, &proved);
     free(text);
-    return bad ? -1 : 0;
+    return bad;
 }
 
 int certify_end(struct certifying *c)

@@ -1,4 +1,4 @@
-/* certify.h -- what `cagd exactly` proves, as certificates that recheck.py takes. */
+/* certify.h -- what `cagd exactly` and `cagd check` find, as certificates that recheck.py takes. */
 #ifndef CLI_CERTIFY_H
 #define CLI_CERTIFY_H
 
@@ -8,12 +8,27 @@
 
 /* The statements and claims of a folder, while they are written. */
 struct certifying {
-    const char *folder;
+    const char *folder, *part; /* the subfolder of the statements, which their names begin with */
     json_t *claims, *statements;
 };
 
-/* The folder is made.  0, or -1 and a line on stderr; so everywhere here. */
-int certify_begin(struct certifying *c, const char *folder);
+/* A statement with the one claim that decides it, and the cases of that claim. */
+struct certified {
+    const char *name, *printed;
+    const char *kind, *outcome, *evidence; /* of the claim, as recheck_format.py has them                 */
+    json_t *cases, *listed;                /* what certified_case made of each; they are given away              */
+    json_int_t compared, number;           /* comparisons; cases, also where none could be noted           */
+    const char *type;                      /* "field" or "rational" */
+};
+
+/* The folder is made, with the subfolder of the statements.  0, or -1 and a line on stderr; so everywhere here. */
+int certify_begin(struct certifying *c, const char *folder, const char *part);
+
+/* The texts of a trace (exact/record/trace.h) as a case of that number, and in *listed what the manifest says of it. */
+json_t *certified_case(const char *type, int number, const char *const trace[3], json_t **listed);
+
+/* claims/NAME.json and PART/NAME.json. */
+int certify_statement(struct certifying *c, const struct certified *s);
 
 /* A proved block: claims/NAME.json has a case for each way through the code, the straight-line program that the way is, with what it
  * compared, at its point; exactly/NAME.json says that the claim decides it.  Others are left out. */

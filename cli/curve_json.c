@@ -237,7 +237,7 @@ static char *read_file(const struct reading *r, const char *path, size_t *length
         if (bad)
             refuse(r, "", "%s", strerror(cause));
         else
-            refuse(r, "", "it goes on after %zu bytes, the largest size that is read", MOST_BYTES);
+            refuse(r, "", "more than %zu bytes, the largest size that is read; expected the file of a curve", MOST_BYTES);
         return NULL;
     }
     text[had] = '\0';

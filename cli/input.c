@@ -12,7 +12,10 @@ int input_refuse(struct input_error *error, const char *place, const char *forma
     return -1;
 }
 
-const char *name_of_input(const char *path) { return strcmp(path, "-") == 0 ? "standard input" : path; }
+const char *name_of_input(const char *path)
+{
+    return strcmp(path, "-") == 0 ? "standard input" : path[0] == '\0' ? "''" : path;
+}
 
 FILE *open_input(const char *path, const char *what, struct input_error *error)
 {

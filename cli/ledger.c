@@ -100,6 +100,27 @@ static void print_tally(FILE *out, const statement_result *list, int count)
                 t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
 }
 
+/* Whether the formula of the statement is read from its print as well. */
+static int is_read_from_print(const cagd_register *reg, const statement *s)
+{
+    for (int k = 0; reg->printed != NULL && reg->printed[k] != NULL; k++)
+        if (strcmp(reg->printed[k], s->id) == 0)
+            return 1;
+    return 0;
+}
+
+static void print_read(FILE *out, const cagd_register *reg, const statement_result *list, int count)
+{
+    int read = 0;
+    if (reg->printed == NULL)
+        return;
+    for (int k = 0; k < count; k++)
+        read += is_read_from_print(reg, list[k].statement);
+    fprintf(out,
+            "\n%d of %d statements are read from their print as well, chapters/*/print*.md, which cagd check decides\n",
+            read, count);
+}
+
 /* "R = (0,0) (1,2) (2,0); w = 1 0 1 gives R''(0) = (4,0)": the data of a claim and what comes out of them. */
 static void put_data(FILE *out, const claim *c)
 {
@@ -152,11 +173,16 @@ static void free_all(statement_result *list, int count)
     free(list);
 }
 
-static json_t *ledger_json(const statement_result *list, int statements, const claim_result *results, int claims)
+static json_t *ledger_json(const cagd_register *reg, const statement_result *list, int statements,
+                           const claim_result *results, int claims)
 {
     json_t *rows = json_array();
-    for (int k = 0; k < statements; k++)
-        json_array_append_new(rows, statement_json(&list[k], results, claims));
+    for (int k = 0; k < statements; k++) {
+        json_t *row = statement_json(&list[k], results, claims);
+        if (reg->printed != NULL)
+            json_object_set_new(row, "read_from_print", json_boolean(is_read_from_print(reg, list[k].statement)));
+        json_array_append_new(rows, row);
+    }
     return json_pack("{s:s, s:o}", "schema", "cagd-ledger-1", "statements", rows);
 }
 
@@ -188,7 +214,7 @@ int write_report(const cagd_register *r, const char *folder, const claim_result 
             break;
         }
         FILE *out = output_stream(o);
-        json_t *document = k == 3 ? ledger_json(list, statements, results, claims) : NULL;
+        json_t *document = k == 3 ? ledger_json(r, list, statements, results, claims) : NULL;
         if (k == 0)
             print_rows(out, list, statements);
         else if (k == 1)
@@ -223,7 +249,7 @@ static int run(const struct call *call)
         wrong += !derived[k].as_expected;
     int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
     if (a.asked.json) {
-        print_json(ledger_json(derived, statements, results, claims));
+        print_json(ledger_json(call->reg, derived, statements, results, claims));
     } else if (a.striking > 0) {
         print_striking(stdout, derived, statements, a.striking);
     } else {
@@ -232,6 +258,7 @@ static int run(const struct call *call)
             putchar('\n');
         }
         print_tally(stdout, derived, statements);
+        print_read(stdout, call->reg, derived, statements);
     }
     free_all(derived, statements);
     free_results(results, claims);

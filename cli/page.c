@@ -226,7 +226,7 @@ static void print_verdict(const statement_result *r, const claim_result *results
         print_finding("A definition, with what is checked of it", &r->as_printed);
     else
         print_finding(words[r->verdict], &r->as_printed);
-    labelled("An example:", r->statement->example, INDENT);
+    labelled(r->verdict == VERDICT_DEFINITION ? "An example:" : "One instance is enough:", r->statement->example, INDENT);
 }
 
 /* Claims that did not do what they should: while there is one, the verdict is not that of the statement. */

@@ -8,12 +8,17 @@
 static void show_progress(void *context, int done, int total, const char *name)
 {
     (void)context;
-    enum { WIDTH = 24 };
+    enum { WIDTH = 24, MOST = 100 };
     int filled = done * WIDTH / total;
+    char count[32];
+    int counted = snprintf(count, sizeof count, "] %d/%d ", done, total);
     fprintf(stderr, "\r\x1b[K[");
     for (int k = 0; k < WIDTH; k++)
         fputs(k < filled ? "=" : " ", stderr);
-    fprintf(stderr, "] %d/%d %.50s", done, total, name);
+    fputs(count, stderr);
+    int room = message_width(MOST) - 1 - (1 + WIDTH + counted) - 4; /* the last column stays free; " ..." takes 4 */
+    if (room > 0)
+        put_clipped(stderr, name, room);
     fflush(stderr);
 }
 

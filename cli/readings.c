@@ -38,8 +38,8 @@ static enum reading_state state_of(const claim_result *c)
     return c == NULL ? READING_OPEN : c->claim->kind == COUNTEREXAMPLE ? READING_FALSE : READING_TRUE;
 }
 
-/* How a reading is known, in the words of a verdict.  The caller frees. */
-static char *known_of_reading(const statement *s, const claim_result *c)
+/* How a reading is known, in the words of a verdict, with an argument beside its claim or without.  The caller frees. */
+static char *known_of_reading(const statement *s, const claim_result *c, int is_argued)
 {
     char *text = NULL;
     if (c == NULL) {
@@ -54,6 +54,7 @@ static char *known_of_reading(const statement *s, const claim_result *c)
         return text;
     }
     finding f = finding_of(c, s->letter);
+    f.evidence = is_argued && f.evidence > BY_ARGUMENT ? BY_ARGUMENT : f.evidence;
     text = finding_words(&f);
     free_finding(&f);
     return text;
@@ -67,10 +68,13 @@ void print_readings(const statement *s, const claim_result *results, int count)
         if (l->role != READING)
             continue;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        char *known = known_of_reading(s, c), *plain = tex_to_layout(l->text, 1), *how = tex_to_layout(known, 1);
+        char *known = known_of_reading(s, c, l->place != NULL), *plain = tex_to_layout(l->text, 1),
+             *how = tex_to_layout(known, 1);
         printf("%*s%2d  %-7s", INDENT, "", ++number, told[state_of(c)]);
         put_behind(stdout, plain, INDENT + 11, INDENT + 11, page_width(WIDEST));
         put_paragraph(stdout, how, INDENT + 11, page_width(WIDEST));
+        if (l->place != NULL)
+            labelled("An argument:", l->place, INDENT + 11);
         free(plain), free(known), free(how);
     }
 }

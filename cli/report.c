@@ -83,10 +83,14 @@ static json_t *counterexample_json(const claim_result *r)
     return j;
 }
 
-/* A step, or a reading, with how it is known: what the fields `more` say, and the finding of its claim alone. */
-static json_t *with_finding(json_t *more, const statement *s, const claim_result *c)
+/* A step, or a reading, with how it is known: what the fields `more` say, and the finding of its claim alone, which an argument in
+ * words, NULL where there is none, weakens. */
+static json_t *with_finding(json_t *more, const statement *s, const claim_result *c, const char *argument)
 {
     finding f = c != NULL ? finding_of(c, s->letter) : (finding){0};
+    f.evidence = argument != NULL && f.evidence > BY_ARGUMENT ? BY_ARGUMENT : f.evidence;
+    if (argument != NULL)
+        json_object_set_new(more, "argument", json_string(argument));
     json_object_set_new(more, "evidence", json_string(evidence_name[f.evidence]));
     json_object_set_new(more, "scope", json_string(f.scope != NULL ? f.scope : ""));
     json_object_set_new(more, "argued_for", json_string(f.argued_for != NULL ? f.argued_for : ""));
@@ -102,8 +106,8 @@ static json_t *steps_json(const statement *s, role wanted, const claim_result *r
         const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (c != NULL)
             json_array_append_new(
-                steps,
-                with_finding(json_pack("{s:s, s:s}", "claim", l->claim, "kind", kind_name[c->claim->kind]), s, c));
+                steps, with_finding(json_pack("{s:s, s:s}", "claim", l->claim, "kind", kind_name[c->claim->kind]), s, c,
+                                    NULL));
     }
     return steps;
 }
@@ -136,7 +140,7 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
             json_array_append_new(
                 readings, with_finding(json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim, "outcome",
                                                  c != NULL ? outcome_name[c->outcome] : "not decided"),
-                                       s, c));
+                                       s, c, l->place));
     }
     json_t *printed = json_pack(
         "{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
@@ -152,8 +156,8 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
                               r->as_corrected.argued_for, "steps", steps_json(s, CORRECTED_BY, results, count));
     return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:s, s:b}", "id", s->id, "title", s->title,
                      "title_zh", s->title_zh, "printed_tex", s->printed, "chapter", s->chapter, "as_printed", printed,
-                     "corrected", corrected, "claims", claims, "figure", s->figure, "example", s->example, "note", s->note, "as_expected",
-                     r->as_expected);
+                     "corrected", corrected, "claims", claims, "figure", s->figure, "example", s->example, "note",
+                     s->note, "as_expected", r->as_expected);
 }
 
 static void print_with(json_t *document, int digits)

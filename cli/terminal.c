@@ -16,16 +16,20 @@ const char *style(FILE *stream, enum style s)
     return is_terminal(stream) && (off == NULL || *off == '\0') ? sequence[s] : "";
 }
 
-int page_width(int most)
+/* The columns of the terminal at the descriptor (-1: there is none), or what COLUMNS says, within the limits. */
+static int columns_at(int descriptor, int most)
 {
     enum { LEAST = 40 };
     struct winsize size;
     const char *said = getenv("COLUMNS");
     int columns = said != NULL ? atoi(said) : 0;
-    if (columns <= 0 && is_terminal(stdout) && ioctl(screen_descriptor(), TIOCGWINSZ, &size) == 0)
+    if (columns <= 0 && descriptor >= 0 && ioctl(descriptor, TIOCGWINSZ, &size) == 0)
         columns = size.ws_col;
     return columns <= 0 || columns > most ? most : columns < LEAST ? LEAST : columns;
 }
+
+int page_width(int most) { return columns_at(is_terminal(stdout) ? screen_descriptor() : -1, most); }
+int message_width(int most) { return columns_at(is_terminal(stderr) ? STDERR_FILENO : -1, most); }
 
 /* Width of the character at s in columns, by the ranges that occur here: combining marks 0, CJK 2. */
 static int width_of(unsigned long c)

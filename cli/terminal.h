@@ -11,6 +11,7 @@ int is_terminal(FILE *stream);
 /* The width of what is printed: that of the terminal, or what COLUMNS says, but `most` at most, and where neither says
  * anything. */
 int page_width(int most);
+int message_width(int most);                              /* the same of what goes to stderr      */
 const char *end_of_character(const char *utf8);           /* behind the first character           */
 int columns_of(const char *utf8);                         /* printed width of a text              */
 int columns_between(const char *utf8, const char *end);   /* and of the part of it before `end`   */

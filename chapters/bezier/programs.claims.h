@@ -315,6 +315,7 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
 :zh: 控制点个数为 n+1
 :printed: P holds the coordinates of the control points, $n+1$ in number
 :holds-by: program_stays_in_its_arrays
+:argued: every n and npoints | The points are read once, P[i] for $i=0,\dots,n$, in each call, and the calls know nothing of one another.
 :::
 */
 
@@ -371,6 +372,7 @@ difference is one place of memory.
 :class: false
 :corrected: The number of points is npoints+1, as another comment of the same program says, and the array needs as many places.
 :corrected-by: program_stays_in_its_arrays
+:argued: every n and npoints | The loop writes points[i] for $i=0,\dots,$npoints, once each, whatever the points are.
 :figure: one_place_too_many
 :striking: 47
 
@@ -413,6 +415,7 @@ CLAIM(program_writes_one_point_too_many)
 :zh: 数组 R、Q 的大小
 :printed: R = new double[n+1], Q = new double[n+1]
 :holds-by: program_stays_in_its_arrays
+:argued: every n and npoints | R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
 
 For Q, $n$ places are enough, and one for $n=0$ is none too few.
 :::

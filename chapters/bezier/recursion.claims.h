@@ -129,9 +129,10 @@ the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is prin
 :printed: P_{0,n}(t)=(1-t)P_{0,n-1}(t)+tP_{1,n}(t)
 :holds-by: bernstein_recurrence
 :confirmed-by: curve_blends_two_curves_of_one_point_less
+:meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as the entry before corrects it.
 :figure: two_curves_of_one_point_less
 
-With $P_{k,l}$ the curve of $P_k,\dots,P_l$; $n\ge1$, and any $t$.
+It is for $n\ge1$, and any $t$.
 
 The two sides are sums over the points; the coefficients of each point on both sides are those of the recurrence of the
 Bernstein polynomials, for every $n$.
@@ -143,6 +144,7 @@ Bernstein polynomials, for every $n$.
 :printed: P_{0,n}(t)=P_{0,n-1}(t)+t\bigl(P_{1,n}(t)-P_{0,n-1}(t)\bigr)
 :holds-by: bernstein_recurrence
 :confirmed-by: curve_blends_two_curves_of_one_point_less
+:meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as in the line before.
 :figure: two_curves_of_one_point_less
 :::
 

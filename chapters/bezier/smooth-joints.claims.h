@@ -69,7 +69,7 @@ For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
 :zh: 连接点为 P2Q1 的定比分点
 :printed: $Q_0=P_3=\frac{Q_1+aP_2}{1+a}$
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
-:needs: negative_ratio_turns_back | the line of the condition: $a>0$ | $a>0$; for $a=-1$ there is no quotient
+:needs: ratio_minus_one_has_no_quotient | the line of the condition: $a>0$ | $a>0$; of all other ratios $a=-1$ alone has no quotient
 :figure: joint_of_cubics
 :::
 
@@ -117,6 +117,26 @@ CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
 }
 
 #if RATIONAL
+/*
+:::{claim} ratio_minus_one_has_no_quotient
+:title: For the ratio -1 the quotient is none
+:zh: a=-1 时分母为零
+:kind: counterexample
+:data: a = -1
+:instead: a = 1
+:given: the ratio $a$ of the edges
+:then: the denominator $1+a$ is 0
+:method: The denominator; that it is not 0 is refuted.
+:control: a positive ratio
+:::
+*/
+CLAIM(ratio_minus_one_has_no_quotient)
+{
+    num a = given(T, "a");
+    about(T, "whether the denominator 1 + a is not 0");
+    refute(T, is_zero_q(add(from_int(1), a)));
+}
+
 /*
 :::{claim} zero_edges_hide_a_corner
 :title: Edges of length 0 satisfy the condition and hide a corner
@@ -263,8 +283,8 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :printed: The condition for $C^2$ at the joint, that is, for continuity of the second derivative by the parameter: $P''(1)=Q''(0)$ is required, that is
   $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
 :holds-by: three_points_make_c2
-:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well: the slides come from $G^1$
-  with any $a>0$
+:hypothesis: equal_second_derivatives_with_unequal_first | $P_3=Q_0$, and the first derivatives are equal as well: the first of these is a condition
+  of the slides, but then they come from $G^1$ with any $a>0$
 :figure: second_derivatives_alone
 :striking: 45
 

@@ -69,7 +69,7 @@ apart; neither depends on where the point began.
 :title: The first way computes points at equal angles on the circle
 :zh: 圆周上等角度分布的点
 :printed: By this method a sequence of points on the circle can be computed that are distributed at equal angles.
-:holds-by: rotated_points_are_equally_spaced
+:holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
 :figure: three_generators
 :::
 */
@@ -112,10 +112,13 @@ found by Pythagoras, or from the tangent of half the angle.
 :zh: 需要三角函数计算
 :printed: With hardware the algorithm needs products of matrices, and trigonometric functions have to be computed as well.
 :holds-by: rotation_matrix_adds_the_angle
+:meant: the words above, by which a suitable $\Delta\theta$ is chosen | The step is given by its angle.
+:reading: rotation_matrix_adds_the_angle | the step is given by its angle: the entries of the matrix are its cosine and its sine
+:reading: rational_step_has_no_angle | any small and constant step will do: then no such function is needed
+:argued: | The entries of the matrix are numbers of the step, and of the angle alone; so they have to be computed from it, by the two functions.
 :figure: three_generators
 
-The angle $\Delta\theta$ is chosen, so that its cosine and its sine have to be computed: two values, once for all points.  A
-step that need only be small and constant takes none: `rational_step_has_no_angle`.
+It is two values, once for all points.
 :::
 */
 
@@ -256,6 +259,7 @@ treated alike in its four quadrants.
 :printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or
   arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
+:meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.
 :hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out.  In integers a point with
   coordinates from 0 to $2^m-1$ does not move at all; and to be exact, every step needs $m$ bits more.
 :figure: circles_in_integers

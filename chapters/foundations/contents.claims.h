@@ -18,7 +18,7 @@ whether the source says what is decided here, and "the text" stands for that.
 :zh: 全书共九章
 :printed: The whole book has nine chapters.
 :holds-by: contents_has_nine_chapters
-:example: the table of contents of this book.
+:example: the sentence is about this one book, whose chapters are counted.
 :figure: pages_of_the_sections
 :::
 */

@@ -79,13 +79,42 @@ derivative continuous; the three conditions of the source say what this requires
 :refuted-by: joined_pieces_are_not_closed
 :class: misprint
 :corrected: P_{\mathrm{II}}(0)=P_{\mathrm I}(1)
-:corrected-by: conditions_make_one_curve_in_another_parameter
+:corrected-by: pieces_tend_to_their_ends
 :figure: joined_and_closed
 
 One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in
 (1-5-2) and (1-5-3), where this can be understood.
 :::
+
+:::{claim} pieces_tend_to_their_ends
+:title: At the joint the two pieces tend to P_I(1) and P_II(0)
+:zh: 两段曲线在连接点处的极限
+:given: two cubics, $A,\dots,D$ the coefficients of the first, any $u$
+:then: $P_{\mathrm I}(1-u)-P_{\mathrm I}(1)=-u\,(3A+2B+C-u(3A+B)+u^2A)$, and likewise $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ is $u$ times a polynomial in $u$;
+  so both tend to 0 with $u$, and position is continuous exactly where $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$
+:method: The points by the kernel, the values at the joint by the sum of the powers; everything a variable.
+:over: x# y#: coefficients; v#: coefficients; u
+:control: $2A$ in the place of $3A$
+:::
 */
+CLAIM(pieces_tend_to_their_ends)
+{
+    num c[4 * dim], d[4 * dim], before[dim], after[dim], u = parameter(T, "u"), one = from_int(1);
+    G(free_points)(T, 3, dim, c);
+    for (int k = 0; k < 4 * dim; k++)
+        d[k] = unknown(T, "v", k);
+    G(power_point)(3, dim, c, sub(one, u), before);
+    G(power_point)(3, dim, d, u, after);
+    for (int j = 0; j < dim; j++) {
+        num A = c[3 * dim + j], B = c[2 * dim + j], C = c[dim + j], triple = mul(from_int(fault(T, 3, 2)), A);
+        num first = add(triple, add(mul(from_int(2), B), C)), second = sub(mul(u, A), add(triple, B));
+        about(T, "the first piece");
+        same(T, sub(before[j], G(power_sum)(3, dim, c, j, one)), neg(mul(u, add(first, mul(u, second)))));
+        num rest = add(d[dim + j], mul(u, add(d[2 * dim + j], mul(u, d[3 * dim + j]))));
+        about(T, "the second piece");
+        same(T, sub(after[j], G(power_sum)(3, dim, d, j, from_int(0))), mul(u, rest));
+    }
+}
 
 #if RATIONAL
 /*
@@ -269,9 +298,8 @@ curvature that grows without bound.
 :::{statement} hu-1987:1-5-3-sufficient
 :title: The condition of order two makes the curvature continuous
 :zh: 曲率连续的充分条件
-:printed: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm
-  I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the curvature
-  continuous at the joint.
+:printed: Condition for a continuous curvature (曲率连续条件), after those for position and slope: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm
+  I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$
 :holds-by: condition_keeps_the_curvature_vector
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
@@ -279,7 +307,7 @@ curvature that grows without bound.
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 
-The index $x$ stands for II.
+The index $x$ stands for II.  That it suffices is decided here; whether it is necessary, as the words before it have it, in an entry below.
 :::
 
 :::{statement} hu-1987:1-5-3-beta
@@ -728,6 +756,7 @@ CLAIM(backward_piece_has_negative_length)
 :zh: 切矢长度的变化
 :printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
 :holds-by: derivatives_of_a_piece
+:needs: backward_piece_has_negative_length | $0\le(t_1-t_0)\le1$ stands before it | $t_0\le t_1$: no length is negative
 :figure: piece_of_a_cubic
 :::
 

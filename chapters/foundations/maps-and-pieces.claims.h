@@ -22,11 +22,11 @@ denominator with it as a weight.
 :title: Parametric curves are easily mapped by affine and projective maps
 :zh: 参数曲线易于作仿射与射影变换
 :printed: Geometric transformations of parametric curves, such as affine and projective ones, are easily carried out.
-:holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one projective_image_of_a_power_curve_is_rational
-:confirmed-by: bezier_curve_moves_with_its_points
+:reading: image_of_a_power_curve_is_one | affine ones can be carried out on the coefficients: each is multiplied by one matrix, and one vector is added
+:reading: projective_image_of_a_power_curve_is_rational | so can projective ones: each is multiplied by one matrix, and the point is divided
+:reading: what is easy: an opinion, which no computation decides
 :figure: projective_image_of_a_parabola
 
-Easy is read as: the image has its coefficients by one product with a matrix each.
 The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.  Control
 points, of which the section does not speak yet, cannot be mapped so by a projective map, unless they are homogeneous:
 `projective_image_is_not_the_curve_of_the_images`.
@@ -165,6 +165,7 @@ CLAIM(division_keeps_power_curve)
 :zh: 凸包性与变差减小性
 :printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry linear_factor_adds_a_change_of_sign
+  sign_changes_are_counted_one_by_one
 :confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
 Bézier curves of every degree are such curves: their points are averages of the control points, and along a line $ax+by+c=0$

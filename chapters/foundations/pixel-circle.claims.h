@@ -137,7 +137,7 @@ and the positive root.
 :given: $0<\theta\le\frac\pi2$ with the tangent $a$ of its half, $0<a\le1$, $r=\frac1{\sin\theta}$
 :then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$; the determinant is 1
 :method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive, and for $a=1$, where it is 0: it is the root.
-:scope: 0 < θ ≤ π/2
+:scope: $0<\theta\le\frac\pi2$
 :harmless: $0<a\le1$ | it is $0<\theta\le\frac\pi2$, $a=\tan\frac\theta2$
 :over: a: -
 :control: $r^2+1$ in the place of $r^2-1$

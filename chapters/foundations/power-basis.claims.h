@@ -76,6 +76,7 @@ one abscissa cannot.
   has $t=a$ for its beginning and $t=b$ for its end, $a\le t\le b$.
 :holds-by: linear_change_runs_through_the_interval
 :confirmed-by: intervals_of_the_parameter_separate_the_values pieces_in_new_powers
+:meant: the interval $a\le t\le b$, which is all that is given | Conveniently is: by two numbers, the parameters of the two ends.
 :figure: infinite_slope_and_two_values
 :::
 
@@ -114,9 +115,10 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
   $t$, so that they are easy to compute.
 :holds-by: horner_step_keeps_the_sum
 :confirmed-by: horner_computes_the_sum_of_powers
+:meant: the reason that is given, a curve whose coordinates are explicit functions of $t$ | Of a curve, easy is: by inserting $t$, without an equation to be
+  solved; the functions are polynomials, as in all of the section.
 
-The word printed is "surface", the reason is one for curves; "curve" must be meant.  Easy is read as: by as many products and sums as the degree has
-steps, without solving an equation, for curves given by polynomials; what they cost is counted below.
+The word printed is "surface", the reason is one for curves.  It takes as many products and sums as the degree has steps; what they cost is counted below.
 :::
 
 The source says that curves of degree below three do not occur.  They do, as parabolas, and in a section of its own
@@ -281,7 +283,8 @@ Horner's rule (秦九韶算法) takes the powers apart: the cubic is written in 
 :title: The cubic by Horner's rule
 :zh: 三次曲线的嵌套形式
 :printed: P(t)=[(At+B)t+C]t+D
-:holds-by: horner_computes_the_sum_of_powers
+:holds-by: horner_step_keeps_the_sum
+:confirmed-by: horner_computes_the_sum_of_powers
 :::
 
 :::{claim} horner_step_keeps_the_sum

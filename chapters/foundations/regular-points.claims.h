@@ -76,6 +76,7 @@ the line that turns back, the trouble begins where the point stands still.
 :printed: If for a curve $P(t)$ ($a\le t\le b$) all derivatives of $x(t),y(t),z(t)$ "of order $r$ that are positive" (所有 r 阶为正的导数) exist and are
   continuous, and the regularity condition above is satisfied, the curve is called continuous of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
+:example: a curve whose coordinates are polynomials, and which is of no class.
 :figure: cusp_and_its_derivative
 
 The words are out of order: the derivatives of positive order up to $r$ must be meant.
@@ -221,6 +222,7 @@ CLAIM(double_point_has_two_tangents)
 :zh: 尖点处导数为零
 :printed: At the cusp $\dot P(t)$ is the zero vector, that is $\dot x=0$, $\dot y=0$.
 :holds-by: cusp_of_the_example_is_a_cusp
+:example: the sentence is about the cusp of this one curve.
 :figure: cusp_and_its_derivative
 :::
 */
@@ -238,6 +240,8 @@ CLAIM(double_point_has_two_tangents)
 :result: e = (1/2,3/4) (0,0) (0,-3) (4,0)
 :method: $e_k$ is the $k$-th derivative at $t$, by the definition, over $k!$.  The polynomials as printed, at a variable $u$, and their
   derivatives by the kernel.
+:scope: the stated curve
+:over: u: -
 :control: another coefficient of $t^2$ in $x$
 :::
 */
@@ -351,8 +355,10 @@ by what the point does after it, and this leads to the source's last example, wh
 :zh: 奇异点处出现异常情况
 :printed: At singular points, however, all kinds of abnormal cases will appear.
 :holds-by: cusp_of_the_example_is_a_cusp point_moves_forward_back_and_forward
-:hypothesis: singular_point_of_a_plain_segment | no other parameter makes the curve regular and runs in the same sense:
-  otherwise the point only stands still for a moment, and nothing is seen.
+:meant: the examples that follow, each with an anomaly of its own | There are singular points with such cases, of more than one kind.
+:reading: cusp_of_the_example_is_a_cusp | there are such points: at a cusp the direction turns over
+:reading: point_moves_forward_back_and_forward | there are such points of another kind: on a line the point turns back
+:reading: singular_point_of_a_plain_segment | at every singular point: at some the point only stands still for a moment, and nothing is seen
 :figure: singular_point_of_a_segment
 
 The source's own anomalies are a change of direction: at the cusp, and twice on the line that follows.
@@ -586,10 +592,45 @@ CLAIM(point_moves_forward_back_and_forward)
 :title: A curve has many parameters
 :zh: 参数与点的对应多种多样
 :printed: For one and the same curve the correspondence between parameters and points can be of many kinds.
-:holds-by: cubic_parameter_stays_on_the_segment natural_line_is_regular
+:holds-by: segment_has_endlessly_many_parameters
+:confirmed-by: cubic_parameter_stays_on_the_segment natural_line_is_regular
+:example: one curve has a parameter for every number between -1 and 1.
 :figure: one_line_two_parameters
 :::
 
+:::{claim} segment_has_endlessly_many_parameters
+:title: One segment has a parameter for every number between -1 and 1
+:zh: 同一线段的无穷多种参数
+:given: $x=y=\phi(t)=t+at(1-t)$ with $-1<a<1$ as $a=1-2q$; any $t$ of $(0,1)$
+:then: $\phi(0)=0$, $\phi(1)=1$, $\phi'(t)=2(1-q)(1-t)+2qt>0$, so that the segment from $(0,0)$ to $(1,1)$ is run through once and never back; and
+  $\phi(\frac12)=\frac12+\frac a4$, so that no two of these functions are one
+:method: Values and derivative by the kernel, $q$ and $t$ variables of $(0,1)$.
+:scope: one segment, −1 < a < 1
+:over: q t: -
+:control: the sign of $a$ in the derivative
+:::
+*/
+CLAIM(segment_has_endlessly_many_parameters)
+{
+    num q = inside(T, "q"), t = inside(T, "t"), zero = from_int(0), one = from_int(1), two = from_int(2);
+    num a = sub(one, mul(two, q)), c[3] = {zero, add(one, a), neg(a)}, D[2], at_end[2];
+    G(power_derivatives)(2, 1, c, t, 1, D);
+    about(T, "the function");
+    same(T, D[0], add(t, mul(a, mul(t, sub(one, t)))));
+    num p = fault(T, q, sub(one, q));
+    about(T, "the derivative");
+    same(T, D[1], mul(two, add(mul(sub(one, p), sub(one, t)), mul(p, t))));
+    nonnegative(T, D[1]);
+    about(T, "the ends and the middle");
+    for (int end = 0; end <= 1; end++) {
+        G(power_derivatives)(2, 1, c, from_int(end), 1, at_end);
+        same(T, at_end[0], from_int(end));
+    }
+    G(power_derivatives)(2, 1, c, div(one, two), 1, at_end);
+    same(T, at_end[0], add(div(one, two), div(a, from_int(4))));
+}
+
+/*
 :::{statement} hu-1987:1-4-point
 :title: A curve may degenerate to a point
 :zh: 曲线退化为一点

@@ -185,6 +185,8 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions table_after_any_number_of_steps
 :confirmed-by: stepping_reaches_the_other_end
+:meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
+  in the place of products.
 :hypothesis: short_words_lose_the_end | the words are long enough; they are with $3m$ binary places more than the coefficients
   have.  Binary64 has them for coefficients of 20 bits and $m=8$; words with 16 places have not.
 :figure: stepping_and_rounding

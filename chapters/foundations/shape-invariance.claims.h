@@ -141,6 +141,8 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 :given: $P_0=(0,0)$, any $P_1$, any $t$
 :then: $P(t)=P_0+t^3(P_1-P_0)$; $t^3$ runs from 0 to 1 and never back, so the curve is the segment, once
 :method: An identity in $t$ and $P_1$, of which $(10,10)$ is one value.
+:scope: every P₁, with P₀ = (0,0)
+:over: x1 y1: -; t
 :control: the factor $t^2$ on the right
 :::
 */
@@ -210,6 +212,8 @@ CLAIM(ends_alone_make_no_straight_line)
 :then: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$
 :method: An identity in $t$ and the four coordinates; $3t(1-t)\ne0$ inside the interval, and $P_0\times P_1=0$ says that
   the two points and the origin are on one line.
+:scope: every P₀ and P₁
+:over: x# y#: -; t
 :control: the factor 2 in the place of 3
 :::
 */

@@ -251,9 +251,12 @@ CLAIM(linear_interpolation_runs_along_straight_lines)
   the former a new surface $P_3$ is built.
 :holds-by: sum_of_ruled_surfaces_has_too_much
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners
+:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
+  $f_0(1)=f_1(0)=0$
+:meant: the curves that have to be the borders, on which alone a displacement can be measured | The part due to the linear interpolation is $P_3$.
 :figure: boolean_sum
 
-The part due to the linear interpolation is read as $P_3$, which is what $P_1$ is on the borders $w=0,1$, and $P_2$ on the borders $u=0,1$.
+$P_3$ is what $P_1$ is on the borders $w=0,1$, and $P_2$ on the borders $u=0,1$.
 :::
 
 :::{claim} sum_of_ruled_surfaces_has_too_much
@@ -315,6 +318,8 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
 :printed: The four elements of $M$ are the position vectors of the corners, and can be computed from the four given curves.
 :holds-by: four_curves_are_borders
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners: each corner is an end of two of them, and both give one point
+:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
+  $f_0(1)=f_1(0)=0$: with these the corners of the patch are the elements of $M$
 :figure: boolean_sum
 :::
 

@@ -204,14 +204,14 @@ CLAIM(cubic_equations_are_the_conditions)
 :::{statement} slides-ch4:2-cubic-coefficients
 :title: Three of the four coefficients, multiplied out
 :zh: 系数 a3、a1、a0 的展开式
-:printed: $(t_1-t_0)^3a_3=f'(t_0)t_1-f'(t_0)t_0+f'(t_1)t_1-f'(t_1)t_0+2f(t_0)-2f(t_1)$;
-  $(t_1-t_0)^3a_1=f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1$;
-  $(t_1-t_0)^3a_0=-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3$
+:printed: $a_3=\frac{f'(t_0)t_1-f'(t_0)t_0+f'(t_1)t_1-f'(t_1)t_0+2f(t_0)-2f(t_1)}{(t_1-t_0)^3}$;
+  $a_1=\frac{f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1}{(t_1-t_0)^3}$;
+  $a_0=\frac{-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3}{(t_1-t_0)^3}$
 :holds-by: cubic_coefficients_by_monomials
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
-Printed are the quotients by $(t_1-t_0)^3$.  The signs are lost.  The monomials are linearly independent, so each sign is
+The signs are lost.  The monomials are linearly independent, so each sign is
 determined by the value of the sum: one choice is true.
 :::
 */
@@ -321,10 +321,10 @@ CLAIM(cubic_coefficients_by_monomials)
 :::{statement} slides-ch4:2-cubic-a2
 :title: The coefficient of the square, multiplied out
 :zh: 系数 a2 的展开式
-:printed: (t_1-t_0)^3a_2=-2f(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
+:printed: a_2=\frac{-2f(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
 :refuted-by: square_needs_the_prime
 :class: misprint
-:corrected: (t_1-t_0)^3a_2=-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
+:corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
 :figure: square_without_its_prime
 

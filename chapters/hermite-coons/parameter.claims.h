@@ -224,12 +224,9 @@ CLAIM(parametric_cubic_crosses_itself)
 :title: With a parameter an infinite slope is easy to handle
 :zh: 参数方程便于处理斜率无穷大
 :printed: Parametric equations make it easy to deal with an infinite slope.
-:holds-by: tangent_needs_no_slope
-:confirmed-by: circle_has_an_upright_tangent
-:hypothesis: cusp_has_no_equation_of_the_tangent | the derivative is not $(0,0)$; where it is, the slope may be infinite as
-  well, and the equation says nothing.
-
-Easy is read as: the tangent is found without a slope, and no case has to be told from another.
+:reading: tangent_needs_no_slope | the tangent is found without a slope, and no case has to be told from another, where the derivative is not $(0,0)$
+:reading: cusp_has_no_equation_of_the_tangent | also where the derivative is $(0,0)$: there the slope may be infinite as well, and the equation says nothing
+:reading: what is easy: an opinion, which no computation decides
 :::
 
 :::{claim} tangent_needs_no_slope
@@ -574,13 +571,12 @@ A parametric cubic of the plane has eight coefficients, of which the graph of a 
 :zh: 变量个数不限,便于扩展到高维
 :printed: In parametric equations the algebraic and the geometric, the dependent and the independent variables are completely separated, and
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
-:holds-by: matrices_pass_to_the_points
-:confirmed-by: another_coordinate_changes_no_other
-:argued: any number of coordinates | In $\sum\varphi_iQ_i$ no coordinate of the $Q_i$ occurs in another coordinate of the sum; so one more leaves the
-  others as they are.
+:reading: matrices_pass_to_the_points | a further coordinate changes no other: with the matrix that leaves a coordinate out, the curve of the projected points
+  is the projection
+:reading: another_coordinate_changes_no_other | a curve of space has in two of its coordinates the curve of the plane
+:reading: what is easy, and when variables are completely separated: the slides do not say, so that nothing is there to be decided
 
-With the matrix that leaves a coordinate out, a projection, the claim says that the curve or surface of the projected points is the projection;
-read backwards, that a further coordinate changes no other.  The functions are any, of one parameter or two.
+In $\sum\varphi_iQ_i$ no coordinate of the $Q_i$ occurs in another coordinate of the sum, however many there are.  The functions are any, of one parameter or two.
 :::
 
 :::{claim} another_coordinate_changes_no_other
@@ -626,7 +622,7 @@ CLAIM(another_coordinate_changes_no_other)
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:hypothesis: weights_of_both_signs_make_a_pole | the functions have no pole in $[0,1]$; polynomials have none
+:hypothesis: weights_of_both_signs_make_a_pole | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
 
 For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.
 :::
@@ -637,6 +633,7 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
 :holds-by: bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers
 :confirmed-by: interval_kernel_gives_the_part surface_part_is_the_piece
+:meant: the formula $a\le t\le b$ beside it | Simply is: by the two numbers $a$ and $b$ alone, for each parameter.
 :argued: surfaces | With one of the parameters fixed a surface is a curve in the other; so it is cut in the one, and then in the other.
 
 The two parts of a cut at any parameter are curves of the same degree over $[0,1]$; a part from $a$ to $b$ is what two cuts leave.
@@ -647,14 +644,12 @@ For a surface this is one range for each of the two parameters, when the part is
 :title: Pieces that are joined smoothly
 :zh: 便于分段、分片描述与光顺连接
 :printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
-:holds-by: bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers bernstein_recurrence
-  recurrence_keeps_sum_sign_ends_and_symmetry bernstein_derivative derivatives_go_down_through_the_differences
-  differences_lower_the_newton_functions
-:confirmed-by: interval_kernel_gives_the_part surface_part_is_the_piece three_points_make_c2
-:argued: surfaces | $P(u,w)=\sum_jB_j(w)\,c_j(u)$ with the curves $c_j$ of the rows of the net: where the rows join in $C^k$, so do the derivatives by $u$ of the
-  surfaces, for every $w$, and with them all others.
+:reading: triangle_of_powers_consists_of_powers | a curve of any degree is cut into curves of the same degree over $[0,1]$
+:reading: surface_part_is_the_piece | a surface is cut so as well
+:reading: derivatives_go_down_through_the_differences | of any order the derivatives at the ends are differences of the points next to them, so that points can be chosen for a smooth joint
+:reading: what is convenient and what easy: an opinion, which no computation decides
 
-Easy is read as: for every degree and every order.  A curve is cut into pieces over $[0,1]$ of the same degree.  At the joint of two pieces of degree $n$ the
+A curve is cut into pieces over $[0,1]$ of the same degree.  At the joint of two pieces of degree $n$ the
 derivatives of order $r$ are $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$ and $\frac{n!}{(n-r)!}\Delta^rQ_0$; for $Q_i=\sum_j\binom ij\Delta^jP_{n-j}$, $i=0,\dots,k$, the differences of
 $Q$ are these, $\Delta^rQ_0=\Delta^rP_{n-r}$, so that the joint is $C^k$, whatever the other points are.
 :::

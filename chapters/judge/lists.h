@@ -21,9 +21,10 @@
 /* X(TAG): how the option of a role is written.
  *     CLAIM_LIST             claim claim ...
  *     CLAIM_TEXT         claim | text, or text alone
+ *     CLAIM_TEXT_WORDS   claim | text | words, or claim | text, or text alone
  *     CLAIM_PLACE_TEXT   claim | place | text
  *     PLACE_TEXT         place | text */
-#define FORM_LIST(X) X(CLAIM_LIST) X(CLAIM_TEXT) X(CLAIM_PLACE_TEXT) X(PLACE_TEXT)
+#define FORM_LIST(X) X(CLAIM_LIST) X(CLAIM_TEXT) X(CLAIM_TEXT_WORDS) X(CLAIM_PLACE_TEXT) X(PLACE_TEXT)
 
 /* X(TAG, key, form): what a claim, or a text, does for a statement. */
 #define ROLE_LIST(X)                                                                                                   \
@@ -34,7 +35,8 @@
     X(HYPOTHESIS, "hypothesis", CLAIM_TEXT) /* text: a hypothesis to be added; claim: what goes wrong without it   */  \
     X(NEEDS, "needs", CLAIM_PLACE_TEXT)     /* text: a hypothesis that the source states, at that place; claim: what   \
                                                goes wrong without it                                               */  \
-    X(READING, "reading", CLAIM_TEXT)       /* text: one way to read the print; claim: what decides that reading   */  \
+    X(READING, "reading", CLAIM_TEXT_WORDS) /* text: one way to read the print; claim: what decides that reading;     \
+                                               place: the argument in words that it needs besides, or none         */  \
     X(MEANT, "meant", PLACE_TEXT)           /* text: what the source itself means; place: by what one knows        */  \
     X(ARGUED, "argued", PLACE_TEXT) /* text: an argument in words that leads from the claims to the statement; place:  \
                                        the cases that it adds to those of the claims, empty where they need it     */  \

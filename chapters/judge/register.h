@@ -15,7 +15,8 @@ typedef struct chapter {
 /* A text whose statements are decided; `key` stands before the colon of their ids.  No field is NULL; the empty text where
  * nothing is known. */
 typedef struct source {
-    const char *key, *author, *title, *title_zh, *year, *publisher, *part, *letter; /* letter: of degrees; k: of orders */
+    const char *key, *author, *title, *title_zh, *year, *publisher, *part,
+        *letter; /* letter: of degrees; k: of orders */
 } source;
 
 /* The data of a claim's block, for the figures: also of a claim without a body in the number types that are compiled in. */
@@ -32,5 +33,8 @@ typedef struct cagd_register {
     const figure *figures;
     const source *sources;
     const block_data *data;
+    const char *const
+        *printed; /* ids of the statements whose formulas are read from their print, too, in the files print*.md of
+                                   the chapters; with NULL at the end, or NULL where none are known */
 } cagd_register;
 #endif

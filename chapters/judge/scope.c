@@ -569,12 +569,12 @@ static int is_said(const scope *s, const char *condition)
     return 0;
 }
 
-/* "all points and weights, where ω ≠ 0, and 0 < t < 1". */
+/* "all points and weights, where ω ≠ 0, and 0 < t < 1"; of cases that are not told, every condition. */
 static void put_conditions(FILE *out, const scope *s, int behind_data)
 {
     int put = 0;
     for (int k = 0; k < s->where.count; k++) {
-        if (is_among_data(s, s->where.at[k]) || is_said(s, s->where.at[k]))
+        if (!s->apart && (is_among_data(s, s->where.at[k]) || is_said(s, s->where.at[k])))
             continue;
         if (put == 0 && !behind_data)
             put_between(out);
@@ -611,12 +611,11 @@ char *scope_words(const scope *s, const char *letter)
         put_between(out);
         fputs(data, out);
     }
-    if (!s->apart)
-        put_conditions(out, s, any_data);
     if (s->apart) {
         put_between(out);
         fputs("each step for its own cases", out);
     }
+    put_conditions(out, s, any_data || s->apart);
     if (s->instances > 0) {
         put_between(out);
         fprintf(out, "%d random instances", s->instances);

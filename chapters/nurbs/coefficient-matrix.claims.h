@@ -159,6 +159,7 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :printed: \mathbf r^*(u)=\sum_{i=r-k+1}^rN_{i,k}(t)\mathbf r_i=(1,u,\dots,u^{k-1})\,\mathbf A_{r,k,T}\,(\mathbf
   r_{r-k+1},\dots,\mathbf r_r)^T,\quad 0\le u<1
 :holds-by: matrix_gives_homogeneous_curve
+:needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
   $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); only the tilde is left out.
 :reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: as soon as two
@@ -502,9 +503,14 @@ CLAIM(column_by_differences_is_the_function)
 :::{statement} wang-ch4:formula-4.4.12
 :title: The limits of the double sum
 :zh: (4.4.12) 的求和上限
-:printed: 0\le\mu\le k-1-\max(j,k-l_\lambda),\quad0\le j\le k-1,\quad r-k+1\le i\le r
+:printed: the sums of (4.4.12) run over $\lambda=1,\ \tau_\lambda>t_r$ to $d(T_i)$ and over $\mu=0$ to $k-1-\max(j,k-l_\lambda)$, for
+  $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :holds-by: printed_double_sum_gives_the_basis
 :confirmed-by: summation_orders_agree
+:needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
+  summed
+:needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
+  empty
 :figure: both_matrices
 
 For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and
@@ -516,6 +522,8 @@ their bases are positive.
 :zh: 由此得 NURBS 曲线的系数矩阵表示
 :printed: this gives the representation (4.4.2) of the NURBS curve (4.1.1) on $[t_r,t_{r+1})$
 :holds-by: matrix_by_differences_is_the_matrix matrix_gives_homogeneous_curve
+:needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
+  empty
 :figure: matrix_and_weights
 
 For the homogeneous curve (4.1.1).

@@ -39,8 +39,9 @@ vanishing curvature or torsion, and its members have them.
 :reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
   meant: a counterexample for $k=6$, $r=3$, with an inflection
 :reading: curvatures_have_a_fixed_ratio | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
-  closed span and $\tau(t)$ continuous on it, by an argument in words: there is a fixed point $\tau(t)=t$, and a second solution through
-  it needs $\mathbf r'\times\mathbf r''=0$ there
+  closed span and $\tau(t)$ continuous on it | A continuous $\tau(t)$ of the span into itself has a fixed point $\tau(t)=t$; about such a point
+  the only solution is $\tau=t$, since a second one through it needs $\mathbf r'\times\mathbf r''=0$ there; so the fixed points are
+  the whole span.
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
   solutions.
 :corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has

@@ -20,11 +20,15 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
 :refuted-by: osculating_plane_meets_the_origin_once
 :reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises
 :reading: points_are_polar_values_of_the_segment | for all $t$ of the span, but not for this reason, the
-  coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants
+  coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants | The Wronskian of the coordinates of $\mathbf r$ is 0,
+  so they are linearly dependent, as for the corrected sentence; a plane through the origin that has the segment has its points.
 :meant: the proof, in which (4.3.12) is the alternative to $\tau=t$ | The first: at one $t$.
 :corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
   linearly dependent, the segment is in a plane through the origin, and so are its control points
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
+:argued: | Rational functions whose Wronskian is 0 for all $t$ of a span are linearly dependent: the rows $\mathbf r,\mathbf r',\mathbf
+  r''$ have a common normal $n=\mathbf r\times\mathbf r'$; $n$ and $n'=\mathbf r\times\mathbf r''$ are both normal to the first two, so
+  that the direction of $n$ is constant where these are independent; else $\mathbf r$ is on a line through the origin.
 :figure: points_off_the_plane
 :::
 

@@ -84,7 +84,8 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :refuted-by: member_osculates_a_plane_through_the_origin
 :reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, as the alternative to $\tau=t$ arises
 :reading: points_are_polar_values_of_the_segment | for all pairs of the square, as in theorem 4.3.2, each member
-  being in a plane through the origin and its points with it, but not by linear independence
+  being in a plane through the origin and its points with it, but not by linear independence | The Wronskian of the coordinates
+  of the member is 0 for all $t$, so they are linearly dependent, as in theorem 4.3.2.
 :meant: the proof, in which the sum is the alternative to $\tau=t$ | The first: at one pair $(t,\tau)$.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
   whatever the points are
@@ -216,7 +217,9 @@ CLAIM(weighted_points_follow_the_recursion)
 :refuted-by: level_one_in_a_plane_and_the_points_not
 :reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$
 :reading: span_derivatives_are_parallel | for all pairs of the square, because on the diagonal it says that the
-  curve is in a plane through the origin; not by solving for the terms
+  curve is in a plane through the origin; not by solving for the terms | At $\tau=t$ the member has the point, the tangent and
+  the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$; the plane has the
+  control points, and so every member.
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
   are 0 on every level

@@ -32,7 +32,9 @@ inflection: it is touched by every member.
 :reading: space_quartic_has_second_envelope | the same for curves that are not plane, where the curvature
   vanishes
 :reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as
-  (4.3.10) may be meant, if $\mathbf r'\times\mathbf r''$ is not 0 identically: the lines $t=t_0$ are then left out
+  (4.3.10) may be meant, if $\mathbf r'\times\mathbf r''$ is not 0 identically: the lines $t=t_0$ are then left out |
+  Away from the isolated zeros of $\mathbf r'\times\mathbf r''$ the condition leaves $\tau=t$ only, and a continuous function has
+  the same value at them.
 :reading: folded_line_has_another_solution | the same when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
   points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless

@@ -335,7 +335,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
   with positive weights
 :meant: theorems 4.3.1 to 4.3.3, which it sums up | All three: for every $r$, for all joint solutions, for every
   family.
-:corrected: the curve is among the envelopes, as the points with $\tau=t$
+:corrected: where the members exist and $\mathbf r'\ne0$, the curve is among the envelopes, as the points with $\tau=t$
 :corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
 :figure: nurbs_polygons_extra
 :::
@@ -421,8 +421,9 @@ CLAIM(convex_polygon_has_a_stationary_leg)
 :reading: convex_polygon_has_a_stationary_leg | the envelope as the set of all joint solutions, which is the notion of
   the section: more than the curve, even for a strictly convex control polygon
 :reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
-  of its points: where the polygons exist it is the curve alone, as $\tau\ne t$ is possible for single values of
-  $\tau$ only, unless a segment is straight
+  of its points: where the polygons exist it is the curve alone, unless a segment is straight | With $\tau\ne t$
+  the condition holds for finitely many $\tau$ only, the zeros of $\mathbf r'\times\mathbf r''$ of the continued segments; on a
+  curve that touches a varying polygon $\tau$ runs through intervals.
 :meant: the words "for every", and the section, by which the envelope is all joint solutions | The first and the
   second.
 :corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$

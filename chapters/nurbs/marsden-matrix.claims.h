@@ -526,6 +526,8 @@ CLAIM(independent_functions_do_not_suffice)
 :zh: B 样条基按 t 的幂展开
 :printed: N_{i,k}(t)=\sum_{\mu=0}^{k-1}g^*_{\mu i}t^\mu/\det\mathbf G_{r,k,T}
 :holds-by: cofactors_give_powers_of_t
+:needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
+  empty
 :figure: both_matrices
 :::
 

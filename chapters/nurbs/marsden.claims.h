@@ -272,6 +272,8 @@ CLAIM(marsden_identity_ends_with_the_span)
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
 :holds-by: marsden_step_for_every_order
 :confirmed-by: marsden_identity marsden_identity_up_to_order_eight
+:needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
+  summed
 :figure: marsden_identity
 
 With the polynomials of the span in the places of the $N_{i,k}$ it holds for all $t$, not in the span alone.
@@ -331,12 +333,36 @@ an approximation, are history and opinion.
 :title: For k = 1 the identity is obvious
 :zh: k=1 时恒等式显然
 :printed: for $k=1$ (4.4.13) is obvious
-:holds-by: marsden_step_for_every_order
+:holds-by: marsden_identity_of_order_one
 :confirmed-by: marsden_identity_for_every_pattern
+:needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
+  summed
 
-It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span.
+It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span.  That it is obvious is an opinion.
 :::
 
+:::{claim} marsden_identity_of_order_one
+:title: The identity of order 1
+:zh: 一阶 Marsden 恒等式
+:given: $k=1$, the two knots of a span that is not empty, $x$ and a $t$ of the span, variables
+:then: $\omega_{r,1}(x)N_{r,1}(t)=1$, and $(x-t)^0=1$
+:method: $\omega$ by its letter, the product of no factors; the function of order 1 by the definition of the B-splines.
+:degrees: 0..0
+:scope: order 1
+:over: t#: knots; x
+:control: the product of one factor, $x-t_{r+1}$
+:::
+*/
+CLAIM(marsden_identity_of_order_one)
+{
+    num knots[2], x = unknown(T, "x", 0), t = parameter(T, "t");
+    G(increasing)(T, 2, knots);
+    struct G(span) S = G(span_of_pattern)(1, 0, knots);
+    num product = G(omega)(&S, 0, fault(T, 1, 2), x);
+    same(T, mul(product, G(basis_value)(&S, 0, 1, t)), G(power)(sub(x, t), 0));
+}
+
+/*
 :::{statement} wang-ch4:formula-4.4.15
 :title: One level of the recursion, moved to the coefficients
 :zh: 递推转移到系数

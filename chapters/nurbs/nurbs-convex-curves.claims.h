@@ -20,8 +20,8 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   inserted_parameters_become_vertices insertion_ratios_are_between_zero_and_one
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through part of the boundary of a convex set once
-:hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more; else the curve is
-  not continuous
+:hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points there
+  coincide; else the curve is not continuous
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: | For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, and they turn as
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
@@ -294,10 +294,14 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :printed: by (4.1.10), $A$ is the smallest closed convex set $A(\boldsymbol r_k(t))$ with $\boldsymbol r_k(t)$ as boundary or part of the
   boundary, so $\boldsymbol r_k(t)$ is convex
 :holds-by: convex_polygons_lie_on_the_border_of_their_hull convex_polygons_have_splines_of_one_turn
-:hypothesis: knot_of_full_multiplicity_tears_the_curve | no inner knot has multiplicity $k$; else the polygons converge to the curve
+:hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points
+  there coincide; else the polygons converge to the curve
   together with the segment over which it jumps
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve: (4.1.10) is the limit of the whole
   polygon, as for corollary 4.1.1; else $A$ is the hull of more than the curve
+:hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through its points once: as for the theorem; else
+  the $A$ of a refined polygon need not exist
+:needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: the step itself, which names $\boldsymbol r_k(t)$ | The polygons are those of one NURBS curve.
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves

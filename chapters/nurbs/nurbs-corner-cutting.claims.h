@@ -510,6 +510,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
   is not enough; it does not run over its start
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $\tau_1$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :argued: every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
   order than the factors, which are between 0 and 1.
 :figure: what_convex_must_mean
@@ -583,6 +584,8 @@ of the same curve over the knots with the new one, with its new weights, and if 
 :printed: for $T'=\{\tau_1,\tau_2,\dots,\tau_{m-1}\}$ and $T''=T'\oplus\{\tau_m\}$: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$, and
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
 :holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T''$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: cutting_corners
 
 With the new weights, which the notation does not show; in the second equation the index $k$ is left out.  The sum $\oplus$ keeps multiplicities.

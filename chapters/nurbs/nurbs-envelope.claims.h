@@ -192,7 +192,8 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
 :title: The levels 1, ..., k-2 of a curve of order at least 3
 :zh: r 与 k 的取值范围
 :printed: the families are considered for $k\ge3$ and $r=1,2,\dots,k-2$
-:holds-by: member_of_extreme_levels
+:definition: yes
+:checked-by: member_of_extreme_levels
 :figure: nurbs_envelope_families
 
 The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=k-1$ a point of
@@ -207,7 +208,7 @@ it.
   points, any $t$ and $\tau$
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
-:degrees: 1..6 sampled 7
+:degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: level $k-2$ in the place of level $k-1$
 :::

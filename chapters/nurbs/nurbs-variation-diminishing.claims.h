@@ -626,7 +626,7 @@ point.
 :reading: polygon_through_the_crossings_crosses_as_often | intersections are points in common
 :reading: jump_crosses_the_line_without_a_point | intersections are crossings: at a knot of multiplicity $k$ the curve may change sides by
   a jump, for which there is no parameter
-:argued: every curve | Of whole numbers, more than $N$ is $N+1$ at least; and a point that the curve has in common with the line is a
+:argued: | Of whole numbers, more than $N$ is $N+1$ at least; and a point that the curve has in common with the line is a
   point of the curve, which has a parameter.
 :figure: points_of_the_line_as_vertices
 
@@ -748,6 +748,7 @@ CLAIM(jump_crosses_the_line_without_a_point)
   can be inserted by the printed formula, and need not be, since $r_k(t_k)$ is the vertex $r_1$
 :reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$: then $r(t'_i)$ is a vertex, too,
   though not the one with the index of (4.1.9)
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :figure: points_of_the_line_as_vertices
 
 In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
@@ -763,6 +764,7 @@ may be more than $k$; then some vertices are repeated and nothing else happens.
 :holds-by: inserted_parameters_become_vertices
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :argued: every curve | The points are common points of the line and of the polygon, being vertices.
 :figure: points_of_the_line_as_vertices
 
@@ -777,8 +779,10 @@ changes sides where the curve does.
 :zh: 与引理矛盾
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; as points of the plane
   there is no contradiction, and there cannot be
+:needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | it counts as one intersection
 :figure: what_must_be_counted

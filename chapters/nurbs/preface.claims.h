@@ -73,20 +73,23 @@ Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
   every such curve has.
 :reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion
 :reading: one_order_more_jumps | that every curve is continuous of one order more
-:argued: the quotient | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
+:argued: | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
   power of $w>0$.
 :figure: knot_sides
 
-A knot of multiplicity $m$ costs $m$ of the $k-1$ continuous derivatives; curvature is continuous for $m\le k-3$, torsion for
-$m\le k-4$.
+A knot of multiplicity $m$ costs $m$ of the $k-1$ continuous derivatives; where $r'\ne0$ the curvature is continuous for
+$m\le k-3$, and where it is not 0 the torsion for $m\le k-4$.
 :::
 
 :::{statement} wang-ch4:preface-conics
 :title: Rational Bézier curves, and so NURBS, represent conics exactly
 :zh: 可精确表示圆锥曲线
 :printed: NURBS curves have as well the property of rational Bézier curves that they can represent conic sections exactly
-:holds-by: tangent_conics_are_rational_quadratics bezier_knots_give_rational_bezier
-:confirmed-by: circle_is_a_nurbs_curve circle_is_run_through_once
+:holds-by: tangent_conics_are_curves_of_order_three conics_touching_two_lines_are_limings
+:confirmed-by: tangent_conics_are_rational_quadratics bezier_knots_give_rational_bezier circle_is_a_nurbs_curve
+  circle_is_run_through_once
+:argued: | About any point of an ellipse, parabola or hyperbola there are two tangents that meet, and the frame of their two points and
+  of the point where they meet may be any triangle, as an affine map takes one into the other.
 :reading: ellipse_carries_no_polynomial_arc | as an advantage over B-spline curves, for ellipses: a polynomial arc on an ellipse is
   a point
 :reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
@@ -95,6 +98,36 @@ $m\le k-4$.
 A whole circle is one NURBS curve, with rational points and weights, and with every choice of the knots.
 :::
 */
+
+/*
+:::{claim} tangent_conics_are_curves_of_order_three
+:title: Every conic that touches two sides of a triangle at their ends is a NURBS curve of order 3
+:zh: 切于三角形两边的二次曲线都是三阶 NURBS 曲线
+:given: order three, $n=3$, knots $x_0,x_1^2,x_2^2,x_3$, variables; the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights
+  $1,1,-\frac{4\nu}\mu$; any $t$
+:where: the conic is no pair of lines
+:then: $\mu\,xy+\nu(x+y-1)^2=0$ with the coordinates $x,y$ of $r(t)$
+:method: The point of the curve from the definition, all terms, put into the equation of the conic.  Where the arc between the
+  tangents is inside the triangle, $xy>0$, so that $\nu/\mu<0$, and the three weights are positive.
+:degrees: 2..2
+:over: m: μ; k: ν; x#: knots
+:control: the last weight $-2\nu/\mu$
+:::
+*/
+CLAIM(tangent_conics_are_curves_of_order_three)
+{
+    enum { p = 2, n = 3 };
+    int place[MOST_KNOTS];
+    num zero = from_int(0), one = from_int(1), x[4], u[MOST_KNOTS], P[2];
+    num mu = positive(T, "m", 0), nu = positive(T, "k", 0), t = parameter(T, "t");
+    num R[2 * n] = {one, zero, zero, zero, zero, one};
+    num w[n] = {one, one, mul(from_int(fault(T, -4, -2)), div(nu, mu))};
+    G(distinct_knots)(T, 4, 6, x);
+    G(knots_at)("1221", x, u, place);
+    G(nurbs_by_definition)(n, p, 2, u, place, R, w, 1, t, P);
+    num s = sub(add(P[0], P[1]), one);
+    vanishes(T, add(mul(mu, mul(P[0], P[1])), mul(nu, mul(s, s))));
+}
 
 /*
 A parabola is all that polynomials of degree two can draw, and no polynomial draws an arc of a circle at all. With weights it
@@ -356,7 +389,7 @@ CLAIM(recursion_subtracts_data_only)
 :title: Horner's rule takes k-1 products and k-1 sums
 :zh: Horner 算法的运算次数
 :types: field rational
-:given: $a_0,\dots,a_p$ and $t$
+:given: $a_0,\dots,a_p$ and $t$, with $p=k-1$
 :then: $(\dots(a_pt+a_{p-1})t+\dots)t+a_0$ is $\sum a_jt^j$ and takes $2p$ operations; bringing a span to this form, a
   product with a matrix of $k\times k$ numbers, takes less than $2k^2$ a coordinate, once
 :method: The rule against the sum of powers, everything a variable, and on numbers that count.
@@ -426,7 +459,7 @@ CLAIM(determinant_written_out_is_factorial)
 :kind: decision
 :data: m = 4; n = 6
 :given: the kernels `bspline_matrix`, by the recursion, and `bspline_matrix_by_marsden`, by the second explicit form
-:then: the first takes at most $m\,k^3$ operations, the second at most $m\,k^n$
+:then: the first takes at most $4k^3$ operations, the second at most $4k^6$
 :method: The kernels on numbers that count.  Both are loops inside loops, as many as the exponent says.
 :degrees: k = 2..17
 :control: the bound $m\,k^2$ for both

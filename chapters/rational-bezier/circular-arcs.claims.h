@@ -20,12 +20,14 @@ base angle $\angle R_1R_0R_2$ in its derivation.
   $A=C$.
 :meant: the next formula, $\frac{l^2}{l^2+y_1^2}=\cos^2\theta$ | $\theta$ is the base angle of the triangle.
 :holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
+:confirmed-by: arcs_satisfy_the_three_equations
 :needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the central angle may be $2\pi-2\theta$.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle.
 :figure: circular_arc
 
-That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2$ is a circle needs right angles and
+Only if: five points of an arc determine its conic, so that the $S$ of an arc of a circle is the equation of the circle up to a factor, with $B=0$ and
+$A=C$.  That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2$ is a circle needs right angles and
 equal units on the axes, as the special coordinates have them.
 :::
 

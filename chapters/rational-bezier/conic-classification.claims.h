@@ -350,7 +350,7 @@ CLAIM(directions_at_infinity)
 :then: $\frac{4(AC-B^2)}{\omega_1^4d^2}$ is $s>0$, 0, or $\frac{-s}{1+s}<0$
 :method: $\omega_0$, $\omega_1$ and $s$ are variables and $\omega_2$ follows from $I_1$, which is the kernel's invariant of
   the weights; every value of $I_1$ below or above 1 has one $s$.
-:scope: every I_1 > 0
+:scope: every $I_1>0$
 :where: $R_0$, $R_1$, $R_2$ do not lie on a line; the weights are positive
 :over: s: -
 :control: $I_1$ upside down

@@ -343,6 +343,10 @@ CLAIM(zero_alpha_collapses)
 :printed: That is, regarded as a degenerate case of the curve (3.2.2), the Bézier curve (1.3.2) can also be restored to (3.2.2).
 :holds-by: geometric_weights_term_by_term
 :confirmed-by: geometric_weights_reparametrize_bezier
+:needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$; positive
+  weights $\alpha^i$ mean it
+:needs: zero_alpha_collapses | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$: for $\alpha=0$
+  the curve collapses to $\mathbf P_0$
 :meant: the curve that the property displays | To a curve of the form (3.2.2).
 :reading: geometric_weights_term_by_term | to a curve of the form (3.2.2), the one displayed
 :reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter, for $n\ge2$

@@ -369,6 +369,8 @@ Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
   curvature_and_torsion_belong_to_arc_length
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive for the curvature; as in (3.2.5).
+:needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf a_1\ne\mathbf
+  0$; as in (3.2.5).
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion; as
   in (3.2.6).
 
@@ -387,6 +389,7 @@ Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
   $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.  At $t=1$ the second derivative has the other sign,
   and $a_n,a_{n-1},a_{n-2}$ stand for $a_1,a_2,a_3$: the order of the mixed product is reversed.
 :degrees: all
+:where: $\omega_0\omega_1\omega_2\ne0$ at $t=0$ and $\omega_n\omega_{n-1}\omega_{n-2}\ne0$ at $t=1$
 :over: n: -; x# y# z#: edges; f# g# p q r: -
 :control: the factor $(n-1)/n$ in the torsion
 :::
@@ -471,6 +474,8 @@ CLAIM(factor_of_the_curvature_is_positive)
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive for the curvature; as in (3.2.5).
+:needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf a_n\ne\mathbf
+  0$; as in (3.2.5), the example to be read in reversed order.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion;
   as in (3.2.6).
 

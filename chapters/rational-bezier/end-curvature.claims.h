@@ -314,7 +314,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
   makes it $0$, the torsion of a plane curve.
 :figure: end_formulas_undetermined
 
-The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\omega_2$ are not $0$.
+The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\omega_2$ are not $0$; the positive weights that are usual have no 0 among them.
 :::
 
 :::{statement} wang-ch3:3.2.6-right

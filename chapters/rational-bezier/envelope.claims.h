@@ -212,10 +212,11 @@ CLAIM(member_shrinks_at_a_cusp)
 :title: The levels 1, ..., n-1 of a curve of degree at least 2
 :zh: r 与 n 的取值范围
 :printed: The theorem is about degree $n\ge2$ and the levels $r=1,2,\dots,n-1$.
-:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:definition: yes
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: extreme_levels_are_curve_and_point
 
-The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of
+A range is set, not claimed.  What is checked is that it leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of
 it, and for $n=1$ nothing is left.
 :::
 

@@ -704,9 +704,18 @@ CLAIM(printed_degree_spoils_the_genus)
 :title: The genus as the count (n-1)(n-2)/2 - d - s
 :zh: 亏格的计数公式
 :printed: The genus of the curve is $g=\frac{(n-1)(n-2)}2-d-s$.
-:definition: yes
-:confirmed-by: large_point_takes_all_double_points curves_that_fit_the_theorem
+:class: missing-hypothesis
+:refuted-by: rational_quartic_with_a_triple_point rational_quartic_with_a_higher_cusp
+:corrected: for an irreducible plane curve of degree $n$ all of whose singular points in the complex projective plane are nodes, $d$ of them,
+  and ordinary cusps, $s$ of them, the genus is $g=\frac{(n-1)(n-2)}2-d-s$
+:corrected-by: curves_that_fit_the_theorem
+:cites: [walker-1950]: the genus of an irreducible plane curve by its double points | The formula for all such curves is cited; the claim has four curves of
+  genus 0 that fit it.
+:argued: every n | The cited formula is one for curves of every degree.
+:confirmed-by: large_point_takes_all_double_points
 :figure: genus_zero
+
+The genus of a rational curve is 0, and the two quartics are rational.  Where it is only a name for the count, nothing is said that could fail.
 
 $\frac{(n-1)(n-2)}2$ is the number of double points that an irreducible curve of degree $n$ can have; the genus says
 how many are missing.  The imaginary points count, as the source says, and so do those at infinity: the lemniscate

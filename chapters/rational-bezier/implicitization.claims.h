@@ -557,8 +557,8 @@ determinant is identically 0.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant_row_by_row
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
-:hypothesis: elevated_curve_has_no_equation | $A$, $B$, $W$ have no common zero (no base point, $u=\infty$
-  included); else $F$ is 0 for all $(x,y)$
+:hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, $u=\infty$
+  included (no base point); else $F$ is 0 for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; with $\omega_0=0$ the first column vanishes
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of

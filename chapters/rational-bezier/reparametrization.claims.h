@@ -108,8 +108,12 @@ CLAIM(projective_change_of_unit_interval_is_fractional)
   R_i\Big/\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i$, $0\le u\le1$.
 :holds-by: fractional_change_term_by_term
 :confirmed-by: fractional_change_keeps_curve
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
+  and $b$ have one sign: positive weights give it; with $a/b<0$ both denominators vanish inside $[0,1]$
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega(t)\ne0$:
+  otherwise there is no point $\mathbf R(t)$
 
-An identity: $a$ and $b$ may be any numbers, as long as the denominators do not vanish.
+As an identity it holds for any numbers $a$ and $b$, as long as the denominators do not vanish.
 :::
 */
 
@@ -647,6 +651,8 @@ CLAIM(standard_form_has_unit_ends)
 :definition: yes
 :checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
+  and $b$ have one sign: positive weights give it; with $a/b<0$ the denominator vanishes inside $[0,1]$
 
 They are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
 :::

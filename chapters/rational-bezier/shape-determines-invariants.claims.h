@@ -771,7 +771,10 @@ CLAIM(product_is_the_inverse_second_invariant)
 :holds-by: change_of_parameter_acts_on_one_factor end_derivative_vectors_in_every_degree
   end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
 :confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+:needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so their points are not on a line; in a plane
+  one and the same quintic can have several $I_3$
 
+What the proof says of the start, that the curvatures and the torsions agree there, it is to say of the other end, too.
 Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and the hypotheses with each other.
 :::
 

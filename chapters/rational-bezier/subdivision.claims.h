@@ -328,6 +328,10 @@ CLAIM(cut_outside_can_fail)
 :confirmed-by: numerator_and_denominator_are_cut_alike
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: so that all points $\mathbf R_i^r(c)$ exist
+:needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
+  $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
+:needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
+  vanish although all $\omega_i>0$
 
 Chapter 1 of the source is not at hand; its theorem is taken to be subdivision by de Casteljau.  What comes out is theorem 3.3.1 with the right branch as
 corrected.
@@ -379,6 +383,10 @@ coincide would not give that point.
 :confirmed-by: subdivision_left_half
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
+:needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
+  $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
+:needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
+  vanish although all $\omega_i>0$
 
 As an identity it holds for every $t$.
 :::
@@ -396,6 +404,10 @@ As an identity it holds for every $t$.
 :confirmed-by: subdivision_right_half
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
+:needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
+  $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
+:needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
+  vanish although all $\omega_i>0$
 :striking: 6
 :figure: right_half_misprint
 

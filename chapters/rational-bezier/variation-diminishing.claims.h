@@ -138,10 +138,11 @@ CLAIM(designed_curves_cross_no_more)
 :given: the curves and polygons of `designed_curves_cross_no_more`, those inside the line left out
 :then: the curve has on $[0,1]$ at most as many parameters on the line as the polygon has maximal pieces (points or runs of
   edges) on it
-:method: Counted by Descartes' rule in the Bernstein basis and by Sturm's theorem.  For all: an end on the line is a piece of its own,
-  every change of sign gives a piece between, and the roots inside are at most $V$.
+:method: Counted by Descartes' rule in the Bernstein basis and by Sturm's theorem.
 :degrees: 1..5
 :scope: the stated polygons and weights
+:argued: every n | For all curves: an end on the line is a piece of its own, every change of sign of the heights gives a piece between, and the roots
+  inside are at most $V$.
 :control: the pieces without those at the ends
 :::
 */

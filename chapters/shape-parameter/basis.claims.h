@@ -101,17 +101,22 @@ CLAIM(corrected_kernel_is_its_formula)
 :title: The eight functions have the properties that follow
 :zh: 上述基函数具有以下性质
 :printed: the functions above have the following properties: 2.1 to 2.7
-:refuted-by: printed_functions_do_not_sum_to_one printed_middle_functions_are_no_mirror_images
-:class: misprint
-:corrected: $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed;
-  these two functions are the only ones that are mirror images with linear factors and make the sum 1
+:refuted-by: printed_functions_do_not_sum_to_one printed_middle_functions_are_no_mirror_images third_function_is_negative
+  second_function_decreases
+:class: false
+:corrected: with $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed,
+  the properties 2.2, 2.3, 2.4 and 2.7 hold for every $\beta$, 2.4 and 2.7 with the indices corrected, and 2.1 and 2.5 for
+  $-\frac{21}4\le\beta\le1$; 2.6 does not hold.  These two functions are the only ones that are mirror images with linear
+  factors and make the sum 1
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
-  corrected_functions_are_mirror_images
+  corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends beta_zero_gives_bernstein_polynomials
+  nonnegative_exactly_in_the_range derivative_of_a_function_factors each_function_rises_then_falls
+  linear_factor_adds_a_change_of_sign signs_of_the_slopes
 :figure: eight_functions
 :striking: 7
 
-With them 2.2, 2.3, 2.4 and 2.7 are true, the last two after their own misprints in (8) and (9); 2.1, 2.5 and 2.6 need
-corrections of their own.  The corrected functions have the rule that the printed ones nearly show, and have it in every
+Two digits of (1) and the indices of (8) and (9) are misprints; what is wrong with 2.1, 2.5 and 2.6 is no slip: the range, and
+the sign of the slopes.  Elsewhere these functions are called the corrected ones.  The corrected functions have the rule that the printed ones nearly show, and have it in every
 degree: $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with
 $a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.  For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :::
@@ -483,7 +488,7 @@ difference of its sides has the factor $1-2t$, and in the middle of the interval
 :refuted-by: printed_middle_functions_are_no_mirror_images
 :class: misprint
 :corrected: for $i=0,1,2$ as printed; $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation needs
-  $\beta=0$; the corrected functions have all four for every $\beta$
+  $\beta=0$; the corrected functions (`sec-2-properties`) have all four for every $\beta$
 :corrected-by: printed_outer_functions_are_mirror_images corrected_functions_are_mirror_images
 :figure: eight_functions
 :::

@@ -27,7 +27,7 @@ sense, for a triangle and its base.
 :refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
   curve_of_a_triangle_meets_a_line_three_times
 :class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not
+:corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not
   on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate

@@ -29,7 +29,7 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_at_minus_seven_crosses_a_line_off_its_polygon
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings,
+:corrected: true for the corrected functions (`sec-2-properties`) exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings,
   and for common points unless the curve is on $L$ and the polygon is not; for the printed functions only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero corrected_functions_sum_to_one
   functions_are_independent_but_for_two_values linear_factor_adds_a_change_of_sign

@@ -24,7 +24,8 @@ their edges, and the curve depends on the place of the origin.
 :checked-by: printed_curve_kernel_is_the_sum curve_kernels_give_the_sum
 :figure: curves_for_several_beta
 
-The left side stands for $B_1(t)$, as (11) writes it.
+The left side stands for $B_1(t)$, as (11) writes it.  A coordinate of the curve comes from that coordinate of the points alone,
+so that what the claims compute for points of the plane, coordinate by coordinate, is true in every $\mathbb R^d$.
 :::
 */
 
@@ -426,7 +427,7 @@ CLAIM(derivatives_of_the_curve)
 :title: The curve interpolates the end points and touches the end edges
 :zh: 端点插值与端边相切
 :printed: the curve interpolates the first and last control point and is tangent to the first and last edge
-:holds-by: end_points_and_end_derivatives
+:holds-by: end_points_and_end_derivatives functions_vanish_to_their_orders_at_the_ends
 :hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
 :figure: end_edges
@@ -484,7 +485,7 @@ of the curve is $B_2(t)$.
 :printed: by property 2.1 the curve lies in the convex hull of the control points
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
 :class: false
-:corrected: true for the corrected functions exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
+:corrected: true for the corrected functions (`sec-2-properties`) exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
 :corrected-by: corrected_functions_sum_to_one nonnegative_exactly_in_the_range printed_sum_in_closed_form
 :figure: hull_and_sum
 
@@ -549,7 +550,7 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :printed: the curve of $P_7,\dots,P_0$ is the curve of $P_0,\dots,P_7$ with the opposite direction
 :refuted-by: printed_curve_is_not_reversed
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$, for the printed ones only for $\beta=0$
+:corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
 :figure: two_directions_two_curves
 :::
@@ -662,7 +663,7 @@ where it is, do no harm.
   the same after translations and rotations of the coordinates
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$; the printed curve of the points $P_i+v$ is the old one
+:corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; the printed curve of the points $P_i+v$ is the old one
   moved by $(1-4\beta(1-t)^3t^4)v$, so it moves along only for $\beta=0$ or $v=0$; linear maps, rotations about the origin
   among them, do no harm
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
@@ -677,7 +678,7 @@ where it is, do no harm.
   the same map
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$; with the printed ones for linear maps, for all affine maps
+:corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; with the printed ones for linear maps, for all affine maps
   only if $\beta=0$
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
 :figure: hull_and_sum
@@ -733,7 +734,8 @@ static void G(free_map)(trial *T, num M[], num v[])
 :zh: 仿射不变性
 :given: points of the plane, any affine map, any $\beta$ and $t$
 :then: the curve of the images of the points is the image of the curve
-:method: Map, points, $\beta$ and $t$ are variables.
+:method: Map, points, $\beta$ and $t$ are variables.  A coordinate of the image is a linear function of the coordinates plus a number,
+  one summand for each of them: with a third coordinate it is the same in space.
 :degrees: 2..7 sampled 12
 :over: m# v#: affine maps
 :control: the last point is not moved
@@ -761,7 +763,7 @@ CLAIM(curve_moves_with_its_points)
 :zh: 按式 (1) 的曲线在平移与线性变换下的变化
 :given: points $P_0,\dots,P_7$ of the plane, any linear map $M$ and vector $v$, any $\beta$ and $t$
 :then: the printed curve of the points $MP_i+v$ is $M\hat q(t)+(1-4\beta(1-t)^3t^4)v$
-:method: Map, points, $\beta$ and $t$ are variables.
+:method: Map, points, $\beta$ and $t$ are variables.  In space a coordinate of $MP_i$ has one summand more, of the same form.
 :degrees: 7..7
 :over: m# v#: affine maps
 :control: $v$ without its factor

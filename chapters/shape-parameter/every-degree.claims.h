@@ -553,4 +553,43 @@ CLAIM(below_the_range_a_larger_beta_pulls_inward)
 }
 #endif
 
+/*
+Many edges make no new difficulty, since a product of two sums goes by pairs.
+
+:::{claim} product_of_two_sums_goes_by_pairs
+:title: The cross product of two sums over the same vectors is a sum over pairs of them, whatever their number
+:zh: 两和的叉积按对展开
+:given: two vectors $D$, $C$ of the plane, the sums so far; a vector $e$ with the factors $d$ and $c$; a vector $x$ with the factors $d'$ and $c'$
+:then: $(D+de)\times(C+ce)=D\times C+c\,(D\times e)-d\,(C\times e)$; and for $D=d'x$, $C=c'x$ the last two terms are $(d'c-dc')\,x\times e$
+:method: Everything is a variable.  The last two terms are linear in $(D,C)$, so for sums $D=\sum d_ae_a$, $C=\sum c_ae_a$ they are $\sum_a(d_ac-dc_a)\,e_a\times e$; by
+  induction $\sum d_ae_a\times\sum c_ae_a=\sum_{a<b}(d_ac_b-d_bc_a)\,e_a\times e_b$ for any number of vectors.  Where a convex polygon turns to the left by at most two
+  right angles the angle from $e_a$ to $e_b$ is between $0$ and $\pi$ for $a<b$, and no $e_a\times e_b$ is negative: with factors of one sign the product has that sign
+  or is 0.
+:degrees: all
+:over: x# y#: edges; c d p q: -
+:control: $d$ and $c$ exchanged in the last two terms
+:::
+*/
+CLAIM(product_of_two_sums_goes_by_pairs)
+{
+    num D[dim], C[dim], e[dim], x[dim], left[2][dim], d[2], c[2];
+    for (int k = 0; k < dim; k++) {
+        D[k] = unknown(T, "p", k), C[k] = unknown(T, "q", k);
+        e[k] = unknown(T, "x", k), x[k] = unknown(T, "y", k);
+    }
+    for (int k = 0; k < 2; k++)
+        d[k] = unknown(T, "d", k), c[k] = unknown(T, "c", k);
+    for (int k = 0; k < dim; k++)
+        left[0][k] = add(D[k], mul(d[0], e[k])), left[1][k] = add(C[k], mul(c[0], e[k]));
+    num of_d = fault(T, d[0], c[0]), of_c = fault(T, c[0], d[0]);
+    num more = sub(mul(of_c, G(cross2)(D, e)), mul(of_d, G(cross2)(C, e)));
+    /* (D + d e) × (C + c e) = D × C + c (D × e) - d (C × e) */
+    same(T, G(cross2)(left[0], left[1]), add(G(cross2)(D, C), more));
+    num first[dim], second[dim];
+    for (int k = 0; k < dim; k++)
+        first[k] = mul(d[1], x[k]), second[k] = mul(c[1], x[k]);
+    num pair = sub(mul(of_c, G(cross2)(first, e)), mul(of_d, G(cross2)(second, e)));
+    same(T, pair, mul(sub(mul(d[1], c[0]), mul(d[0], c[1])), G(cross2)(x, e)));
+}
+
 #include "chapters/judge/claims_off.h"

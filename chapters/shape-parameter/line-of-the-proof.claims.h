@@ -64,6 +64,41 @@ CLAIM(points_of_a_line_by_its_normal)
              add(mul(G(dot)(3, normal, to), normal[c]), fault(T, beside[c], neg(beside[c]))));
 }
 
+/*
+Between two points on one side of $L$ there is no point of $L$.  That is what the proof needs of an edge.
+
+:::{claim} points_between_two_on_one_side_are_on_it
+:title: Between two points on one side of a line or plane there is no point of it
+:zh: 同侧两点之间的线段不与直线(平面)相交
+:given: points $A$, $B$ and $Q$ of space, any vector $u$, a point $X=A+\lambda(B-A)$, $0<\lambda<1$; and two numbers $a,b>0$
+:harmless: a point $X=A+\lambda(B-A)$, $0<\lambda<1$ | the points of the edge but its ends are these
+:harmless: two numbers $a,b>0$ | the values at two ends on one side are such, or their negatives are
+:then: $u\cdot(X-Q)=(1-\lambda)\,u\cdot(A-Q)+\lambda\,u\cdot(B-Q)$, and $(1-\lambda)a+\lambda b>0$
+:method: Everything is a variable, $\lambda=s/(1+s)$ with $s>0$; in the plane the third coordinates are 0.  So with both ends strictly on one side, $a$ and $b$ being
+  their values or the negatives of them, the whole edge is; an edge that meets $L$ and has no end on it has its ends on two sides.
+:over: q#: points; u#: normal vectors; a b s: -
+:control: $\lambda$ and $1-\lambda$ exchanged
+:::
+*/
+CLAIM(points_between_two_on_one_side_are_on_it)
+{
+    enum { space = 3 };
+    num P[2 * space], Q[space], u[space], to[3][space], one = from_int(1);
+    num s = positive(T, "s", 0), lambda = div(s, add(one, s)), other = sub(one, lambda);
+    G(free_points)(T, 1, space, P);
+    for (int c = 0; c < space; c++) {
+        Q[c] = unknown(T, "q", c), u[c] = unknown(T, "u", c);
+        num X = add(P[c], mul(lambda, sub(P[space + c], P[c])));
+        to[0][c] = sub(P[c], Q[c]), to[1][c] = sub(P[space + c], Q[c]), to[2][c] = sub(X, Q[c]);
+    }
+    num of_first = fault(T, other, lambda), of_second = fault(T, lambda, other);
+    /* u·(X - Q) = (1-λ) u·(A - Q) + λ u·(B - Q) */
+    same(T, G(dot)(space, u, to[2]),
+         add(mul(of_first, G(dot)(space, u, to[0])), mul(of_second, G(dot)(space, u, to[1]))));
+    num a = positive(T, "a", 0), b = positive(T, "b", 0);
+    G(must_be_positive)(T, add(mul(other, a), mul(lambda, b)));
+}
+
 #if RATIONAL
 /*
 :::{claim} no_normal_no_line
@@ -98,7 +133,8 @@ CLAIM(no_normal_no_line)
 :zh: 边的两端在 L 两侧
 :printed: if $L$ meets the edge between $P_j$ and $P_{j+1}$ then these two points are on different sides of $L$, and
   $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have different signs
-:holds-by: sign_changes_are_polygon_crossings
+:holds-by: points_between_two_on_one_side_are_on_it
+:confirmed-by: sign_changes_are_polygon_crossings
 :hypothesis: line_through_an_edge_has_no_two_sides | neither of the two points is on $L$
 :figure: line_along_an_edge
 :::
@@ -174,7 +210,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
 :printed: the number of intersections of $B_1(t)$ with $L$ is Zero$(0,1)\{\sum_{j=0}^7B_{j,7}(t)(P_j-Q)\cdot u\}$
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
 :class: false
-:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters $t$ of common
+:corrected: for the corrected functions (`sec-2-properties`) the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters $t$ of common
   points with $0<t<1$; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
 :corrected-by: line_function_of_the_curve
 :figure: crossings_off_the_polygon
@@ -189,9 +225,9 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
+:corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
   curve is not on $L$
-:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+:corrected-by: totally_positive_exactly_in_the_range nonnegative_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign line_function_of_the_curve
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon

@@ -19,15 +19,13 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :printed: when $\beta$ grows the curve approximates the control polygon better
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
-:corrected: for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
+:corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
   triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; if the polygon is convex and turns by
   at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1; whether
   the curve comes nearer to the polygon depends on the polygon
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
-  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range
-:argued: | The product $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with the factors of the claims, all of one sign in the range.  Where a
-  convex polygon turns to the left by at most two right angles no $e_a\times e_b$ is negative; so $\partial_\beta q$ is to the right of $q'$, outward, or along it.
+  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :striking: 11
@@ -38,7 +36,8 @@ for which no point moves away from the polygon while $-2\le\beta\le1$ (`quadrati
 
 Below $-\frac72$ a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
 
-To some convex polygons it comes nearer: `convex_polygon_prefers_beta_one`.
+Outward is to the right of $q'$, or along it, where the polygon turns to the left: $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with
+the factors of the claims, none of them positive in the range.  To some convex polygons it comes nearer: `convex_polygon_prefers_beta_one`.
 :::
 */
 

@@ -111,8 +111,8 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
 :refuted-by: third_function_has_two_maxima
 :class: false
 :corrected: for $-\frac{21}4\le\beta\le1$ each function, printed or corrected, has exactly one local maximum on $[0,1]$ and
-  no inner local minimum; for $-7\le\beta<-\frac{21}4$ this is so for all but $B_2$ and $B_5$, which fall below 0 first and
-  have one inner maximum and one at an end
+  no inner local minimum; for $-7\le\beta<-\frac{21}4$ this is so for all but $B_2$ and $B_5$, which take negative values
+  and have one inner maximum and one at an end
 :corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
   third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
 :meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
@@ -131,8 +131,9 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ 
 :refuted-by: third_function_has_two_maxima
 :class: invalid-proof
 :corrected: figure 1 has one value of $\beta$, $-1$, for which it is right; the derivatives verify it for
-  $-\frac{21}4\le\beta\le1$ and refute it below
-:corrected-by: derivative_of_a_function_factors each_function_rises_then_falls linear_factor_adds_a_change_of_sign
+  $-\frac{21}4\le\beta\le1$ and refute it for $-7\le\beta<-\frac{21}4$
+:corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
+  third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
 :figure: negative_function
 :::
 

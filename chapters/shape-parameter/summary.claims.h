@@ -22,12 +22,10 @@ the range from $-\frac{21}4$ to 1.
   control polygon
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
-:corrected: $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight line,
+:corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight line,
   evenly; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
-  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range
-:argued: | Outward: the product $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with the factors of the claims, all of one sign in the
-  range, and no $e_a\times e_b$ is negative where a convex polygon turns to the left by at most two right angles.
+  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :::
@@ -40,7 +38,7 @@ the range from $-\frac{21}4$ to 1.
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven
 :class: false
-:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
+:corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
   not 0; at $\beta=-\frac{21}4$ too, but variation diminution for crossings, and for common points unless the curve is on
   the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
@@ -74,7 +72,7 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven curve_of_a_triangle_meets_a_line_three_times
 :class: false
-:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
+:corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
   not 0, convexity in the sense of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$
   too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
   not
@@ -246,7 +244,8 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 
 They can, which does not say that every change of the weights does: weights changed from $w_i$ to $cr^iw_i$ give another
 parametrization of the same curve (`weights_in_a_progression_keep_the_shape`), and points on a line may keep their segment
-(`points_on_a_line_keep_their_segment`).
+(`points_on_a_line_keep_their_segment`).  The sentence goes on that it is not clear yet how to choose the weights; that is an opinion,
+which no computation decides.
 :::
 
 :::{claim} points_on_a_line_keep_their_segment

@@ -126,22 +126,18 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :printed: it can be proved that the surface has geometric properties similar to those of the curve
 :refuted-by: printed_surface_leaves_a_single_point surface_leaves_the_hull_at_minus_seven
 :class: false
-:corrected: corners and boundary curves as printed; with the corrected functions symmetry and affine maps for every
+:corrected: corners and boundary curves as printed; with the corrected functions (`sec-2-properties`) symmetry and affine maps for every
   $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
 :corrected-by: functions_vanish_to_their_orders_at_the_ends corrected_functions_are_mirror_images
   surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
-:reading: printed_surface_leaves_a_single_point | the properties are those that section 3 prints for the curve: this is what is
-  decided above
-:reading: what is true of the curve is true of the surface: the failures are those of the curve, and the correction says
-  what is left
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
   and columns are: they may all be straight and the surface be a saddle, for every $\beta$
   (`net_of_straight_lines_gives_a_saddle`)
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
   what they are for a net, so that nothing is there to be decided
-:meant: the word "similar", after the properties of section 3 | The first: the properties of the curve, for the
-  surface.
+:meant: the word "similar", after the properties of section 3 | The properties that section 3 prints for the curve,
+  said of the surface.
 :figure: shape_surface
 
 With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.

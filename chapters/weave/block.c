@@ -121,6 +121,14 @@ struct link read_link(const char *value, role_form form)
         link.claim = before_bar(&value);
     if (form == PLACE_TEXT || form == CLAIM_PLACE_TEXT)
         link.place = before_bar(&value);
+    if (form == CLAIM_TEXT_WORDS) {
+        const char *bar = strstr(value, " | ");
+        if (bar != NULL) {
+            link.text = trimmed(copy_of(value, (size_t)(bar - value)));
+            link.place = trimmed(whole_copy(bar + 3));
+            return link;
+        }
+    }
     link.text = trimmed(whole_copy(value));
     return link;
 }

@@ -45,6 +45,7 @@ struct book {
     struct list figures; /* names in FIGURE(...) */
     struct list chapters, titles;
     struct list bilingual; /* the chapters whose heading is Chinese, too */
+    struct list printed;   /* ids of the blocks :::{printed} ID of print*.md */
     const char *types;     /* the number types that are compiled, separated by blanks */
 };
 

@@ -191,7 +191,7 @@ static void check_readings(const struct book *book, const struct block *b)
         value_of(b, "holds-by") != NULL || value_of(b, "refuted-by") != NULL || value_of(b, "definition") != NULL;
     int told = value_of(b, "meant") != NULL || !decided;
     for (int k = 0; k < b->options; k++) {
-        struct link link = read_link(b->option[k].value, CLAIM_TEXT);
+        struct link link = read_link(b->option[k].value, CLAIM_TEXT_WORDS);
         const struct block *target = link.claim != NULL ? block_named(book, link.claim, CLAIM_BLOCK) : NULL;
         if (role_of(b->option[k].key) != READING || target == NULL)
             continue;

@@ -2,6 +2,7 @@
 #include "chapters/weave/book.h"
 
 #include <dirent.h>
+#include <glob.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -152,6 +153,31 @@ static int has_chinese(const char *text)
     return 0;
 }
 
+/* The ids of the statements whose formulas cagd check reads from their print, each once. */
+static void read_printed(struct book *book, const char *folder)
+{
+    static const char begin[] = ":::{printed} ";
+    char pattern[512];
+    glob_t files;
+    snprintf(pattern, sizeof pattern, "%s/print*.md", folder);
+    if (glob(pattern, 0, NULL, &files) != 0)
+        return;
+    for (size_t f = 0; f < files.gl_pathc; f++) {
+        struct list l = lines_of(files.gl_pathv[f]);
+        for (int k = 0; k < l.count; k++) {
+            if (strncmp(l.at[k], begin, sizeof begin - 1) != 0)
+                continue;
+            char *id = trimmed(whole_copy(l.at[k] + sizeof begin - 1));
+            int known = 0;
+            for (int m = 0; m < book->printed.count; m++)
+                known |= strcmp(book->printed.at[m], id) == 0;
+            if (!known)
+                append(&book->printed, id);
+        }
+    }
+    globfree(&files);
+}
+
 void read_chapter(struct book *book, const char *folder)
 {
     const char *slash = strrchr(folder, '/'), *chapter = slash != NULL ? slash + 1 : folder;
@@ -179,6 +205,7 @@ void read_chapter(struct book *book, const char *folder)
     for (int k = 0; k < sections.count; k++)
         read_section(book, folder, chapter, sections.at[k]);
     check_listed(folder, path, &sections);
+    read_printed(book, folder);
     for (int k = before; sections.count == 0 && k < book->blocks; k++)
         if (book->block[k].kind == SOURCE_BLOCK)
             return; /* sources only */

@@ -349,7 +349,13 @@ int write_register_c(const struct book *book, const char *path)
     put_figures(out, book);
     put_sources(out, book);
     put_block_data(out, book);
-    fputs("const cagd_register compiled_chapters = {claims, statements, chapters, figures, sources, blocks};\n", out);
+    fputs("static const char *const printed[] = {\n", out);
+    for (int k = 0; k < book->printed.count; k++)
+        fprintf(out, "    \"%s\",\n", book->printed.at[k]);
+    fputs("    NULL};\n\n", out);
+    fputs(
+        "const cagd_register compiled_chapters = {claims, statements, chapters, figures, sources, blocks, printed};\n",
+        out);
     if (fclose(out) != 0) {
         perror(path);
         return -1;

@@ -1,5 +1,6 @@
 /* check.c -- cagd check: decides the formulas of a file. */
 #include "chapters/judge/memory_text.h"
+#include "cli/check/certificate.h"
 #include "cli/check/sheet.h"
 #include "cli/check/verdict.h"
 #include "cli/commands.h"
@@ -22,7 +23,9 @@ static int is_as_expected(const struct formula *s, const cagd_finding *f)
 struct report {
     json_t *list;
     struct junit *junit;
-    const char *path; /* of the file of formulas */
+    const char *path;                /* of the file of formulas */
+    struct certifying *certificates; /* or NULL */
+    int certified, *code;
 };
 
 static double now(void)
@@ -66,7 +69,7 @@ static void put_entry(const struct report *to, json_t *entry, const char *name, 
 }
 
 /* One statement; whether it is as expected. */
-static int check_one(const struct document *d, const struct formula *s, const struct report *to)
+static int check_one(const struct document *d, const struct formula *s, struct report *to)
 {
     cagd_finding found;
     double start = now();
@@ -77,14 +80,22 @@ static int check_one(const struct document *d, const struct formula *s, const st
     char failure[64];
     snprintf(failure, sizeof failure, "%s, expected %s", verdict_of(&found),
              expected_name[s->expected == EXPECT_NOTHING ? EXPECT_HOLDS : s->expected]);
-    put_entry(to, finding_json(d, s, &found), s->name, start, good ? NULL : failure);
+    json_t *entry = finding_json(d, s, &found);
     if (to->list == NULL)
         print_finding_page(d, s, &found);
+    if (to->certificates != NULL) {
+        const char *name;
+        if (certify_formula(to->certificates, d, s, &found, &name) != 0)
+            *to->code = EXIT_INTERNAL;
+        to->certified += name != NULL;
+        json_object_set_new(entry, "certificate", name != NULL ? json_string(name) : json_null());
+    }
+    put_entry(to, entry, s->name, start, good ? NULL : failure);
     return good;
 }
 
 /* One that asks for values: it is as expected when they were found. */
-static int find_one(const struct document *d, const struct formula *s, const struct report *to)
+static int find_one(const struct document *d, const struct formula *s, struct report *to)
 {
     cagd_found *found = region_bytes(sizeof *found);
     double start = now();
@@ -100,7 +111,7 @@ static int find_one(const struct document *d, const struct formula *s, const str
 struct arguments {
     struct asked asked;
     int basis;
-    const char *picture, *junit;
+    const char *picture, *junit, *certificates;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -115,6 +126,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case 'u':
         a->junit = arg;
+        return 0;
+    case 'c':
+        a->certificates = arg;
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -183,7 +197,12 @@ static int check(const cagd_register *reg, const struct arguments *a)
         return EXIT_USAGE;
     }
     json_t *list = a->asked.json ? json_array() : NULL, *sheets = a->asked.json ? json_array() : NULL;
-    struct report to = {list, a->junit != NULL ? junit_new() : NULL, a->asked.path};
+    struct certifying certificates;
+    if (a->certificates != NULL && certify_begin(&certificates, a->certificates, "check") != 0)
+        return EXIT_INTERNAL;
+    struct report to = {
+        list, a->junit != NULL ? junit_new() : NULL, a->asked.path, a->certificates != NULL ? &certificates : NULL, 0,
+        &code};
     int count = a->basis ? 0 : d.count;
     for (int k = 0; k < count; k++) {
         const struct formula *s = &d.formula[k];
@@ -197,6 +216,11 @@ static int check(const cagd_register *reg, const struct arguments *a)
     good &= check_sheets(a, &d, count > 0, &to, &code);
     good &= d.left_outs == 0;
     json_t *left_out = tell_left_out(&d, a->asked.json);
+    if (a->certificates != NULL && certify_end(&certificates) != 0)
+        code = EXIT_INTERNAL;
+    if (a->certificates != NULL && !a->asked.json)
+        printf("\n\nCertificates of %d of %d statement%s in %s\n", to.certified, count, count == 1 ? "" : "s",
+               a->certificates);
     if (to.junit != NULL && junit_write(to.junit, "cagd check", a->junit) != 0)
         code = EXIT_INTERNAL;
     if (a->asked.json)
@@ -221,7 +245,8 @@ static const struct topic topics[] = {
      "A file of formulas is Markdown. A block :::{let} says what names mean, one line each: a definition such as "
      "B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}, of which there may be several for one name, with numbers among the "
      "indices "
-     "or with conditions behind a comma; a variable, \\omega_i \\in \\mathbb{R} or -1 \\le \\lambda < 1; and 0/0 = 0. "
+     "or with conditions behind a comma; a variable, \\omega_i \\in \\mathbb{R} or -1 \\le \\lambda < 1; 0/0 = 0; and "
+     ":use: bernstein B_i^n(t), a function that every text has. "
      "A "
      "block :::{statement} NAME has :printed:, relations in TeX as they stand in the paper; :for:, ranges of whole "
      "numbers "
@@ -246,6 +271,7 @@ static const struct argp_option options[] = {
     {"basis", 'b', 0, 0, "The sheets of the bases alone, without the statements", 0},
     {"svg", 's', "FILE", 0, "Draw the functions of the bases", 0},
     {"junit", 'u', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
+    {"certificates", 'c', "DIR", 0, "Write what was found as certificates that recheck.py takes", 0},
     {0}};
 
 const struct command command_check = {
@@ -258,7 +284,7 @@ const struct command command_check = {
             "  cagd check paper.md\n"
             "  cagd check paper.tex             the labelled formulas of a LaTeX source\n"
             "  cagd check --json paper.md\n"
-            "  cagd check --basis basis.md      all that is asked of a basis, with exact ranges of its parameter\n"
+            "  cagd check --basis basis.md      what is asked of a basis, with exact ranges\n"
             "\vA file is a LaTeX source, or Markdown with blocks\n\n"
             "  :::{let}\n"
             "  B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"

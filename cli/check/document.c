@@ -5,6 +5,7 @@
 #include "cli/input.h"
 #include "cli/terminal.h"
 #include "exact/expression/evaluate.h"
+#include "exact/expression/standard.h"
 #include "exact/words.h"
 
 #include <ctype.h>
@@ -222,12 +223,38 @@ static int field(const struct document *d, int at, int end, const char *key, int
     return 1;
 }
 
+/* A function that every text has, under the letters of this one: the lines that it stands for are read. */
+static void read_use(struct document *d, int from, int to)
+{
+    char message[CAGD_STANDARD_MESSAGE];
+    const char *line = cagd_standard(&d->scope, d->text + from, to - from, message);
+    if (line == NULL)
+        complain(d, from, to, "%s", message);
+    while (line != NULL && *line != '\0') {
+        cagd_reading_error error;
+        int length = (int)strcspn(line, "\n"), begin = d->used;
+        if (!put_in_document(d, line, length) || !put_in_document(d, "\n", 1)) {
+            complain(d, from, to, "there is no room for more");
+            return;
+        }
+        if (!cagd_read_definition(&d->scope, d->text, begin, begin + length, &error)) {
+            complain(d, from, to, "%s", error.message);
+            return;
+        }
+        line += length + 1;
+    }
+}
+
 static void read_let(struct document *d, int at, int stop)
 {
     for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
         cagd_reading_error error;
         int from = at, to = end, a, b;
         strip(d, &from, &to);
+        if (field(d, at, end, "use", &a, &b)) {
+            read_use(d, a, b);
+            continue;
+        }
         if (field(d, at, end, "from", &a, &b) && !put_from_paper(d, a, b, &from, &to))
             continue;
         if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
@@ -607,7 +634,7 @@ int read_whole_file(const char *path, char **text)
     if (bad)
         return refuse_file(path, "cannot be read to its end; expected the file of formulas");
     if (size > LARGEST_FILE)
-        return refuse_file(path, "is larger than 4 MB, the largest size that is read");
+        return refuse_file(path, "is larger than 4 MB, the largest size that is read; divide it");
     if (memchr(*text, '\0', size) != NULL)
         return refuse_file(path, "is no text, there is a zero byte in it; expected Markdown or LaTeX");
     return (int)size;

@@ -237,7 +237,7 @@ void print_finding_page(const struct document *d, const struct formula *s, const
         words = append(words, ".");
     } else {
         words = append("", "It is undecided: %s.", reason_of(d, f));
-        if (f->cases > f->undecided + f->failing)
+        if (f->cases > f->undecided + f->failing && !f->first_alone)
             words = append(words, " Of %ld cases %ld hold.", f->cases, f->cases - f->undecided - f->failing);
     }
     paragraph(words, 1);

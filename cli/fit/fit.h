@@ -41,7 +41,7 @@ struct fit_arguments {
     cagd_fit_choices choices;
     const char *knots; /* as given; NULL: none */
     double *inner;     /* the inner knots; the caller frees them */
-    int inner_knots, degree_given;
+    int inner_knots, degree_given, degree_automatic;
     double sigma; /* of every point; 0: not given */
     int verbose, verify;
 };

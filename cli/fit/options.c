@@ -155,6 +155,7 @@ static void choose(struct argp_state *state, struct fit_arguments *a)
     if (smoothed && o->degree == 1)
         argp_error(state, "--smooth needs a degree of 2 or more");
     *c = (cagd_fit_choices){.closed = a->closed,
+                            .degree = a->degree_automatic,
                             .smooth = a->smooth                   ? 1
                                       : smoothed || a->free_given ? 0
                                                                   : 2,
@@ -164,12 +165,12 @@ static void choose(struct argp_state *state, struct fit_arguments *a)
         c->closed = 0;
     c->form = !a->degree_given && !counted && !a->automatic && !(a->within > 0) && !smoothed && !a->free_given &&
               a->initial == NULL && o->weight_low == 0 && isinf(o->weight_high);
-    c->count = !counted && (c->form || a->automatic || a->within > 0 || smoothed || a->closed > 0);
+    c->count = !counted && (c->form || c->degree || a->automatic || a->within > 0 || smoothed || a->closed > 0);
     c->weights = !a->free_given;
     if (c->count && !c->form && !a->degree_given)
         o->degree = 3;
     const int spline = c->count ? !c->form : a->knots != NULL ? *a->knots != '\0' : o->count > o->degree + 1;
-    if (!a->free_given && a->initial == NULL && (spline || smoothed || a->closed > 0))
+    if (!a->free_given && a->initial == NULL && (spline || c->degree || smoothed || a->closed > 0))
         o->free &= ~CAGD_FIT_WEIGHTS;
 }
 
@@ -183,6 +184,8 @@ static void finish(struct argp_state *state, struct fit_arguments *a)
     if (o->count != 0 && o->count < o->degree + 1)
         argp_error(state, "--control-points %d: a curve of degree %d has at least %d", o->count, o->degree,
                    o->degree + 1);
+    if (a->degree_automatic && a->knots != NULL)
+        argp_error(state, "the knots are those of a degree; --degree auto does not go with --knots");
     if (a->ends != NULL && a->free_given && a->exact_ends == (o->free & CAGD_FIT_END_POINTS) / CAGD_FIT_END_POINTS)
         argp_error(state, "--ends %s does not go with --free %s", a->ends,
                    a->exact_ends ? "that has ends" : "without ends, which are then exact or those of --initial");
@@ -209,7 +212,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     cagd_fit_options *o = &a->options;
     switch (key) {
     case KEY_DEGREE:
-        o->degree = whole_number(state, "--degree", arg, 1, CAGD_MAX_DEGREE);
+        a->degree_automatic = strcmp(arg, "auto") == 0;
+        o->degree = a->degree_automatic ? 2 : whole_number(state, "--degree", arg, 1, CAGD_MAX_DEGREE);
         a->degree_given = 1;
         break;
     case KEY_KNOTS:
@@ -308,7 +312,9 @@ struct fit_arguments read_fit_arguments(const struct call *call)
 }
 
 static const struct argp_option options[] = {
-    {"degree", KEY_DEGREE, "P", 0, "Degree of the curve (default: 2, of a spline that is chosen 3)", 1},
+    {"degree", KEY_DEGREE, "P", 0,
+     "Degree of the curve (default: 2, of a spline that is chosen 3); auto: the one of 2 to 5 that the points ask for",
+     1},
     {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
     {"control-points", KEY_CONTROL_POINTS, "N", 0,
      "So many control points, over even knots; auto: as many as the points ask for, with knots where these ask for "
@@ -371,7 +377,8 @@ static const struct topic topics[] = {
      "point that repeats the first one is left out; --open and --closed decide otherwise. --degree alone asks for a "
      "Bézier curve, --control-points N for a spline over even knots, --control-points auto and --tolerance-distance "
      "for "
-     "one whose knots are chosen. The weights of a spline are 1 unless a test says that they explain something. A "
+     "one whose knots are chosen, --degree auto also for the degree. The weights of a spline are 1 unless a test says "
+     "that they explain something. A "
      "spline that does not converge, or has excursions that no points show, is smoothed, which is told; --smooth does "
      "so always. Of weights, inner points and end points those in --free move, and with none only the distances from "
      "the curve of --initial are told. The first and the last point are measurements of the ends of the curve, with "

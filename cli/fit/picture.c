@@ -117,6 +117,45 @@ static int inside(const struct view *v, int j)
     return v->x.low <= x && x <= v->x.high && v->y.low <= y && y <= v->y.high;
 }
 
+/* Where a control point that the window does not show is marked. */
+struct beyond {
+    double at[2];        /* on the border, in numbers as shown                  */
+    double direction[2]; /* from there to the point, of the window's longer side */
+};
+
+/* The ray to control point j from the middle of its neighbours that are shown, or of the window, and where it leaves the window. */
+static struct beyond beyond_border(const struct view *v, int j)
+{
+    const double low[2] = {v->x.low, v->y.low}, high[2] = {v->x.high, v->y.high};
+    double from[2] = {0, 0}, to[2], part = 1, longer = fmax(high[0] - low[0], high[1] - low[1]), length;
+    int seen = 0;
+    struct beyond b;
+    for (int k = j - 1; k <= j + 1; k += 2)
+        if (k >= 0 && k < v->f->result->curve.count && inside(v, k)) {
+            svg_point at = control_point(v, k);
+            from[0] += to_double_q(at.x), from[1] += to_double_q(at.y);
+            seen++;
+        }
+    svg_point at = control_point(v, j);
+    to[0] = to_double_q(at.x), to[1] = to_double_q(at.y);
+    for (int c = 0; c < 2; c++)
+        from[c] = seen > 0 ? from[c] / seen : (low[c] + high[c]) / 2;
+    for (int c = 0; c < 2; c++) {
+        if (to[c] > high[c])
+            part = fmin(part, (high[c] - from[c]) / (to[c] - from[c]));
+        if (to[c] < low[c])
+            part = fmin(part, (low[c] - from[c]) / (to[c] - from[c]));
+    }
+    length = hypot(to[0] - from[0], to[1] - from[1]);
+    for (int c = 0; c < 2; c++) {
+        b.at[c] = from[c] + part * (to[c] - from[c]);
+        b.direction[c] = (to[c] - from[c]) / length * longer;
+    }
+    return b;
+}
+
+static svg_point shown_double(double x, double y) { return (svg_point){from_double_q(x), from_double_q(y)}; }
+
 /* Points and feet; and the control points unless the window would become more than twice as large. */
 static struct view new_view(const struct fit *f, int a, int b, int width)
 {
@@ -236,6 +275,29 @@ static void label_control_point(svg *s, const struct view *v, int j)
     free(text);
 }
 
+/* A control point that the window does not show: an arrow to the border, towards it. */
+static void mark_beyond(svg *s, const struct view *v, int j, int named)
+{
+    const double LONG = 0.035; /* of the longer side: shorter than the margin about the points */
+    const struct beyond b = beyond_border(v, j);
+    svg_point on[3]; /* the border, and half and all of the arrow before it */
+    for (int k = 0; k < 3; k++)
+        on[k] = shown_double(b.at[0] - LONG * k / 2 * b.direction[0], b.at[1] - LONG * k / 2 * b.direction[1]);
+    char name[32];
+    svg_arrow(s, on[2], on[0], SVG_POLYGON);
+    snprintf(name, sizeof name, "P_{%d}", j);
+    if (named) /* beside the arrow, within the frame */
+        svg_label(s, on[1], fabs(b.direction[0]) > fabs(b.direction[1]) ? SVG_S : SVG_E, SVG_POLYGON, name);
+}
+
+static int any_beyond(const struct view *v)
+{
+    for (int j = 0; j < own_points(v->f); j++)
+        if (!inside(v, j))
+            return 1;
+    return 0;
+}
+
 static void draw_polygon(svg *s, const struct view *v)
 {
     const cagd_spline *c = &v->f->result->curve;
@@ -248,12 +310,14 @@ static void draw_polygon(svg *s, const struct view *v)
     for (int j = 1; j < c->count; j++) /* a leg between points that are not seen would only puzzle */
         if (inside(v, j - 1) || inside(v, j))
             svg_polyline(s, 2, P + 2 * j - 2, SVG_POLYGON);
-    for (int j = 0; j < c->count; j++)
+    const int named = own_points(v->f) <= MOST_LABELS && !is_ellipse(v->f);
+    for (int j = 0; j < own_points(v->f); j++)
         if (inside(v, j)) {
             svg_mark(s, svg_pair(P + 2 * j), SVG_POLYGON, SVG_USUAL);
-            if (own_points(v->f) <= MOST_LABELS && j < own_points(v->f) && !is_ellipse(v->f))
+            if (named)
                 label_control_point(s, v, j);
-        }
+        } else
+            mark_beyond(s, v, j, named);
 }
 
 /* One standard deviation to either side, in both coordinates. */
@@ -318,7 +382,8 @@ static char *caption_of(const struct view *v, const char *what, const char *cons
     return text;
 }
 
-static void draw_view(svg *s, const struct fit *f, int a, int b, int width, const char *what)
+/* Whether control points lie beyond the border. */
+static int draw_view(svg *s, const struct fit *f, int a, int b, int width, const char *what)
 {
     static const char *const coordinate[] = {"x", "y", "z"};
     region_mark mark = region_open();
@@ -339,7 +404,9 @@ static void draw_view(svg *s, const struct fit *f, int a, int b, int width, cons
     draw_points(s, &v);
     draw_polygon(s, &v);
     draw_curve(s, &v);
+    const int beyond = any_beyond(&v);
     region_drop(mark);
+    return beyond;
 }
 
 /* ---- the distances --------------------------------------------------------------------------------- */
@@ -420,7 +487,8 @@ static void describe(const struct fit *f, FILE *out)
             r->rms, r->largest);
 }
 
-static void legend(svg *s, const struct fit *f)
+/* beyond: control points lie beyond the border of a view. */
+static void legend(svg *s, const struct fit *f, int beyond)
 {
     int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
     svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
@@ -428,7 +496,8 @@ static void legend(svg *s, const struct fit *f)
                     nothing_is_free(f)               ? "given curve"
                     : cagd_fit_is_minimum(f->result) ? "fitted curve"
                                                      : "curve, no minimum");
-    svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
+    svg_legend_mark(s, SVG_POLYGON, SVG_USUAL,
+                    beyond ? "control points; arrows: to those beyond the frame" : "control points");
     if (f->result->outliers > 0)
         svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "outliers");
     if (isfinite(cagd_fit_deviation(&f->data, f->result, 0)))
@@ -447,14 +516,15 @@ int write_picture(const struct fit *f, const char *path)
                                         : "A rational curve fitted to measured points",
                      description);
     free(description);
+    int beyond = 0;
     if (f->data.dim == 2) {
-        draw_view(s, f, 0, 1, WIDTH, "");
+        beyond = draw_view(s, f, 0, 1, WIDTH, "");
     } else {
-        draw_view(s, f, 0, 1, VIEW_WIDTH, "from above");
-        draw_view(s, f, 0, 2, VIEW_WIDTH, "from the front");
+        beyond = draw_view(s, f, 0, 1, VIEW_WIDTH, "from above");
+        beyond |= draw_view(s, f, 0, 2, VIEW_WIDTH, "from the front");
     }
     draw_distances(s, f);
-    legend(s, f);
+    legend(s, f, beyond);
     int code = -1;
     const char *text = svg_text(s);
     if (text == NULL)

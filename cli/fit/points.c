@@ -151,7 +151,7 @@ static char *read_all(const char *path, size_t *length, const struct reader *r)
         if (trouble != 0)
             refuse(r, NULL, "%s", strerror(trouble));
         else
-            refuse(r, NULL, "it goes on after %zu bytes, the largest size that is read", MOST_BYTES);
+            refuse(r, NULL, "more than %zu bytes, the largest size that is read; divide it", MOST_BYTES);
         return NULL;
     }
     text[used] = '\0';

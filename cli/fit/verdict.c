@@ -57,17 +57,18 @@ static void print_candidates(const struct fit *f)
                                : k == 1 ? "; tried and left: "
                                         : ", ",
                                c->name, c->unknowns, c->rms,
-                               isfinite(c->score) ? "score "
-                               : c->converged     ? "with excursions that no points show)"
-                                                  : "no minimum)");
+                               isfinite(c->score)                      ? "score "
+                               : c->converged && f->choices.within > 0 ? "farther than the distance)"
+                               : c->converged                          ? "with excursions that no points show)"
+                                                                       : "no minimum)");
         if (isfinite(c->score) && at < sizeof text)
             at += (size_t)snprintf(text + at, sizeof text - at, "%.4g)", c->score);
     }
     if (found->candidates > 1)
-        say("Chosen",
-            "%s; the smallest score, Schwarz's criterion for few points, is best (--degree or --control-points choose "
-            "otherwise)",
-            text);
+        say("Chosen", "%s; %s (--degree or --control-points choose otherwise)", text,
+            f->choices.degree && f->choices.within > 0
+                ? "the fewest control points that keep every point within the distance are best"
+                : "the smallest score, Schwarz's criterion for few points, is best");
 }
 
 static void print_weights_test(const struct fit *f)

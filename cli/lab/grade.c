@@ -237,7 +237,7 @@ static int find(struct class *c)
 {
     DIR *d = opendir(c->submissions);
     if (d == NULL) {
-        fprintf(stderr, "cagd: %s: %s\n", c->submissions, strerror(errno));
+        fprintf(stderr, "cagd: %s: %s; expected the folder of the submissions\n", c->submissions, strerror(errno));
         return -1;
     }
     for (const struct dirent *e; (e = readdir(d)) != NULL && c->count < MOST;)

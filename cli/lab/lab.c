@@ -5,6 +5,7 @@
 #include "cli/terminal.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,30 +19,6 @@ struct arguments {
     int watch;
 };
 
-static error_t parse(int key, char *arg, struct argp_state *state)
-{
-    struct arguments *a = state->input;
-    switch (key) {
-    case 'P':
-        a->play = arg;
-        return 0;
-    case 'o':
-        a->out = arg;
-        return 0;
-    case 's':
-        a->seed = arg;
-        return 0;
-    case 'l':
-        a->lab = arg;
-        return 0;
-    case 'w':
-        a->watch = 1;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
 /* A lab by its name, or by its folder where the text has a slash. */
 static struct lab *lab_called(const char *name, const char *seed)
 {
@@ -53,7 +30,9 @@ static struct lab *lab_called(const char *name, const char *seed)
     else
         path[0] = 0;
     struct lab *lab = lab_read(path, seed, cause);
-    if (lab == NULL)
+    if (lab == NULL && access(path, F_OK) != 0)
+        fprintf(stderr, "cagd: there is no lab '%s'; cagd lab lists them\n", name);
+    else if (lab == NULL)
         fprintf(stderr, "cagd: %s: %s; cagd lab lists the labs\n", name, cause);
     return lab;
 }
@@ -129,7 +108,10 @@ static int check_once(struct lab_bench *bench, const char *folder, int as_json)
     snprintf(path, sizeof path, "%s/%s", folder, bench->lab->file);
     char *answer = lab_file(path);
     if (answer == NULL) {
-        fprintf(stderr, "cagd: %s: %s\n", path, strerror(errno));
+        fprintf(stderr, "cagd: %s: %s; expected the file of an answer\n", path,
+                errno == ELOOP    ? "is a symbolic link"
+                : errno == EINVAL ? "is no file of text, or too large a one"
+                                  : strerror(errno));
         return EXIT_USAGE;
     }
     json_t *result = lab_judge(bench, answer, 0);
@@ -198,7 +180,7 @@ static int grade(const struct arguments *a, const char *submissions)
     const char *why = lab_cannot_shut();
     struct lab *lab = NULL;
     if (a->out == NULL || a->lab == NULL)
-        fprintf(stderr, "cagd: lab grade SUBMISSIONS takes --lab NAME and --out DIR\n");
+        fprintf(stderr, "cagd: lab grade: expected 'cagd lab grade SUBMISSIONS --lab NAME --out DIR'\n");
     else if (why != NULL)
         fprintf(stderr, "cagd: submissions are graded in a sandbox only, and there is none: %s\n", why);
     else
@@ -206,6 +188,143 @@ static int grade(const struct arguments *a, const char *submissions)
     int code = lab != NULL ? lab_grade(lab, submissions, a->out, a->asked.jobs, a->seed) : EXIT_USAGE;
     lab_free(lab);
     return code;
+}
+
+/* ---- the words -------------------------------------------------------------------------------------------- */
+
+static int run_list(const struct arguments *a, const char *none, const char *nor)
+{
+    (void)none, (void)nor;
+    return list(a->asked.json);
+}
+
+static int run_check(const struct arguments *a, const char *folder, const char *none)
+{
+    (void)none;
+    return check(a, folder);
+}
+
+static int run_grade(const struct arguments *a, const char *submissions, const char *none)
+{
+    (void)none;
+    return grade(a, submissions);
+}
+
+static int run_new(const struct arguments *a, const char *name, const char *none)
+{
+    (void)a, (void)none;
+    return lab_new(name) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
+}
+
+static int run_test(const struct arguments *a, const char *folder, const char *none)
+{
+    (void)none;
+    return lab_test(folder, a->asked.json);
+}
+
+enum { LAB = 1, OUT = 2, SEED = 4, WATCH = 8, JSON = 16 };
+
+/* What each word takes: so many words with itself, and these options. */
+static const struct form {
+    const char *verb, *usage;
+    int fewest, most, options;
+    int (*run)(const struct arguments *a, const char *first, const char *second);
+} forms[] = {{"list", "list", 0, 1, JSON, run_list},
+             {"start", "start NAME [DIR]", 2, 3, 0, start},
+             {"check", "check DIR", 2, 2, LAB | SEED | WATCH | JSON, run_check},
+             {"grade", "grade SUBMISSIONS", 2, 2, LAB | OUT | SEED, run_grade},
+             {"new", "new NAME", 2, 2, 0, run_new},
+             {"test", "test DIR", 2, 2, JSON, run_test}};
+
+/* The form that the first word names, list without words; NULL and a line on stderr when there is none. */
+static const struct form *form_of(const struct arguments *a)
+{
+    const char *verb = a->asked.patterns.count > 0 ? a->asked.patterns.at[0] : "list";
+    for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
+        if (strcmp(verb, forms[k].verb) == 0)
+            return &forms[k];
+    fprintf(stderr, "cagd: lab: there is no '%s'; expected list, start, check, grade, new or test\n", verb);
+    return NULL;
+}
+
+/* Whether the path, of which the last parts may be missing, is the folder or in it. */
+static int is_inside(const char *folder, const char *path)
+{
+    char whole[PATH_MAX], there[PATH_MAX], part[PATH_MAX];
+    if (realpath(folder, whole) == NULL)
+        return 0;
+    snprintf(part, sizeof part, "%s", path);
+    while (realpath(part, there) == NULL) {
+        char *end = strrchr(part, '/');
+        snprintf(end != NULL ? end + (end == part) : part, 2, end == NULL ? "." : "");
+        if (end == part)
+            break;
+    }
+    size_t length = strlen(whole);
+    return strncmp(whole, there, length) == 0 && (there[length] == '/' || there[length] == '\0');
+}
+
+/* Whether the words and the options that were given are those of the form; otherwise a line on stderr. */
+static int takes(const struct form *f, const struct arguments *a)
+{
+    int words = a->asked.patterns.count;
+    const struct {
+        const char *name;
+        int option, given;
+    } options[] = {{"lab", LAB, a->lab != NULL},
+                   {"out", OUT, a->out != NULL},
+                   {"seed", SEED, strcmp(a->seed, "0") != 0},
+                   {"watch", WATCH, a->watch},
+                   {"json", JSON, a->asked.json}};
+    if (words < f->fewest || words > f->most) {
+        fprintf(stderr, "cagd: lab: expected 'cagd lab %s'; cagd help lab has examples\n", f->usage);
+        return 0;
+    }
+    for (size_t k = 0; k < sizeof options / sizeof *options; k++)
+        if (options[k].given && !(f->options & options[k].option)) {
+            fprintf(stderr, "cagd: lab %s: does nothing with --%s; leave it out\n", f->verb, options[k].name);
+            return 0;
+        }
+    if (a->watch && a->asked.json) {
+        fprintf(stderr, "cagd: lab check: --watch shows pages, not --json; leave one of them out\n");
+        return 0;
+    }
+    if (f->run == run_grade && a->out != NULL && is_inside(a->asked.patterns.at[1], a->out)) {
+        fprintf(stderr, "cagd: --out %s: is in '%s', which is read; choose another folder\n", a->out,
+                a->asked.patterns.at[1]);
+        return 0;
+    }
+    return 1;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    const struct form *f;
+    switch (key) {
+    case 'P':
+        a->play = arg;
+        return 0;
+    case 'o':
+        a->out = arg;
+        return 0;
+    case 's':
+        a->seed = arg;
+        return 0;
+    case 'l':
+        a->lab = arg;
+        return 0;
+    case 'w':
+        a->watch = 1;
+        return 0;
+    case ARGP_KEY_END: /* before folders are made */
+        f = form_of(a);
+        if (a->play == NULL && (f == NULL || !takes(f, a)))
+            exit(EXIT_USAGE);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
 }
 
 static int run(const struct call *call)
@@ -217,23 +336,7 @@ static int run(const struct call *call)
         return lab_play(a.play);
     char **word = a.asked.patterns.at;
     int words = a.asked.patterns.count;
-    const char *verb = words > 0 ? word[0] : "list";
-    if (strcmp(verb, "list") == 0 && words <= 1)
-        return list(a.asked.json);
-    if (strcmp(verb, "start") == 0 && (words == 2 || words == 3))
-        return start(&a, word[1], words == 3 ? word[2] : NULL);
-    if (strcmp(verb, "check") == 0 && words == 2)
-        return check(&a, word[1]);
-    if (strcmp(verb, "grade") == 0 && words == 2)
-        return grade(&a, word[1]);
-    if (strcmp(verb, "new") == 0 && words == 2)
-        return lab_new(word[1]) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
-    if (strcmp(verb, "test") == 0 && words == 2)
-        return lab_test(word[1], a.asked.json);
-    fprintf(stderr,
-            "cagd: lab: 'list', 'start NAME [DIR]', 'check DIR', 'grade SUBMISSIONS', 'new NAME' or 'test DIR' was "
-            "expected\n");
-    return EXIT_USAGE;
+    return form_of(&a)->run(&a, words > 1 ? word[1] : NULL, words > 2 ? word[2] : NULL);
 }
 
 static const struct argp_option options[] = {
@@ -247,7 +350,7 @@ static const struct argp_option options[] = {
 const struct command command_lab = {
     .name = "lab",
     .summary = "assignments in ordinary C, and a grader that decides them by exact computation",
-    .example = "  cagd lab start de-casteljau         an assignment; cagd lab check de-casteljau judges it\n",
+    .example = "  cagd lab start de-casteljau      an assignment, which cagd lab check judges\n",
     .usage = "[list | start NAME [DIR] | check DIR | grade SUBMISSIONS | new NAME | test DIR]",
     .text =
         "Labs are assignments about the chapters. A solution is an ordinary function; it is run in exact arithmetic "

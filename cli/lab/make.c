@@ -5,16 +5,32 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
+
+/* Whether files of these names can be made in the folder, which is made when they can: nothing is written before all of that is
+ * known. */
+static int is_free(const char *folder, const char *const *names)
+{
+    char path[LAB_MOST_PATH + 128];
+    struct stat is;
+    if (*folder == '\0' || strcmp(folder, "-") == 0) {
+        fprintf(stderr, "cagd: '%s': is no name of a folder; give one\n", folder);
+        return -1;
+    }
+    for (; *names != NULL; names++) {
+        snprintf(path, sizeof path, "%s/%s", folder, *names);
+        if (lstat(path, &is) == 0) {
+            fprintf(stderr, "cagd: %s: is there already, and is not written over; name another folder\n", path);
+            return -1;
+        }
+    }
+    return make_folder(folder);
+}
 
 static int put(const char *folder, const char *name, const char *text)
 {
     char path[LAB_MOST_PATH + 128];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (access(path, F_OK) == 0) {
-        fprintf(stderr, "cagd: %s: is there already; nothing is written over it\n", path);
-        return -1;
-    }
     return write_text_file(path, text);
 }
 
@@ -35,8 +51,9 @@ static int copy(const struct lab *lab, const char *from, const char *folder, con
 
 int lab_begin(const struct lab *lab, const char *folder)
 {
+    const char *const names[] = {"README.md", lab->file, "Makefile", NULL};
     char start[80], makefile[1000];
-    if (make_folder(folder) != 0)
+    if (is_free(folder, names) != 0)
         return -1;
     snprintf(start, sizeof start, "start%s", strrchr(lab->file, '.'));
     snprintf(makefile, sizeof makefile,
@@ -72,13 +89,14 @@ int lab_new(const char *name)
     static const char plain[] = "#include <stdio.h>\n\ndouble sum(double a, double b)\n{\n    return a + b;\n}\n";
     static const char reference[] = "double sum(double a, double b) { return b + a; }\n";
     static const char start[] = "double sum(double a, double b)\n{\n    return 0;\n}\n";
+    const char *const names[] = {"lab.md", "README.md", "reference.c", "start.c", "right", NULL};
     char path[LAB_MOST_PATH], *text = NULL;
-    if (strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-") != strlen(name) || strlen(name) > 40) {
-        fprintf(stderr, "cagd: '%s': a name of small letters, digits and - was expected\n", name);
+    if (*name == '\0' || strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-") != strlen(name) || strlen(name) > 40) {
+        fprintf(stderr, "cagd: '%s': a name of at most 40 small letters, digits and - was expected\n", name);
         return -1;
     }
     snprintf(path, sizeof path, "%s/right", name);
-    if (make_folder(path) != 0 || asprintf(&text, lab_md, name, name) < 0)
+    if (is_free(name, names) != 0 || make_folder(path) != 0 || asprintf(&text, lab_md, name, name) < 0)
         return -1;
     int status = put(name, "lab.md", text);
     free(text);

@@ -279,6 +279,7 @@ typedef struct cagd_fit_choices {
     int closed;  /* 1, 0; -1: as the points say                                                           */
     int form;    /* 1: degree and number of control points are not given: a conic, a whole ellipse or a spline   */
     int count;   /* 1: the number of control points is found, and the knots                               */
+    int degree;  /* 1: the degree is found, 2 to 5; the one of the options is not asked for, nor is `form`     */
     int weights; /* 1: of a spline weights are fitted where an F test at 95 % says that they explain something   */
     int smooth; /* 1: the weight of the smoothing term is found by cross-validation; 2: where the fit is not good without  */
     double within; /* > 0: the fewest control points that keep every point within this distance             */
@@ -297,7 +298,8 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *
  *     score = n log(chi_squared/n) + k log(n) n/(n - k - 2),    given standard deviations: chi_squared + k log(n) n/(n - k - 2),
  *
- * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  A curve that is no minimum or has
+ * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  Where degrees compete within a distance, the
+ * score is the number of control points of those that keep within it.  A curve that is no minimum or has
  * excursions that no points show does not count.  Source: mcquarrie-1999.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often

@@ -35,11 +35,15 @@ cagd_fit_choices cagd_fit_choices_all(void)
     return (cagd_fit_choices){.closed = -1, .form = 1, .count = 1, .weights = 1, .smooth = 2};
 }
 
-/* Whether a conic in one segment, or an ellipse, does for the points. */
+/* Whether a conic in one segment, or an ellipse, does for the points.  One whose middle point is far away, an arc of nearly a half
+ * turn, is better told by centre and axes. */
 static int is_enough(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r)
 {
     cagd_fit_runs runs;
+    cagd_fit_quality quality;
     if (!fit_is_good(data, options, r))
+        return 0;
+    if (cagd_fit_quality_of(data, options, r, &quality) != CAGD_OK || quality.problems & CAGD_FIT_FAR)
         return 0;
     if (r->points_on_curve)
         return 1;
@@ -48,14 +52,19 @@ static int is_enough(const cagd_fit_data *data, const cagd_fit_options *options,
     return cagd_fit_runs_of(r, &runs) == CAGD_OK && !(runs.probability < BY_CHANCE);
 }
 
-/* The candidate takes the place of the best one if its score is lower; it is released otherwise. */
-static void compete(const cagd_fit_data *data, const cagd_fit_options *options, const char *name, cagd_fit_result *one,
-                    cagd_fit_result **best, cagd_fit_found *found)
+/* How many points of the curve are its own. */
+static int own_count(const cagd_fit_result *r) { return r->period > 0 ? r->period : r->curve.count; }
+
+/* The candidate takes the place of the best one if its score is lower; it is released otherwise.  within > 0: its score is the number
+ * of its control points if it keeps within that distance. */
+static void compete_within(const cagd_fit_data *data, const cagd_fit_options *options, double within, const char *name,
+                           cagd_fit_result *one, cagd_fit_result **best, cagd_fit_found *found)
 {
     int good = one != NULL && fit_is_good(data, options, one);
-    double score = good ? fit_score(data, one) : INFINITY;
     if (one == NULL)
         return;
+    good = good && (within == 0 || one->largest <= within);
+    double score = !good ? INFINITY : within > 0 ? own_count(one) : fit_score(data, one);
     int first = *best == NULL || score < found->candidate[0].score, at = found->candidates;
     if (*best != NULL && isinf(score) && isinf(found->candidate[0].score)) { /* too few points for scores */
         const int best_is_good = fit_is_good(data, options, *best);
@@ -76,6 +85,37 @@ static void compete(const cagd_fit_data *data, const cagd_fit_options *options, 
         *best = one;
     } else
         cagd_fit_free(one);
+}
+
+static void compete(const cagd_fit_data *data, const cagd_fit_options *options, const char *name, cagd_fit_result *one,
+                    cagd_fit_result **best, cagd_fit_found *found)
+{
+    compete_within(data, options, 0, name, one, best, found);
+}
+
+/* The degrees from 2 to 5, each with the number of control points that is given or that it asks for. */
+static cagd_status choose_degree(const cagd_fit_data *data, const cagd_fit_options *options,
+                                 const cagd_fit_choices *choices, cagd_fit_result **result, cagd_fit_found *found,
+                                 int *where)
+{
+    enum { LOWEST = 2, HIGHEST = 5 };
+    for (int p = LOWEST; p <= HIGHEST; p++) {
+        cagd_fit_options own = *options;
+        cagd_fit_result *one = NULL;
+        char name[64];
+        own.degree = p;
+        if (own.count > 0 && own.count < p + 1 + own.closed)
+            break;
+        cagd_status status = fit_refined(data, &own, choices, &one, where);
+        if (status == CAGD_OK && choices->weights && !(own.free & CAGD_FIT_WEIGHTS))
+            status = fit_test_weights(data, &own, &one, where);
+        if (status == CAGD_TOO_FEW && *result != NULL)
+            break;
+        REQUIRE(status == CAGD_OK, status);
+        snprintf(name, sizeof name, "degree %d with %d control points", p, own_count(one));
+        compete_within(data, &own, choices->within, name, one, result, found);
+    }
+    return *result != NULL ? CAGD_OK : CAGD_BAD_OPTION;
 }
 
 /* A conic in one segment, an ellipse, a cubic spline, in this order, until one does. */
@@ -127,8 +167,7 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     REQUIRE(status == CAGD_OK || *result != NULL, status);
     if (status == CAGD_OK) {
         char name[64];
-        snprintf(name, sizeof name, "a cubic spline with %d control points",
-                 one->period > 0 ? one->period : one->curve.count);
+        snprintf(name, sizeof name, "a cubic spline with %d control points", own_count(one));
         compete(data, &spline, name, one, result, found);
     }
     return CAGD_OK;
@@ -172,7 +211,18 @@ cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *o
     own.count -= asked.closed && fit_repeats_first(data);
     if (nothing_free || asked.initial != NULL)
         status = cagd_fit(data, options, result, where);
-    else if (choices->form)
+    else if (choices->degree) {
+        cagd_fit_choices all = *choices;
+        if (asked.closed && asked.count == 0)
+            all.count = 1;
+        if (asked.knots != NULL)
+            return CAGD_BAD_OPTION;
+        status = choose_degree(&own, &asked, &all, result, &found, where);
+        if (status != CAGD_OK) {
+            cagd_fit_free(*result);
+            *result = NULL;
+        }
+    } else if (choices->form)
         status = choose_form(&own, &asked, choices, result, &found, where);
     else {
         cagd_fit_choices all = *choices;

@@ -17,6 +17,7 @@ static struct cagd_code_outcome *run_noting(const struct cagd_code_program *p, c
                                 .numbers = numbers,
                                 .certify = certify,
                                 .enclose = !h->refuse_roots,
+                                .no_root_variables = h->enclose_roots,
                                 .inputs = at->inputs,
                                 .input = at->input};
     struct cagd_code_outcome *o = cagd_code_run(p, &job);
@@ -390,8 +391,22 @@ static struct cagd_code_worst *worst_of(struct cagd_code_verdict *v, const char 
     return w;
 }
 
+/* The means over the points that nobody looked for: at the worst ones every other order would look better. */
+static void note_orders(struct cagd_code_worst *w, const struct cagd_code_result *r)
+{
+    int known = isfinite(r->ulps);
+    for (int k = 0; k < CAGD_CODE_ORDERS; k++)
+        known = known && isfinite(r->in_order[k]);
+    if (!known)
+        return;
+    w->by_chance++;
+    w->mean += (r->ulps - w->mean) / (double)w->by_chance;
+    for (int k = 0; k < CAGD_CODE_ORDERS; k++)
+        w->mean_in_order[k] += (r->in_order[k] - w->mean_in_order[k]) / (double)w->by_chance;
+}
+
 static void note_rounding(struct cagd_code_verdict *v, const struct cagd_code_outcome *o,
-                          const struct cagd_code_point *point)
+                          const struct cagd_code_point *point, int by_chance)
 {
     if (o->end != CAGD_CODE_FINISHED)
         return;
@@ -401,6 +416,8 @@ static void note_rounding(struct cagd_code_verdict *v, const struct cagd_code_ou
         snprintf(v->turned_at, sizeof v->turned_at, "%s:%d", o->turned.file, (int)o->turned.line);
     for (const struct cagd_code_result *r = o->results; r != NULL; r = r->next) {
         struct cagd_code_worst *w = worst_of(v, r->name);
+        if (w != NULL && by_chance)
+            note_orders(w, r);
         if (w == NULL || isnan(r->ulps) || r->ulps <= w->ulps)
             continue;
         cagd_code_point_free(w->point);
@@ -419,6 +436,7 @@ static void search_rounding(const struct cagd_code_program *p, const struct cagd
 {
     for (long k = 0; k < points; k++) {
         struct cagd_code_point *point = cagd_code_point_new(h, k, 1);
+        int by_chance = 1;
         if (k > points / 2 && v->worsts > 0 && v->worst[k % v->worsts].point != NULL) {
             struct cagd_code_point *near = cagd_code_point_copy(v->worst[k % v->worsts].point);
             int i = (int)(k % near->inputs);
@@ -429,9 +447,10 @@ static void search_rounding(const struct cagd_code_program *p, const struct cagd
                 cagd_code_point_set(near, i, j, point->input[i].value[j]);
             cagd_code_point_free(point);
             point = near;
+            by_chance = 0;
         }
         struct cagd_code_outcome *o = run_at(p, h, point, CAGD_CODE_ROUNDING);
-        note_rounding(v, o, point);
+        note_rounding(v, o, point, by_chance);
         cagd_code_outcome_free(o);
         cagd_code_point_free(point);
     }

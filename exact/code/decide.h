@@ -28,6 +28,8 @@ struct cagd_code_worst {
     struct cagd_code_point *point;
     double computed;
     char exact[64];
+    long by_chance;                               /* points taken by chance, at which the error is a number:     */
+    double mean, mean_in_order[CAGD_CODE_ORDERS]; /* its mean there, as the code does its sums and in others */
 };
 
 enum { CAGD_CODE_MOST_PATHS = 256, CAGD_CODE_MOST_WORST = 64 };

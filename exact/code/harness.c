@@ -244,7 +244,8 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
     }
     if (strcmp(key, "roots") == 0) {
         h->refuse_roots = strcmp(text, "refuse") == 0;
-        return h->refuse_roots || strcmp(text, "enclose") == 0
+        h->enclose_roots = strcmp(text, "enclose") == 0;
+        return h->refuse_roots || h->enclose_roots
                    ? 0
                    : wrong(error, line, "\"refuse\" or \"enclose\" was expected");
     }

@@ -19,7 +19,8 @@
  * output   "R" or "R[3]": told
  * expect   "R = expression in C", or "R[3] = W", where W is an array
  * points   how many are tried; 20 when absent
- * roots    "refuse": one that is not rational ends the run; else it is a variable of its own in the field, elsewhere an interval
+ * roots    of what is one that is not rational?  "refuse": it ends the run; "enclose": an interval, and no proof in the field;
+ *          else a variable of its own in the field, whose square is known, and an interval at points
  *
  * A line that begins with a blank continues the one before. */
 #ifndef CAGD_CODE_HARNESS_H
@@ -57,7 +58,7 @@ struct cagd_code_lines {
 struct cagd_code_harness {
     struct cagd_code_harness *next;
     char *name, *title; /* title: NULL when there is none */
-    int line, points, refuse_roots;
+    int line, points, refuse_roots, enclose_roots;
     struct cagd_code_lines source, flag, include, declare, where, call, output, expect;
     int inputs;
     struct cagd_code_asked_input input[CAGD_CODE_MOST_IN_HARNESS];

@@ -124,11 +124,18 @@ void cagd_code_lib__ZdaPvm(void *p, size_t n)
 
 void *cagd_code_lib_memcpy(void *to, const void *from, size_t n)
 {
+    uintptr_t a = (uintptr_t)to, b = (uintptr_t)from;
+    if (a != b && (a < b ? b - a : a - b) < n)
+        cagd_code_stop(CAGD_CODE_REFUSED, "memcpy of %zu bytes to %zu bytes %s, which overlap", n,
+                       a < b ? b - a : a - b, a < b ? "before" : "behind");
+    return cagd_code_lib_memmove(to, from, n);
+}
+void *cagd_code_lib_memmove(void *to, const void *from, size_t n)
+{
     cagd_code_reach(from, (int64_t)n, 0);
     cagd_code_reach(to, (int64_t)n, 1);
     return memmove(to, from, n);
 }
-void *cagd_code_lib_memmove(void *to, const void *from, size_t n) { return cagd_code_lib_memcpy(to, from, n); }
 void *cagd_code_lib_memset(void *to, int byte, size_t n)
 {
     cagd_code_reach(to, (int64_t)n, 1);

@@ -1,4 +1,5 @@
 /* operations.c -- arithmetic, order and conversions of values; see value.h and machine.h. */
+#include "exact/code/orders.h"
 #include "exact/code/value.h"
 #include "exact/number/recorder.h"
 #include "exact/record/trace.h"
@@ -32,6 +33,7 @@ static int add_share(struct cagd_code_share share[], int count, const struct cag
 
 void cagd_code_shared(cagd_code_value *v, cagd_code_value a, double c, cagd_code_value b, double e, double rounded)
 {
+    v->made = 0;
     if (a.shares + b.shares == 0 && rounded == 0)
         return;
     struct cagd_code_share *share = cagd_region_array(a.shares + b.shares + 1, 1, sizeof *share);
@@ -99,6 +101,7 @@ cagd_code_value cagd_code_sum(cagd_code_value a, cagd_code_value b)
     if (rounding()) {
         v.d = a.d + b.d;
         cagd_code_shared(&v, a, 1, b, 1, lost_in_sum(a.d, b.d));
+        cagd_code_note_made(&v, '+', a, b);
     }
     return v;
 }
@@ -112,6 +115,7 @@ cagd_code_value cagd_code_difference(cagd_code_value a, cagd_code_value b)
     if (rounding()) {
         v.d = a.d - b.d;
         cagd_code_shared(&v, a, 1, b, -1, lost_in_sum(a.d, -b.d));
+        cagd_code_note_made(&v, '-', a, b);
     }
     return v;
 }
@@ -125,6 +129,7 @@ cagd_code_value cagd_code_product(cagd_code_value a, cagd_code_value b)
     if (rounding()) { /* x^ y^ - x y = y (x^ - x) + x^ (y^ - y) */
         v.d = a.d * b.d;
         cagd_code_shared(&v, a, cagd_code_real(b), b, a.d, -fma(a.d, b.d, -v.d));
+        cagd_code_note_made(&v, '*', a, b);
     }
     return v;
 }
@@ -171,6 +176,7 @@ cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
         v.d = a.d / b.d;
         double y = cagd_code_real(b), lost = b.d != 0 ? fma(v.d, b.d, -a.d) / b.d : 0;
         cagd_code_shared(&v, a, 1 / b.d, b, -cagd_code_real(a) / y / b.d, lost);
+        cagd_code_note_made(&v, '/', a, b);
     }
     return v;
 }
@@ -192,8 +198,10 @@ cagd_code_value cagd_code_negative(cagd_code_value a)
         v.f = cagd_neg_f(a.f);
     v.d = -a.d;
     v.shares = 0;
-    if (rounding())
+    if (rounding()) {
         cagd_code_shared(&v, a, -1, (cagd_code_value){.d = 0}, 0, 0);
+        cagd_code_note_made(&v, 'n', a, a);
+    }
     return v;
 }
 

@@ -1,4 +1,5 @@
 /* run.c -- see run.h.  The child shares the outcome with its parent, and nothing else. */
+#include "exact/code/orders.h"
 #include "exact/code/value.h"
 #include "exact/number/recorder.h"
 #include "exact/record/trace.h"
@@ -86,20 +87,28 @@ void cagd_code_where(int truth)
         cagd_code_stop(CAGD_CODE_OUTSIDE, "a precondition is not true");
 }
 
-/* ulps of the exact value, and the line with the largest share of the error. */
-static void tell_rounding(struct cagd_code_result *r, cagd_code_value v)
+/* By how many ulps of the exact value v the binary64 d is wrong. */
+static double ulps_of(cagd_code_value v, double d)
 {
     double exact = cagd_code_real(v), error;
     int exponent;
-    if (v.q.at != NULL && isfinite(v.d))
-        error = cagd_to_double_q(cagd_sub_q(cagd_from_double_q(v.d), v.q));
-    else if (isfinite(v.d)) /* the middle of an interval of at least 128 bits */
-        error = cagd_code_real(cagd_code_enclosed(cagd_sub_i(cagd_from_double_i(v.d), v.i)));
+    if (v.q.at != NULL && isfinite(d))
+        error = cagd_to_double_q(cagd_sub_q(cagd_from_double_q(d), v.q));
+    else if (isfinite(d)) /* the middle of an interval of at least 128 bits */
+        error = cagd_code_real(cagd_code_enclosed(cagd_sub_i(cagd_from_double_i(d), v.i)));
     else
-        error = v.d;
+        error = d;
     frexp(exact, &exponent);
+    return exact == 0 ? (error == 0 ? 0 : HUGE_VAL) : fabs(error) / ldexp(1, exponent - 53);
+}
+
+/* The error, what it is in other orders, and the line with its largest share. */
+static void tell_rounding(struct cagd_code_result *r, cagd_code_value v)
+{
     r->computed = v.d;
-    r->ulps = exact == 0 ? (error == 0 ? 0 : HUGE_VAL) : fabs(error) / ldexp(1, exponent - 53);
+    r->ulps = ulps_of(v, v.d);
+    for (int k = 0; k < CAGD_CODE_ORDERS; k++)
+        r->in_order[k] = ulps_of(v, cagd_code_in_order(v, (enum cagd_code_order)k));
     double sum = 0, most = 0;
     const struct cagd_code_place *worst = NULL;
     for (int k = 0; k < v.shares; k++) {

@@ -23,6 +23,7 @@ struct cagd_code_job {
     enum cagd_code_numbers numbers;
     int certify; /* in the field: note the operations, for others to do them again */
     int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
+    int no_root_variables; /* in the field such a root is refused: it is wanted as an interval          */
     int inputs;
     const struct cagd_code_input *input;
     long most_values, most_bits, most_seconds, most_megabytes; /* 0: as usual                      */
@@ -51,6 +52,9 @@ struct cagd_code_condition {
     struct cagd_code_place place;
 };
 
+/* Orders in which a run with rounding does its sums once more. */
+enum cagd_code_order { CAGD_CODE_SMALLEST_FIRST, CAGD_CODE_LARGEST_FIRST, CAGD_CODE_IN_HALVES, CAGD_CODE_ORDERS };
+
 /* One number that was put out, or compared with one that was wanted. */
 enum cagd_code_answer { CAGD_CODE_EQUAL, CAGD_CODE_DIFFERENT, CAGD_CODE_UNKNOWN };
 struct cagd_code_result {
@@ -60,6 +64,7 @@ struct cagd_code_result {
     const char *got_field, *wanted_field; /* in the field, else NULL                                           */
     enum cagd_code_answer same;           /* in the field: as functions                                        */
     double computed, ulps;                /* with rounding: the binary64, and its error in ulps of the exact value */
+    double in_order[CAGD_CODE_ORDERS];    /* with rounding: the error in ulps with the sums in another order    */
     const char *worst_line;               /* "file:line" where most of the error arises, or NULL               */
     double worst_part;                    /* that line's part of the sum of the amounts, 0 to 1                */
 };

@@ -1,6 +1,8 @@
 /* value.c -- the table of values, and what they are made of; see value.h. */
 #include "exact/code/value.h"
 
+#include "exact/code/orders.h"
+
 #include "exact/record/trace.h"
 
 #include <math.h>
@@ -152,7 +154,7 @@ double cagd_code_number(cagd_code_value v)
             cagd_code_machine.job->most_bits)
             cagd_code_stop(CAGD_CODE_BOUND, "a number of more than %ld bits", cagd_code_machine.job->most_bits);
         /* in a run with rounding the binary64 has to be the number, whatever happened before */
-        if (v.f.at == NULL && is_binary64(v.q) && v.shares == 0) {
+        if (v.f.at == NULL && is_binary64(v.q) && v.shares == 0 && v.made == 0) {
             double d = cagd_to_double_q(v.q);
             if (cagd_code_machine.job->numbers != CAGD_CODE_ROUNDING || d == v.d)
                 return d;
@@ -192,7 +194,7 @@ float cagd_code_narrow(double a)
         if (v.shares > 0)
             memcpy(share, v.share, (size_t)v.shares * sizeof *share);
         share[v.shares] = (struct cagd_code_share){cagd_code_at, amount};
-        v.shares += amount != 0, v.share = share, v.d = rounded;
+        v.shares += amount != 0, v.share = share, v.d = rounded, v.made = 0;
         a = cagd_code_number(v);
     }
     if (used_singles == MOST_SINGLES)
@@ -412,6 +414,8 @@ static cagd_code_value field_root(cagd_code_value a, cagd_code_value root)
         cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
     else
         value = at_point(f);
+    if (value.at == NULL && cagd_code_machine.job->no_root_variables)
+        cagd_code_stop(CAGD_CODE_REFUSED, "a square root, which is asked for as an interval");
     if (value.at == NULL)
         return cagd_code_new_root(cagd_code_function(a), root, 1);
     root.f = f;
@@ -449,6 +453,7 @@ cagd_code_value cagd_code_square_root(cagd_code_value a)
         double twice = v.d + cagd_code_real(v);
         cagd_code_shared(&v, a, twice != 0 ? 1 / twice : 0, (cagd_code_value){0}, 0,
                          v.d != 0 ? -fma(v.d, v.d, -a.d) / (2 * v.d) : 0);
+        cagd_code_note_made(&v, 'r', a, a);
     }
     return v;
 }

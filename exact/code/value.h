@@ -22,6 +22,7 @@ typedef struct cagd_code_value {
     double d;
     const struct cagd_code_share *share;
     int shares, special;
+    int made; /* in a run with rounding: which operation made it, from 1 (orders.h); 0: not noted */
 } cagd_code_value;
 
 /* The run of this process. */

@@ -6,8 +6,11 @@
 #include "exact/expression/example.h"
 #include "exact/expression/order.h"
 #include "exact/expression/suppose.h"
+#include "exact/number/recorder.h"
+#include "exact/record/trace.h"
 #include "exact/words.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +25,10 @@ struct run {
     int quick; /* one case that fails is enough, and few cases are */
     const cagd_tree *premise,
         *claim; /* of the statement the part that is looked at: what is supposed, or NULL, and what is said */
+    cagd_take_case
+        *take; /* NULL, or where each case goes with what was noted; `unnoted`: it is not the whole evidence */
+    void *data;
+    int unnoted;
     struct collection *into; /* NULL, or where constraints of a parameter are collected and nothing is decided */
     const cagd_variable *whole[MOST_WHOLE];
     int wholes;
@@ -102,7 +109,7 @@ static void begin(const struct run *r, const struct part *p, cagd_context *c)
 {
     *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     for (int k = 0; k < r->wholes; k++)
-        cagd_bind(c, r->chosen[k].name, cagd_value_q(r->chosen[k].value));
+        cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
     for (int k = 0; k < p->numbers; k++)
         cagd_bind(c, p->number[k].name, cagd_value_q(p->number[k].value));
     memcpy(c->piece, p->piece, sizeof p->piece);
@@ -396,6 +403,19 @@ static int is_empty(cagd_context *c)
     return 0;
 }
 
+/* The node of a value. */
+static int node_of(cagd_value a) { return a.rational ? cagd_node_of_q(a.q) : cagd_node_of_f(a.f); }
+
+/* What is compared, as a step of the certificate; an identity stands for itself where no name is a function of others. */
+static void note_step(struct run *r, const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
+{
+    r->unnoted |= relation != CAGD_EQUAL;
+    for (int m = 0; m < c->count; m++)
+        r->unnoted |= c->binding[m].solved;
+    if (!r->unnoted)
+        cagd_trace_same(node_of(a), node_of(b), 1);
+}
+
 /* A chain of relations; *cuts where it is to be looked at in parts. */
 static cagd_answer decide_chain(struct run *r, cagd_context *c, const cagd_tree *t, int *cuts)
 {
@@ -408,8 +428,12 @@ static cagd_answer decide_chain(struct run *r, cagd_context *c, const cagd_tree 
             *cuts = 1;
             return CAGD_UNDECIDED;
         }
+        if (!empty && r->take != NULL)
+            note_step(r, c, t->relation[k], left, right);
+        cagd_trace_pause();
         if (!empty)
             answer = worse(answer, compared(r, c, t, k, left, right));
+        cagd_trace_resume();
         left = right;
     }
     return answer;
@@ -418,6 +442,7 @@ static cagd_answer decide_chain(struct run *r, cagd_context *c, const cagd_tree 
 /* Any other truth: it is decided in each part of the cell in which its relations are; what decides none of them is a fault. */
 static cagd_answer decide_truth(struct run *r, cagd_context *c, const cagd_tree *t)
 {
+    r->unnoted = 1;
     if (r->into != NULL)
         return undecided(r, c, "a relation that is not understood with :find:");
     int is = cagd_truth(c, t);
@@ -440,6 +465,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
         return CAGD_UNDECIDED;
     begin(r, p, c);
     r->out->pieces++;
+    r->unnoted |= p->pieces > 0 || p->numbers > 0 || p->cuts > 0 || r->premise != NULL;
     int is = region_faults == 0 ? cagd_suppose_conditions(c, &r->out->missing_conditions) : 1;
     if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
         return CAGD_UNDECIDED;
@@ -526,6 +552,14 @@ static cagd_answer decide_statement(struct run *r, const cagd_tree *t, const str
     return answer;
 }
 
+/* The case that was noted goes where it is wanted; 0 where it says too little. */
+static int give_case(struct run *r)
+{
+    const char *inputs = cagd_trace_inputs(), *nodes = cagd_trace_nodes(), *steps = cagd_trace_steps();
+    return !r->unnoted && region_faults == 0 && inputs != NULL && nodes != NULL && steps != NULL &&
+           r->take(r->data, inputs, nodes, steps);
+}
+
 static int is_enough(const cagd_finding *f) { return f->has_example || f->cases >= QUICK_CASES; }
 
 static void decide_cases(struct run *r, int level)
@@ -539,7 +573,12 @@ static void decide_cases(struct run *r, int level)
             return;
         }
         r->out->cases++;
+        if (r->take != NULL)
+            cagd_trace_again();
+        long before = r->out->comparisons;
         cagd_answer answer = decide_statement(r, r->statement, &all);
+        if (r->take != NULL && r->out->comparisons > before && !give_case(r))
+            r->out->out_of_time = 1;
         r->out->failing += answer == CAGD_FAILS;
         r->out->undecided += answer == CAGD_UNDECIDED;
         return;
@@ -573,11 +612,30 @@ static int has_no_end(const struct run *r)
     return 0;
 }
 
+/* Whether a condition speaks of any name that the statement depends on, its index that means nothing left out: where none does, it takes
+ * nothing from the first cases. */
+static int speaks_of(const cagd_scope *scope, const cagd_tree *condition, const char *letter,
+                     const cagd_tree *statement)
+{
+    if (condition->kind == CAGD_EVERY_INDEX)
+        letter = condition->head;
+    else if (condition->kind == CAGD_NAME && (letter == NULL || strcmp(letter, condition->head) != 0) &&
+             uses(scope, statement, condition->head, 0))
+        return 1;
+    for (int k = 0; k < condition->count; k++)
+        if (speaks_of(scope, condition->at[k], letter, statement))
+            return 1;
+    return 0;
+}
+
 /* For the only whole number, whose first cases hold. */
 static int proved_for_every(struct run *r)
 {
     long low;
-    if (r->wholes != 1 || r->scope->condition_count > 0 || !end_of_range(r, 0, r->whole[0]->low, &low))
+    for (int k = 0; k < r->scope->condition_count; k++)
+        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+            return 0;
+    if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, &low))
         return 0;
     r->out->for_every = cagd_holds_for_every(r->scope, r->statement, r->whole[0], low + r->whole[0]->low_open,
                                              FIRST_CASES, &r->out->every);
@@ -608,21 +666,96 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
     }
     if (out->undecided == 0 && !out->has_example && !out->out_of_time && !quick && has_no_end(&r) &&
         !proved_for_every(&r)) {
-        out->undecided = 1;
+        out->first_alone = 1;
         out->why = "the first cases hold, and for every number it is not proved";
     }
-    if (out->comparisons == 0 && out->undecided == 0) {
+    if (out->comparisons == 0 && out->undecided == 0 && !out->first_alone) {
         out->undecided = 1;
         out->why = out->cases == 0 ? "there is no case: a range is empty" : "what is supposed is never true";
     }
-    out->answer = out->has_example                                             ? CAGD_FAILS
-                  : out->undecided > 0 || out->failing > 0 || out->out_of_time ? CAGD_UNDECIDED
-                                                                               : CAGD_HOLDS;
+    out->answer = out->has_example                                                                 ? CAGD_FAILS
+                  : out->undecided > 0 || out->failing > 0 || out->out_of_time || out->first_alone ? CAGD_UNDECIDED
+                                                                                                   : CAGD_HOLDS;
 }
 
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
     check(scope, statement, seconds, 0, out);
+}
+
+/* ---- certificates --------------------------------------------------------------------------------------- */
+
+enum { MOST_NOTED = 200000 };
+
+/* Whether the name of the example runs over whole numbers: those are no inputs, for the program depends on them. */
+static int is_whole_number(const cagd_scope *scope, const char *name)
+{
+    const cagd_variable *v = cagd_declared(scope, name);
+    return v != NULL && v->whole;
+}
+
+static int certify_cases(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_take_case *take,
+                         void *data)
+{
+    cagd_finding *f = region_bytes(sizeof *f);
+    struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds};
+    r.take = take, r.data = data;
+    r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
+    if (f == NULL || r.wholes < 0 || has_no_end(&r))
+        return 0;
+    *f = (cagd_finding){0};
+    field_open(CAGD_FIELD_MAX_VARIABLES);
+    cagd_trace_open(MOST_NOTED);
+    decide_cases(&r, 0);
+    cagd_trace_close();
+    int good = region_faults == 0 && !r.unnoted && !f->out_of_time && !f->has_example && f->undecided == 0;
+    region_faults &= FAULT_MEMORY;
+    return good;
+}
+
+/* The two sides at the example, and that their order is not the one that is printed. */
+static int certify_example(const cagd_scope *scope, const cagd_finding *found, cagd_take_case *take, void *data)
+{
+    static const char *const printed[] = {NULL, "!=", "<", "<=", ">", ">="};
+    cagd_context *c = region_bytes(sizeof *c);
+    if (c == NULL || !found->has_example || found->of_left == NULL)
+        return 0;
+    *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
+    field_open(FIELD_ROOM);
+    cagd_trace_open(MOST_NOTED);
+    for (int k = 0; k < found->given; k++) {
+        cagd_value value = cagd_value_constant(found->example[k].value);
+        char name[16];
+        snprintf(name, sizeof name, "v%d", k);
+        if (!is_whole_number(scope, found->example[k].name))
+            cagd_trace_input(value.q, name, -1);
+        cagd_bind(c, found->example[k].name, value);
+    }
+    cagd_value a = cagd_evaluate(c, found->of_left), b = cagd_evaluate(c, found->of_right);
+    int good = region_faults == 0 && a.rational && b.rational && cagd_equal_q(a.q, found->left) &&
+               cagd_equal_q(b.q, found->right);
+    if (good && found->relation == CAGD_EQUAL)
+        cagd_trace_same(node_of(a), node_of(b), 0);
+    if (good && found->relation != CAGD_EQUAL) {
+        char formula[64];
+        snprintf(formula, sizeof formula, "compare_q(left, right) %s 0", printed[found->relation]);
+        cagd_trace_relation("order", node_of(a), node_of(b), cagd_compare_q(a.q, b.q));
+        cagd_trace_agree(0, formula);
+    }
+    const char *inputs = cagd_trace_inputs(), *nodes = cagd_trace_nodes(), *steps = cagd_trace_steps();
+    good = good && region_faults == 0 && inputs != NULL && nodes != NULL && steps != NULL &&
+           take(data, inputs, nodes, steps);
+    cagd_trace_close();
+    region_faults &= FAULT_MEMORY;
+    return good;
+}
+
+int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found, double seconds,
+                 cagd_take_case *take, void *data)
+{
+    return found->answer == CAGD_FAILS   ? certify_example(scope, found, take, data)
+           : found->answer == CAGD_HOLDS ? certify_cases(scope, statement, seconds, take, data)
+                                         : 0;
 }
 
 void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)

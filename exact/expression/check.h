@@ -24,6 +24,7 @@ typedef struct cagd_finding {
     cagd_strength strength;
     long cases, failing, undecided; /* choices of the whole numbers; how many of them fail, or are not decided  */
     long pieces, comparisons;
+    int first_alone; /* of a range without end the first cases hold, and of the others nothing is known */
     int out_of_time; /* not all cases were reached                                              */
 
     /* The first case that fails; FAILS without an example when its coordinates are no rationals. */
@@ -51,6 +52,14 @@ typedef struct cagd_finding {
 /* The statement, within so many seconds.  The field is opened anew: no element of an earlier one may be alive.  What is found
  * lives in the region. */
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out);
+
+/* What was found, once more, with its operations noted as exact/record/trace.h has them: each case of equalities that hold, or the
+ * example with its two sides.  The texts of one case; 0 ends it. */
+typedef int cagd_take_case(void *data, const char *inputs, const char *nodes, const char *steps);
+/* 1; 0 where a certificate does not say it all: inequalities that hold, cases that were cut into parts, implications, what is
+ * said of every n, and values whose making is not noted on either side, such as two derivatives.  The field is opened anew. */
+int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found, double seconds,
+                 cagd_take_case *take, void *data);
 
 /* A statement that holds is changed in many ways, for so many seconds; what becomes of it is noted in *out. */
 void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out);

@@ -806,7 +806,7 @@ static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
     mpq_t r;
     mpq_init(r);
     (t->kind == CAGD_FLOOR ? mpz_fdiv_q : mpz_cdiv_q)(mpq_numref(r), mpq_numref(a.q.at), mpq_denref(a.q.at));
-    cagd_value result = cagd_value_q(from_mpq_q(r));
+    cagd_value result = cagd_value_constant(from_mpq_q(r));
     mpq_clear(r);
     return result;
 }
@@ -897,7 +897,7 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
     cagd_value r;
     switch (t->kind) {
     case CAGD_NUMBER:
-        return cagd_value_q(t->number);
+        return cagd_value_constant(t->number);
     case CAGD_NAME:
         return name(c, t, f);
     case CAGD_SUM:

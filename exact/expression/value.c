@@ -1,8 +1,17 @@
 #include "exact/expression/value.h"
 
+#include "exact/number/recorder.h"
 #include "exact/words.h"
 
 cagd_value cagd_value_q(num_q q) { return (cagd_value){.rational = 1, .q = q}; }
+cagd_value cagd_value_constant(num_q q)
+{
+    if (!cagd_noting())
+        return cagd_value_q(q);
+    num_q copy = from_mpq_q(q.at);
+    cagd_recorder->literal(copy.at, "c", 1, &copy);
+    return cagd_value_q(copy);
+}
 cagd_value cagd_value_int(long m) { return cagd_value_q(from_int_q(m)); }
 
 cagd_value cagd_value_f(num_f f)
@@ -10,7 +19,11 @@ cagd_value cagd_value_f(num_f f)
     num_q q;
     if (region_faults != 0)
         return cagd_value_int(0);
-    return is_constant_f(f, &q) ? cagd_value_q(q) : (cagd_value){.f = f};
+    if (!is_constant_f(f, &q))
+        return (cagd_value){.f = f};
+    if (cagd_noting()) /* the number is what the function was made of */
+        cagd_recorder->alias(q.at, cagd_node_of_f(f));
+    return cagd_value_q(q);
 }
 
 num_f cagd_in_field(cagd_value a) { return a.rational ? from_rational_f(a.q) : a.f; }

@@ -12,6 +12,8 @@ typedef struct cagd_value {
 
 cagd_value cagd_value_q(cagd_num_q q);
 cagd_value cagd_value_f(cagd_num_f f); /* a constant becomes a rational */
+cagd_value
+cagd_value_constant(cagd_num_q q); /* where a trace is open, a constant of its program, which is no older than it */
 cagd_value cagd_value_int(long m);
 cagd_num_f cagd_in_field(cagd_value a);
 

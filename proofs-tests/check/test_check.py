@@ -6,11 +6,13 @@ literature.md has facts of the literature and the same with a fault, each with w
 for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message.
 """
 import fractions
+import hashlib
 import json
 import math
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -28,6 +30,12 @@ def document(printed, ranges="n = 1..3", let=""):
 
 def verdict(printed, ranges="n = 1..3", let=""):
     r = check(document(printed, ranges, let), "--json")
+    assert r.returncode in (0, 1), r.stderr
+    return json.loads(r.stdout)["statements"][0]
+
+
+def check_standard(printed, ranges, let):
+    r = check(f":::{{let}}\n{let}:::\n:::{{statement}} s\n:printed: {printed}\n:for: {ranges}\n:::\n", "--json")
     assert r.returncode in (0, 1), r.stderr
     return json.loads(r.stdout)["statements"][0]
 
@@ -90,6 +98,110 @@ class Language(unittest.TestCase):
         self.assertEqual(s["verdict"], "fails")
         x = {v["name"]: fractions.Fraction(v["value"]) for v in s["counterexample"]["values"]}
         self.assertNotEqual(sum(1 / (x[f"x_{i}"] - x[f"x_{i + 1}"]) for i in range(6)), 0)
+
+
+class Certificates(unittest.TestCase):
+    """What was found is rechecked by a program that shares nothing with this one, and what was tampered with is not."""
+
+    def recheck(self, folder):
+        r = subprocess.run([sys.executable, HERE.parent / "recheck.py", folder], capture_output=True, text=True, timeout=300)
+        return r.returncode, r.stdout
+
+    def test_the_literature(self):
+        with tempfile.TemporaryDirectory() as folder:
+            r = subprocess.run([CAGD, "check", "--json", "--certificates", folder, HERE / "literature.md"], capture_output=True, text=True, timeout=300)
+            statements = json.loads(r.stdout)["statements"]
+            certified = {s["name"] for s in statements if s["certificate"] is not None}
+            fails = [s["name"] for s in statements if s["verdict"] == "fails"]
+            self.assertGreaterEqual(10 * len(certified.intersection(fails)), 9 * len(fails))
+            proved = [s for s in statements if s["verdict"] == "holds" and s["evidence"] == "proved"]
+            self.assertGreaterEqual(2 * len([s for s in proved if s["name"] in certified]), len(proved))
+            code, out = self.recheck(folder)
+            self.assertEqual(code, 0, out)
+            self.assertIn(f"{len(certified)} rechecked, 0 wrong", out)
+
+    def test_what_was_changed_is_wrong(self):
+        """A number of the program, an input, a step and the list of cases, the manifest's digests made to fit."""
+        def constants(claim):
+            for node in claim["cases"][-1]["nodes"]:
+                if node[0] == "c":
+                    node[1] = str(fractions.Fraction(node[1]) + fractions.Fraction(5, 7))
+
+        def nothing_compared(claim):
+            claim["cases"][-1]["steps"].clear()
+
+        def another_answer(claim):
+            step = claim["cases"][-1]["steps"][-1]
+            step.update({key: not step[key] for key in ("equal", "agree") if key in step})
+
+        def fewer_cases(claim):
+            claim["cases"].pop()
+
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            text = document("\\sum_{i=0}^n (i + x) B_i^n(t) = n t + x") + ":::{statement} r\n:printed: x^2 + 3 \\ge 4 x\n:::\n"
+            self.assertEqual(check(text, "--certificates", str(folder)).returncode, 1)
+            self.assertEqual(self.recheck(folder)[0], 0)
+            listed = (folder / "manifest.json").read_text()
+            for name in "s", "r":
+                path = folder / f"claims/{name}.json"
+                kept = path.read_text()
+                for change in constants, nothing_compared, another_answer, fewer_cases:
+                    if (name, change) == ("r", constants):
+                        continue  # other numbers may be an example, too
+                    with self.subTest(name=name, change=change.__name__):
+                        claim = json.loads(kept)
+                        change(claim)
+                        path.write_text(json.dumps(claim))
+                        manifest = json.loads(listed)
+                        next(c for c in manifest["claims"] if c["claim"] == name)["sha256"] = hashlib.sha256(path.read_bytes()).hexdigest()
+                        (folder / "manifest.json").write_text(json.dumps(manifest))
+                        self.assertEqual(self.recheck(folder)[0], 1)
+                path.write_text(kept)
+
+    def test_what_is_not_noted_has_none(self):
+        for printed, ranges in (("x^2 + 1 > 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
+                                ("\\sum_{i=0}^n B_i^n(t) = 1", "n = 0.."), ("x > 0 \\Rightarrow x = x", "n = 1")):
+            with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
+                s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
+                self.assertEqual((s["verdict"], s["certificate"]), ("holds", None))
+
+
+class Standard(unittest.TestCase):
+    """Functions by name, against what they have to satisfy, each with the same in which something is wrong."""
+
+    LET = (":use: bernstein B_i^n(t)\nP_i, d_i \\in \\mathbb{R}\n\\mathbf{b}_i \\in \\mathbb{R}^2\n\\omega_i > 0\n"
+           ":use: de-casteljau \\mathbf{b}_i^{[r]}(t) of \\mathbf{b}_i\n:use: bezier P^n(t) of P_i\n:use: rational-bezier R_n(t) of P_i with \\omega_i\n"
+           ":use: bspline N_{i,p}(x) over u_i\n:use: bspline-order M_i^k(x) over u_i\n:use: de-boor d_i^{p,r}(x) of d_i over u_i\n"
+           ":use: cubic-hermite H_j(t)\n:use: bspline S_j^q(s) over \\tau_j\n")
+    KNOTS = "\\tau_j = 0, \\quad j \\le 2\n\\tau_j = j - 2\n"
+
+    def test_true_and_false(self):
+        for true, false, ranges in (
+                ("\\sum_{i=0}^n B_i^n(t) = 1", "\\sum_{i=1}^n B_i^n(t) = 1", "n = 0.."),
+                ("\\mathbf{b}_0^{[n]}(t) = \\sum_{i=0}^n B_i^n(t) \\mathbf{b}_i", "\\mathbf{b}_1^{[n]}(t) = \\sum_{i=0}^n B_i^n(t) \\mathbf{b}_i", "n = 1..4"),
+                ("P^n(t) = \\sum_{i=0}^n B_i^n(t) P_i", "P^n(t) = \\sum_{i=0}^n B_i^n(1-t) P_i", "n = 1..4"),
+                ("R_n'(0) = n \\frac{\\omega_1}{\\omega_0} (P_1 - P_0)", "R_n'(0) = n \\frac{\\omega_0}{\\omega_1} (P_1 - P_0)", "n = 1..4"),
+                ("N_{i,p}(x) = M_i^{p+1}(x)", "N_{i,p}(x) = M_{i+1}^{p+1}(x)", "p = 0..2, i = 0"),
+                ("\\sum_{i=0}^p N_{i,p}(x) = 1", "\\sum_{i=0}^p N_{i,p}(x) = 1 + u_0 - u_1", "p = 0..2, u_p \\le x < u_{p+1}"),
+                ("d_p^{p,p}(x) = \\sum_{i=0}^p N_{i,p}(x) d_i", "d_p^{p,p}(x) = \\sum_{i=0}^p N_{i,p}(x) d_{i+1}", "p = 0..2, u_p \\le x < u_{p+1}"),
+                ("H_0(0) = 1, H_1(1) = 1, H_2'(0) = 1, H_3'(1) = 1", "H_3'(0) = 1", "n = 1"),
+                ("S_0^2(s) = (1-s)^2, S_1^2(s) = 2 s (1-s) + \\frac{s^2}{2}", "S_0^2(s) = s^2", "0 \\le s < 1")):
+            for printed, expected in ((true, "holds"), (false, "fails")):
+                with self.subTest(printed=printed):
+                    self.assertEqual(check_standard(printed, ranges, self.KNOTS + self.LET)["verdict"], expected)
+
+    def test_what_is_not_right_is_told(self):
+        for line, words in (("bernstien B_i^n(t)", "there are bernstein, bspline"), ("bernstein B_i(t)", "as in 'bernstein B_i^n(t)'"),
+                            ("bspline N_i^p(t)", "as in 'bspline N_i^p(t) over u_i'"), ("bezier P^n(t) of Q_i", "Q_i is not defined"),
+                            ("bernstein B_{i^n(t)", "expected it as in"), ("bernstein B_i^{n+1}(t)", "an index is a letter"), ("", "no function has the name ''"),
+                            ("bernstein " + "B" * 10**5, "expected it as in"), ("bernstein B_i^n(t)" + "(t)" * 1000, "expected it as in"),
+                            ("bernstein B_i^i(t)", "stands there twice")):
+            with self.subTest(line=line[:30]):
+                r = check(f":::{{let}}\n:use: {line}\n:::\n:::{{statement}} s\n:printed: 1 = 1\n:::\n")
+                self.assertEqual((r.returncode, r.stdout), (2, ""))
+                self.assertIn("standard input:2:", r.stderr)
+                self.assertIn(words, r.stderr)
 
 
 class Undefined(Exception):

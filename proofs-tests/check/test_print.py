@@ -21,7 +21,9 @@ AT_LEAST = 150
 class Print(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.ledger = {s["id"]: s["as_printed"]["verdict"] for s in json.loads((WHOLE_RUN / "report/ledger.json").read_text())["statements"]}
+        rows = json.loads((WHOLE_RUN / "report/ledger.json").read_text())["statements"]
+        cls.ledger = {s["id"]: s["as_printed"]["verdict"] for s in rows}
+        cls.told = {s["id"] for s in rows if s["read_from_print"]}
         cls.read = []
         cls.trouble = []
         for path in sorted((ROOT / "chapters").glob("*/print*.md")):
@@ -47,6 +49,12 @@ class Print(unittest.TestCase):
                 else:
                     self.assertIsNotNone(expected, f"what comes out of what the ledger has as {verdict}?")
                     self.assertEqual(s["verdict"], expected.group(1))
+
+    def test_the_ledger_tells_which_ones(self):
+        self.assertEqual(self.told, {id for id, _, _ in self.read})
+        r = subprocess.run([CAGD, "ledger", "--summary", "deng-zhang-2022:*"], capture_output=True, text=True, timeout=600)
+        all, read = [sum(id.startswith("deng-zhang-2022:") for id in ids) for ids in (self.ledger, self.told)]
+        self.assertIn(f"\n{read} of {all} statements are read from their print", r.stdout)
 
     def test_there_are_many(self):
         decided = {id for id, _, s in self.read if s["verdict"] != "undecided"}

@@ -464,6 +464,25 @@ class Figures(Case):
             self.assertGreater(min(lines), 0.5 * max(lines), path.name)
         self.assertGreater(broken, 10)
 
+    def test_one_scale_of_markers_and_a_short_title(self):
+        """A mark of one shape has one size in all figures, whatever their windows are, and figures are shown in one scale; above each
+        its title, as long as two lines at most."""
+        sizes = {}
+        for path in sorted((ROOT / "figures" / "gallery").glob("*.svg")):
+            text = path.read_text()
+            width, height = re.search(r'<svg [^>]*width="([\d.]+)" height="([\d.]+)"', text).groups()
+            self.assertIn(f'viewBox="0 0 {width} {height}"', text, path.name)
+            title = re.findall(r'<g class="title"[^>]*>(.*?)</g>', text, re.S)
+            self.assertEqual(len(title), 1, path.name)
+            lines = [re.sub("<[^>]*>", "", line) for line in re.findall("<text.*?</text>", title[0], re.S)]
+            self.assertTrue(1 <= len(lines) <= 2 and 0 < len(" ".join(lines)) <= 72, (path.name, lines))
+            for tag in re.findall(r"<(?:circle|rect) [^>]*>", text):
+                kind, size = re.search(r'class="([mo]) ', tag + " "), re.search(r' (?:r|width)="([\d.]+)"', tag)
+                if kind and size:
+                    sizes.setdefault((tag[1], kind[1]), set()).add(size[1])
+        self.assertEqual({kind: len(found) for kind, found in sizes.items()}, dict.fromkeys(sizes, 1), sizes)
+        self.assertGreater(len(sizes), 1)
+
     def test_figures_are_accessible(self):
         for path in (ROOT / "figures" / "gallery").glob("*.svg"):
             root = xml.dom.minidom.parse(str(path)).documentElement

@@ -4,6 +4,7 @@
 """
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -74,6 +75,41 @@ class Page(Exactly):
     def test_rounding_names_a_line(self):
         ran = run(PAGE, "--only", "casteljau_is_bernstein", "--rounding=60")
         self.assertRegex(ran.stdout, r"R +[0-9.e+]+ ulps of the exact value at worst; \d+ % .* arises at \S*curves\.c:13\n")
+
+    def test_other_orders_of_a_sum(self):
+        """At one point, what Python computes: the terms of one sum, however the code groups it, in three orders."""
+        code = """double f(const double *x) {
+            double s = 0;
+            for (int i = 0; i < 9; i += 3)
+                s += x[i] * x[i] / 7 - (x[i + 1] / 3 - -(x[i + 2] / 1024));
+            return s;
+        }"""
+        block = ":::{exactly} a\n:source: a.c\n:declare: double f(const double *);\n:input: x[9]\n:call: double R = f(x);\n:output: R\n:::\n"
+        told = self.verdict(block, code, "a.c", "--rounding=1")["rounding"]["worst"][0]
+        x = [F(v) for v in told["point"]["x"]]
+        d = [float(v) for v in x]
+        terms = [term for i in (0, 3, 6) for term in (d[i] * d[i] / 7, -(d[i + 1] / 3), -(d[i + 2] / 1024))]
+        exact = sum(x[i] * x[i] / 7 - x[i + 1] / 3 - x[i + 2] / 1024 for i in (0, 3, 6))
+        ulp = F(2) ** (math.frexp(float(exact))[1] - 53)
+
+        def added(numbers):
+            s = 0.0
+            for number in numbers:
+                s += number
+            return s
+
+        def written():
+            s = 0.0
+            for i in (0, 3, 6):
+                s += d[i] * d[i] / 7 - (d[i + 1] / 3 - -(d[i + 2] / 1024))
+            return s
+        by_size = sorted(terms, key=abs)
+        wanted = {"as_written": written(), "smallest_first": added(by_size), "largest_first": added(by_size[::-1])}
+        mean = {"as_written": told["mean"]["as_written"], **told["mean"]["other_orders"]}
+        self.assertEqual(told["mean"]["points"], 1)
+        for name, sum_in_order in wanted.items():
+            self.assertAlmostEqual(mean[name], float(abs(F(sum_in_order) - exact) / ulp), places=9, msg=name)
+        self.assertIn("in_halves", mean)
 
     def test_junit(self):
         path = self.folder / "cases.xml"
@@ -277,6 +313,9 @@ class Verdicts(Exactly):
         self.assertEqual(self.verdict(self.BLOCK % "x*x + y*y + 2", code)["verdict"], "differs")
         v = self.verdict(self.BLOCK.replace(":call:", ":roots: refuse\n:call:") % "x*x + y*y + 1", code)
         self.assertIn("not rational", v["because"])
+        v = self.verdict(self.BLOCK.replace(":call:", ":roots: enclose\n:call:") % "x*x + y*y + 1", code)
+        self.assertEqual(v["verdict"], "enclosed")
+        self.assertIn("asked for as an interval", v["because"])
 
     def test_no_end_of_time(self):
         v = self.verdict(self.BLOCK % "x", "double f(double x, double y)\n{\n    for (;;)\n        y = y * y + 1;\n    return x;\n}\n")

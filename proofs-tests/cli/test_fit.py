@@ -341,7 +341,7 @@ class Files(Case):
         endless.kill()
         endless.wait()
         self.assertEqual((r.returncode, r.stdout), (2, b""))
-        self.assertIn(b"standard input: it goes on after 536870912 bytes, the largest size that is read", r.stderr)
+        self.assertIn(b"standard input: more than 536870912 bytes, the largest size that is read; divide it", r.stderr)
 
     def test_measured_files(self):
         """Real files, where they lie: an airfoil with a title and its nose twice, outlines, columns of different scales."""
@@ -662,6 +662,43 @@ class Fits(Case):
         self.assertRegex(self.text(rows, "--ends", "exact"), r"Far from 0 .* rounded to steps of 0\.00012, which is more than standard errors")
         rows = [[c + 1e12 for c in curve(i / 59)] for i in range(60)]
         self.assertTrue(self.fit(table(rows))["points_on_curve"])
+
+    def test_the_degree_is_chosen(self):
+        """A noisy polynomial of degree 5 in one segment: no spline of degree 2, 3 or 4 does with so few unknowns.  And a parabola."""
+        r = random.Random(12)
+        wave = [[x, 3 * x * (x - 0.2) * (x - 0.5) * (x - 0.8) * (x - 1) * 8 + r.gauss(0, 0.0003)] for x in (i / 199 for i in range(200))]
+        bow = [[x, x * (1 - x) + r.gauss(0, 0.003)] for x in (i / 100 for i in range(101))]
+        for rows, degree, count in (wave, 5, 6), (bow, 2, 3):
+            d = self.fit(table(rows), "--degree", "auto")
+            self.assertEqual(len(d["curve"]["points"]), count)
+            tried = d["choice"]["candidates"]
+            self.assertEqual(tried[0]["name"], f"degree {degree} with {count} control points")
+            self.assertEqual(sorted(c["name"][7] for c in tried), ["2", "3", "4", "5"])
+            self.assertEqual(min(c["score"] for c in tried), tried[0]["score"])
+        d = self.fit(table(wave), "--degree", "auto", "--tolerance-distance", "0.002")
+        self.assertLess(d["distances"]["largest"], 0.002)
+        counts = [len(self.fit(table(wave), "--degree", str(p), "--tolerance-distance", "0.002")["curve"]["points"]) for p in (2, 3, 4, 5)]
+        self.assertEqual(len(d["curve"]["points"]), min(counts))
+        self.assertIn("the fewest control points", self.text(wave, "--degree", "auto", "--tolerance-distance", "0.002"))
+        r = run("fit", ARCH, "--degree", "auto", "--initial", self.folder / "none.json")
+        self.assertEqual(r.returncode, 2)
+
+    def test_control_points_beyond_the_frame(self):
+        """An arc of nearly a half turn: its middle point stands far above, and an arrow shows where; by itself it is told as an arc of a circle."""
+        r = random.Random(11)
+        arc = [[math.cos(a) + r.gauss(0, 0.002), math.sin(a) + r.gauss(0, 0.002)] for a in (math.radians(165) * i / 60 for i in range(61))]
+        d = self.fit(table(arc), "--degree", "2")
+        self.assertGreater(d["curve"]["points"][1][1], 5)
+        self.text(arc, "--degree", "2", "--svg", self.folder / "p.svg")
+        said = self.writing(self.folder / "p.svg")
+        self.assertIn("beyond the frame", said)
+        self.assertEqual(re.findall(r">P<><>(\d)<", said), ["0", "1", "2"])
+        d = self.fit(table(arc))
+        self.assertTrue(d["ellipse"]["circle"])
+        self.assertEqual(d["quality"]["problems"], [])
+        self.assertLess(abs(d["ellipse"]["radius"]["value"] - 1), 4 * d["ellipse"]["radius"]["standard_error"])
+        self.text(arc, "--svg", self.folder / "p.svg")
+        self.assertNotIn("beyond the frame", self.writing(self.folder / "p.svg"))
 
     def writing(self, svg):
         """All text of a picture, pieces apart."""

@@ -46,12 +46,13 @@ def run(*args, **options):
     return subprocess.run([CAGD, *map(str, args)], capture_output=True, text=True, timeout=600, **options)
 
 
-def on_terminal(*args, rows=24, columns=60, **environment):
+def on_terminal(*args, rows=24, columns=60, messages=False, **environment):
     """What stands on a terminal when the program has ended, without colours, and its exit code."""
     main, other = pty.openpty()
     fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
     env = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "LINES", "PAGER", "LESS")}
-    p = subprocess.Popen([CAGD, *map(str, args)], stdin=other, stdout=other, stderr=subprocess.DEVNULL, env={**env, **environment})
+    p = subprocess.Popen([CAGD, *map(str, args)], stdin=other, stdout=other, stderr=other if messages else subprocess.DEVNULL,
+                         env={**env, **environment})
     os.close(other)
     said = b""
     while True:
@@ -313,7 +314,7 @@ class Output(Case):
 class Places(Case):
     """Every option that writes, in every place where it cannot: as root, and as an ordinary user where root can be left."""
 
-    INPUTS = {"fit": "in.csv", "check": "basis.md", "exactly": "harness.md"}
+    INPUTS = {"fit": ["in.csv"], "check": ["basis.md"], "exactly": ["harness.md"], "lab": ["grade", "subs", "--lab", "de-casteljau"]}
     # Where a name leads, for what is to be a file and for what is to be a folder; None: it may be written.
     REFUSED = {"loop": ("choose another name",) * 2, "dangling": ("make it first", "choose another name"), "file/x": ("choose another name",) * 2,
                "x" * 300: ("choose another name",) * 2, "": ("give one",) * 2, "-": ("takes the name of a file", "takes the name of a folder"),
@@ -333,7 +334,7 @@ class Places(Case):
         return found
 
     def fill(self):
-        for name in "folder", "locked", "unreadable":
+        for name in "folder", "locked", "unreadable", "subs":
             (self.folder / name).mkdir()
         for name in "file", "readonly", "locked/old":
             (self.folder / name).write_text("kept")
@@ -360,12 +361,12 @@ class Places(Case):
         self.fill()
         before, tried = self.state(), 0
         for command, option, is_folder in self.options():
-            file = [self.INPUTS[command]] if command in self.INPUTS else []
+            file = self.INPUTS.get(command, [])
             for place, words in places.items():
                 if words[is_folder] is None or (place == "input" and not file):
                     continue
                 tried += 1
-                name = file[0] if place == "input" else place
+                name = (file[0] if len(file) == 1 else "in.csv") if place == "input" else place
                 with self.subTest(command=command, option=option, place=place[:20]):
                     r = subprocess.run([program, command, *file, option, name], capture_output=True, text=True, cwd=self.folder, timeout=20, **options)
                     self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (2, "", 1), r)
@@ -419,6 +420,45 @@ class Places(Case):
         self.assertEqual(sorted((p.name, p.lstat().st_ino, p.read_bytes()) for p in disk.iterdir()), before)
 
 
+class Labs(Case):
+    """Folders that a lab is written to, and those that it is read from."""
+
+    def kept(self):
+        return {p: p.read_bytes() if p.is_file() else None for p in self.folder.rglob("*")}
+
+    def test_nothing_is_left_of_what_is_refused(self):
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine/README.md").write_text("kept")
+        (self.folder / "linked").mkdir()
+        (self.folder / "linked/start.c").symlink_to("nowhere")
+        (self.folder / "file").write_text("kept")
+        (self.folder / "subs/ann").mkdir(parents=True)
+        (self.folder / "subs/ann/result.json").write_text("kept")
+        before, taken = self.kept(), "is not written over; name another folder"
+        for args, words in ((["new", "mine"], ["mine/README.md", taken]), (["start", "de-casteljau", "mine"], ["mine/README.md", taken]),
+                            (["new", "linked"], ["linked/start.c", taken]), (["new", "file"], ["file", "choose another name"]), (["new", ""], ["a name of"]),
+                            (["start", "de-casteljau", "-"], ["'-'", "give one"]), (["start", "de-casteljau", ""], ["''", "give one"]),
+                            (["start", "de-casteljau", "/dev/null"], ["/dev/null", "choose another name"]),
+                            (["start", "conic"], ["conic", "cagd lab lists"]), (["frob"], ["frob", "grade"]), (["check"], ["cagd lab check DIR"]),
+                            (["list", "--out", "made"], ["--out", "leave it out"]), (["check", "subs", "--out", "made"], ["--out", "leave it out"]),
+                            (["list", "--watch"], ["--watch"]), (["check", "subs", "--watch", "--json"], ["--watch", "--json"]),
+                            (["grade", "subs"], ["--lab NAME --out DIR"])):
+            with self.subTest(args=args):
+                self.refuses("lab", *args, words=words, cwd=self.folder)
+        for out in "subs", "./subs/", "subs/ann", "subs/new/deep":
+            self.refuses("lab", "grade", "subs", "--lab", "de-casteljau", "--out", out, words=[out, "is read", "choose another"], cwd=self.folder)
+        self.assertEqual(self.kept(), before)
+
+    def test_an_answer_is_a_file(self):
+        answer = self.folder / "de-casteljau.c"
+        os.mkfifo(answer)
+        self.refuses("lab", "check", self.folder, words=[answer, "expected the file of an answer"])
+        answer.unlink()
+        answer.symlink_to("other.c")
+        (self.folder / "other.c").touch()
+        self.refuses("lab", "check", self.folder, words=[answer, "symbolic link"])
+
+
 class Terminal(Case):
     COMMANDS = [["--help"], ["help", "fit"], ["verify", "--help"], ["curve", "--help"], ["list", "end_*"], ["verify", "end_*"],
                 ["ledger", "wang-ch3:3.2.*"], ["ledger", "--summary", "wang-ch3:3.2.*"], ["show", "wang-ch3:3.2.8"],
@@ -437,6 +477,15 @@ class Terminal(Case):
                 self.assertEqual(code, 0)
                 self.assertTrue(said.strip())
                 self.assertEqual([line for line in said.splitlines() if columns(line) > 60], [])
+
+    def test_progress_is_not_wider_either(self):
+        """A line of progress that is broken by the terminal cannot be taken away again."""
+        said, code = on_terminal("verify", "end_*", PAGER="", messages=True)
+        self.assertEqual(code, 0)
+        told = [line for line in re.split(r"\r|\x1b\[K|\n", said) if line.startswith("[")]
+        self.assertGreater(len(told), 5)
+        self.assertEqual([line for line in told if columns(line) > 59], [])
+        self.assertTrue(any(line.endswith("...") for line in told))
 
     def test_nothing_is_lost_in_the_breaks(self):
         said, _ = on_terminal("list", "end_*", PAGER="")
@@ -486,6 +535,16 @@ class Help(Case):
                         elif r.returncode != 0:
                             self.assertEqual(run("show", *names).returncode, 0)
         self.assertGreater(tried, 6)
+
+    def test_contributors_are_told_what_a_test_takes(self):
+        """Every call of a test in CONTRIBUTING gives what its first lines ask for."""
+        tried = 0
+        for script, given in re.findall(r"python3 (proofs-tests/\S+/test_\w+\.py)([^`\n]*)", (ROOT / "CONTRIBUTING.md").read_text()):
+            asked = re.search(r"python3 test_\w+\.py((?: \S+)*)", (ROOT / script).read_text())
+            if asked:
+                tried += 1
+                self.assertEqual(len([w for w in given.split() if w != "CLASS"]), len(asked[1].split()), script)
+        self.assertGreater(tried, 0)
 
     def test_there_are_changes_and_a_citation_of_this_version(self):
         version = run("--version").stdout.split()[1]
@@ -908,6 +967,11 @@ class Curves(Case):
             for file in empty, noise, pathlib.Path("/dev/null"), huge:
                 self.refuses(command, file, words=[file, "quotes" if (command, file) == ("curve", huge) else "expected"])
 
+    def test_what_does_not_end_is_told(self):
+        for command in "check", "exactly", "curve":
+            self.refuses(command, "/dev/zero", words=["/dev/zero", "largest size that is read; "])
+        self.refuses("fit", "", words=["'': No such file"])
+
     def test_files_that_are_none(self):
         line = {"kind": "bezier", "points": [[0], [1]]}
         marked = self.folder / "marked.json"
@@ -989,6 +1053,32 @@ class Schemas(Case):
             r = run("exactly", page, "--json", *options)
             self.assertEqual(r.returncode, 0 if options else 1, r.stderr)
             self.fits(json.loads(r.stdout))
+
+    @unittest.skipUnless(pathlib.Path(CAGD).with_name("cagd-compile-exactly").exists(), "built without LLVM")
+    def test_labs(self):
+        self.fits(self.said("lab", "list", "--json"))
+        lab, labs = self.folder / "lab", ROOT / "chapters/labs/de-casteljau"
+        self.assertEqual(run("lab", "start", "de-casteljau", lab).returncode, 0)
+        self.fits(self.said("lab", "check", lab, "--json", code=1))  # what is begun with
+        for answer, code in ((labs / "right/iterative.c").read_text(), 0), ("#error\n", 1), ("#include <stdlib.h>\nint f(void) { return system(0); }\n", 1):
+            (lab / "de-casteljau.c").write_text(answer)
+            self.fits(self.said("lab", "check", lab, "--json", code=code))
+        self.assertEqual(run("lab", "new", "mine", cwd=self.folder).returncode, 0)
+        self.fits(self.said("lab", "test", self.folder / "mine", "--json"))
+        if shutil.which("bwrap"):
+            (self.folder / "class/cy").mkdir(parents=True)
+            shutil.copy(lab / "de-casteljau.c", self.folder / "class/bob.c")
+            r = run("lab", "grade", self.folder / "class", "--lab", "de-casteljau", "--out", self.folder / "out")
+            self.assertEqual(r.returncode, 0, r)
+            for student in "bob", "cy":
+                self.fits(json.loads((self.folder / "out" / student / "result.json").read_text()))
+
+    def test_every_format_that_commands_print_is_validated(self):
+        """A format without a document in these tests is one that nobody tried."""
+        tests = pathlib.Path(__file__).read_text()
+        for word in re.findall(r"^  (\w+)  ", run("help").stdout, re.M):
+            if "--json" in run("help", word).stdout:
+                self.assertRegex(tests, rf'(said\(|\[)"{word}"|run\("{word}", page, "--json"', word)
 
     def test_what_is_printed_of_claims_that_fail(self):
         tried = 0

@@ -1,11 +1,11 @@
-"""Which statements and branches of exact, the judge and core the unit tests and the tests of formulas and of code reach, by gcov.
+"""Which statements and branches of exact, the judge and core the unit tests and the tests of formulas, of code and of fits reach, by gcov.
 
     coverage.py [--jobs N] [--lines] [--keep]
 
-Builds the unit tests and cagd, with one chapter, in build/coverage at -O0 with --coverage, runs the tests, also those of `cagd check`
-and of code that is run exactly, and prints for every file the statements and branches that were reached, and how many there are; a line of a template or a header counts once, reached in whatever number type.  Then the lines
+Builds the unit tests and cagd, with one chapter, in build/coverage at -O0 with --coverage, runs the tests, also those of `cagd check`,
+of code that is run exactly and of `cagd fit`, and prints for every file the statements and branches that were reached, and how many there are; a line of a template or a header counts once, reached in whatever number type.  Then the lines
 that nothing reached: with --lines all of them, otherwise those for which unreached.txt has no reason.  --keep reads what the last
-run left.  Not a test; about four minutes of processor time.
+run left.  Not a test; about fifteen minutes of processor time.
 """
 import argparse
 import collections
@@ -18,8 +18,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/coverage"
 ROOMS = ("exact/", "chapters/judge/", "core/")
-# What takes minutes at -O0.  Of core/fit, so, only what needs no whole fit is measured.
-LEFT_OUT = {"test_fit", "test_svg"}
+LEFT_OUT = {"test_svg"}  # figures are none of these rooms
 
 
 # A process of exact/code ends by _exit, which keeps no counts: the linker puts this in its place.
@@ -54,7 +53,7 @@ def run_tests(jobs):
     must("cmake", "-G", "Ninja", "-S", ".", "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_C_FLAGS_DEBUG=-O0 -w --coverage",
          "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -w --coverage", "-DCAGD_TYPES=RATIONAL", "-DCAGD_CHAPTERS=foundations",
          f"-DCMAKE_EXE_LINKER_FLAGS_DEBUG=-Wl,--wrap=_exit {BUILD / 'ending.o'}")
-    programs = ["cagd", "run_programs", "cagd-compile-exactly"]
+    programs = ["cagd", "run_programs", "cagd-compile-exactly", "cagd-exactly-session", "test_certified"]
     must("cmake", "--build", str(BUILD), "-j", str(jobs), "--target", *tests, *programs)
     for old in BUILD.rglob("*.gcda"):
         old.unlink()
@@ -62,10 +61,15 @@ def run_tests(jobs):
         r = subprocess.run([BUILD / "proofs-tests/unit" / test], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         if r.returncode != 0:
             sys.exit(f"{test} fails")
-    others = [["check/test_check.py", BUILD / "cagd"], ["cli/test_exactly.py", BUILD / "cagd", ROOT],
-              ["code/test_language.py", BUILD / "cagd-compile-exactly", BUILD / "proofs-tests/code/run_programs"]]
-    for script, *arguments in others:  # whatever they say of a program that is so slow and has one chapter, it has run
-        subprocess.run([sys.executable, ROOT / "proofs-tests" / script, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    cagd, fit = BUILD / "cagd", BUILD / "proofs-tests/fit"
+    python = lambda script, *arguments: [sys.executable, ROOT / "proofs-tests" / script, *arguments]
+    others = [python("check/test_check.py", cagd), python("check/test_latex.py", cagd), python("check/test_basis.py", cagd),
+              python("cli/test_exactly.py", cagd, ROOT), python("cli/test_fit.py", cagd, ROOT),
+              python("code/test_language.py", BUILD / "cagd-compile-exactly", BUILD / "proofs-tests/code/run_programs"),
+              python("code/test_interface.py", BUILD, ROOT), python("fit/test_real.py", cagd), python("fit/kinds.py", cagd),
+              [fit / "test_certified", ROOT / "proofs-tests/fit/problems"]]
+    for command in others:  # whatever they say of a program that is so slow and has one chapter, it has run
+        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return len(tests) + len(others)
 
 

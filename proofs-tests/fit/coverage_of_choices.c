@@ -45,29 +45,40 @@ typedef struct setting {
     double major, minor;
     double weight; /* of one control point in the middle                                                    */
     int choose_count, smooth;
+    int degree, dim; /* of a spline; 0: degree 3, plane                                                  */
 } setting;
 
+static int degree_of(const setting *s) { return s->degree > 0 ? s->degree : 3; }
+static int dim_of(const setting *s) { return s->dim > 0 ? s->dim : 2; }
+
 static const setting settings[] = {
-    {"circle, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 2, 1, 1, 0},
-    {"circle, 8 points", ELLIPSE, 8, 0, 0.01, 360, 2, 2, 1, 1, 0},
-    {"circle, noisy", ELLIPSE, 40, 0, 0.2, 360, 2, 2, 1, 1, 0},
-    {"circle, 300 degrees", ELLIPSE, 60, 0, 0.01, 300, 2, 2, 1, 1, 0},
-    {"ellipse, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 1.2, 1, 1, 0},
-    {"ellipse, noisy", ELLIPSE, 40, 0, 0.1, 360, 2, 1.2, 1, 1, 0},
-    {"ellipse, flat", ELLIPSE, 60, 0, 0.01, 360, 2, 0.2, 1, 1, 0},
-    {"ellipse, nearly round", ELLIPSE, 60, 0, 0.01, 360, 2, 1.99, 1, 1, 0},
-    {"ellipse, 270 degrees", ELLIPSE, 60, 0, 0.01, 270, 2, 1.2, 1, 1, 0},
-    {"ellipse, 200 degrees", ELLIPSE, 60, 0, 0.01, 200, 2, 1.2, 1, 1, 0},
-    {"closed, given knots", CLOSED_SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0},
-    {"spline, given knots", SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0},
-    {"closed, precise", CLOSED_SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0},
-    {"spline, precise", SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0},
-    {"spline, one weight 1.3", SPLINE, 80, 8, 0.01, 0, 0, 0, 1.3, 0, 0},
-    {"spline, one weight 3", SPLINE, 80, 8, 0.01, 0, 0, 0, 3, 0, 0},
-    {"precise, one weight 3", SPLINE, 200, 8, 0.0005, 0, 0, 0, 3, 0, 0},
-    {"conic", CONIC, 60, 0, 0.003, 0, 0, 0, 1, 1, 0},
-    {"wave, knots chosen", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 0},
-    {"wave, smoothed", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 1},
+    {"circle, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 2, 1, 1, 0, 0, 0},
+    {"circle, 8 points", ELLIPSE, 8, 0, 0.01, 360, 2, 2, 1, 1, 0, 0, 0},
+    {"circle, noisy", ELLIPSE, 40, 0, 0.2, 360, 2, 2, 1, 1, 0, 0, 0},
+    {"circle, 300 degrees", ELLIPSE, 60, 0, 0.01, 300, 2, 2, 1, 1, 0, 0, 0},
+    {"ellipse, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 1.2, 1, 1, 0, 0, 0},
+    {"ellipse, noisy", ELLIPSE, 40, 0, 0.1, 360, 2, 1.2, 1, 1, 0, 0, 0},
+    {"ellipse, flat", ELLIPSE, 60, 0, 0.01, 360, 2, 0.2, 1, 1, 0, 0, 0},
+    {"ellipse, nearly round", ELLIPSE, 60, 0, 0.01, 360, 2, 1.99, 1, 1, 0, 0, 0},
+    {"ellipse, 270 degrees", ELLIPSE, 60, 0, 0.01, 270, 2, 1.2, 1, 1, 0, 0, 0},
+    {"ellipse, 200 degrees", ELLIPSE, 60, 0, 0.01, 200, 2, 1.2, 1, 1, 0, 0, 0},
+    {"closed, given knots", CLOSED_SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 0, 0},
+    {"spline, given knots", SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 0, 0},
+    {"closed, precise", CLOSED_SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0, 0, 0},
+    {"spline, precise", SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0, 0, 0},
+    {"spline, one weight 1.3", SPLINE, 80, 8, 0.01, 0, 0, 0, 1.3, 0, 0, 0, 0},
+    {"spline, one weight 3", SPLINE, 80, 8, 0.01, 0, 0, 0, 3, 0, 0, 0, 0},
+    {"precise, one weight 3", SPLINE, 200, 8, 0.0005, 0, 0, 0, 3, 0, 0, 0, 0},
+    {"degree 2, given knots", SPLINE, 120, 8, 0.002, 0, 0, 0, 1, 0, 0, 2, 2},
+    {"degree 4, given knots", SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 4, 2},
+    {"degree 5, given knots", SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 5, 2},
+    {"degree 5, closed", CLOSED_SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 5, 2},
+    {"space, given knots", SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 3, 3},
+    {"space, closed", CLOSED_SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 3, 3},
+    {"space, degree 4, given knots", SPLINE, 80, 8, 0.005, 0, 0, 0, 1, 0, 0, 4, 3},
+    {"conic", CONIC, 60, 0, 0.003, 0, 0, 0, 1, 1, 0, 0, 0},
+    {"wave, knots chosen", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 0, 0, 0},
+    {"wave, smoothed", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 1, 0, 0},
 };
 
 static const double angle = 0.5, centre[2] = {3, 1};
@@ -77,25 +88,30 @@ static void control_points(const setting *s, double P[])
 {
     for (int j = 0; j < s->control; j++) {
         const double u = (double)j / s->control, r = 2 + 0.5 * cos(4 * PI * u + 1);
-        P[2 * j] = s->truth == SPLINE ? j : r * cos(2 * PI * u);
-        P[2 * j + 1] = s->truth == SPLINE ? 1.5 * sin(2.1 * j) : r * sin(2 * PI * u);
+        const int dim = dim_of(s);
+        P[dim * j] = s->truth == SPLINE ? j : r * cos(2 * PI * u);
+        P[dim * j + 1] = s->truth == SPLINE ? 1.5 * sin(2.1 * j) : r * sin(2 * PI * u);
+        if (dim == 3)
+            P[dim * j + 2] = 1.5 * cos(2 * PI * (3 * u + 0.1));
     }
 }
 
 static cagd_spline true_spline(const setting *s, double U[], double P[], double w[])
 {
-    const int p = 3, n = s->control, closed = s->truth == CLOSED_SPLINE, all = n + (closed ? p : 0);
+    const int p = degree_of(s), dim = dim_of(s), n = s->control, closed = s->truth == CLOSED_SPLINE,
+              all = n + (closed ? p : 0);
     control_points(s, P);
     for (int j = 0; j < all; j++) {
-        P[2 * j] = P[2 * (j % n)], P[2 * j + 1] = P[2 * (j % n) + 1];
+        for (int c = 0; c < dim; c++)
+            P[dim * j + c] = P[dim * (j % n) + c];
         w[j] = j % n == n / 2 ? s->weight : 1;
     }
     for (int i = 0; i < all + p + 1; i++)
         U[i] = closed ? (double)(i - p) / n : i <= p ? 0 : i >= n ? 1 : (double)(i - p) / (n - p);
-    return (cagd_spline){p, all, 2, U, P, w};
+    return (cagd_spline){p, all, dim, U, P, w};
 }
 
-static void exact_point(const setting *s, const cagd_spline *c, double u, double q[2])
+static void exact_point(const setting *s, const cagd_spline *c, double u, double q[])
 {
     if (s->truth == ELLIPSE) {
         const double f = s->sweep / 180 * PI * u, x = s->major * cos(f), y = s->minor * sin(f);
@@ -186,12 +202,12 @@ static void count_unknowns(tally all[], const setting *s, const cagd_spline *c, 
         const cagd_fit_unknown u = r->unknown[k];
         cagd_fit_estimate e = cagd_fit_unknown_estimate(r, k);
         char name[32];
-        double truth =
-            u.is_weight ? (s->truth == CONIC ? 1 : c->weights[u.index] / c->weights[0]) : P[2 * u.index + u.coordinate];
+        double truth = u.is_weight ? (s->truth == CONIC ? 1 : c->weights[u.index] / c->weights[0])
+                                   : P[c->dim * u.index + u.coordinate];
         if (s->choose_count && s->truth != CONIC)
             snprintf(name, sizeof name, u.index == 0 || u.index == r->curve.count - 1 ? "end points" : "inner points");
         else
-            snprintf(name, sizeof name, u.is_weight ? "w%d" : "P%d %c", u.index, "xy"[u.coordinate]);
+            snprintf(name, sizeof name, u.is_weight ? "w%d" : "P%d %c", u.index, "xyz"[u.coordinate]);
         count_in(all, name, e.origin + e.low, e.origin + e.high, truth);
     }
     for (int j = 0; j < r->invariants && s->truth == CONIC; j++)
@@ -202,19 +218,20 @@ static void count_unknowns(tally all[], const setting *s, const cagd_spline *c, 
 /* The number of quantities out of bounds. */
 static int run(const setting *s, int draws)
 {
-    static double exact[2 * MOST_POINTS], measured[2 * MOST_POINTS];
+    static double exact[3 * MOST_POINTS], measured[3 * MOST_POINTS];
     static tally all[MOST_QUANTITIES];
-    double U[2 * MOST_CONTROL], P[2 * MOST_CONTROL], w[MOST_CONTROL];
+    double U[2 * MOST_CONTROL], P[3 * MOST_CONTROL], w[MOST_CONTROL];
+    const int dim = dim_of(s);
     cagd_spline c = true_spline(s, U, P, w);
     int others = 0, weighted = 0, bad = 0, around = s->truth == CLOSED_SPLINE || s->sweep == 360;
     memset(all, 0, sizeof all);
     for (int i = 0; i < s->points; i++)
-        exact_point(s, &c, (double)i / (around ? s->points : s->points - 1), exact + 2 * i);
+        exact_point(s, &c, (double)i / (around ? s->points : s->points - 1), exact + dim * i);
     state = (uint64_t)s->name[0] * 1000003 + (uint64_t)strlen(s->name);
     for (int draw = 0; draw < draws; draw++) {
-        cagd_fit_data data = {s->points, 2, measured, NULL}, truth = {s->points, 2, exact, NULL};
+        cagd_fit_data data = {s->points, dim, measured, NULL}, truth = {s->points, dim, exact, NULL};
         cagd_fit_result *r = NULL;
-        for (int k = 0; k < 2 * s->points; k++)
+        for (int k = 0; k < dim * s->points; k++)
             measured[k] = exact[k] + s->sigma * normal();
         const int fitted = fit(s, &data, &c, &r) == CAGD_OK && cagd_fit_is_minimum(r);
         const int other =

@@ -169,9 +169,9 @@ static const source sources[] = {{"book", "Ann Author, Bob Author", "A book", "ä
 static const chapter chapters[] = {{"first", "The first"}, {.name = NULL}};
 static const figure figures[] = {{.name = NULL}};
 static claim good_claims[GOOD + 1];
-static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL},
-                           bad = {claims, bad_statements, chapters, figures, sources, NULL},
-                           lost = {good_claims, lost_statements, chapters, figures, sources, NULL};
+static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL, NULL},
+                           bad = {claims, bad_statements, chapters, figures, sources, NULL, NULL},
+                           lost = {good_claims, lost_statements, chapters, figures, sources, NULL, NULL};
 
 /* main.c has the list of the commands; here there is no other. */
 const struct command *const commands[] = {&command_verify, NULL};

@@ -1143,6 +1143,9 @@ static void test_claims_about_different_things_are_apart(void **state)
     assert_finding("n", DECIDED, "n = 2 to 3; the stated polygons", "", LINKS(BY("designed"), BY("stretched")));
     assert_finding("n", DECIDED, "n = 2 to 3; each step for its own cases", "", LINKS(BY("designed"), BY("plain")));
     assert_finding("n", DECIDED, "n = 7; each step for its own cases", "", LINKS(BY("seventh"), BY("high")));
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where β ≠ 0, and P is not 0", "",
+                   LINKS(BY("patterns"), BY("said"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0"},
+                         {NEEDS, NULL, "here", "P is not 0", "P is not 0"})); /* hypotheses are asked of all steps */
     assert_finding("n", SAMPLED, "n = 1 to 3; each step for its own cases; 24 random instances", "",
                    LINKS(BY("patterns"), BY("said"), BY("instances")));
 }
@@ -1195,7 +1198,7 @@ static void test_conditions_reach_the_verdict(void **state)
                              {NEEDS, NULL, "", "", "Q ≠ 0"}));
     assert_finding("n", DECIDED, "where P ≠ 0", "", LINKS(BY("bare")));
     assert_finding("n", DECIDED, "n = 1 to 4; where P ≠ 0", "every n", LINKS(BY("bare"), BY("stretched")));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where P ≠ 0, and 0 < t < 1", "",
                    LINKS(BY("patterns"), BY("said"), BY("regular"))); /* they stand at the steps */
 }
 
@@ -1226,7 +1229,7 @@ static void test_data_within_hypotheses(void **state)
                          {NEEDS, NULL, "", "", "$\\beta>0$"}));
     assert_finding("n", PROVED, "n = 1 to 4; where the weights are positive", "every n",
                    LINKS(BY("stretched"), {NEEDS, NULL, "", "", "the weights are positive"}));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where t > 0", "",
                    LINKS(BY("patterns"), BY("said"), {NEEDS, NULL, "", "", "t > 0"}));
     const statement_link refuted[] = {{REFUTED_BY, "against", NULL, "", NULL},
                                       {CORRECTED_BY, "plain", NULL, "", NULL},

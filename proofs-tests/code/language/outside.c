@@ -209,6 +209,24 @@ double o_copied_to_behind(void)
     memmove(p, q, sizeof q); // here
     return p[0];
 }
+/* ! which overlap */
+double o_copied_over_itself(void)
+{
+    double *p = memory(4);
+    for (int i = 0; i < 4; i++)
+        p[i] = 1.0 / (i + 1);
+    memcpy(p, p + 1, 3 * sizeof *p); // here
+    return p[0];
+}
+/* = F(1, 3) */
+double o_copied_beside(void)
+{
+    double *p = memory(4);
+    for (int i = 0; i < 4; i++)
+        p[i] = 1.0 / (i + 1);
+    memcpy(p, p + 2, 2 * sizeof *p);
+    return p[0];
+}
 /* ! outside an array */
 double o_filled_behind(void)
 {

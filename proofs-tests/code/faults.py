@@ -1,0 +1,216 @@
+"""Faults planted in copies of a library that others wrote: is each one found that changes the mathematics?  Not a test: see foreign.py.
+
+    python3 faults.py CAGD CAGD-COMPILE-EXACTLY FOLDER [COUNT]
+
+In FOLDER/exactly, copies of source files of SISL get one fault each: an operator, a comparison, an index or a constant is another one, in
+a line that runs.  Who says what a fault changes is apart from what is tried: gcc compiles the copy and the original, and both run in
+binary64 at 3000 points (the parameter also at the knots); the fault changes the mathematics if a number differs by more than 1e-6 of
+its size, is none, or the program ends otherwise (by the address sanitizer, or after ten seconds).  Found it is if `cagd exactly` does not
+say "proved": it differs at a point, or refuses what has no value; a bound that was met does not count."""
+import concurrent.futures
+import itertools
+import math
+import random
+import re
+import subprocess
+import sys
+
+import foreign
+
+SEED, POINTS, WORST = 1, 3000, 1e-6
+# Which row asks for which file: small ones, that each use all of it that they can.
+PLANTED = {"s1219.c": ["s1221_degree_2", "s1220_degree_2"], "s1220.c": ["s1220_degree_2", "s1221_degree_3"], "s1221.c": ["s1221_degree_2"],
+           "s1227.c": ["s1227_degree_2"], "s6ratder.c": ["s1221_rational_degree_1"], "s1018.c": ["s1018_degree_2"]}
+FAULTS = [(r" \+ | \+(?=\w)", " - "), (r"(?<=[\w\)\]]) ?- ?(?=\w)", " + "), (r"(?<=[\w\)\]]) ?\* ?(?=[\w(])", " + "), (r"(?<=[\w\)\]]) ?/ ?(?=[\w(])", " * "),
+          (r"<=", "<"), (r"(?<=\w) ?< ?(?=\w)", " <= "), (r">=", ">"), (r"==", "!="), (r"\+=", "-="), (r"\*=", "/="),
+          (r"(?<=[\w\)])\]", "+1]"), (r"(?<=\w)\]", "-1]"), (r"(?<![\w.])0(?![\w.])", "1"), (r"(?<![\w.])1(?![\w.])", "2"),
+          (r"(?<![\w.])[12](?![\w.])", "0"), (r"\bmin\(", "max("), (r"\bmax\(", "min("), (r"&&", "||")]
+
+
+def point(inputs, chance):
+    """Numbers for the inputs of a row, in their order."""
+    known, numbers = {}, []
+
+    def end(text):
+        name, _, index = text.strip(" [](").partition("[")
+        if name in known:
+            return known[name][int(index) if index else 0]
+        over, _, under = name.partition("/")
+        return float(over) / float(under or 1)
+    for part in inputs.split(";"):
+        name, count, said = re.fullmatch(r"\s*(\w+)(?:\[(\d+)\])?\s*(.*)", part).groups()
+        values = []
+        for _ in range(int(count or 1)):
+            if said.startswith("in "):
+                low, high = map(end, said[2:].strip()[1:-1].split(","))
+                at_knots = [k for k in known.get("k", []) if low < k < high] if not count else []
+                if said.rstrip().endswith("]"):
+                    at_knots += [high]
+                if said[2:].strip()[0] == "[":
+                    at_knots += [low]
+                values.append(chance.choice(at_knots) if at_knots and chance.random() < 0.4 else chance.uniform(low, high))
+            else:
+                values.append(chance.uniform(-3, 3))
+        if said == "increasing":
+            values = list(itertools.accumulate(0.1 + chance.random() for _ in values))
+        known[name] = values
+        numbers += values
+    return numbers
+
+
+class Native:
+    """A row in binary64: what the original gives at the points, and whether a copy gives something else."""
+
+    def __init__(self, shop, row, archive):
+        self.shop, self.row, self.archive = shop, row, archive
+        chance = random.Random(SEED)
+        self.points = "\n".join(" ".join(map(repr, point(row.inputs, chance))) for _ in range(POINTS))
+        read, told = "", ""
+        for name, count in re.findall(r"(?:^|;)\s*(\w+)(?:\[(\d+)\])?", row.inputs):
+            read += f"double {name}{f'[{count}]' if count else ''}; for (int i_ = 0; i_ < {count or 1}; i_++) " \
+                    f"if (scanf(\"%lf\", {name} + i_) != 1) return 0; " if count else f"double {name}; if (scanf(\"%lf\", &{name}) != 1) return 0; "
+        for e in row.expected:
+            left = e.split(" = ")[0]
+            array = re.fullmatch(r"(\w+)\[(\d+)\]", left)
+            told += f"for (int i_ = 0; i_ < {array[2]}; i_++) printf(\"%.17g \", {array[1]}[i_]); " if array else f"printf(\"%.17g \", {left}); "
+        self.program = shop.work / f"native_{row.name}.c"
+        self.program.write_text('#include <stdio.h>\n#include "sislP.h"\n#include "reference.h"\n'
+                                f"int main(void) {{ for (;;) {{ {read} {row.statements} {told} puts(\"\"); }} }}\n")
+        self.numbers = None
+
+    def run(self, source, extra=(), apart=""):
+        made = self.shop.work / f"native_{self.row.name}{apart}"
+        self.shop.built([*extra, self.program, source, self.archive, "-o", made])
+        try:
+            ran = subprocess.run([made], input=self.points, capture_output=True, text=True, timeout=10,
+                                 env={"ASAN_OPTIONS": "detect_leaks=0"})
+        except subprocess.TimeoutExpired:
+            return None
+        return [float(x) for x in ran.stdout.split()] if ran.returncode == 0 else None
+
+    def run_original(self, source):
+        self.numbers = self.run(source)
+        if not self.numbers or any(map(math.isnan, self.numbers)):
+            raise SystemExit(f"{self.row.name}: the original does not run")
+
+    def changes(self, copy, apart):
+        now = self.run(copy, apart=apart)
+        return now is None or len(now) != len(self.numbers) or any(
+            not abs(a - b) <= WORST * max(1, abs(a)) for a, b in zip(self.numbers, now))
+
+
+class Shop(foreign.Workshop):
+    def built(self, arguments):
+        subprocess.run(["gcc", "-O0", "-g", "-w", "-fsanitize=address", f"-I{self.unpacked('sisl')}/include", f"-I{self.work}",
+                        *arguments, "-lm"], check=True, stderr=subprocess.PIPE, text=True)
+
+    def native_archive(self):
+        made, parts = self.work / "native.a", self.work / "native"
+        if not made.exists():
+            parts.mkdir(exist_ok=True)
+            for source in sorted((self.unpacked("sisl") / "src").glob("*.c")):
+                subprocess.run(["gcc", "-O0", "-g", "-w", f"-I{self.unpacked('sisl')}/include", "-c", source, "-o",
+                                parts / (source.stem + ".o")], stderr=subprocess.DEVNULL)
+            subprocess.run(["ar", "rc", made, *parts.glob("*.o")], check=True)
+        return made
+
+    def lines_that_run(self, name, native):
+        """Their numbers, by gcov."""
+        counted = self.work / "counted"
+        counted.mkdir(exist_ok=True)
+        for old in counted.glob("*"):
+            old.unlink()
+        source = self.unpacked("sisl") / "src" / name
+        self.built(["--coverage", "-c", source, "-o", counted / "part.o"])
+        native.run(counted / "part.o", ["--coverage"])
+        told = subprocess.run(["gcov", "-t", "-o", counted, counted / "part.o"], capture_output=True, text=True, cwd=counted).stdout
+        ran = re.compile(r"\s*\d+\*?:\s*(\d+):")
+        if f"Source:{source}" not in told:
+            raise SystemExit(f"{name}: gcov says nothing")
+        part = told.split(f"Source:{source}")[1].split("0:Source:")[0]
+        return {int(m[1]) for m in map(ran.match, part.splitlines()) if m}
+
+
+def without_comments(text):
+    """Of the same length, blanks for comments and texts."""
+    return re.sub(r'/\*.*?\*/|"[^"\n]*"', lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
+
+
+def faults(text, lines):
+    """(line, from, to, what stands there then), each place and fault once; not in declarations, whose values are soon others, nor
+    in the questions whether inputs are legal."""
+    begin = 0
+    for number, line in enumerate(without_comments(text).splitlines(keepends=True), 1):
+        if number in lines and not re.match(r"\s*(#|if .*goto err|int |double |unsigned )", line):
+            for pattern, instead in FAULTS:
+                for m in re.finditer(pattern, line):
+                    if "->" not in line[m.start():m.end() + 1] and m[0] != instead:
+                        yield number, begin + m.start(), begin + m.end(), instead
+        begin += len(line)
+
+
+def word_of(answer):
+    """found, not found (proved all the same), or no answer."""
+    if isinstance(answer, str):
+        return "no answer", answer
+    if answer["verdict"] == "proved":
+        return "proved", "all inputs" if answer.get("exhaustive") else "on the ways met"
+    because = answer.get("because", "")
+    if answer["verdict"] == "undecided" and ("bits" in because or "more than" in because and "seconds" not in because):
+        return "no answer", because
+    return "found", answer["verdict"] + (": " + re.sub(r"\S*/", "", because) if because else "")
+
+
+def try_fault(shop, rows, natives, number, name, fault):
+    """Whether it changes the mathematics, what cagd exactly says, and a row of the table; None where it does not compile."""
+    line, begin, end, instead = fault
+    text = (shop.unpacked("sisl") / "src" / name).read_text(errors="replace")
+    copy = shop.work / "planted" / str(number) / name
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    copy.write_text(text[:begin] + instead + text[end:])
+    try:
+        changing = [n for n in PLANTED[name] if natives[n].changes(copy, f"_{number}")]
+    except subprocess.CalledProcessError:
+        return None
+    row = (changing or PLANTED[name])[0]
+    word, told = word_of(shop.ask(rows[row], sources=[f"planted/{number}/{name}"], apart=f"_{number}"))
+    return bool(changing), word, (f"| {name} | {line} | `{text[begin:end].strip()}` is `{instead.strip()}` | "
+                                  f"{'yes' if changing else 'no'} | {word}: {told[:150]} |")
+
+
+def main():
+    shop, count, chance = Shop(*sys.argv[1:4]), int(sys.argv[4]) if len(sys.argv) > 4 else 60, random.Random(SEED)
+    rows = {r.name: r for r in foreign.sisl_rows()}
+    natives = {n: Native(shop, rows[n], shop.native_archive()) for names in PLANTED.values() for n in names}
+    waiting = []
+    for name, asked in PLANTED.items():
+        source = shop.unpacked("sisl") / "src" / name
+        for n in asked:
+            natives[n].run_original(source)
+        some = list(faults(source.read_text(errors="replace"), shop.lines_that_run(name, natives[asked[0]])))
+        chance.shuffle(some)
+        waiting.append([(name, fault) for fault in some])
+    # one of each file in turn
+    waiting = [one for several in itertools.zip_longest(*waiting) for one in several if one is not None]
+    print("| file | line | fault | changes | cagd exactly |\n|---|---|---|---|---|", flush=True)
+    changed, found, same, wrong, at_once = 0, 0, 0, 0, 6
+    with concurrent.futures.ThreadPoolExecutor(at_once) as pool:
+        for begin in range(0, len(waiting), at_once):
+            trials = [(shop, rows, natives, begin + k, *one) for k, one in enumerate(waiting[begin:begin + at_once])]
+            for tried in pool.map(lambda trial: try_fault(*trial), trials):
+                if tried is None or changed == count:
+                    continue
+                changing, word, line = tried
+                changed += changing
+                found += changing and word == "found"
+                same += not changing and word == "proved"
+                wrong += not changing and word != "proved"
+                print(line, flush=True)
+            if changed == count:
+                break
+    print(f"\n{changed} faults change the mathematics, {found} of them are found; {same} more change nothing and are proved, "
+          f"{wrong} change nothing that binary64 shows at the points, and are not proved.")
+
+
+if __name__ == "__main__":
+    main()
