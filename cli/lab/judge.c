@@ -148,9 +148,22 @@ struct search {
     int ways;
 };
 
+static int same_point(const struct cagd_code_point *a, const struct cagd_code_point *b)
+{
+    for (int i = 0; i < a->inputs; i++)
+        for (int j = 0; j < (a->input[i].count > 0 ? a->input[i].count : 1); j++)
+            if (strcmp(a->input[i].value[j], b->input[i].value[j]) != 0 || a->input[i].like[j] != b->input[i].like[j])
+                return 0;
+    return 1;
+}
+
+/* Once: a comparison that is made again has the same border. */
 static void put_point(struct search *s, struct cagd_code_point *p)
 {
-    if (s->count < MOST_POINTS)
+    int known = 0;
+    for (int k = 0; k < s->count && !known; k++)
+        known = same_point(s->point[k], p);
+    if (s->count < MOST_POINTS && !known)
         s->point[s->count++] = p;
     else
         cagd_code_point_free(p);
