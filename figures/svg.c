@@ -73,6 +73,13 @@ void svg_fail(svg *s, const char *why)
         s->failure = why;
 }
 
+void drop_string(svg *s, struct string *out)
+{
+    if (out->broken)
+        svg_fail(s, "memory is short");
+    free_string(out);
+}
+
 const char *svg_failed(const svg *s) { return s == NULL ? "memory is short" : s->failure; }
 
 void svg_tolerance(svg *s, num_q units)
@@ -310,7 +317,7 @@ static size_t end_of_title_line(svg *s, const char *at, long room)
             break;
         n = shorter;
     }
-    free_string(&draft);
+    drop_string(s, &draft);
     return n;
 }
 

@@ -98,7 +98,7 @@ static void tick_label(svg *s, struct panel *p, long x, long y, enum svg_anchor 
     struct string number = {0};
     put_number(&number, value);
     put_words(s, p, x, y, anchor, KIND_TICK, SVG_AXIS, false, content(&number));
-    free_string(&number);
+    drop_string(s, &number);
 }
 
 /* Where the axis across lo ... hi meets this direction: at 0 if that is between, else at lo. */
@@ -217,7 +217,7 @@ static void put_cell(svg *s, struct panel *p, svg_point upper_left, num_q a, num
         put_number(&number, a);
         put_text(s, &p->layer[WORDS], middle, y + height / 2 + 420, SVG_MIDDLE, KIND_PLAIN,
                  cagd_is_zero_q(a) ? SVG_MUTED : SVG_POINT, false, content(&number));
-        free_string(&number);
+        drop_string(s, &number);
     } else if (cagd_sign_q(a) < 0) {
         put(&p->layer[MARKS], "<path class=\"x %s\" d=\"M%h %hH%h\"/>\n", role_class(s, SVG_CURVE_2), x + width / 3,
             y + height / 2, x + width - width / 3);
@@ -235,8 +235,8 @@ static bool entries_fit(svg *s, const struct panel *p, int count, const num_q m[
         long width = put_markup(&scratch, content(&number), false, NOTE_SIZE);
         widest = width > widest ? width : widest;
     }
-    free_string(&number);
-    free_string(&scratch);
+    drop_string(s, &number);
+    drop_string(s, &scratch);
     return widest + 400 <= hundredths(s, kept(p->scale_x)) && NOTE_SIZE <= hundredths(s, kept(p->scale_y));
 }
 

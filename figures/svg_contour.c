@@ -214,7 +214,7 @@ void svg_implicit(svg *s, svg_field *F, const void *data, int cells, enum svg_ro
     struct string path = contour(s, p, F, data, cells, 0);
     if (path.used > 0)
         put(&p->layer[LINES], "<path class=\"l %s\" d=\"%s\"/>\n", role_class(s, role), content(&path));
-    free_string(&path);
+    drop_string(s, &path);
 }
 
 void svg_region(svg *s, svg_field *F, const void *data, int cells, enum svg_role role)
@@ -228,5 +228,5 @@ void svg_region(svg *s, svg_field *F, const void *data, int cells, enum svg_role
         put_area_class(s, &p->layer[LINES], role);
         put(&p->layer[LINES], " fill-rule=\"evenodd\" d=\"%s\"/>\n", content(&path));
     }
-    free_string(&path);
+    drop_string(s, &path);
 }

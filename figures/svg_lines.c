@@ -289,7 +289,7 @@ void svg_control_polygon_towards(svg *s, int degree, const num_q R[], const char
         put(&name, "%s_{%d}", letter, i);
         svg_mark(s, P, SVG_POLYGON, SVG_USUAL);
         svg_label(s, P, towards != NULL ? towards[i] : outwards(degree, R, i), SVG_POINT, content(&name));
-        free_string(&name);
+        drop_string(s, &name);
         region_drop(mark);
     }
 }

@@ -71,6 +71,7 @@ struct svg {
 };
 
 void svg_fail(svg *s, const char *why);
+void drop_string(svg *s, struct string *out); /* frees it; a string that found no memory is a failure of the picture */
 
 /* The panel being drawn, or NULL, after saying so, when there is none or when s has failed. */
 struct panel *svg_current(svg *s);
