@@ -7,6 +7,7 @@
 #include "cli/layout.h"
 #include "cli/memory.h"
 #include "cli/output.h"
+#include "cli/point_json.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "exact/code/build.h"
@@ -296,18 +297,6 @@ static void print_verdict(const struct cagd_code_harness *h, const struct cagd_c
 }
 
 /* ---- JSON -------------------------------------------------------------------------------------------------- */
-
-static json_t *point_json(const struct cagd_code_point *p)
-{
-    json_t *object = json_object();
-    for (int i = 0; i < p->inputs; i++) {
-        json_t *values = json_array();
-        for (int j = 0; j < (p->input[i].count > 0 ? p->input[i].count : 1); j++)
-            json_array_append_new(values, json_string(p->input[i].value[j]));
-        json_object_set_new(object, p->input[i].name, values);
-    }
-    return object;
-}
 
 static json_t *results_json(const struct cagd_code_outcome *o)
 {

@@ -3,30 +3,10 @@
 #include "chapters/judge/memory_text.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "cli/xml.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-
-static void put_xml(FILE *out, const char *s)
-{
-    for (; *s != '\0'; s++)
-        switch (*s) {
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            fputc(*s, out);
-        }
-}
 
 static double seconds_of(const claim_result *r)
 {

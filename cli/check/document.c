@@ -102,29 +102,34 @@ static void tell(struct document *d, int from, int to, const char *message)
     }
 }
 
+/* Whether there is room for one more complaint, and its message. */
+static int compose(struct document *d, char message[MESSAGE], const char *format, va_list list)
+{
+    if (++d->complaints > MOST_COMPLAINTS)
+        return 0;
+    vsnprintf(message, MESSAGE, format, list);
+    return 1;
+}
+
 void complain(struct document *d, int from, int to, const char *format, ...)
 {
     char message[MESSAGE];
-    if (++d->complaints > MOST_COMPLAINTS)
-        return;
     va_list list;
     va_start(list, format);
-    vsnprintf(message, sizeof message, format, list);
+    if (compose(d, message, format, list))
+        tell(d, from, to, message);
     va_end(list);
-    tell(d, from, to, message);
 }
 
 void complain_in(struct document *d, const char *path, const char *text, int size, int from, int to, const char *format,
                  ...)
 {
     char message[MESSAGE];
-    if (++d->complaints > MOST_COMPLAINTS)
-        return;
     va_list list;
     va_start(list, format);
-    vsnprintf(message, sizeof message, format, list);
+    if (compose(d, message, format, list))
+        tell_in(path, text, size, from, to, message);
     va_end(list);
-    tell_in(path, text, size, from, to, message);
 }
 
 /* What was not read; a command whose expansion does not end is no name that is not known. */

@@ -3,8 +3,10 @@
  * A submission is SUBMISSIONS/NAME/FILE or SUBMISSIONS/NAME.c.  For each a folder OUT/NAME has results.json, as Gradescope reads
  * it, result.json, all that is known, and page.html; OUT has results.csv, results.json and junit.xml. */
 #include "cli/commands.h"
+#include "cli/junit.h"
 #include "cli/lab/lab.h"
 #include "cli/output.h"
+#include "cli/xml.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -33,28 +35,6 @@ static const char *member(const json_t *row, const char *key)
 }
 
 /* ---- writing ---------------------------------------------------------------------------------------------- */
-
-/* With the characters of XML and HTML that mean something, and none that is no character, replaced. */
-static void put_escaped(FILE *out, const char *text)
-{
-    for (; *text != 0; text++)
-        switch (*text) {
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            fputc((unsigned char)*text < ' ' && *text != '\n' ? '?' : *text, out);
-        }
-}
 
 static void put_cell(FILE *out, const char *text)
 {
@@ -108,29 +88,29 @@ static int write_page(const char *path, const char *student, const json_t *resul
         return -1;
     FILE *out = output_stream(o);
     fputs("<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>", out);
-    put_escaped(out, student);
+    put_xml(out, student);
     fputs(
         "</title><style>body{font:16px/1.4 sans-serif;max-width:50em;margin:2em auto}pre{background:#8881;padding:.6em;"
         "white-space:pre-wrap}</style><h1>",
         out);
-    put_escaped(out, student);
+    put_xml(out, student);
     fprintf(out, "</h1><p>");
-    put_escaped(out, member(result, "title"));
+    put_xml(out, member(result, "title"));
     fprintf(out, ": %lld of %lld points</p>", (long long)json_integer_value(json_object_get(result, "points")),
             (long long)json_integer_value(json_object_get(result, "of")));
     fputs("<pre>", out);
-    put_escaped(out, *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused"));
+    put_xml(out, *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused"));
     fputs("</pre>", out);
     json_array_foreach(json_object_get(result, "requirements"), k, row)
     {
         char *story = story_of(row);
         fputs("<h2>", out);
-        put_escaped(out, member(row, "title"));
+        put_xml(out, member(row, "title"));
         fprintf(out, " (%lld of %lld)</h2><p>", (long long)json_integer_value(json_object_get(row, "points")),
                 (long long)json_integer_value(json_object_get(row, "of")));
-        put_escaped(out, member(row, "zh"));
+        put_xml(out, member(row, "zh"));
         fputs("</p><pre>", out);
-        put_escaped(out, story);
+        put_xml(out, story);
         fputs("</pre>", out);
         free(story);
     }
@@ -240,10 +220,15 @@ static int find(struct class *c)
         fprintf(stderr, "cagd: %s: %s; expected the folder of the submissions\n", c->submissions, strerror(errno));
         return -1;
     }
-    for (const struct dirent *e; (e = readdir(d)) != NULL && c->count < MOST;)
-        if (*e->d_name != '.' && strlen(e->d_name) < 256)
-            c->name[c->count++] = strdup(e->d_name);
+    int found = 0;
+    for (const struct dirent *e; (e = readdir(d)) != NULL;)
+        if (*e->d_name != '.' && ++found <= MOST && (c->name[c->count++] = strdup(e->d_name)) == NULL)
+            abort();
     closedir(d);
+    if (found > MOST) {
+        fprintf(stderr, "cagd: %s: %d submissions; expected at most %d in one run\n", c->submissions, found, MOST);
+        return -1;
+    }
     qsort(c->name, (size_t)c->count, sizeof *c->name, by_name);
     return 0;
 }
@@ -258,43 +243,31 @@ static int write_tables(const struct class *c, json_t *all)
     status |= put_json(path, all);
     snprintf(path, sizeof path, "%s/results.csv", c->out);
     struct output *csv = output_open(path);
-    snprintf(path, sizeof path, "%s/junit.xml", c->out);
-    struct output *xml = output_open(path);
-    if (csv == NULL || xml == NULL)
+    if (csv == NULL)
         return -1;
-    FILE *table = output_stream(csv), *cases = output_stream(xml);
+    FILE *table = output_stream(csv);
+    struct junit *cases = junit_new();
     fputs("student,points,of", table);
     json_array_foreach(json_object_get(json_array_get(all, 0), "requirements"), r, row)
         fprintf(table, ",%s", member(row, "name"));
-    fprintf(cases, "\n<testsuites>\n");
     fputc('\n', table);
     json_array_foreach(all, k, result)
     {
         put_cell(table, member(result, "student"));
         fprintf(table, ",%lld,%lld", (long long)json_integer_value(json_object_get(result, "points")),
                 (long long)json_integer_value(json_object_get(result, "of")));
-        fputs("<testsuite name=\"", cases);
-        put_escaped(cases, member(result, "student"));
-        fputs("\">\n", cases);
         json_array_foreach(json_object_get(result, "requirements"), r, row)
         {
             int right = json_equal(json_object_get(row, "points"), json_object_get(row, "of"));
+            char *story = right ? NULL : story_of(row);
             fprintf(table, ",%lld", (long long)json_integer_value(json_object_get(row, "points")));
-            fprintf(cases, "  <testcase name=\"%s\">", member(row, "name"));
-            if (!right) {
-                char *story = story_of(row);
-                fputs("<failure>", cases);
-                put_escaped(cases, story);
-                fputs("</failure>", cases);
-                free(story);
-            }
-            fputs("</testcase>\n", cases);
+            junit_add(cases, member(result, "student"), member(row, "name"), 0, right ? NULL : "not right", story);
+            free(story);
         }
         fputc('\n', table);
-        fputs("</testsuite>\n", cases);
     }
-    fputs("</testsuites>\n", cases);
-    return status | output_close(csv) | output_close(xml);
+    snprintf(path, sizeof path, "%s/junit.xml", c->out);
+    return status | output_close(csv) | junit_write(cases, c->lab->name, path);
 }
 
 /* The results that were written, and of what has none, that it was not graded. */

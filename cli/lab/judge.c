@@ -5,6 +5,7 @@
  * It is right for all inputs when on every way that was found, through both codes together, the results are the same elements of
  * the field; the ways are looked for on both sides of the border of every comparison. */
 #include "cli/lab/lab.h"
+#include "cli/point_json.h"
 #include "exact/code/border.h"
 
 #include <errno.h>
@@ -471,18 +472,6 @@ static json_t *hint_for(struct trial *t, const struct lab_case *c, const struct 
 
 /* ---- requirements ------------------------------------------------------------------------------------------ */
 
-static json_t *inputs_json(const struct cagd_code_point *p)
-{
-    json_t *object = json_object();
-    for (int i = 0; i < p->inputs; i++) {
-        json_t *values = json_array();
-        for (int j = 0; j < (p->input[i].count > 0 ? p->input[i].count : 1); j++)
-            json_array_append_new(values, json_string(p->input[i].value[j]));
-        json_object_set_new(object, p->input[i].name, values);
-    }
-    return object;
-}
-
 static json_t *differences_json(const struct lab_case *c, const struct pair *at)
 {
     json_t *list = json_array();
@@ -521,7 +510,7 @@ static void tell_wrong(struct trial *t, const struct lab_case *c, const struct f
     char text[LAB_CAUSE];
     json_object_set_new(row, "verdict", json_string(f->stopped ? "stopped" : "wrong"));
     json_object_set_new(row, "case", json_string(c->label));
-    json_object_set_new(row, "inputs", inputs_json(f->point));
+    json_object_set_new(row, "inputs", point_json(f->point));
     if (f->stopped) {
         json_object_set_new(row, "text", json_string(ended(f->at.got, text)));
         json_object_set(row, "line", json_object_get(f->at.got, "line"));

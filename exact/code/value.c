@@ -336,15 +336,21 @@ cagd_num_f cagd_code_variable_at(int k, cagd_num_q *value)
     return variables[k].variable;
 }
 
+/* The first of the names, as a variable; *names moves behind it. */
+static cagd_num_f next_variable(const char **names)
+{
+    char name[CAGD_FIELD_MAX_NAME + 1];
+    size_t length = strcspn(*names, " ");
+    memcpy(name, *names, length);
+    name[length] = 0;
+    *names += length + ((*names)[length] == ' ');
+    return cagd_variable_f(name);
+}
+
 int cagd_code_has_others(cagd_num_f f)
 {
     for (const char *names = cagd_field_variables(); *names != 0;) {
-        char name[CAGD_FIELD_MAX_NAME + 1];
-        size_t length = strcspn(names, " ");
-        memcpy(name, names, length);
-        name[length] = 0;
-        names += length + (names[length] == ' ');
-        cagd_num_f x = cagd_variable_f(name);
+        cagd_num_f x = next_variable(&names);
         int is_input = 0;
         for (int k = 0; k < variable_count && !is_input; k++)
             is_input = cagd_equal_f(variables[k].variable, x);
@@ -384,12 +390,7 @@ static int is_sum_of_squares(cagd_num_f f)
 {
     const char *names = cagd_field_variables();
     while (*names != 0) {
-        char name[CAGD_FIELD_MAX_NAME + 1];
-        size_t length = strcspn(names, " ");
-        memcpy(name, names, length);
-        name[length] = 0;
-        names += length + (names[length] == ' ');
-        cagd_num_f x = cagd_variable_f(name);
+        cagd_num_f x = next_variable(&names);
         if (!cagd_equal_f(cagd_substitute_f(f, x, cagd_neg_f(x)), f))
             return 0; /* some power of x is odd */
     }

@@ -12,6 +12,7 @@
  *
  * Exit status 0: of everything that has intervals 93 to 97 % cover, within three standard deviations of chance. */
 #include "core/fit/cagd_fit.h"
+#include "proofs-tests/fit/noise.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -22,16 +23,6 @@
 enum { MOST_POINTS = 400, MOST_QUANTITIES = 200, MOST_CONTROL = 40 };
 static const double PI = 3.14159265358979323846;
 
-/* splitmix64, and Box and Muller's normal numbers. */
-static uint64_t state;
-static double uniform(void)
-{
-    uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return ((double)((z ^ (z >> 31)) >> 11) + 0.5) * 0x1p-53;
-}
-static double normal(void) { return sqrt(-2 * log(uniform())) * cos(2 * PI * uniform()); }
 
 /* ---- what is measured ---------------------------------------------------------------------------------- */
 

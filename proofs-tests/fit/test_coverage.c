@@ -17,6 +17,7 @@
  *
  * Exit status 0: all settings are within their bounds. */
 #include "core/fit/cagd_fit.h"
+#include "proofs-tests/fit/noise.h"
 #include "proofs-tests/fit/options.h"
 
 #include <math.h>
@@ -59,16 +60,6 @@ static const setting settings[] = {
     {"space, ends", 3, 3, 16, 1, 0.0002, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, 1, DRAWS},
 };
 
-/* splitmix64, and Box and Muller's normal numbers. */
-static uint64_t state;
-static double uniform(void)
-{
-    uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return ((double)((z ^ (z >> 31)) >> 11) + 0.5) * 0x1p-53;
-}
-static double normal(void) { return sqrt(-2 * log(uniform())) * cos(6.283185307179586476925 * uniform()); }
 
 typedef struct tally {
     int draws, covered, linear; /* linear: intervals that are value +- quantile * error */

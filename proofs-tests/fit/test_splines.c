@@ -3,6 +3,7 @@
  * Cubic splines with 5 to 40 control points that wander, twelve points for each of them, over uneven parameters, with normal errors of 1/100 of the
  * way between control points; the fit is given the number of control points and nothing else. */
 #include "core/fit/cagd_fit.h"
+#include "proofs-tests/fit/noise.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -15,16 +16,6 @@
 enum { FEWEST = 5, MOST = 40, EACH = 12, DEGREE = 3 };
 static const double NOISE = 0.01;
 
-/* SplitMix64. */
-static uint64_t state = 20261123;
-static double uniform(void)
-{
-    uint64_t x = state += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return ((double)((x ^ (x >> 31)) >> 11) + 0.5) * 0x1p-53;
-}
-static double normal(void) { return sqrt(-2 * log(uniform())) * cos(6.283185307179586 * uniform()); }
 
 /* A walk whose steps turn by at most 60 degrees, and N points of the spline over it. */
 static int make_points(int count, double Q[])
@@ -53,6 +44,7 @@ int main(void)
 {
     static double Q[2 * MOST * EACH];
     int failed = 0, smoothed = 0, weighted = 0;
+    state = 20261123;
     for (int k = 0; k < CURVES; k++) {
         const int count = FEWEST + k % (MOST - FEWEST + 1), points = make_points(count, Q);
         cagd_fit_data data = {points, 2, Q, NULL};
