@@ -221,6 +221,7 @@ The preface confuses the size of the expression with the number of operations; b
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
   dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying
 :corrected-by: recursion_is_quadratic
+:meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.
 :reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
   occurs again: then the time does double with the order.  Nobody needs to do so, and algorithm 4.1.1, level after
   level, does not.
