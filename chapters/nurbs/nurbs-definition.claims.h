@@ -516,7 +516,8 @@ hide unequal weights, independent ones cannot.
 :zh: 权相等时退化为 B 样条曲线
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
-:reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do
+:reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do | No $N_{i,k}$ of the span is 0, so every
+  $w_i$ is $w(t)$, and all are equal.
 :figure: nurbs_definition
 
 At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.

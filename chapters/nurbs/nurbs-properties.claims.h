@@ -30,7 +30,8 @@ the curve itself rather than about its homogeneous form has to be carried throug
   $t_{n+1}=\dots=t_{n+k-1}$ | The end is the beginning of the reversed data, by the reading on symmetry.
 :reading: simple_knots_need_other_points | the same for simple knots
 :reading: reversed_data_reverse_the_nurbs | symmetry
-:reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere
+:reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere | Where the derivatives of numerator and
+  denominator agree, those of the curve do, by the rule for quotients.
 :figure: knot_vectors
 
 Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one; each of the

@@ -91,7 +91,7 @@ $m\le k-3$, and where it is not 0 the torsion for $m\le k-4$.
 :argued: | About any point of an ellipse, parabola or hyperbola there are two tangents that meet, and the frame of their two points and
   of the point where they meet may be any triangle, as an affine map takes one into the other.
 :reading: ellipse_carries_no_polynomial_arc | as an advantage over B-spline curves, for ellipses: a polynomial arc on an ellipse is
-  a point
+  a point | A polynomial that is 0 for infinitely many $t$ is 0, and so is the coefficient of its highest power.
 :reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
 :figure: nurbs_circle
 
@@ -439,9 +439,9 @@ static long terms_of_determinant(int n, unsigned used, int row)
 :kind: decision
 :given: the determinant of order $k$ as the sum over permutations
 :then: from order $k-1$ to order $k$ the number of terms is multiplied by $k$, so that it is $k!$, more than any power of $k$
-:method: The terms are counted one by one, as they are summed.  For every $k$: the first row offers $k$ columns, and each leaves a
-  determinant of order $k-1$.
+:method: The terms are counted one by one, as they are summed.
 :degrees: k = 2..8
+:argued: every k | The first row offers $k$ columns, and each leaves a determinant of order $k-1$.
 :control: the terms of an expansion that keeps what it has computed, twice as many
 :::
 */

@@ -16,7 +16,10 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :confirmed-by: ellipse_carries_no_polynomial_arc hyperbola_carries_no_polynomial_arc
 :meant: section 3.1, which calls a pair of lines a degenerate conic | A conic section is an ellipse, a
   parabola or a hyperbola.
-:reading: highest_powers_along_a_conic | A conic section is an ellipse, a parabola or a hyperbola.
+:argued: | Along an arc of the conic the equation is one of polynomials in $t$ that is true for infinitely many $t$, so for all, and the coefficient of its
+  highest power is 0: this the claim excludes for an ellipse and, in affine coordinates, for a hyperbola.
+:reading: highest_powers_along_a_conic | A conic section is an ellipse, a parabola or a hyperbola. | A polynomial that is 0 for infinitely many $t$ is 0, and so
+  is the coefficient of its highest power.
 :reading: line_pair_carries_a_segment | Every equation (3.1.1) is a conic section, as 3.1 has it, two lines among them:
   these carry segments.
 :figure: polynomial_on_conics

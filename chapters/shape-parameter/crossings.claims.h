@@ -293,7 +293,8 @@ CLAIM(self_crossing_polygon_has_fewer_points_on_a_line)
     for (int k = 0; k < 2; k++)
         G(curve_point)(0, 7, dim, m.P, m.beta, t[k], q + k * dim);
     found_points(T, "q(t)", 2, dim, q);
-    int of_curve = 1 + !equal_q(q[0], q[dim]), all = m.curve.common_closed == 2 && is_zero_q(q[1]) && is_zero_q(q[dim + 1]);
+    int of_curve = 1 + !equal_q(q[0], q[dim]),
+        all = m.curve.common_closed == 2 && is_zero_q(q[1]) && is_zero_q(q[dim + 1]);
     found_whole(T, "points of the curve on the line", of_curve);
     found_whole(T, "points of the polygon on the line", m.polygon.components);
     about(T, "these being all, the curve has no more points on the line than the polygon");
