@@ -530,7 +530,9 @@ static void tell_right(const struct lab_case *first, const struct lab_case *last
     int proved = sum->ways > 0 && sum->proved == sum->ways && sum->undecided == 0;
     if (first != last)
         snprintf(range, sizeof range, ", %s to %s", first->label, last->label);
-    if (proved && sum->conditions == 0)
+    if (cagd_code_variables(first->h) == 0 && first == last && sum->points > 0)
+        snprintf(text, sizeof text, "right, decided exactly");
+    else if (proved && sum->conditions == 0)
         snprintf(text, sizeof text, "right for all inputs%s", range);
     else if (proved)
         snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that %d points took", range,

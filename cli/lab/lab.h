@@ -113,6 +113,15 @@ json_t *lab_inspect_python(const struct lab_place *place, const char *file);
 /* Whether two texts of rational functions, "(0-2*t)/(p[0]+1)", are the same function; 0 where one is not understood. */
 int lab_same_function(const char *a, const char *b);
 
+/* ---- numbers.c ------------------------------------------------------------------------------------------- */
+
+/* Whether the object, which is not the reference, is made of a file of numbers. */
+int lab_is_numbers(const struct lab *lab, const char *object);
+/* The file of numbers as functions in C; NULL and a cause, which the caller frees.  digits: of all numbers together. */
+char *lab_numbers_as_c(const char *source, char **cause, long *digits);
+/* As lab_inspect. */
+json_t *lab_inspect_numbers(const char *source);
+
 /* ---- judge.c ------------------------------------------------------------------------------------------- */
 
 /* What is kept from one submission to the next. */
