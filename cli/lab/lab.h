@@ -3,7 +3,8 @@
  * A lab is a folder NAME with
  *     README.md     the assignment, in English and Chinese, which the student gets
  *     lab.md        blocks {lab}, {requirement} and {wrong}, and the page for the lecturer around them
- *     start.c       what the student begins with; start.py where the language is Python
+ *     figure.svg    the picture in it, if there is one
+ *     start.c       what the student begins with; start.py where the language is Python, start.txt where numbers are asked for
  *     reference.c   what is right, by the definition, in C whatever the language
  *     right/        other right solutions
  * A block is ":::{kind} name", lines ":key: text" that go on in lines which begin with a blank, and ":::". */
