@@ -115,8 +115,7 @@ static void entries_beyond_the_bits_of_an_int(void **state)
         list[k] = (datum){.name = entry_name[k], .text = "1", .rows = 1, .columns = 1, .value = one};
     }
     list[ENTRIES] = (datum){.name = NULL};
-    const claim c = {
-        .name = "entries", .scope = "", .kind = DECISION, .data = list, .body = {[RATIONAL_TYPE] = ask_q}};
+    const claim c = {.name = "entries", .scope = "", .kind = DECISION, .data = list, .body = {[RATIONAL_TYPE] = ask_q}};
     for (left_out = -1; left_out < ENTRIES; left_out++) {
         claim_result *r = judge_one(&c);
         assert_int_equal(r->as_expected, left_out < 0);
@@ -130,13 +129,15 @@ static char no_names[] = "";
 #define IN_FIELD(c, low, high)                                                                                         \
     {                                                                                                                  \
         .claim = &c, .as_expected = 1, .evidence = PROVED, .computed = PROVED,                                         \
-        .by = {[FIELD_TYPE] = {.ran = 1, .degree_low = low, .degree_high = high, .variables = no_names,                \
-                               .positive = no_names}}                                                                  \
+        .by =                                                                                                          \
+        { [FIELD_TYPE] = {                                                                                             \
+              .ran = 1, .degree_low = low, .degree_high = high, .variables = no_names, .positive = no_names} }         \
     }
 #define SAMPLES(c, count)                                                                                              \
     {                                                                                                                  \
-        .claim = &c, .as_expected = 1, .evidence = SAMPLED, .computed = SAMPLED,                                       \
-        .by = {[RATIONAL_TYPE] = {.ran = 1, .cases = count}}                                                           \
+        .claim = &c, .as_expected = 1, .evidence = SAMPLED, .computed = SAMPLED, .by = {                               \
+            [RATIONAL_TYPE] = {.ran = 1, .cases = count}                                                               \
+        }                                                                                                              \
     }
 static const claim from_one = {.name = "from_one", .scope = "", .all_degrees = 1, .degree_low = 1},
                    from_none = {.name = "from_none", .scope = "", .all_degrees = 1},
@@ -248,15 +249,11 @@ static void the_search_for_a_witness_leaves_the_faults(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(in_a_crowded_field_nothing_is_refuted),
-                                       unit(a_nan_is_the_worst),
-                                       unit(a_fault_of_an_early_case_is_kept),
-                                       unit(every_degree_has_an_instance),
-                                       unit(entries_beyond_the_bits_of_an_int),
-                                       unit(degrees_without_end),
-                                       unit(of_instances_the_fewest_are_told),
-                                       unit(a_correction_needs_a_case),
-                                       unit(of_two_cases_the_long_one_is_left_out),
-                                       unit(the_search_for_a_witness_leaves_the_faults)};
+    const struct CMUnitTest tests[] = {
+        unit(in_a_crowded_field_nothing_is_refuted), unit(a_nan_is_the_worst),
+        unit(a_fault_of_an_early_case_is_kept),      unit(every_degree_has_an_instance),
+        unit(entries_beyond_the_bits_of_an_int),     unit(degrees_without_end),
+        unit(of_instances_the_fewest_are_told),      unit(a_correction_needs_a_case),
+        unit(of_two_cases_the_long_one_is_left_out), unit(the_search_for_a_witness_leaves_the_faults)};
     return run_unit_tests(tests);
 }
