@@ -97,6 +97,28 @@ class Language(unittest.TestCase):
                 s = verdict(printed, "n = 1")
                 self.assertEqual(s["verdict"], expected, s)
 
+    def test_derivatives_at_joints(self):
+        """There is none where the values of both sides differ, though their slopes are one; nor of a derivative that has a joint."""
+        step = "g(t) = \\begin{cases} 0 & t < 1 \\\\ 1 & t \\ge 1 \\end{cases}\n"
+        bent = "h(t) = \\begin{cases} t^2 & t \\ge 0 \\\\ -t^2 & t < 0 \\end{cases}\nk(t) = h'(t)\n"
+        for printed, let, expected in (("g'(1) = 0", step, "undecided"), ("g'(2) = 0", step, "holds"), ("h'(0) = 0", bent, "holds"),
+                                       ("h''(0) = 2", bent, "undecided"), ("k'(0) = 2", bent, "undecided"), ("k'(1) = 2", bent, "holds"),
+                                       ("k'(-1) = -2", bent, "holds")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
+
+    def test_the_names_of_a_counterexample(self):
+        values = verdict("x_{10} = x_9", "n = 1")["counterexample"]["values"]
+        self.assertEqual(sorted(v["name"] for v in values), ["x_9", "x_{10}"])
+
+    def test_an_open_range_that_ends_at_another_name(self):
+        for ends, expected in (("(p, 7)", "holds"), ("[p, 7]", "fails")):
+            self.assertEqual(verdict("q > p", "n = 1", f"p \\in (0, 5)\nq \\in {ends}\n")["verdict"], expected)
+            self.assertEqual(verdict("q \\ge p", "n = 1", f"p \\in (0, 5)\nq \\in {ends}\n")["verdict"], "holds")
+
+    def test_which_definition_fits_depends_on_a_name(self):
+        self.assertEqual(verdict("c_x = 2", "n = 1", "c_0 = 1\nc_i = 2\n")["verdict"], "undecided")
+
     def test_counterexamples_with_many_names_are_found(self):
         """Knots that are equal, as the simplest numbers are, make the denominators 0."""
         terms = " + ".join(f"\\frac{{1}}{{x_{i}-x_{i + 1}}}" for i in range(6))
