@@ -116,6 +116,28 @@ class Language(unittest.TestCase):
             self.assertEqual(verdict("q > p", "n = 1", f"p \\in (0, 5)\nq \\in {ends}\n")["verdict"], expected)
             self.assertEqual(verdict("q \\ge p", "n = 1", f"p \\in (0, 5)\nq \\in {ends}\n")["verdict"], "holds")
 
+    def test_values_that_are_computed(self):
+        """Larger determinants and binomial coefficients, conditions of sums one by one, an implication of what is false."""
+        rows = "1 & 2 & 0 & 1 \\\\ 0 & 3 & 1 & x \\\\ 2 & 0 & 1 & 1 \\\\ 1 & 1 & 0 & 2"
+        for right, wrong in ((f"\\begin{{vmatrix}} {rows} \\end{{vmatrix}} = 8 + x", f"\\begin{{vmatrix}} {rows} \\end{{vmatrix}} = 8 - x"),
+                             ("\\binom{20}{13} = 77520", "\\binom{20}{13} = 167960"),
+                             ("\\sum_{i=0, i \\ne 1, i \\ne 2}^{3} i = 3", "\\sum_{i=0, i \\ne 1, i \\ne 2}^{3} i = 5"),
+                             ("\\forall i = 0..2: (i > 5 \\Rightarrow i < 0)", "\\forall i = 0..2: (i > 1 \\Rightarrow i < 0)")):
+            with self.subTest(right=right):
+                self.assertEqual(verdict(right, "n = 1")["verdict"], "holds")
+                self.assertEqual(verdict(wrong, "n = 1")["verdict"], "fails")
+
+    def test_the_sign_of_a_sine(self):
+        """No identity tells x from -x: the value at the counterexample does, sin x for u = tan(x/4) being 4u(1-u^2)/(1+u^2)^2."""
+        s = verdict("\\sin x = 0", "n = 1")["counterexample"]
+        u = fractions.Fraction(s["values"][0]["value"])
+        self.assertEqual(fractions.Fraction(s["left"]), 4 * u * (1 - u * u) / (1 + u * u) ** 2)
+
+    def test_a_division_by_zero_beside_another_factor(self):
+        """With 0/0 = 0 a factor that is divided by 0 is not asked for beside a factor 0, and beside another one it is."""
+        self.assertEqual(verdict("\\frac{1}{0} \\cdot 3 = 3", "n = 1", "0/0 = 0\n")["verdict"], "undecided")
+        self.assertEqual(verdict("\\frac{1}{0} \\cdot 0 = 0", "n = 1", "0/0 = 0\n")["verdict"], "holds")
+
     def test_which_definition_fits_depends_on_a_name(self):
         self.assertEqual(verdict("c_x = 2", "n = 1", "c_0 = 1\nc_i = 2\n")["verdict"], "undecided")
 
