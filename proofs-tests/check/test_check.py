@@ -127,6 +127,23 @@ class Language(unittest.TestCase):
                 self.assertEqual(verdict(right, "n = 1")["verdict"], "holds")
                 self.assertEqual(verdict(wrong, "n = 1")["verdict"], "fails")
 
+    def test_what_is_false_at_a_few_places_alone(self):
+        """Where two roots meet, at the last corner, on an edge of which no corner belongs to the box, near a point that halving does not meet."""
+        box = "0 \\le x \\le 1, 0 \\le y \\le 1, 0 \\le u \\le 1"
+        for printed, ranges, allowed in (("(t-x)(t-1+x) \\ge 0", "0 \\le t \\le 1, 0 < x < 1", {"fails"}), ("x y u < 1", box, {"fails"}),
+                                         ("y + u + x y u > 0", "0 < x < 1, 0 \\le y \\le 1, 0 \\le u \\le 1", {"fails"}),
+                                         ("x t + 1 > 0", "-1 < x < 1, t \\ge 0", {"fails"}),
+                                         ("(x-\\frac13)^2 + (y-\\frac27)^2 + (u-\\frac15)^2 > 0", box, {"fails", "undecided"})):
+            with self.subTest(printed=printed):
+                self.assertIn(verdict(printed, ranges)["verdict"], allowed)
+
+    def test_bounds_of_a_name_that_is_another(self):
+        for x, y in ((1, 2), (2, 1)):
+            for name in "xy":
+                s = verdict(f"x = y \\Rightarrow {name} \\le 1", f"0 \\le x \\le {x}, 0 \\le y \\le {y}")
+                self.assertEqual(s["verdict"], "holds", (x, y, name))
+        self.assertEqual(verdict("|(x^2 - y)^2| = (x^2-y)^2", "n = 1")["verdict"], "holds")
+
     def test_the_sign_of_a_sine(self):
         """No identity tells x from -x: the value at the counterexample does, sin x for u = tan(x/4) being 4u(1-u^2)/(1+u^2)^2."""
         s = verdict("\\sin x = 0", "n = 1")["counterexample"]
