@@ -137,6 +137,16 @@ class Language(unittest.TestCase):
             with self.subTest(printed=printed):
                 self.assertIn(verdict(printed, ranges)["verdict"], allowed)
 
+    def test_all_bounds_of_a_list_hold(self):
+        """A later one does not replace an earlier one that says more; in another place it does."""
+        for ranges in ("0 < x, x \\ge 0", "x \\ge 0, x > 0", "0 < x < 3, x \\le 3, x \\ge -1", "x \\ge -1, x \\le 3, 0 < x < 3",
+                       "0 < x, -1 \\le x < 3", "y = 0, x > 0, x \\ge y"):
+            self.assertEqual(verdict("x > 0", ranges)["verdict"], "holds", ranges)
+            self.assertEqual(verdict("x \\ge 1", ranges)["verdict"], "fails", ranges)
+        let = "p \\in [0, 1]\n"
+        self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
+        self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
+
     def test_bounds_of_a_name_that_is_another(self):
         for x, y in ((1, 2), (2, 1)):
             for name in "xy":
