@@ -470,10 +470,10 @@ static void what_few_claims_have(void **state)
     assert_int_equal(CALL(ledger, &few, &out, "-j1", "--json"), EXIT_AS_EXPECTED);
     json_t *ledger = json_loads(out, 0, NULL);
     const json_t *printed = json_object_get(json_array_get(json_object_get(ledger, "statements"), 0), "as_printed");
-    static const char *const evidence[] = {"argued", "proved"};
+    static const char *const known[] = {"argued", "proved"};
     for (size_t k = 0; k < 2; k++) {
         const json_t *reading = json_array_get(json_object_get(printed, "readings"), k);
-        assert_string_equal(json_string_value(json_object_get(reading, "evidence")), evidence[k]);
+        assert_string_equal(json_string_value(json_object_get(reading, "evidence")), known[k]);
     }
     assert_string_equal(json_string_value(json_object_get(printed, "class")), "");
     json_decref(ledger);

@@ -157,10 +157,10 @@ static const claim_result results[] = {
     {.claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED, .scope = stated}};
 enum { RESULTS = sizeof results / sizeof *results };
 
-static void assert_scope(const char *name, const char *letter, const char *scope)
+static void assert_scope(const char *name, const char *letter, const char *expected)
 {
     finding f = finding_of(result_of(name, results, RESULTS), letter);
-    assert_string_equal(f.scope, scope);
+    assert_string_equal(f.scope, expected);
     free_finding(&f);
 }
 static void degrees_without_end(void **state)
