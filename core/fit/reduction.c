@@ -51,8 +51,7 @@ WIDE static void absorb(triangle *t)
             double *w = t->a + j * stride;
             const double share = factor * (head * w[ROWS + k] + wide_dot(rows, column, w));
             w[ROWS + k] -= share * head;
-            for (int i = 0; i < rows; i++)
-                w[i] -= share * column[i];
+            wide_subtract(rows, share, column, w);
         }
         column[ROWS + k] = at > 0 ? -length : length;
     }
