@@ -217,10 +217,11 @@ static json_t *choice_json(const struct fit *f)
                                                                      : "cross-validation, for lack of a good fit",
                                                   "effective_unknowns", real(f->result->effective), "roughness",
                                                   real(f->result->roughness));
-    return json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "points_are", closing[c->closing], "closed",
+    return json_pack("{s:s, s:b, s:b, s:b, s:o, s:o, s:o, s:o}", "points_are", closing[c->closing], "closed",
                      f->result->period > 0 || (c->ellipse.known && c->ellipse.whole), "control_points_chosen",
-                     c->count_chosen, "tolerance_met", c->within == 0 ? json_null() : json_boolean(c->within > 0),
-                     "candidates", list, "weights_test", test, "smoothing", smoothing);
+                     c->count_chosen, "knots_chosen", c->knots_chosen, "tolerance_met",
+                     c->within == 0 ? json_null() : json_boolean(c->within > 0), "candidates", list, "weights_test",
+                     test, "smoothing", smoothing);
 }
 
 static json_t *quality_json(const struct fit *f)

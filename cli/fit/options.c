@@ -317,8 +317,8 @@ static const struct argp_option options[] = {
      1},
     {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
     {"control-points", KEY_CONTROL_POINTS, "N", 0,
-     "So many control points, over even knots; auto: as many as the points ask for, with knots where these ask for "
-     "them",
+     "So many control points, over even knots, or where no good curve is found so over knots that the points place; "
+     "auto: as many as the points ask for, with knots where these ask for them",
      1},
     {"tolerance-distance", KEY_WITHIN, "D", 0,
      "The fewest control points found that keep every point within this distance of the curve", 1},
@@ -379,7 +379,8 @@ static const struct topic topics[] = {
      "for "
      "one whose knots are chosen, --degree auto also for the degree. The weights of a spline are 1 unless a test says "
      "that they explain something. A "
-     "spline that does not converge, or has excursions that no points show, is smoothed, which is told; --smooth does "
+     "spline that does not converge, or has excursions that no points show, is given knots that the points place, and "
+     "smoothed where these do not help, which is told; --smooth does "
      "so always. Of weights, inner points and end points those in --free move, and with none only the distances from "
      "the curve of --initial are told. The first and the last point are measurements of the ends of the curve, with "
      "errors as the others have: their distances count along the curve as well. With --ends exact, or without ends in "

@@ -593,9 +593,11 @@ static void print_statistics(const struct fit *f)
                 ? "that weights are fitted was decided by these points, and standard errors know nothing of that: they "
                   "are "
                   "too small; --free weights,inner,ends gives intervals"
-                : "the knots were chosen by these points, and standard errors for given knots know nothing of that: "
-                  "they are "
-                  "too small; --control-points N or --knots gives intervals");
+            : r->found.count_chosen
+                ? "the knots were chosen by these points, and standard errors for given knots know nothing of that: "
+                  "they are too small; --control-points N or --knots gives intervals"
+                : "the knots were placed by these points, and standard errors for given knots know nothing of that: "
+                  "they are too small; --knots gives intervals");
     if (!known && f->result->points_on_curve && r->scale_squared > 0)
         say("Rounding",
             "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "

@@ -125,6 +125,10 @@ void print_choice(const struct fit *f)
         say("Tolerance", "%s: the largest distance is %.4g, %s %.4g, with %d control points",
             f->result->found.within > 0 ? "met" : "NOT met", f->result->largest,
             f->result->found.within > 0 ? "within" : "more than", f->choices.within, own_points(f));
+    if (f->result->found.knots_chosen && !f->result->found.count_chosen)
+        say("Knots",
+            "placed by the points, where the distances were largest: over even knots the fit did not converge or "
+            "had loops or excursions");
     print_weights_test(f);
     print_smoothing(f);
 }
@@ -211,7 +215,12 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
         add(sentence, &count,
             "%d of the feet go%s back by more than six times the rms (--unordered, where the points are not in order)",
             q->backwards, q->backwards == 1 ? "es" : "");
-    if (q->problems & CAGD_FIT_COARSE)
+    if (q->problems & CAGD_FIT_COARSE && smoothed)
+        add(sentence, &count,
+            "the distances are large against the points, and the smoothing term may be what holds the curve away from "
+            "them "
+            "(--smooth with a smaller number, or --control-points)");
+    else if (q->problems & CAGD_FIT_COARSE)
         add(sentence, &count,
             "the distances are large, and too few points say whether they are noise or the curve is too simple (more "
             "points, --degree 3 --control-points N, or a file with standard deviations)");

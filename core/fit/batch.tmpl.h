@@ -176,12 +176,12 @@ INLINE void NAME(rows)(const fit_objective *o, const int p, int i, const lanes Q
         if (x == NULL)
             continue;
         const lanes tau = M * along, rho = M1 * off - fixed * slide, hold = M * off;
-        const lanes pair[8] = {f * rho,   f * tau,           scale * hold, scale * fixed,
-                               rho + tau, rho - kappa * tau, fixed,        hold};
-        for (int k = 0; k < 4; k++) {
-            NAME(put)(x + k * FIT_BATCH, &pair[k]);
-            NAME(put)(y + k * FIT_BATCH, &pair[4 + k]);
-        }
+        const lanes x0 = f * rho, x1 = f * tau, x2 = scale * hold, x3 = scale * fixed;
+        const lanes y0 = rho + tau, y1 = rho - kappa * tau;
+        NAME(put)(x, &x0), NAME(put)(x + FIT_BATCH, &x1);
+        NAME(put)(x + 2 * FIT_BATCH, &x2), NAME(put)(x + 3 * FIT_BATCH, &x3);
+        NAME(put)(y, &y0), NAME(put)(y + FIT_BATCH, &y1);
+        NAME(put)(y + 2 * FIT_BATCH, &fixed), NAME(put)(y + 3 * FIT_BATCH, &hold);
         x += pairs_stride, y += pairs_stride;
     }
     NAME(put)(row, &left);

@@ -183,6 +183,7 @@ typedef struct cagd_fit_found {
     int chosen;               /* 1: by cagd_fit_choose                                                    */
     cagd_fit_closing closing; /* of the points                                                           */
     int count_chosen;         /* 1: the number of control points, and the knots, were chosen              */
+    int knots_chosen;         /* 1: the knots were chosen, their number perhaps given                     */
     int smoothed; /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good */
     double smooth; /* its weight                                                               */
     int within;    /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
@@ -281,7 +282,8 @@ typedef struct cagd_fit_choices {
     int count;   /* 1: the number of control points is found, and the knots                               */
     int degree;  /* 1: the degree is found, 2 to 5; the one of the options is not asked for, nor is `form`     */
     int weights; /* 1: of a spline weights are fitted where an F test at 95 % says that they explain something   */
-    int smooth; /* 1: the weight of the smoothing term is found by cross-validation; 2: where the fit is not good without  */
+    int smooth; /* 1: the weight of the smoothing term is found by cross-validation; 2: where the fit is not good without,
+                   and knots that the points place, as many as given, are not good either                     */
     double within; /* > 0: the fewest control points that keep every point within this distance             */
 } cagd_fit_choices;
 
@@ -306,7 +308,8 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
- * curve knots are taken out as long as that helps.  A spline that is not good is given a smoothing term, whose weight minimises
+ * curve knots are taken out as long as that helps.  Where the number of control points is given and the spline over even knots is not
+ * good, or has loops, as many are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises
  * n chi_squared/(n - 1.4 k)^2 (generalised cross-validation).  Source: wahba-1990; kim-gu-2004. */
 CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *options,
                                      const cagd_fit_choices *choices, cagd_fit_result **result, int *where);
@@ -408,8 +411,9 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
  * 6 times their root mean square along the curve: one in twenty of them, or one by a tenth of the length
- * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and there are fewer than 30
- * pairs of neighbours, too few for STRUCTURE to tell noise from a curve that is too simple */
+ * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and nothing else tells noise from a
+ * curve that is too simple: there are fewer than 30 pairs of neighbours, too few for STRUCTURE, or a smoothing term, which may have made a curve
+ * between two sides of the points, whose distances alternate as noise does */
 enum {
     CAGD_FIT_EXCURSIONS = 1,
     CAGD_FIT_LOOPS = 2,

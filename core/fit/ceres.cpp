@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <limits>
 #include <new>
 #include <vector>
@@ -173,8 +172,7 @@ int minimise(const fit_least_squares &p, double tolerance, int max_iterations, d
     ceres::Solve(options, &problem, &summary);
     if (patience.is_lost()) {
         summary.iterations.pop_back();
-        stop(outcome, CAGD_FIT_FAILED,
-             "Every step leads to curves whose distances leave the range of numbers.");
+        stop(outcome, CAGD_FIT_FAILED, "Every step leads to curves whose distances leave the range of numbers.");
     } else {
         stop(outcome,
              summary.termination_type == ceres::CONVERGENCE      ? CAGD_FIT_CONVERGED
@@ -187,17 +185,16 @@ int minimise(const fit_least_squares &p, double tolerance, int max_iterations, d
     return copy_history(summary.iterations, outcome);
 }
 
-/* What `body` returns; when it throws, 0 for no memory, and what `otherwise` makes of anything else. */
+/* What `body` returns; when it throws, 0 for no memory, and what `otherwise` returns for anything else, whose words are not those of the
+ * fit and are left unread. */
 template <typename Body, typename Otherwise> int guarded(Body body, Otherwise otherwise)
 {
     try {
         return body();
     } catch (const std::bad_alloc &) {
         return 0;
-    } catch (const std::exception &e) {
-        return otherwise(e.what());
     } catch (...) {
-        return otherwise("an exception of no known kind");
+        return otherwise();
     }
 }
 
@@ -208,15 +205,15 @@ extern "C" int fit_minimise(const fit_least_squares *problem, double tolerance, 
 {
     *outcome = {};
     return guarded([&] { return minimise(*problem, tolerance, max_iterations, x, radius, outcome); },
-                   [&](const char *what) {
-                       stop(outcome, CAGD_FIT_FAILED, what);
+                   [&] {
+                       stop(outcome, CAGD_FIT_FAILED, "The minimiser could not go on.");
                        return 1;
                    });
 }
 
 extern "C" int fit_svd(int n, const double a[], double U[], double s[], double V[])
 {
-    auto nothing = [=](const char *) {
+    auto nothing = [=] {
         std::fill(U, U + n * n, 0.0);
         std::fill(V, V + n * n, 0.0);
         std::fill(s, s + n, 0.0);
@@ -226,7 +223,7 @@ extern "C" int fit_svd(int n, const double a[], double U[], double s[], double V
         [=] {
             Eigen::MatrixXd A = Eigen::Map<const Matrix>(a, n, n);
             if (!A.allFinite()) /* the method would not end, or leave its results unset */
-                return nothing("");
+                return nothing();
             Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(A,
                                                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
             Eigen::Map<Matrix>(U, n, n) = svd.matrixU();

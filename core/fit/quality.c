@@ -172,7 +172,7 @@ static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_f
     }
     if (q->far >= 0)
         q->problems |= CAGD_FIT_FAR;
-    if (data->sigma == NULL && q->runs.pairs < FEW && r->rms > COARSE * extent)
+    if (data->sigma == NULL && (q->runs.pairs < FEW || r->roughness > 0) && r->rms > COARSE * extent)
         q->problems |= CAGD_FIT_COARSE;
 }
 

@@ -51,8 +51,7 @@ WIDE static void absorb(triangle *t)
             double *w = t->a + j * stride;
             const double share = factor * (head * w[ROWS + k] + wide_dot(rows, column, w));
             w[ROWS + k] -= share * head;
-            for (int i = 0; i < rows; i++)
-                w[i] -= share * column[i];
+            wide_subtract(rows, share, column, w);
         }
         column[ROWS + k] = at > 0 ? -length : length;
     }
@@ -99,7 +98,9 @@ fit_reduction *fit_reduction_new(const fit_support *support, int sides)
 
 static void clear(triangle *t)
 {
-    memset(t->a, 0, (size_t)t->columns * (size_t)stride_of(t) * sizeof *t->a);
+    const int stride = stride_of(t);
+    for (int k = 0; k < t->columns; k++)
+        memset(t->a + k * stride + ROWS, 0, (size_t)(stride - ROWS) * sizeof *t->a);
     t->rows = 0;
 }
 
@@ -145,13 +146,16 @@ static void join(fit_reduction *r, int k)
 
 const double *fit_reduction_triangle(fit_reduction *r)
 {
-    const int n = r->support->unknowns + r->sides, stride = stride_of(&r->all);
-    clear(&r->all);
-    for (int k = 0; k < r->support->pieces; k++)
+    const int n = r->support->unknowns + r->sides, alone = r->support->pieces == 1;
+    triangle *t = alone ? &r->piece[0] : &r->all; /* that of the only piece is that of all */
+    const int stride = stride_of(t);
+    if (!alone)
+        clear(t);
+    for (int k = 0; k < r->support->pieces && !alone; k++)
         join(r, k);
-    absorb(&r->all);
+    absorb(t);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
-            r->by_rows[i * n + j] = i <= j ? r->all.a[j * stride + ROWS + i] : 0;
+            r->by_rows[i * n + j] = i <= j ? t->a[j * stride + ROWS + i] : 0;
     return r->by_rows;
 }

@@ -133,7 +133,7 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
     o.initial = &last->curve;
     o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
     o.free &= ~CAGD_FIT_WEIGHTS;
-    o.without_intervals = options->without_intervals || last->found.count_chosen;
+    o.without_intervals = options->without_intervals || last->found.knots_chosen;
     cagd_status status = cagd_fit(s->data, &o, result, s->where);
     if (status == CAGD_OK)
         (*result)->found = last->found;
@@ -289,6 +289,42 @@ static cagd_status put_in(search *s, int even)
     return status;
 }
 
+/* A good fit that crosses itself no more often than its points do. */
+static int has_no_loops(const search *s, const cagd_fit_result *r)
+{
+    cagd_fit_quality quality;
+    return fit_is_good(s->data, s->options, r) && cagd_fit_quality_of(s->data, s->options, r, &quality) == CAGD_OK &&
+           !(quality.problems & CAGD_FIT_LOOPS);
+}
+
+/* As many control points as are asked for, over knots that are put in one by one; they take the place of the best curve if they
+ * give one that is good and has no loops. */
+static cagd_status place_knots(search *s)
+{
+    const int p = s->options->degree, closed = s->options->closed;
+    knots k;
+    cagd_fit_result *last = NULL;
+    make_even(closed ? p + 1 : 0, &k);
+    cagd_status status = fit_on(s, &k, NULL, &last);
+    while (status == CAGD_OK && count_of(&k, p, closed) < s->options->count && k.inner < MOST_KNOTS) {
+        cagd_fit_result *next;
+        const int put = divide(s, last, &k);
+        status = put < 0 ? CAGD_NO_MEMORY : CAGD_OK;
+        if (put <= 0)
+            break;
+        status = fit_on(s, &k, last, &next);
+        cagd_fit_free(last);
+        last = next;
+    }
+    if (status == CAGD_OK && count_of(&k, p, closed) == s->options->count && has_no_loops(s, last)) {
+        cagd_fit_free(s->best);
+        s->best = last;
+        s->best->found.knots_chosen = 1;
+    } else
+        cagd_fit_free(last);
+    return status == CAGD_TOO_FEW ? CAGD_OK : status;
+}
+
 /* Knots are taken out of the best curve, that first without which it is best, as long as it becomes better. */
 static cagd_status take_out_idle(search *s)
 {
@@ -327,16 +363,31 @@ static double cross_validation(const cagd_fit_data *data, const cagd_fit_result 
     return cagd_fit_is_minimum(r) && left > 0 ? n * r->chi_squared / (left * left) : HUGE_VAL;
 }
 
-/* The fit with the smoothing term lambda, from the curve before if there is one; its score. */
+/* The fit with the smoothing term lambda, from the points and, if there is one, from the curve before, whichever is lower: a curve that
+ * was nearly straight may have its feet where they do not follow the order of the points any more.  *score: its own. */
 static cagd_status smooth_by(const search *s, const cagd_fit_options *options, double lambda,
                              const cagd_fit_result *from, cagd_fit_result **result, double *score)
 {
     cagd_fit_options o = *options;
+    cagd_fit_result *other = NULL;
     o.smooth = lambda;
     o.free &= ~CAGD_FIT_WEIGHTS;
-    if (from != NULL)
-        o.initial = &from->curve;
     cagd_status status = fit_candidate(s->data, &o, result, s->where);
+    if (status == CAGD_OK && from != NULL) {
+        o.initial = &from->curve;
+        status = fit_candidate(s->data, &o, &other, s->where);
+    }
+    if (other != NULL &&
+        (!cagd_fit_is_minimum(*result) || (cagd_fit_is_minimum(other) && other->cost < (*result)->cost))) {
+        cagd_fit_result *higher = *result;
+        *result = other;
+        other = higher;
+    }
+    cagd_fit_free(other);
+    if (status != CAGD_OK) {
+        cagd_fit_free(*result);
+        *result = NULL;
+    }
     *score = status == CAGD_OK ? cross_validation(s->data, *result) : HUGE_VAL;
     return status;
 }
@@ -360,9 +411,7 @@ static cagd_status smooth_best(const search *s, const cagd_fit_options *options,
     cagd_fit_result *best = NULL, *last = NULL;
     double lowest = HUGE_VAL, chosen = 0;
     cagd_status status = CAGD_OK;
-    for (int k = 0, worse = 0; k < TENTHS + 2 * FINER && status == CAGD_OK; k++) {
-        if (k < TENTHS && worse >= 3)
-            k = TENTHS;
+    for (int k = 0; k < TENTHS + 2 * FINER && status == CAGD_OK; k++) {
         const int finer = k - TENTHS;
         if (finer >= 0 && best == NULL)
             break;
@@ -373,8 +422,6 @@ static cagd_status smooth_best(const search *s, const cagd_fit_options *options,
         status = smooth_by(s, options, lambda, finer >= 0 ? best : last, &next, &score);
         if (status != CAGD_OK)
             break;
-        if (finer < 0)
-            worse = score < lowest || best == NULL ? 0 : worse + (lowest < HUGE_VAL);
         int better = score < lowest && isfinite(score);
         if (last != best)
             cagd_fit_free(last);
@@ -420,7 +467,7 @@ static cagd_status find_knots(search *s)
     if (status == CAGD_OK && s->best != NULL)
         status = take_out_idle(s);
     if (status == CAGD_OK && s->best != NULL) {
-        s->best->found.count_chosen = 1;
+        s->best->found.count_chosen = s->best->found.knots_chosen = 1;
         s->best->found.within = s->choices->within > 0 ? (s->best->largest <= s->choices->within ? 1 : -1) : 0;
     }
     return status;
@@ -437,9 +484,11 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     const int smooth_only = chosen && !(choices->within > 0) && (choices->smooth == 1 || own.smooth > 0);
     cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : cagd_fit(data, &own, &s.best, where);
     const int segments = own.count > own.degree + 1 || own.knots != NULL || own.closed || chosen;
+    const int mended = choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) && own.smooth == 0;
+    if (status == CAGD_OK && mended && !chosen && own.knots == NULL && !has_no_loops(&s, s.best))
+        status = place_knots(&s);
     if (status == CAGD_OK && own.smooth == 0 && own.degree > 1 &&
-        (choices->smooth == 1 ||
-         (choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) && !fit_is_good(data, &own, s.best)))) {
+        (choices->smooth == 1 || (mended && !fit_is_good(data, &own, s.best)))) {
         cagd_fit_options smoothed = own;
         if (chosen)
             smoothed.count = most_points(&s);
@@ -451,7 +500,7 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     }
     if (status == CAGD_OK && s.best == NULL) /* no smoothing leads to a minimum */
         return fit_refined(data, options, &(cagd_fit_choices){.count = choices->count}, result, where);
-    if (status == CAGD_OK && (chosen || (s.best->found.smoothed && own.smooth == 0)))
+    if (status == CAGD_OK && (s.best->found.knots_chosen || chosen || (s.best->found.smoothed && own.smooth == 0)))
         status = finish(&s, &own, &s.best);
     if (status == CAGD_OK)
         *result = s.best;

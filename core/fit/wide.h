@@ -7,6 +7,7 @@
 #define CAGD_FIT_WIDE_H
 
 #include <stdlib.h> /* says whether the C library is glibc, which can choose among functions */
+#include <string.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define FIT_NARROW /* a sanitizer is not ready yet when the program chooses */
@@ -26,13 +27,32 @@
 
 enum { WIDE_SUMS = 8 };
 
+/* Half of the sums. */
+typedef double wide_half __attribute__((vector_size(WIDE_SUMS / 2 * sizeof(double))));
+
+INLINE void wide_get(wide_half *x, const double from[]) { memcpy(x, from, sizeof *x); }
+
 /* a . b; n is a multiple of WIDE_SUMS. */
 INLINE double wide_dot(int n, const double a[restrict], const double b[restrict])
 {
-    double s[WIDE_SUMS] = {0};
-    for (int i = 0; i < n; i += WIDE_SUMS)
-        for (int k = 0; k < WIDE_SUMS; k++)
-            s[k] += a[i + k] * b[i + k];
-    return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
+    wide_half s = {0}, t = {0}, x, y;
+    for (int i = 0; i < n; i += WIDE_SUMS) {
+        wide_get(&x, a + i), wide_get(&y, b + i);
+        s += x * y;
+        wide_get(&x, a + i + WIDE_SUMS / 2), wide_get(&y, b + i + WIDE_SUMS / 2);
+        t += x * y;
+    }
+    return ((s[0] + s[1]) + (s[2] + s[3])) + ((t[0] + t[1]) + (t[2] + t[3]));
+}
+
+/* b becomes b - share a. */
+INLINE void wide_subtract(int n, double share, const double a[restrict], double b[restrict])
+{
+    wide_half x, y;
+    for (int i = 0; i < n; i += WIDE_SUMS / 2) {
+        wide_get(&x, a + i), wide_get(&y, b + i);
+        y -= share * x;
+        memcpy(b + i, &y, sizeof y);
+    }
 }
 #endif

@@ -14,6 +14,11 @@ CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 SHARED = [HERE.parents[2] / "shared/data", HERE.parents[3] / "shared/data"]
 
 
+def shared(name):
+    """The file of the shared data, or None."""
+    return next((folder / name for folder in SHARED if (folder / name).is_file()), None)
+
+
 def fit(path, *options):
     r = subprocess.run([CAGD, "fit", path, "--json", "--no-verify", *options], capture_output=True, text=True)
     assert r.returncode == 0 and r.stderr == "", (path, r.returncode, r.stderr)
@@ -69,12 +74,48 @@ class Real(unittest.TestCase):
                 self.answers(HERE / "real" / name, good, OPTIONS.get(name, ()))
 
     def test_files_of_others(self):
-        folder = next((f for f in SHARED if f.is_dir()), None)
-        if folder is None:
-            self.skipTest("shared/data is not there")
         for name, good in OF_OTHERS.items():
+            path = shared(name)
             with self.subTest(name=name):
-                self.answers(folder / name, good)
+                if path is None:
+                    self.skipTest(f"{name} of the shared data is not there")
+                self.answers(path, good)
+
+    def airfoils(self):
+        own = [HERE / "real" / name for name in ("naca2412.dat", "naca0015-lednicer.dat", "naca0012-sharp.dat")]
+        other = shared("ffa-w3-211.dat")
+        return own + ([other] if other else [])
+
+    def test_so_many_control_points(self):
+        """Over even knots some of these do not converge; then the knots are placed by the points, not the curve smoothed to a line."""
+        placed = 0
+        for path in self.airfoils():
+            for count in (8, 10, 12, 14):
+                with self.subTest(name=path.name, count=count):
+                    d = fit(path, "--degree", "3", "--control-points", str(count))
+                    self.assertEqual((d["at_minimum"], len(d["curve"]["points"]), d["choice"]["smoothing"]), (True, count, None))
+                    self.assertLess(d["distances"]["rms"], 3e-4)  # of the chord
+                    self.assertLess(d["length_ratio"], 1.01)
+                    self.assertEqual(d["quality"]["crossings"], 0)
+                    placed += d["choice"]["knots_chosen"]
+                    if d["choice"]["knots_chosen"]:  # by the same points: no intervals
+                        self.assertEqual({u["low"] for u in d["unknowns"]}, {None})
+        self.assertGreater(placed, 0)
+
+    def test_smoothing_follows_an_airfoil(self):
+        """Upper and lower side are not smoothed into the chord between them, the weight of which is a minimum of cross-validation too."""
+        for path in self.airfoils():
+            with self.subTest(name=path.name):
+                d = fit(path, "--smooth", "auto")
+                self.assertLess(d["distances"]["rms"], 1e-4)
+                self.assertTrue(d["quality"]["good"], d["quality"]["problems"])
+
+    def test_a_chord_is_not_called_good(self):
+        for path in self.airfoils():
+            with self.subTest(name=path.name):
+                d = fit(path, "--degree", "3", "--control-points", "12", "--smooth", "1000")
+                self.assertGreater(d["distances"]["rms"], 0.05)
+                self.assertTrue(any("the smoothing term may be" in p for p in d["quality"]["problems"]), d["quality"])
 
     def test_known_circles(self):
         for name, centre, radius, options in (("disc-traced.tsv", (49.2, 47.2), 36, []), ("pipe-unordered.csv", (100.5, 55.25), 8, ["--unordered"])):
