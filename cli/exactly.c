@@ -75,7 +75,8 @@ static char *read_all(const char *path)
     if (ferror(file))
         snprintf(error.cause, sizeof error.cause, "cannot be read to its end: %s", strerror(errno));
     else if (size > MOST_BYTES)
-        snprintf(error.cause, sizeof error.cause, "more than %d bytes, the largest size that is read; divide it", MOST_BYTES);
+        snprintf(error.cause, sizeof error.cause, "more than %d bytes, the largest size that is read; divide it",
+                 MOST_BYTES);
     else if (memchr(text, '\0', size) != NULL)
         snprintf(error.cause, sizeof error.cause, "is no text, there is a zero byte in it; expected Markdown");
     if (file != stdin)
@@ -262,6 +263,12 @@ static void print_verdict(const struct cagd_code_harness *h, const struct cagd_c
     }
     if (v->patterns > 1)
         printf("equal neighbours: %ld of %ld patterns met\n", v->seen, v->patterns);
+    if (v->overlapping_at[0] != 0) {
+        char line[500];
+        snprintf(line, sizeof line, "memcpy does what memmove does between pieces that overlap, first at %s",
+                 v->overlapping_at);
+        print_row("as far as", line);
+    }
     if (v->message[0] != 0)
         print_row("because", v->message);
     if (v->word == CAGD_CODE_DIFFERS || v->word == CAGD_CODE_UNDECIDED || v->word == CAGD_CODE_COMPUTED) {
@@ -348,6 +355,8 @@ static json_t *verdict_json(const struct cagd_code_harness *h, const struct cagd
         if (!v->exhaustive)
             json_object_set_new(row, "open", json_string(v->open));
     }
+    if (v->overlapping_at[0] != 0)
+        json_object_set_new(row, "memcpy_overlaps", json_string(v->overlapping_at));
     if (v->patterns > 1)
         json_object_set_new(row, "patterns",
                             json_pack("{s:I, s:I}", "all", (json_int_t)v->patterns, "met", (json_int_t)v->seen));
@@ -498,7 +507,8 @@ static int run(const struct call *call)
     json_t *list = json_array();
     int answered = 0, expected = 0, code = spare_sources(&a, all);
     struct certifying certificates;
-    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_begin(&certificates, a.certificates, "exactly") != 0)
+    if (code == EXIT_AS_EXPECTED && a.certificates != NULL &&
+        certify_begin(&certificates, a.certificates, "exactly") != 0)
         code = EXIT_INTERNAL;
     for (const struct cagd_code_harness *h = all; h != NULL && code == EXIT_AS_EXPECTED; h = h->next) {
         if (a.only != NULL && strcmp(a.only, h->name) != 0)

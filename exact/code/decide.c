@@ -18,6 +18,7 @@ static struct cagd_code_outcome *run_noting(const struct cagd_code_program *p, c
                                 .certify = certify,
                                 .enclose = !h->refuse_roots,
                                 .no_root_variables = h->enclose_roots,
+                                .memcpy_moves = h->memcpy_moves,
                                 .inputs = at->inputs,
                                 .input = at->input};
     struct cagd_code_outcome *o = cagd_code_run(p, &job);
@@ -133,6 +134,12 @@ static int new_path(struct cagd_code_verdict *v, const struct cagd_code_outcome 
     return 1;
 }
 
+static void note_overlap(struct cagd_code_verdict *v, const struct cagd_code_outcome *o)
+{
+    if (v->overlapping_at[0] == 0)
+        snprintf(v->overlapping_at, sizeof v->overlapping_at, "%s", o->overlapping_at);
+}
+
 /* In rationals: 1 when the search is over. */
 static int try_point(const struct cagd_code_program *p, const struct cagd_code_harness *h, struct cagd_code_verdict *v,
                      long k, unsigned char seen[])
@@ -151,6 +158,7 @@ static int try_point(const struct cagd_code_program *p, const struct cagd_code_h
         break;
     case CAGD_CODE_FINISHED:
         v->points++;
+        note_overlap(v, o);
         if (!seen[k % v->patterns])
             v->seen++;
         seen[k % v->patterns] = 1;
@@ -234,6 +242,7 @@ static void add_path(const struct cagd_code_program *p, const struct cagd_code_h
                      struct cagd_code_point *point, struct cagd_code_outcome *o)
 {
     cagd_code_simplify(o);
+    note_overlap(v, o);
     int good = !has(o, CAGD_CODE_DIFFERENT) && !has(o, CAGD_CODE_UNKNOWN);
     v->path[v->paths++] = (struct cagd_code_path){o->path, cagd_code_point_copy(point), o, good};
     v->proved += good;

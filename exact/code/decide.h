@@ -53,6 +53,7 @@ struct cagd_code_verdict {
     int worsts;
     long rounded, turned; /* points in binary64; comparisons there that rounding turned                 */
     char turned_at[300];
+    char overlapping_at[300]; /* the first memcpy between pieces that overlap, on the ways above; or empty        */
     struct cagd_code_worst worst[CAGD_CODE_MOST_WORST];
 };
 

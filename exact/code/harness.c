@@ -245,13 +245,15 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
     if (strcmp(key, "roots") == 0) {
         h->refuse_roots = strcmp(text, "refuse") == 0;
         h->enclose_roots = strcmp(text, "enclose") == 0;
-        return h->refuse_roots || h->enclose_roots
-                   ? 0
-                   : wrong(error, line, "\"refuse\" or \"enclose\" was expected");
+        return h->refuse_roots || h->enclose_roots ? 0 : wrong(error, line, "\"refuse\" or \"enclose\" was expected");
+    }
+    if (strcmp(key, "memcpy") == 0) {
+        h->memcpy_moves = strcmp(text, "moves") == 0;
+        return h->memcpy_moves ? 0 : wrong(error, line, "\"moves\" was expected");
     }
     return wrong(error, line,
                  "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, points, "
-                 "roots and title are known",
+                 "roots, memcpy and title are known",
                  key);
 }
 

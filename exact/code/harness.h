@@ -21,6 +21,8 @@
  * points   how many are tried; 20 when absent
  * roots    of what is one that is not rational?  "refuse": it ends the run; "enclose": an interval, and no proof in the field;
  *          else a variable of its own in the field, whose square is known, and an interval at points
+ * memcpy   "moves": between pieces of memory that overlap, which C leaves undefined, it does what memmove does, and that is told;
+ *          without it such a call is refused
  *
  * A line that begins with a blank continues the one before. */
 #ifndef CAGD_CODE_HARNESS_H
@@ -58,7 +60,7 @@ struct cagd_code_lines {
 struct cagd_code_harness {
     struct cagd_code_harness *next;
     char *name, *title; /* title: NULL when there is none */
-    int line, points, refuse_roots, enclose_roots;
+    int line, points, refuse_roots, enclose_roots, memcpy_moves;
     struct cagd_code_lines source, flag, include, declare, where, call, output, expect;
     int inputs;
     struct cagd_code_asked_input input[CAGD_CODE_MOST_IN_HARNESS];

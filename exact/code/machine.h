@@ -46,6 +46,8 @@ void cagd_code_global(const char *p, int64_t size, int64_t margin, const char *n
  * its address is taken, which may be that of the one behind the last. */
 void cagd_code_step(const char *from, const char *to);
 void cagd_code_reach(const char *p, int64_t bytes, int32_t writes);
+/* memcpy of so many bytes: refused where the two pieces overlap, unless the job lets them. */
+void cagd_code_apart(const char *to, const char *from, int64_t bytes);
 void cagd_code_index(int64_t index, int64_t count, int32_t is_used);
 
 /* ---- what the driver of a harness calls ---------------------------------------------------------------- */

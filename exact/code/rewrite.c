@@ -515,6 +515,12 @@ static void look_at_copied(struct rewriting *r, LLVMValueRef call, const char *n
     if (copies)
         look_where_it_reaches(r, call, LLVMGetOperand(call, 1), bytes, 0);
     look_where_it_reaches(r, call, LLVMGetOperand(call, 0), bytes, 1);
+    if (strncmp(name, "llvm.memcpy.", 12) != 0)
+        return;
+    stand_before(r, call);
+    LLVMValueRef argument[3] = {as_bytes(r, LLVMGetOperand(call, 0)), as_bytes(r, LLVMGetOperand(call, 1)),
+                                LLVMBuildIntCast2(r->build, bytes, r->i64, 0, "")};
+    called(r, "cagd_code_apart", r->nothing, 3, argument);
 }
 
 /* Intrinsics that are about storage: how long a variable lives is known from the stack; there is one thread.  Whether it was one. */

@@ -24,6 +24,7 @@ struct cagd_code_job {
     int certify; /* in the field: note the operations, for others to do them again */
     int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
     int no_root_variables; /* in the field such a root is refused: it is wanted as an interval          */
+    int memcpy_moves;      /* memcpy between pieces that overlap does what memmove does; else it is refused */
     int inputs;
     const struct cagd_code_input *input;
     long most_values, most_bits, most_seconds, most_megabytes; /* 0: as usual                      */
@@ -81,6 +82,8 @@ struct cagd_code_outcome {
     unsigned long long path;                /* two runs that decided alike have the same              */
     long operations, decided_otherwise;     /* the latter: comparisons that rounding turned           */
     struct cagd_code_place turned;          /* the first of them                                      */
+    long overlapping;                       /* calls of memcpy between pieces that overlap                     */
+    char overlapping_at[300];               /* "file:line" of the first of them                                */
 };
 
 struct cagd_code_program;

@@ -253,6 +253,19 @@ class Verdicts(Exactly):
         v = self.verdict(self.BLOCK % "x", "double f(double x, double y) { return x == y ? y : x; }", "code.c", "--points", "100")
         self.assertEqual((v["verdict"], v["paths"]), ("proved", 2))
 
+    def test_memcpy_between_pieces_that_overlap(self):
+        code = "#include <string.h>\ndouble f(double x, double y)\n{\n    double a[3] = {0, x, y};\n    memcpy(a, a + 1, 2 * sizeof *a);\n    return a[0] - a[1];\n}\n"
+        v = self.verdict(self.BLOCK % "x - y", code)
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertRegex(v["because"], r"memcpy of 16 bytes to 8 bytes before, which overlap, at \S*code\.c:5 in f")
+        moves = self.BLOCK.replace(":call:", ":memcpy: moves\n:call:") % "x - y"
+        v = self.verdict(moves, code)
+        self.assertEqual(v["verdict"], "proved")
+        self.assertRegex(v["memcpy_overlaps"], r"code\.c:5$")
+        self.assertRegex(run(self.harness(moves, code)).stdout, r"memcpy does what memmove does between pieces that overlap, first at\s")
+        apart = "#include <string.h>\ndouble f(double x, double y)\n{\n    double a[4] = {0, 0, x, y};\n    memcpy(a, a + 2, 2 * sizeof *a);\n    return a[0] - a[1];\n}\n"
+        self.assertNotIn("memcpy_overlaps", self.verdict(moves, apart))
+
     def test_refusals_name_the_line(self):
         v = self.verdict(self.BLOCK % "x", "#include <math.h>\ndouble f(double x, double y)\n{\n    return tgamma(x);\n}\n")
         self.assertEqual(v["verdict"], "undecided")
