@@ -473,7 +473,7 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
     struct cagd_code_verdict *v = calloc(1, sizeof *v);
     if (v == NULL)
         abort();
-    v->word = h->expect.count > 0 ? CAGD_CODE_SAMPLED : CAGD_CODE_COMPUTED;
+    v->word = h->expect.count + h->known.count > 0 ? CAGD_CODE_SAMPLED : CAGD_CODE_COMPUTED;
     v->patterns = cagd_code_patterns(h);
     unsigned char *seen = calloc((size_t)v->patterns, 1);
     if (seen == NULL)
@@ -507,6 +507,18 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
     if (rounding > 0 && v->word != CAGD_CODE_UNDECIDED)
         search_rounding(p, h, v, rounding);
     return v;
+}
+
+void cagd_code_look_apart(const struct cagd_code_program *noting, const struct cagd_code_harness *h,
+                          struct cagd_code_verdict *v)
+{
+    struct cagd_code_outcome *o = run_at(noting, h, v->point, CAGD_CODE_RATIONAL);
+    if (!differs(o)) {
+        cagd_code_outcome_free(o);
+        return;
+    }
+    cagd_code_outcome_free(v->outcome);
+    v->outcome = o;
 }
 
 void cagd_code_verdict_free(struct cagd_code_verdict *v)

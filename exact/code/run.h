@@ -68,6 +68,15 @@ struct cagd_code_result {
     double in_order[CAGD_CODE_ORDERS];    /* with rounding: the error in ulps with the sums in another order    */
     const char *worst_line;               /* "file:line" where most of the error arises, or NULL               */
     double worst_part;                    /* that line's part of the sum of the amounts, 0 to 1                */
+    long stored;                          /* a known intermediate value: the which number stored it was; else 0 */
+    const char *variable;                 /* and into what, or ""                                              */
+};
+
+/* The first number that a variable does not get in two versions of a calculation: its `time`-th, by line `place` and `other_place`. */
+struct cagd_code_apart {
+    const char *name;
+    long time;
+    const char *place, *other_place, *got, *other_got;
 };
 
 struct cagd_code_outcome {
@@ -83,6 +92,7 @@ struct cagd_code_outcome {
     long operations, decided_otherwise;     /* the latter: comparisons that rounding turned           */
     struct cagd_code_place turned;          /* the first of them                                      */
     long overlapping;                       /* calls of memcpy between pieces that overlap                     */
+    const struct cagd_code_apart *apart;    /* where stores were noted; else, or where nothing is apart, NULL    */
     char overlapping_at[300];               /* "file:line" of the first of them                                */
 };
 

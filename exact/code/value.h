@@ -92,6 +92,9 @@ cagd_code_value cagd_code_whole(cagd_code_value a, enum cagd_code_rounding how);
 const char *cagd_code_text(cagd_code_value v);       /* at the point: "-3/7", "in [1.4, 1.5]", "inf"; in the region  */
 const char *cagd_code_field_text(cagd_code_value v); /* in the field                                               */
 
+/* One of the results "name[index]", of `count`, and what it should be: told, and compared. */
+struct cagd_code_result *cagd_code_expect_one(const char *name, long count, long index, double got, double wanted);
+
 /* Ends the run. */
 _Noreturn void cagd_code_stop(enum cagd_code_end end, const char *format, ...);
 /* Room in the memory shared with the parent; a text in it. */
