@@ -786,12 +786,20 @@ static void name_of_address(LLVMValueRef at, size_t room, char name[])
         *end = 0;
 }
 
-/* Behind the store: what number it put where. */
+/* What clang puts into a variable before its first value. */
+static int is_filling(LLVMValueRef x)
+{
+    LLVMBool lost;
+    double d = LLVMIsAConstantFP(x) ? LLVMConstRealGetDouble(x, &lost) : 0;
+    return d != d;
+}
+
+/* At the store: what number it puts where. */
 static void note_store(struct rewriting *r, LLVMValueRef store)
 {
     LLVMValueRef x = LLVMGetOperand(store, 0);
     char name[200];
-    if (!r->notes_stores || !is_carried(LLVMTypeOf(x)) || is_vector(LLVMTypeOf(x)))
+    if (!r->notes_stores || !is_carried(LLVMTypeOf(x)) || is_vector(LLVMTypeOf(x)) || is_filling(x))
         return;
     stand_before(r, store);
     name_of_address(LLVMGetOperand(store, 1), sizeof name, name);

@@ -24,7 +24,7 @@ void cagd_code_side(int which) { side = which; }
 
 void cagd_code_stored(double x, const char *name)
 {
-    if (side == 0 || count == MOST_STORES)
+    if (side == 0 || count == MOST_STORES || !cagd_code_was_computed(x)) /* clang fills a variable before its first value */
         return;
     if (stores == NULL && (stores = malloc(MOST_STORES * sizeof *stores)) == NULL)
         cagd_code_stop(CAGD_CODE_BOUND, "no memory to note what is stored");

@@ -40,6 +40,7 @@ cagd_code_value cagd_code_value_of(double x); /* ends the run for a number that 
 double cagd_code_number(cagd_code_value v);   /* the double that carries it                                   */
 int cagd_code_is_one(uint64_t bits);          /* whether the bits are those of a number in the table          */
 int cagd_code_is_single(uint32_t bits);
+int cagd_code_was_computed(double x); /* not what stands in variables and memory before */
 
 cagd_code_value cagd_code_constant(cagd_num_q q);
 cagd_code_value cagd_code_integer(long n);

@@ -297,7 +297,7 @@ double f(double x, double y)
         self.assertRegex(run(self.harness(block, code)).stdout, r"first wrong +s at code\.c:7\[2\] is \S+; known is \S+\n")
 
     def test_known_values_are_proved_like_others(self):
-        block, code = self.known(False, "code.c:8[3] = W")
+        block, code = self.known(False, "code.c:8[3] = W", "code.c:4 = y")
         self.assertEqual(self.verdict(block, code)["verdict"], "proved")
         block, code = self.known(False, "code.c:7 = y * x + 1")  # wrongly known: the result is right
         v = self.verdict(block, code)
@@ -313,9 +313,16 @@ double f(double x, double y)
         v = self.verdict(block % "g(x, y)", code)
         self.assertEqual(v["verdict"], "differs")
         apart = v["first_apart"]
-        self.assertEqual((apart["variable"], apart["time"], apart["place"], apart["other_place"]), ("s", 7, "code.c:7", "code.c:17"))
+        self.assertEqual((apart["variable"], apart["time"], apart["place"], apart["other_place"]), ("s", 7, "code.c:7", "code.c:18"))
         self.assertEqual(F(apart["other_value"]) - F(apart["value"]), 2)
         self.assertNotIn("first_apart", self.verdict(block % "x", code), "nothing to compare with")
+
+    def test_numbers_in_floats_are_known_too(self):
+        code = "double f(double x, double y)\n{\n    float a;\n    a = x;\n    a = a * y;\n    return a + 1;\n}\n"
+        block = (self.BLOCK % "x * y").replace(":expect:", ":known: code.c:5 = x * y\n:expect:")
+        v = self.verdict(block, code)
+        self.assertEqual([r["answer"] for r in v["results"]], ["equal", "different"])
+        self.assertNotIn("first_wrong", v)
 
     def test_refusals_name_the_line(self):
         v = self.verdict(self.BLOCK % "x", "#include <math.h>\ndouble f(double x, double y)\n{\n    return tgamma(x);\n}\n")
