@@ -150,8 +150,8 @@ static void print_first(const struct cagd_code_outcome *o)
                  wrong->name, clipped(wrong->got), clipped(wrong->wanted));
         print_row("first wrong", line);
     } else if (a != NULL) {
-        snprintf(line, sizeof line, "%s, number %ld that it gets: %s at %s; %s at %s", a->name, a->time, clipped(a->got),
-                 a->place, clipped(a->other_got), a->other_place);
+        snprintf(line, sizeof line, "%s, number %ld that it gets: %s at %s; %s at %s", a->name, a->time,
+                 clipped(a->got), a->place, clipped(a->other_got), a->other_place);
         print_row("first apart", line);
     }
 }
@@ -357,8 +357,8 @@ static void set_first(json_t *row, const struct cagd_code_outcome *o)
     const struct cagd_code_apart *a = o->apart;
     if (wrong != NULL)
         json_object_set_new(row, "first_wrong",
-                            json_pack("{s:s, s:s, s:s, s:s}", "place", wrong->name, "variable", wrong->variable, "value",
-                                      wrong->got, "known", wrong->wanted));
+                            json_pack("{s:s, s:s, s:s, s:s}", "place", wrong->name, "variable", wrong->variable,
+                                      "value", wrong->got, "known", wrong->wanted));
     else if (a != NULL)
         json_object_set_new(row, "first_apart",
                             json_pack("{s:s, s:I, s:s, s:s, s:s, s:s}", "variable", a->name, "time",

@@ -224,7 +224,9 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
             if (lists[k].lines == &h->known) {
                 h->notes_stores = 1;
                 if (!is_known(text))
-                    return wrong(error, line, "\"FILE:LINE = what that line puts into a variable\", or \"FILE:LINE[COUNT] = array\", was expected");
+                    return wrong(error, line,
+                                 "\"FILE:LINE = what that line puts into a variable\", or \"FILE:LINE[COUNT] = "
+                                 "array\", was expected");
             }
             return add_line(lists[k].lines, copied(text, strlen(text)), line, error);
         }
@@ -267,10 +269,11 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
         h->memcpy_moves = strcmp(text, "moves") == 0;
         return h->memcpy_moves ? 0 : wrong(error, line, "\"moves\" was expected");
     }
-    return wrong(error, line,
-                 "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, known, points, "
-                 "roots, memcpy and title are known",
-                 key);
+    return wrong(
+        error, line,
+        "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, known, points, "
+        "roots, memcpy and title are known",
+        key);
 }
 
 static int finish(const struct cagd_code_harness *h, struct cagd_code_harness_error *error)
@@ -375,8 +378,8 @@ void cagd_code_harness_free(struct cagd_code_harness *h)
 {
     while (h != NULL) {
         struct cagd_code_harness *next = h->next;
-        struct cagd_code_lines *lists[] = {&h->source, &h->flag, &h->include, &h->declare,
-                                           &h->where,  &h->call, &h->output,  &h->expect,  &h->known};
+        struct cagd_code_lines *lists[] = {&h->source, &h->flag,   &h->include, &h->declare, &h->where,
+                                           &h->call,   &h->output, &h->expect,  &h->known};
         for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
             free_lines(lists[k]);
         for (int k = 0; k < h->inputs; k++) {
@@ -492,7 +495,8 @@ static void write_known(const char *text, int line, const char *path, FILE *out)
     if (count > 0)
         fprintf(out, "    cagd_code_known(\"%s\", %ld, %s);\n", place, count, right);
     else
-        fprintf(out, "    { const double cagd_wanted = %s; cagd_code_known(\"%s\", 1, &cagd_wanted); }\n", right, place);
+        fprintf(out, "    { const double cagd_wanted = %s; cagd_code_known(\"%s\", 1, &cagd_wanted); }\n", right,
+                place);
     free(place);
     free(right);
 }

@@ -24,7 +24,8 @@ void cagd_code_side(int which) { side = which; }
 
 void cagd_code_stored(double x, const char *name)
 {
-    if (side == 0 || count == MOST_STORES || !cagd_code_was_computed(x)) /* clang fills a variable before its first value */
+    if (side == 0 || count == MOST_STORES ||
+        !cagd_code_was_computed(x)) /* clang fills a variable before its first value */
         return;
     if (stores == NULL && (stores = malloc(MOST_STORES * sizeof *stores)) == NULL)
         cagd_code_stop(CAGD_CODE_BOUND, "no memory to note what is stored");
@@ -53,11 +54,11 @@ void cagd_code_known(const char *place, long wanted_count, const double *wanted)
         met++;
     }
     if (count == MOST_STORES && met < wanted_count)
-        cagd_code_stop(CAGD_CODE_BOUND, "more than %d numbers are put into variables before %s has its %ld", MOST_STORES, place,
-                       wanted_count);
+        cagd_code_stop(CAGD_CODE_BOUND, "more than %d numbers are put into variables before %s has its %ld",
+                       MOST_STORES, place, wanted_count);
     if (met < wanted_count)
-        cagd_code_stop(CAGD_CODE_REFUSED, "%s puts %ld numbers into variables on this way; %ld are known", place,
-                       met, wanted_count);
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s puts %ld numbers into variables on this way; %ld are known", place, met,
+                       wanted_count);
 }
 
 static int differ(double a, double b)

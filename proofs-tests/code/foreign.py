@@ -197,6 +197,14 @@ def surface_rows():
                   f"W[2] += c * N(i, {p}, k, u, 0) * D(j, {p}, l, v, 0); }}", ["R[3] = W"])
 
 
+def search_rows():
+    """The search for the interval of the parameter, among five, from different beginnings."""
+    for start in (0, 3, 5):
+        yield Row(f"s1219_from_{start}", "sisl", "k[8] increasing; t in [k[1], k[6])",
+                  f"int left = {start}, status, wanted = 1; s1219(k, 2, 6, &left, t, &status); "
+                  "while (t >= k[wanted + 1]) wanted++;", ["(1.0 * left) = wanted"])  # a double: faults.py prints it
+
+
 def remarkable_rows():
     """What no shape above has: a curve with a knot too many at its beginning."""
     yield Row("newCurve_knot_too_many", "sisl", "P[3]; t in [0, 1)",
@@ -314,7 +322,7 @@ class Workshop:
 def main():
     workshop = Workshop(*sys.argv[1:4])
     print("| routine | verdict | ways proved | conditions, most | ulps, worst | remark |\n|---|---|---|---|---|---|")
-    for row in [*sisl_rows(), *remarkable_rows(), *gsl_rows(), *eigen_rows()]:
+    for row in [*search_rows(), *sisl_rows(), *remarkable_rows(), *gsl_rows(), *eigen_rows()]:
         if fnmatch.fnmatch(row.name, sys.argv[4] if len(sys.argv) > 4 else "*"):
             print("|", " | ".join(workshop.line(row)), "|", flush=True)
 
