@@ -4,6 +4,7 @@ double largest(int n, const double *a);
 void scale(int n, double *restrict a, double x);
 struct three { double x[3]; };
 void assign(struct three *to, const struct three *from);
+double every(double x, double y, int n, unsigned m);
 /* = F(1, 3) */
 double o_dot(void) { double a[8], b[8]; for (int i = 0; i < 8; i++) a[i] = i < 4 ? 1.0 / 3 : -1.0 / 5, b[i] = i == 2; scale(8, b, 1); return dot(8, a, b); }
 /* = 1 + F(10, 9) + F(100, 81) */
@@ -14,3 +15,5 @@ double o_largest(void) { double a[5] = {1.0 / 3, 5.0 / 7, 2.0 / 3, -1, 0}; retur
 double o_assigned(void) { struct three a = {{1.0 / 3, 1, 2}}, b; assign(&b, &a); assign(&b, &b); return b.x[0]; }
 /* ! which overlap */
 double o_assigned_over_itself(void) { double a[4] = {1, 2, 3, 4}; assign((struct three *)a, (struct three *)(a + 1)); return a[0]; }
+/* = F(15, 4) + 3 + 2 + 5 + 7 + F(7, 6) */
+double o_every(void) { return every(7.0 / 2, 2, 5, 7); }
