@@ -75,7 +75,8 @@ static char *read_all(const char *path)
     if (ferror(file))
         snprintf(error.cause, sizeof error.cause, "cannot be read to its end: %s", strerror(errno));
     else if (size > MOST_BYTES)
-        snprintf(error.cause, sizeof error.cause, "more than %d bytes, the largest size that is read; divide it", MOST_BYTES);
+        snprintf(error.cause, sizeof error.cause, "more than %d bytes, the largest size that is read; divide it",
+                 MOST_BYTES);
     else if (memchr(text, '\0', size) != NULL)
         snprintf(error.cause, sizeof error.cause, "is no text, there is a zero byte in it; expected Markdown");
     if (file != stdin)
@@ -127,12 +128,40 @@ static void print_point(const struct cagd_code_point *p)
     }
 }
 
+/* Of the intermediate values that are known the first that is another; NULL: none. */
+static const struct cagd_code_result *first_wrong(const struct cagd_code_outcome *o)
+{
+    const struct cagd_code_result *first = NULL;
+    for (const struct cagd_code_result *r = o->results; r != NULL; r = r->next)
+        if (r->stored > 0 && r->same == CAGD_CODE_DIFFERENT && (first == NULL || r->stored < first->stored))
+            first = r;
+    return first;
+}
+
+/* Where the calculation goes wrong first, as far as intermediate values are known; and where it goes another way than one that is right,
+ * which need not be wrong. */
+static void print_first(const struct cagd_code_outcome *o)
+{
+    const struct cagd_code_result *wrong = first_wrong(o);
+    const struct cagd_code_apart *a = o->apart;
+    char line[4 * MOST_TEXT + 500];
+    if (wrong != NULL) {
+        snprintf(line, sizeof line, "%s%s%s is %s; known is %s", wrong->variable, *wrong->variable != 0 ? " at " : "",
+                 wrong->name, clipped(wrong->got), clipped(wrong->wanted));
+        print_row("first wrong", line);
+    } else if (a != NULL) {
+        snprintf(line, sizeof line, "%s, number %ld that it gets: %s at %s; %s at %s", a->name, a->time,
+                 clipped(a->got), a->place, clipped(a->other_got), a->other_place);
+        print_row("first apart", line);
+    }
+}
+
 static void print_results(const struct cagd_code_outcome *o)
 {
     int shown = 0;
     for (const struct cagd_code_result *r = o->results; r != NULL; r = r->next) {
         char line[2 * MOST_TEXT + 100];
-        if (r->wanted != NULL && r->same != CAGD_CODE_DIFFERENT)
+        if (r->wanted != NULL && (r->same != CAGD_CODE_DIFFERENT || r->stored > 0))
             continue;
         if (shown++ == MOST_SHOWN) {
             puts("  ...");
@@ -262,12 +291,19 @@ static void print_verdict(const struct cagd_code_harness *h, const struct cagd_c
     }
     if (v->patterns > 1)
         printf("equal neighbours: %ld of %ld patterns met\n", v->seen, v->patterns);
+    if (v->overlapping_at[0] != 0) {
+        char line[500];
+        snprintf(line, sizeof line, "memcpy does what memmove does between pieces that overlap, first at %s",
+                 v->overlapping_at);
+        print_row("as far as", line);
+    }
     if (v->message[0] != 0)
         print_row("because", v->message);
     if (v->word == CAGD_CODE_DIFFERS || v->word == CAGD_CODE_UNDECIDED || v->word == CAGD_CODE_COMPUTED) {
         if (v->point != NULL) {
             print_point(v->point);
             print_results(v->outcome);
+            print_first(v->outcome);
         }
     }
     if (v->hole != NULL && v->word != CAGD_CODE_UNDECIDED) {
@@ -315,6 +351,21 @@ static json_t *results_json(const struct cagd_code_outcome *o)
     return array;
 }
 
+static void set_first(json_t *row, const struct cagd_code_outcome *o)
+{
+    const struct cagd_code_result *wrong = first_wrong(o);
+    const struct cagd_code_apart *a = o->apart;
+    if (wrong != NULL)
+        json_object_set_new(row, "first_wrong",
+                            json_pack("{s:s, s:s, s:s, s:s}", "place", wrong->name, "variable", wrong->variable,
+                                      "value", wrong->got, "known", wrong->wanted));
+    else if (a != NULL)
+        json_object_set_new(row, "first_apart",
+                            json_pack("{s:s, s:I, s:s, s:s, s:s, s:s}", "variable", a->name, "time",
+                                      (json_int_t)a->time, "place", a->place, "value", a->got, "other_place",
+                                      a->other_place, "other_value", a->other_got));
+}
+
 static json_t *path_json(const struct cagd_code_path *path)
 {
     json_t *row = json_pack("{s:b, s:o}", "proved", path->proved, "point", point_json(path->point));
@@ -348,6 +399,8 @@ static json_t *verdict_json(const struct cagd_code_harness *h, const struct cagd
         if (!v->exhaustive)
             json_object_set_new(row, "open", json_string(v->open));
     }
+    if (v->overlapping_at[0] != 0)
+        json_object_set_new(row, "memcpy_overlaps", json_string(v->overlapping_at));
     if (v->patterns > 1)
         json_object_set_new(row, "patterns",
                             json_pack("{s:I, s:I}", "all", (json_int_t)v->patterns, "met", (json_int_t)v->seen));
@@ -358,6 +411,7 @@ static json_t *verdict_json(const struct cagd_code_harness *h, const struct cagd
     if (v->point != NULL) {
         json_object_set_new(row, "point", point_json(v->point));
         json_object_set_new(row, "results", results_json(v->outcome));
+        set_first(row, v->outcome);
     }
     json_t *paths = json_array(), *worst = json_array();
     for (int k = 0; k < v->paths; k++)
@@ -404,6 +458,14 @@ static int answer(const struct arguments *a, const struct cagd_code_harness *h, 
     }
     struct cagd_code_verdict *v = cagd_code_decide(p, h, a->points > 0 ? a->points : h->points, a->rounding);
     *expected += is_expected(v);
+    if (v->word == CAGD_CODE_DIFFERS && !h->notes_stores) {
+        struct cagd_code_harness noting = *h;
+        noting.notes_stores = 1;
+        struct cagd_code_program *again = cagd_code_build(&noting, a->asked.path, compiler, sizeof message, message);
+        if (again != NULL)
+            cagd_code_look_apart(again, h, v);
+        cagd_code_unload(again);
+    }
     if (list != NULL)
         json_array_append_new(list, verdict_json(h, v));
     if (!a->asked.json)
@@ -498,7 +560,8 @@ static int run(const struct call *call)
     json_t *list = json_array();
     int answered = 0, expected = 0, code = spare_sources(&a, all);
     struct certifying certificates;
-    if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_begin(&certificates, a.certificates, "exactly") != 0)
+    if (code == EXIT_AS_EXPECTED && a.certificates != NULL &&
+        certify_begin(&certificates, a.certificates, "exactly") != 0)
         code = EXIT_INTERNAL;
     for (const struct cagd_code_harness *h = all; h != NULL && code == EXIT_AS_EXPECTED; h = h->next) {
         if (a.only != NULL && strcmp(a.only, h->name) != 0)

@@ -73,6 +73,8 @@ struct cagd_code_program *cagd_code_build(const struct cagd_code_harness *h, con
     if (status != 0)
         cause = errno;
     word[words++] = (char *)(uintptr_t)compiler;
+    if (h->notes_stores)
+        word[words++] = "--stores";
     word[words++] = "-o";
     word[words++] = object;
     word[words++] = driver;

@@ -1,9 +1,9 @@
 /* compile.c -- the program cagd-compile-exactly: sources in C, C++ or bitcode become a shared object in which numbers are ours.
  *
- *     cagd-compile-exactly -o OUT.so FILE... [-- FLAG...]
+ *     cagd-compile-exactly [--stores] -o OUT.so FILE... [-- FLAG...]
  *     cagd-compile-exactly --tools                           the folder of the clang that it uses
  *
- * FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.  The flags are clang's, for the sources.
+ * With --stores the program can tell which numbers each line puts into variables.  FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.  The flags are clang's, for the sources.
  * Messages are clang's own, or one line; the exit code is 0, 1 when a source does not compile, 2 for wrong usage. */
 #include "exact/code/rewrite.h"
 #include "exact/code/scratch.h"
@@ -174,7 +174,7 @@ int main(int argc, char **argv)
 {
     const char *out = NULL;
     char bitcode[IN_SCRATCH], all[IN_SCRATCH];
-    int files = 0, cpp = 0, archives = 0, flags = argc;
+    int files = 0, cpp = 0, archives = 0, stores = 0, flags = argc;
     if (argc == 2 && strcmp(argv[1], "--tools") == 0)
         return puts(CAGD_LLVM_BIN) == EOF;
     for (int k = 1; k < argc; k++) {
@@ -184,11 +184,13 @@ int main(int argc, char **argv)
         }
         if (strcmp(argv[k], "-o") == 0 && k + 1 < argc)
             out = argv[++k];
+        else if (strcmp(argv[k], "--stores") == 0)
+            stores = 1;
         else
             argv[++files] = argv[k];
     }
     if (out == NULL || files == 0 || argc > MOST_WORDS)
-        give_up(2, "usage: cagd-compile-exactly -o OUT.so FILE... [-- FLAG...]", NULL);
+        give_up(2, "usage: cagd-compile-exactly [--stores] -o OUT.so FILE... [-- FLAG...]", NULL);
     if (make_scratch(scratch, "cagd-code") != 0)
         give_up(1, "no temporary folder", strerror(errno));
     atexit(remove_scratch);
@@ -230,7 +232,7 @@ int main(int argc, char **argv)
     for (int k = 1; k <= files; k++)
         if (ends_in(argv[k], ".a"))
             take_archive(argv[k]);
-    cagd_code_rewrite(everything, is_in_a_library);
+    cagd_code_rewrite(everything, is_in_a_library, stores);
     char *message = NULL;
     if (LLVMVerifyModule(everything, LLVMReturnStatusAction, &message))
         give_up(1, "the rewritten module is not well-formed", message);

@@ -18,6 +18,7 @@ static struct cagd_code_outcome *run_noting(const struct cagd_code_program *p, c
                                 .certify = certify,
                                 .enclose = !h->refuse_roots,
                                 .no_root_variables = h->enclose_roots,
+                                .memcpy_moves = h->memcpy_moves,
                                 .inputs = at->inputs,
                                 .input = at->input};
     struct cagd_code_outcome *o = cagd_code_run(p, &job);
@@ -133,6 +134,12 @@ static int new_path(struct cagd_code_verdict *v, const struct cagd_code_outcome 
     return 1;
 }
 
+static void note_overlap(struct cagd_code_verdict *v, const struct cagd_code_outcome *o)
+{
+    if (v->overlapping_at[0] == 0)
+        snprintf(v->overlapping_at, sizeof v->overlapping_at, "%s", o->overlapping_at);
+}
+
 /* In rationals: 1 when the search is over. */
 static int try_point(const struct cagd_code_program *p, const struct cagd_code_harness *h, struct cagd_code_verdict *v,
                      long k, unsigned char seen[])
@@ -151,6 +158,7 @@ static int try_point(const struct cagd_code_program *p, const struct cagd_code_h
         break;
     case CAGD_CODE_FINISHED:
         v->points++;
+        note_overlap(v, o);
         if (!seen[k % v->patterns])
             v->seen++;
         seen[k % v->patterns] = 1;
@@ -234,6 +242,7 @@ static void add_path(const struct cagd_code_program *p, const struct cagd_code_h
                      struct cagd_code_point *point, struct cagd_code_outcome *o)
 {
     cagd_code_simplify(o);
+    note_overlap(v, o);
     int good = !has(o, CAGD_CODE_DIFFERENT) && !has(o, CAGD_CODE_UNKNOWN);
     v->path[v->paths++] = (struct cagd_code_path){o->path, cagd_code_point_copy(point), o, good};
     v->proved += good;
@@ -464,7 +473,7 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
     struct cagd_code_verdict *v = calloc(1, sizeof *v);
     if (v == NULL)
         abort();
-    v->word = h->expect.count > 0 ? CAGD_CODE_SAMPLED : CAGD_CODE_COMPUTED;
+    v->word = h->expect.count + h->known.count > 0 ? CAGD_CODE_SAMPLED : CAGD_CODE_COMPUTED;
     v->patterns = cagd_code_patterns(h);
     unsigned char *seen = calloc((size_t)v->patterns, 1);
     if (seen == NULL)
@@ -498,6 +507,18 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
     if (rounding > 0 && v->word != CAGD_CODE_UNDECIDED)
         search_rounding(p, h, v, rounding);
     return v;
+}
+
+void cagd_code_look_apart(const struct cagd_code_program *noting, const struct cagd_code_harness *h,
+                          struct cagd_code_verdict *v)
+{
+    struct cagd_code_outcome *o = run_at(noting, h, v->point, CAGD_CODE_RATIONAL);
+    if (!differs(o)) {
+        cagd_code_outcome_free(o);
+        return;
+    }
+    cagd_code_outcome_free(v->outcome);
+    v->outcome = o;
 }
 
 void cagd_code_verdict_free(struct cagd_code_verdict *v)

@@ -53,6 +53,7 @@ struct cagd_code_verdict {
     int worsts;
     long rounded, turned; /* points in binary64; comparisons there that rounding turned                 */
     char turned_at[300];
+    char overlapping_at[300]; /* the first memcpy between pieces that overlap, on the ways above; or empty        */
     struct cagd_code_worst worst[CAGD_CODE_MOST_WORST];
 };
 
@@ -62,5 +63,9 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
 /* The path once more, with its operations noted (run.h: trace); the caller's. */
 struct cagd_code_outcome *cagd_code_certify(const struct cagd_code_program *p, const struct cagd_code_harness *h,
                                             const struct cagd_code_path *path);
+/* A verdict that differs, and the same harness built so that its stores are noted: its outcome is told once more with what is apart
+ * first (run.h), where what is expected is calculated by code, too. */
+void cagd_code_look_apart(const struct cagd_code_program *noting, const struct cagd_code_harness *h,
+                          struct cagd_code_verdict *v);
 void cagd_code_verdict_free(struct cagd_code_verdict *v);
 #endif

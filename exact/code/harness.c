@@ -198,6 +198,17 @@ static int add_line(struct cagd_code_lines *l, char *text, int number, struct ca
     return 0;
 }
 
+/* "FILE:LINE = expression" or "FILE:LINE[COUNT] = array". */
+static int is_known(const char *text)
+{
+    const char *at = strchr(text, ':');
+    int count;
+    if (at == NULL || at == text || !isdigit((unsigned char)at[1]))
+        return 0;
+    at += 1 + strspn(at + 1, "0123456789");
+    return read_count(&at, &count) == 0 && at[strspn(at, " \t")] == '=';
+}
+
 static int take_entry(struct cagd_code_harness *h, const char *key, const char *text, int line,
                       struct cagd_code_harness_error *error)
 {
@@ -205,11 +216,18 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
         const char *key;
         struct cagd_code_lines *lines;
     } lists[] = {{"source", &h->source}, {"include", &h->include}, {"declare", &h->declare}, {"where", &h->where},
-                 {"call", &h->call},     {"output", &h->output},   {"expect", &h->expect}};
+                 {"call", &h->call},     {"output", &h->output},   {"expect", &h->expect},   {"known", &h->known}};
     for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
         if (strcmp(key, lists[k].key) == 0) {
             if (lists[k].lines == &h->expect && strchr(text, '=') == NULL)
                 return wrong(error, line, "\"NAME = what it should be\" was expected");
+            if (lists[k].lines == &h->known) {
+                h->notes_stores = 1;
+                if (!is_known(text))
+                    return wrong(error, line,
+                                 "\"FILE:LINE = what that line puts into a variable\", or \"FILE:LINE[COUNT] = "
+                                 "array\", was expected");
+            }
             return add_line(lists[k].lines, copied(text, strlen(text)), line, error);
         }
     if (strcmp(key, "flag") == 0) {
@@ -245,14 +263,17 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
     if (strcmp(key, "roots") == 0) {
         h->refuse_roots = strcmp(text, "refuse") == 0;
         h->enclose_roots = strcmp(text, "enclose") == 0;
-        return h->refuse_roots || h->enclose_roots
-                   ? 0
-                   : wrong(error, line, "\"refuse\" or \"enclose\" was expected");
+        return h->refuse_roots || h->enclose_roots ? 0 : wrong(error, line, "\"refuse\" or \"enclose\" was expected");
     }
-    return wrong(error, line,
-                 "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, points, "
-                 "roots and title are known",
-                 key);
+    if (strcmp(key, "memcpy") == 0) {
+        h->memcpy_moves = strcmp(text, "moves") == 0;
+        return h->memcpy_moves ? 0 : wrong(error, line, "\"moves\" was expected");
+    }
+    return wrong(
+        error, line,
+        "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, known, points, "
+        "roots, memcpy and title are known",
+        key);
 }
 
 static int finish(const struct cagd_code_harness *h, struct cagd_code_harness_error *error)
@@ -357,8 +378,8 @@ void cagd_code_harness_free(struct cagd_code_harness *h)
 {
     while (h != NULL) {
         struct cagd_code_harness *next = h->next;
-        struct cagd_code_lines *lists[] = {&h->source, &h->flag, &h->include, &h->declare,
-                                           &h->where,  &h->call, &h->output,  &h->expect};
+        struct cagd_code_lines *lists[] = {&h->source, &h->flag,   &h->include, &h->declare, &h->where,
+                                           &h->call,   &h->output, &h->expect,  &h->known};
         for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
             free_lines(lists[k]);
         for (int k = 0; k < h->inputs; k++) {
@@ -455,10 +476,28 @@ static void write_expectation(const char *text, int line, const char *path, FILE
                 (int)(bracket - left), left, right);
     else
         fprintf(out,
-                "    { const double cagd_got = %s, cagd_wanted = %s;\n      cagd_code_expect(\"%s\", 1, &cagd_got, "
-                "&cagd_wanted); }\n",
+                "    { const double cagd_got = %s; cagd_code_side(2);\n      const double cagd_wanted = %s; "
+                "cagd_code_side(0);\n      cagd_code_expect(\"%s\", 1, &cagd_got, &cagd_wanted); }\n",
                 left, right, left);
     free(left);
+    free(right);
+}
+
+/* "curves.c:12 = f(x)" or "curves.c:12[6] = W". */
+static void write_known(const char *text, int line, const char *path, FILE *out)
+{
+    const char *equal = strchr(text, '=');
+    char *place = trimmed(text, (size_t)(equal - text)), *right = trimmed(equal + 1, strlen(equal + 1));
+    char *bracket = strchr(place, '[');
+    long count = bracket != NULL ? strtol(bracket + 1, NULL, 10) : 0;
+    place[strcspn(place, "[ \t")] = 0;
+    fprintf(out, "#line %d \"%s\"\n", line, path);
+    if (count > 0)
+        fprintf(out, "    cagd_code_known(\"%s\", %ld, %s);\n", place, count, right);
+    else
+        fprintf(out, "    { const double cagd_wanted = %s; cagd_code_known(\"%s\", 1, &cagd_wanted); }\n", right,
+                place);
+    free(place);
     free(right);
 }
 
@@ -480,6 +519,8 @@ void cagd_code_write_driver(const struct cagd_code_harness *h, const char *path,
           "void cagd_code_given(int);\nvoid cagd_code_where(int);\n"
           "void cagd_code_output(const char *, long, const double *);\n"
           "void cagd_code_expect(const char *, long, const double *, const double *);\n"
+          "void cagd_code_side(int);\n"
+          "void cagd_code_known(const char *, long, const double *);\n"
           "void cagd_code_entry(void);\n"
           "#ifdef __cplusplus\n}\n#endif\n",
           out);
@@ -501,9 +542,12 @@ void cagd_code_write_driver(const struct cagd_code_harness *h, const char *path,
         write_precondition(&h->input[k], out);
     for (int k = 0; k < h->where.count; k++)
         fprintf(out, "#line %d \"%s\"\n    cagd_code_where(%s);\n", h->where.number[k], path, h->where.text[k]);
-    fputs("    cagd_code_given(0);\n", out);
+    fputs("    cagd_code_given(0);\n    cagd_code_side(1);\n", out);
     for (int k = 0; k < h->call.count; k++)
         fprintf(out, "#line %d \"%s\"\n    %s\n", h->call.number[k], path, h->call.text[k]);
+    fputs("    cagd_code_side(0);\n", out);
+    for (int k = 0; k < h->known.count; k++)
+        write_known(h->known.text[k], h->known.number[k], path, out);
     for (int k = 0; k < h->output.count; k++)
         write_output(h->output.text[k], h->output.number[k], path, out);
     for (int k = 0; k < h->expect.count; k++)

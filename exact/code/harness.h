@@ -18,9 +18,13 @@
  * call     statements in C, with the inputs as double variables and arrays; repeatable
  * output   "R" or "R[3]": told
  * expect   "R = expression in C", or "R[3] = W", where W is an array
+ * known    "curves.c:12 = expression in C": the first number that this line puts into a variable, or "curves.c:12[6] = W": the first six of
+ *          them, W being an array of the calls; compared like what is expected, so that it is seen where a calculation goes wrong first
  * points   how many are tried; 20 when absent
  * roots    of what is one that is not rational?  "refuse": it ends the run; "enclose": an interval, and no proof in the field;
  *          else a variable of its own in the field, whose square is known, and an interval at points
+ * memcpy   "moves": between pieces of memory that overlap, which C leaves undefined, it does what memmove does, and that is told;
+ *          without it such a call is refused
  *
  * A line that begins with a blank continues the one before. */
 #ifndef CAGD_CODE_HARNESS_H
@@ -58,8 +62,9 @@ struct cagd_code_lines {
 struct cagd_code_harness {
     struct cagd_code_harness *next;
     char *name, *title; /* title: NULL when there is none */
-    int line, points, refuse_roots, enclose_roots;
-    struct cagd_code_lines source, flag, include, declare, where, call, output, expect;
+    int line, points, refuse_roots, enclose_roots, memcpy_moves;
+    int notes_stores; /* the program can tell which numbers its lines put into variables: where some are known */
+    struct cagd_code_lines source, flag, include, declare, where, call, output, expect, known;
     int inputs;
     struct cagd_code_asked_input input[CAGD_CODE_MOST_IN_HARNESS];
 };

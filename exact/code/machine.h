@@ -34,6 +34,9 @@ int64_t cagd_code_to_integer(double a, int32_t bits, int32_t is_signed); /* towa
 double cagd_code_widen(float a);
 float cagd_code_narrow(double a);
 
+/* x was put into a variable; only in code that was compiled so that its stores are noted. */
+void cagd_code_stored(double x, const char *name);
+
 void cagd_code_refuse(const char *what); /* does not return; no attribute, as the rewritten code does not know it */
 
 /* `size` bytes at p are about to be taken for an integer: refused when they are part of a number.  object: they are a variable. */
@@ -46,6 +49,8 @@ void cagd_code_global(const char *p, int64_t size, int64_t margin, const char *n
  * its address is taken, which may be that of the one behind the last. */
 void cagd_code_step(const char *from, const char *to);
 void cagd_code_reach(const char *p, int64_t bytes, int32_t writes);
+/* memcpy of so many bytes: refused where the two pieces overlap, unless the job lets them. */
+void cagd_code_apart(const char *to, const char *from, int64_t bytes);
 void cagd_code_index(int64_t index, int64_t count, int32_t is_used);
 
 /* ---- what the driver of a harness calls ---------------------------------------------------------------- */
@@ -58,4 +63,8 @@ void cagd_code_given(int on);
 void cagd_code_where(int truth);
 void cagd_code_output(const char *name, long count, const double *x);
 void cagd_code_expect(const char *name, long count, const double *got, const double *wanted);
+/* Numbers that are stored from here on are those of the calls (1), of what is expected (2), or not noted (0). */
+void cagd_code_side(int which);
+/* The first `count` numbers that the calls stored at a line, "curves.c:12", should be these. */
+void cagd_code_known(const char *place, long count, const double *wanted);
 #endif

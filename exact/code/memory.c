@@ -3,6 +3,7 @@
 #include "exact/code/value.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,12 +123,23 @@ void cagd_code_lib__ZdaPvm(void *p, size_t n)
     cagd_code_lib_free(p);
 }
 
+/* Of equal pieces LLVM promises that they may be copied, and clang makes such copies of structures by itself. */
+void cagd_code_apart(const char *to, const char *from, int64_t bytes)
+{
+    struct cagd_code_outcome *o = cagd_code_machine.outcome;
+    uintptr_t a = (uintptr_t)to, b = (uintptr_t)from;
+    if (a == b || bytes <= 0 || (a < b ? b - a : a - b) >= (uintptr_t)bytes)
+        return;
+    if (!cagd_code_machine.job->memcpy_moves)
+        cagd_code_stop(CAGD_CODE_REFUSED, "memcpy of %zu bytes to %zu bytes %s, which overlap", (size_t)bytes,
+                       (size_t)(a < b ? b - a : a - b), a < b ? "before" : "behind");
+    if (o->overlapping++ == 0 && cagd_code_at != NULL)
+        snprintf(o->overlapping_at, sizeof o->overlapping_at, "%s:%d", cagd_code_at->file, (int)cagd_code_at->line);
+}
+
 void *cagd_code_lib_memcpy(void *to, const void *from, size_t n)
 {
-    uintptr_t a = (uintptr_t)to, b = (uintptr_t)from;
-    if (a != b && (a < b ? b - a : a - b) < n)
-        cagd_code_stop(CAGD_CODE_REFUSED, "memcpy of %zu bytes to %zu bytes %s, which overlap", n,
-                       a < b ? b - a : a - b, a < b ? "before" : "behind");
+    cagd_code_apart(to, from, (int64_t)n);
     return cagd_code_lib_memmove(to, from, n);
 }
 void *cagd_code_lib_memmove(void *to, const void *from, size_t n)

@@ -12,9 +12,12 @@
 /* MARGIN: the least, and what margins and alignments are multiples of. */
 enum { MARGIN = 32, MARGIN_BYTE = 0xFE, MOST_OPERANDS = 8 };
 
+static const char PARAMETER[] = ".addr"; /* behind the name of the variable into which clang puts a parameter */
+
 /* What is at hand while a module is rewritten.  `last` is the place that was made last: neighbours often share it. */
 struct rewriting {
     int (*is_in_a_library)(const char *name);
+    int notes_stores;
     LLVMModuleRef module;
     LLVMContextRef context;
     LLVMBuilderRef build;
@@ -324,6 +327,7 @@ static void widen_local(struct rewriting *r, LLVMValueRef local)
     called(r, "cagd_code_local", r->nothing, 4, argument);
     LLVMReplaceAllUsesWith(local, inside);
     LLVMInstructionEraseFromParent(local);
+    LLVMSetValueName2(LLVMGetOperand(inside, 0), name, strlen(name));
 }
 
 /* What belongs to the language's own tables, and what must lie in a section, stays as it is. */
@@ -365,6 +369,8 @@ static void widen_global(struct rewriting *r, LLVMValueRef global, LLVMValueRef 
                                 string(r, strncmp(name, ".str", 4) == 0 ? "a string" : name)};
     called(r, "cagd_code_global", r->nothing, 4, argument);
     LLVMReplaceAllUsesWith(global, inside);
+    strncat(name, PARAMETER, sizeof name - strlen(name) - 1); /* the name alone is still another's */
+    LLVMSetValueName2(wide, name, strlen(name));
 }
 
 /* An empty function that runs before all constructors. */
@@ -515,6 +521,12 @@ static void look_at_copied(struct rewriting *r, LLVMValueRef call, const char *n
     if (copies)
         look_where_it_reaches(r, call, LLVMGetOperand(call, 1), bytes, 0);
     look_where_it_reaches(r, call, LLVMGetOperand(call, 0), bytes, 1);
+    if (strncmp(name, "llvm.memcpy.", 12) != 0)
+        return;
+    stand_before(r, call);
+    LLVMValueRef argument[3] = {as_bytes(r, LLVMGetOperand(call, 0)), as_bytes(r, LLVMGetOperand(call, 1)),
+                                LLVMBuildIntCast2(r->build, bytes, r->i64, 0, "")};
+    called(r, "cagd_code_apart", r->nothing, 3, argument);
 }
 
 /* Intrinsics that are about storage: how long a variable lives is known from the stack; there is one thread.  Whether it was one. */
@@ -757,6 +769,43 @@ static void rewrite_load(struct rewriting *r, LLVMValueRef load)
     called(r, "cagd_code_look", r->nothing, 3, argument);
 }
 
+/* The name of the variable that is stored to, or of that whose pointer leads there; without what clang adds to parameters. */
+static void name_of_address(LLVMValueRef at, size_t room, char name[])
+{
+    size_t length;
+    for (;;) {
+        const char *own = LLVMGetValueName2(at, &length);
+        snprintf(name, room, "%.*s", (int)length, own);
+        if (LLVMIsALoadInst(at) || LLVMIsABitCastInst(at) || is_element_pointer(at))
+            at = LLVMGetOperand(at, 0);
+        else
+            break;
+    }
+    char *end = strstr(name, PARAMETER);
+    if (end != NULL)
+        *end = 0;
+}
+
+/* What clang puts into a variable before its first value. */
+static int is_filling(LLVMValueRef x)
+{
+    LLVMBool lost;
+    double d = LLVMIsAConstantFP(x) ? LLVMConstRealGetDouble(x, &lost) : 0;
+    return d != d;
+}
+
+/* At the store: what number it puts where. */
+static void note_store(struct rewriting *r, LLVMValueRef store)
+{
+    LLVMValueRef x = LLVMGetOperand(store, 0);
+    char name[200];
+    if (!r->notes_stores || !is_carried(LLVMTypeOf(x)) || is_vector(LLVMTypeOf(x)) || is_filling(x))
+        return;
+    stand_before(r, store);
+    name_of_address(LLVMGetOperand(store, 1), sizeof name, name);
+    called(r, "cagd_code_stored", r->nothing, 2, (LLVMValueRef[]){widened(r, x), string(r, name)});
+}
+
 /* ---- the module --------------------------------------------------------------------------------------- */
 
 static void rewrite_instruction(struct rewriting *r, LLVMValueRef instruction)
@@ -808,6 +857,7 @@ static void rewrite_instruction(struct rewriting *r, LLVMValueRef instruction)
         break;
     case LLVMStore:
         look_at_access(r, instruction, LLVMGetOperand(instruction, 1), LLVMTypeOf(LLVMGetOperand(instruction, 0)), 1);
+        note_store(r, instruction);
         break;
     case LLVMAtomicCmpXchg:
         look_at_access(r, instruction, LLVMGetOperand(instruction, 0), LLVMTypeOf(LLVMGetOperand(instruction, 1)), 1);
@@ -909,10 +959,12 @@ static void rewrite_function(struct rewriting *r, LLVMValueRef function)
     }
 }
 
-void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *name))
+void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *name), int notes_stores)
 {
-    struct rewriting r = {
-        .module = module, .context = LLVMGetModuleContext(module), .is_in_a_library = is_in_a_library};
+    struct rewriting r = {.module = module,
+                          .context = LLVMGetModuleContext(module),
+                          .is_in_a_library = is_in_a_library,
+                          .notes_stores = notes_stores};
     r.build = LLVMCreateBuilderInContext(r.context);
     r.i1 = LLVMInt1TypeInContext(r.context);
     r.i8 = LLVMInt8TypeInContext(r.context);

@@ -1,5 +1,6 @@
 /* run.c -- see run.h.  The child shares the outcome with its parent, and nothing else. */
 #include "exact/code/orders.h"
+#include "exact/code/stores.h"
 #include "exact/code/value.h"
 #include "exact/number/recorder.h"
 #include "exact/record/trace.h"
@@ -182,18 +183,23 @@ static enum cagd_code_answer same(cagd_code_value a, cagd_code_value b)
     return sign != 0 ? CAGD_CODE_DIFFERENT : CAGD_CODE_UNKNOWN;
 }
 
+struct cagd_code_result *cagd_code_expect_one(const char *name, long count, long index, double got, double wanted)
+{
+    cagd_code_value a = cagd_code_value_of(got), b = cagd_code_value_of(wanted);
+    struct cagd_code_result *r = tell(name, count, index, a);
+    r->wanted = cagd_code_keep(cagd_code_text(b));
+    if (r->got_field != NULL)
+        r->wanted_field = told_function(b);
+    r->same = same(a, b);
+    if (r->same == CAGD_CODE_EQUAL && cagd_trace_noting() && !a.special)
+        cagd_trace_same(cagd_node_of_f(cagd_code_function(a)), cagd_node_of_f(cagd_code_function(b)), 1);
+    return r;
+}
+
 void cagd_code_expect(const char *name, long count, const double *got, const double *wanted)
 {
-    for (long k = 0; k < count; k++) {
-        cagd_code_value a = cagd_code_value_of(got[k]), b = cagd_code_value_of(wanted[k]);
-        struct cagd_code_result *r = tell(name, count, k, a);
-        r->wanted = cagd_code_keep(cagd_code_text(b));
-        if (r->got_field != NULL)
-            r->wanted_field = told_function(b);
-        r->same = same(a, b);
-        if (r->same == CAGD_CODE_EQUAL && cagd_trace_noting() && !a.special)
-            cagd_trace_same(cagd_node_of_f(cagd_code_function(a)), cagd_node_of_f(cagd_code_function(b)), 1);
-    }
+    for (long k = 0; k < count; k++)
+        cagd_code_expect_one(name, count, k, got[k], wanted[k]);
 }
 
 /* ---- the process ------------------------------------------------------------------------------------- */
@@ -278,6 +284,8 @@ _Noreturn static void run_here(const struct cagd_code_program *p, const struct c
     memcpy(&entry, &symbol, sizeof entry);
     entry();
     keep_trace();
+    if (job->numbers == CAGD_CODE_RATIONAL)
+        cagd_code_tell_apart();
     fflush(NULL);
     cagd_code_machine.outcome->end = CAGD_CODE_FINISHED;
     _exit(0);

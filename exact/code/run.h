@@ -24,6 +24,7 @@ struct cagd_code_job {
     int certify; /* in the field: note the operations, for others to do them again */
     int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
     int no_root_variables; /* in the field such a root is refused: it is wanted as an interval          */
+    int memcpy_moves;      /* memcpy between pieces that overlap does what memmove does; else it is refused */
     int inputs;
     const struct cagd_code_input *input;
     long most_values, most_bits, most_seconds, most_megabytes; /* 0: as usual                      */
@@ -67,6 +68,15 @@ struct cagd_code_result {
     double in_order[CAGD_CODE_ORDERS];    /* with rounding: the error in ulps with the sums in another order    */
     const char *worst_line;               /* "file:line" where most of the error arises, or NULL               */
     double worst_part;                    /* that line's part of the sum of the amounts, 0 to 1                */
+    long stored;                          /* a known intermediate value: the which number stored it was; else 0 */
+    const char *variable;                 /* and into what, or ""                                              */
+};
+
+/* The first number that a variable does not get in two versions of a calculation: its `time`-th, by line `place` and `other_place`. */
+struct cagd_code_apart {
+    const char *name;
+    long time;
+    const char *place, *other_place, *got, *other_got;
 };
 
 struct cagd_code_outcome {
@@ -81,6 +91,9 @@ struct cagd_code_outcome {
     unsigned long long path;                /* two runs that decided alike have the same              */
     long operations, decided_otherwise;     /* the latter: comparisons that rounding turned           */
     struct cagd_code_place turned;          /* the first of them                                      */
+    long overlapping;                       /* calls of memcpy between pieces that overlap                     */
+    const struct cagd_code_apart *apart;    /* where stores were noted; else, or where nothing is apart, NULL    */
+    char overlapping_at[300];               /* "file:line" of the first of them                                */
 };
 
 struct cagd_code_program;

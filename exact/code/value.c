@@ -94,6 +94,13 @@ void cagd_code_values_open(void)
 int cagd_code_is_one(uint64_t bits) { return bits >> 32 == TAG && (uint32_t)bits < used; }
 int cagd_code_is_single(uint32_t bits) { return bits >= SINGLE_TAG && bits - SINGLE_TAG < used_singles; }
 
+int cagd_code_was_computed(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits != NEVER_MADE && bits != NEVER_FILLED;
+}
+
 static void refuse_never_computed(uint64_t bits)
 {
     if (bits == NEVER_MADE || bits == NEVER_FILLED)

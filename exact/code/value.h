@@ -40,6 +40,7 @@ cagd_code_value cagd_code_value_of(double x); /* ends the run for a number that 
 double cagd_code_number(cagd_code_value v);   /* the double that carries it                                   */
 int cagd_code_is_one(uint64_t bits);          /* whether the bits are those of a number in the table          */
 int cagd_code_is_single(uint32_t bits);
+int cagd_code_was_computed(double x); /* not what stands in variables and memory before */
 
 cagd_code_value cagd_code_constant(cagd_num_q q);
 cagd_code_value cagd_code_integer(long n);
@@ -91,6 +92,9 @@ cagd_code_value cagd_code_whole(cagd_code_value a, enum cagd_code_rounding how);
 
 const char *cagd_code_text(cagd_code_value v);       /* at the point: "-3/7", "in [1.4, 1.5]", "inf"; in the region  */
 const char *cagd_code_field_text(cagd_code_value v); /* in the field                                               */
+
+/* One of the results "name[index]", of `count`, and what it should be: told, and compared. */
+struct cagd_code_result *cagd_code_expect_one(const char *name, long count, long index, double got, double wanted);
 
 /* Ends the run. */
 _Noreturn void cagd_code_stop(enum cagd_code_end end, const char *format, ...);

@@ -253,6 +253,77 @@ class Verdicts(Exactly):
         v = self.verdict(self.BLOCK % "x", "double f(double x, double y) { return x == y ? y : x; }", "code.c", "--points", "100")
         self.assertEqual((v["verdict"], v["paths"]), ("proved", 2))
 
+    def test_memcpy_between_pieces_that_overlap(self):
+        code = "#include <string.h>\ndouble f(double x, double y)\n{\n    double a[3] = {0, x, y};\n    memcpy(a, a + 1, 2 * sizeof *a);\n    return a[0] - a[1];\n}\n"
+        v = self.verdict(self.BLOCK % "x - y", code)
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertRegex(v["because"], r"memcpy of 16 bytes to 8 bytes before, which overlap, at \S*code\.c:5 in f")
+        moves = self.BLOCK.replace(":call:", ":memcpy: moves\n:call:") % "x - y"
+        v = self.verdict(moves, code)
+        self.assertEqual(v["verdict"], "proved")
+        self.assertRegex(v["memcpy_overlaps"], r"code\.c:5$")
+        self.assertRegex(run(self.harness(moves, code)).stdout, r"memcpy does what memmove does between pieces that overlap, first at\s")
+        apart = "#include <string.h>\ndouble f(double x, double y)\n{\n    double a[4] = {0, 0, x, y};\n    memcpy(a, a + 2, 2 * sizeof *a);\n    return a[0] - a[1];\n}\n"
+        self.assertNotIn("memcpy_overlaps", self.verdict(moves, apart))
+
+    HORNER = """static double c[3];
+double f(double x, double y)
+{
+    double s = y, *p = c;
+    for (int i = 0; i < 3; i++) {
+        s = s * x;
+        s += i;
+        p[i] = s;
+    }
+    return s;
+}
+"""
+
+    def known(self, wrong, *lines):
+        code = self.HORNER.replace("s += i;", "s += i * i;") if wrong else self.HORNER
+        block = self.BLOCK.replace(":call:", ":call: double W[3] = {y * x, (y * x) * x + 1, ((y * x) * x + 1) * x + 2};\n:call:")
+        return (block % "((y * x) * x + 1) * x + 2").replace(":expect:", "".join(f":known: {line}\n" for line in lines) + ":expect:"), code
+
+    def test_the_first_known_value_that_is_wrong_is_told(self):
+        block, code = self.known(True, "code.c:8[3] = W", "code.c:7[2] = W", "code.c:6 = y * x")
+        v = self.verdict(block, code)
+        self.assertEqual((v["verdict"], v["first_wrong"]["place"], v["first_wrong"]["variable"]), ("differs", "code.c:8[2]", "p"))
+        x, y = (F(v["point"][name][0]) for name in "xy")
+        self.assertEqual(F(v["first_wrong"]["value"]) - F(v["first_wrong"]["known"]), 2)
+        self.assertEqual(F(v["first_wrong"]["known"]), ((y * x) * x + 1) * x + 2)
+        block, code = self.known(True, "code.c:8[3] = W", "code.c:7[3] = W")  # line 7 comes first
+        v = self.verdict(block, code)
+        self.assertEqual((v["first_wrong"]["place"], v["first_wrong"]["variable"]), ("code.c:7[2]", "s"))
+        self.assertRegex(run(self.harness(block, code)).stdout, r"first wrong +s at code\.c:7\[2\] is \S+; known is \S+\n")
+
+    def test_known_values_are_proved_like_others(self):
+        block, code = self.known(False, "code.c:8[3] = W", "code.c:4 = y")
+        self.assertEqual(self.verdict(block, code)["verdict"], "proved")
+        block, code = self.known(False, "code.c:7 = y * x + 1")  # wrongly known: the result is right
+        v = self.verdict(block, code)
+        self.assertEqual((v["verdict"], v["first_wrong"]["place"]), ("differs", "code.c:7"))
+        block, code = self.known(False, "code.c:8[4] = W")
+        v = self.verdict(block, code)
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertIn("code.c:8 puts 3 numbers into variables on this way; 4 are known", v["because"])
+
+    def test_where_two_versions_go_apart_is_told(self):
+        code = self.HORNER + self.HORNER.replace("s += i;", "s += i * i;").replace("double f", "double g").replace("static double c[3];", "")
+        block = self.BLOCK.replace("f(double, double);", "f(double, double); double g(double, double);")
+        v = self.verdict(block % "g(x, y)", code)
+        self.assertEqual(v["verdict"], "differs")
+        apart = v["first_apart"]
+        self.assertEqual((apart["variable"], apart["time"], apart["place"], apart["other_place"]), ("s", 7, "code.c:7", "code.c:18"))
+        self.assertEqual(F(apart["other_value"]) - F(apart["value"]), 2)
+        self.assertNotIn("first_apart", self.verdict(block % "x", code), "nothing to compare with")
+
+    def test_numbers_in_floats_are_known_too(self):
+        code = "double f(double x, double y)\n{\n    float a;\n    a = x;\n    a = a * y;\n    return a + 1;\n}\n"
+        block = (self.BLOCK % "x * y").replace(":expect:", ":known: code.c:5 = x * y\n:expect:")
+        v = self.verdict(block, code)
+        self.assertEqual([r["answer"] for r in v["results"]], ["equal", "different"])
+        self.assertNotIn("first_wrong", v)
+
     def test_refusals_name_the_line(self):
         v = self.verdict(self.BLOCK % "x", "#include <math.h>\ndouble f(double x, double y)\n{\n    return tgamma(x);\n}\n")
         self.assertEqual(v["verdict"], "undecided")
@@ -358,6 +429,11 @@ class Mistakes(Exactly):
 
     def test_the_good_one(self):
         self.assertEqual(self.verdict(self.GOOD)["verdict"], "proved")
+
+    def test_what_is_known_has_a_line(self):
+        block = Verdicts.BLOCK.replace(":call:", ":known: %s\n:call:", 1)
+        for known in ["code.c = 1", "code.c:x = 1", ":3 = 1", "code.c:3[0] = x", "code.c:3 + 1 = x"]:
+            self.refused(block % (known, "x"), "FILE:LINE = what that line puts into a variable")
 
     def test_lines(self):
         for words, wrong in [

@@ -1,6 +1,6 @@
 """Faults planted in copies of a library that others wrote: is each one found that changes the mathematics?  Not a test: see foreign.py.
 
-    python3 faults.py CAGD CAGD-COMPILE-EXACTLY FOLDER [COUNT]
+    python3 faults.py CAGD CAGD-COMPILE-EXACTLY FOLDER [COUNT [SEED [FILE]]]
 
 In FOLDER/exactly, copies of source files of SISL get one fault each: an operator, a comparison, an index or a constant is another one, in
 a line that runs.  Who says what a fault changes is apart from what is tried: gcc compiles the copy and the original, and both run in
@@ -17,9 +17,9 @@ import sys
 
 import foreign
 
-SEED, POINTS, WORST = 1, 3000, 1e-6
+SEED, POINTS, WORST = 1, 3000, 1e-6  # the seed is that of the points; faults are chosen by the one that is asked for
 # Which row asks for which file: small ones, that each use all of it that they can.
-PLANTED = {"s1219.c": ["s1221_degree_2", "s1220_degree_2"], "s1220.c": ["s1220_degree_2", "s1221_degree_3"], "s1221.c": ["s1221_degree_2"],
+PLANTED = {"s1219.c": ["s1219_from_0", "s1219_from_3", "s1219_from_5"], "s1220.c": ["s1220_degree_2", "s1221_degree_3"], "s1221.c": ["s1221_degree_2"],
            "s1227.c": ["s1227_degree_2"], "s6ratder.c": ["s1221_rational_degree_1"], "s1018.c": ["s1018_degree_2"]}
 FAULTS = [(r" \+ | \+(?=\w)", " - "), (r"(?<=[\w\)\]]) ?- ?(?=\w)", " + "), (r"(?<=[\w\)\]]) ?\* ?(?=[\w(])", " + "), (r"(?<=[\w\)\]]) ?/ ?(?=[\w(])", " * "),
           (r"<=", "<"), (r"(?<=\w) ?< ?(?=\w)", " <= "), (r">=", ">"), (r"==", "!="), (r"\+=", "-="), (r"\*=", "/="),
@@ -179,15 +179,18 @@ def try_fault(shop, rows, natives, number, name, fault):
 
 
 def main():
-    shop, count, chance = Shop(*sys.argv[1:4]), int(sys.argv[4]) if len(sys.argv) > 4 else 60, random.Random(SEED)
-    rows = {r.name: r for r in foreign.sisl_rows()}
-    natives = {n: Native(shop, rows[n], shop.native_archive()) for names in PLANTED.values() for n in names}
+    shop, count = Shop(*sys.argv[1:4]), int(sys.argv[4]) if len(sys.argv) > 4 else 60
+    chance = random.Random(int(sys.argv[5]) if len(sys.argv) > 5 else SEED)
+    planted = {name: asked for name, asked in PLANTED.items() if name in sys.argv[6:] or len(sys.argv) <= 6}
+    rows = {r.name: r for r in [*foreign.search_rows(), *foreign.sisl_rows()]}
+    natives = {n: Native(shop, rows[n], shop.native_archive()) for names in planted.values() for n in names}
     waiting = []
-    for name, asked in PLANTED.items():
+    for name, asked in planted.items():
         source = shop.unpacked("sisl") / "src" / name
         for n in asked:
             natives[n].run_original(source)
-        some = list(faults(source.read_text(errors="replace"), shop.lines_that_run(name, natives[asked[0]])))
+        run = set().union(*(shop.lines_that_run(name, natives[n]) for n in asked))
+        some = list(faults(source.read_text(errors="replace"), run))
         chance.shuffle(some)
         waiting.append([(name, fault) for fault in some])
     # one of each file in turn

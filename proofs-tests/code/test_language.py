@@ -103,6 +103,12 @@ class Language(unittest.TestCase):
     def test_cpp(self):
         self.exact("cpp.cc", flags=["-std=c++17"])
 
+    def test_further(self):
+        self.exact("further.c", flags=["-std=c17"])
+
+    def test_further_cpp(self):
+        self.exact("further.cc", flags=["-std=c++17"])
+
     def test_several_files_and_an_archive(self):
         folder = pathlib.Path(self.folder.name)
         tools = subprocess.run([COMPILER, "--tools"], capture_output=True, text=True, check=True).stdout.strip()
@@ -124,8 +130,8 @@ class Language(unittest.TestCase):
         for level in ["-O1", "-O2", "-O3"]:
             subprocess.run([tools + "/clang", level, "-march=x86-64-v3", "-g", "-fPIC", "-c", "-emit-llvm",
                             FOLDER / "optimised.c", "-o", folder / "optimised.bc"], check=True)
-            self.assertEqual([answer for _, answer in self.lines("rational", "optimised_calls.c", folder / "optimised.bc")],
-                             ["run_o_dot: 1/3", "run_o_horner: 271/81", "run_o_largest: 5/7", "run_o_every: 263/12"], level)
+            with self.subTest(level):
+                self.exact("optimised_calls.c", folder / "optimised.bc")
 
     def test_field(self):
         places = [(F(2, 3), F(-5, 7)), (F(7, 11), F(-13, 17)), (F(19, 23), F(-29, 31))]

@@ -54,6 +54,8 @@ with tempfile.TemporaryDirectory() as folder:
     horner = "64/147 p[0]*t^2-2*p[0]*t+p[0]-2*p[1]*t^2+2*p[1]*t+p[2]*t^2\n"
     if compiles:
         assert sh(str(by_cmake / "exactly_in_twenty_lines"), str(curves), env=with_path) == horner
+        page = str(prefix / "share/cagd/exactly/README.md")  # as it lies there, beside its code
+        assert "\nproved: equal for all values" in sh(str(prefix / "bin/cagd"), "exactly", page, "--only", "horner_is_casteljau"), page
         python = ("from cagd_exactly import Code\nfrom fractions import Fraction as F\n"
                   f"code = Code(source='{curves}', declare='double horner(int n, const double *p, double t);', input='p[3]; t',\n"
                   "            call='double R = horner(2, p, t);', output='R')\n"

@@ -20,6 +20,9 @@ double largest(int n, const double *a)
         m = a[i] > m ? a[i] : m;
     return m;
 }
+struct three { double x[3]; };
+void assign(struct three *to, const struct three *from);
+void assign(struct three *to, const struct three *from) { *to = *from; }
 void scale(int n, double *restrict a, double x)
 {
     for (int i = 0; i < n; i++)
