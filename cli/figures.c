@@ -29,7 +29,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case ARGP_KEY_END:
         if (a->list && a->out != NULL)
-            argp_error(state, "--list writes nothing: --out does not go with it");
+            refuse_call(state->name, "--list writes nothing: --out does not go with it");
         break;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -44,7 +44,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'S': {
         char *slash = strchr(arg, '/');
         if (slash == NULL)
-            argp_error(state, "--shard takes K/N, such as 1/4, not '%s'", arg);
+            refuse_call(state->name, "--shard takes K/N, such as 1/4, not '%s'", arg);
         *slash = '\0';
         a->shards = whole_number(state, "--shard K/N: N", slash + 1, 1, 1000);
         a->shard = whole_number(state, "--shard K/N: K", arg, 1, a->shards);
@@ -52,9 +52,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     }
     case ARGP_KEY_END:
         if (a->report != NULL && (a->asked.patterns.count > 0 || a->shards > 1))
-            argp_error(state, "--report is about every statement: it takes no PATTERN and no --shard");
+            refuse_call(state->name, "--report is about every statement: it takes no PATTERN and no --shard");
         if (a->asked.json && a->tap)
-            argp_error(state, "one format at a time: --json or --tap?");
+            refuse_call(state->name, "one format at a time: --json or --tap?");
         break;
     default:
         return ARGP_ERR_UNKNOWN;
