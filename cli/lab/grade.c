@@ -233,6 +233,48 @@ static int find(struct class *c)
     return 0;
 }
 
+/* Whether what is at the path is where the submissions are. */
+static int holds_submissions(const struct class *c, const char *path)
+{
+    struct stat here, there;
+    return stat(c->submissions, &here) == 0 && stat(path, &there) == 0 && here.st_dev == there.st_dev &&
+           here.st_ino == there.st_ino;
+}
+
+/* Every student has one submission, and a folder of one's own for the result, which is none that is read. */
+static int check_students(const struct class *c)
+{
+    char student[300], before[300] = "", path[LAB_MOST_PATH + 400];
+    char **sorted = malloc((size_t)(c->count + 1) * sizeof *sorted);
+    int status = 0;
+    if (sorted == NULL)
+        abort();
+    /* Sorted by the students: "a.c" and "a" need not stand together among the names, for "a-b" is between them. */
+    for (int k = 0; k < c->count; k++) {
+        student_of(c, c->name[k], student);
+        if ((sorted[k] = strdup(student)) == NULL)
+            abort();
+    }
+    qsort(sorted, (size_t)c->count, sizeof *sorted, by_name);
+    for (int k = 0; k < c->count; k++) {
+        snprintf(path, sizeof path, "%s/%s", c->out, sorted[k]);
+        if (status == 0 && k > 0 && strcmp(sorted[k], before) == 0) {
+            fprintf(stderr, "cagd: %s: '%s%s' and '%s' are two submissions of one student; leave one of them\n",
+                    c->submissions, sorted[k], strrchr(c->lab->file, '.'), sorted[k]);
+            status = -1;
+        } else if (status == 0 && holds_submissions(c, path)) {
+            fprintf(stderr, "cagd: --out %s: the results of '%s' would go to the submissions; choose another folder\n",
+                    c->out, sorted[k]);
+            status = -1;
+        }
+        snprintf(before, sizeof before, "%s", sorted[k]);
+    }
+    for (int k = 0; k < c->count; k++)
+        free(sorted[k]);
+    free(sorted);
+    return status;
+}
+
 static int write_tables(const struct class *c, json_t *all)
 {
     char path[LAB_MOST_PATH + 64];
@@ -309,7 +351,7 @@ int lab_grade(const struct lab *lab, const char *submissions, const char *out, i
         abort();
     *c = (struct class){.lab = lab, .submissions = submissions, .out = out};
     int missing = 0, code = EXIT_USAGE;
-    if (find(c) == 0 && make_folder(out) == 0) {
+    if (find(c) == 0 && check_students(c) == 0 && make_folder(out) == 0) {
         forget_earlier(c);
         fflush(NULL);
         for (int k = 0; k < jobs && k < c->count; k++)
