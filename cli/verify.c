@@ -212,6 +212,7 @@ struct certificates {
     const claim_result *results;
     struct recorded *recorded;
     atomic_int bad;
+    int unwritten;
 };
 
 static void write_certificate(void *context, int k)
@@ -222,7 +223,7 @@ static void write_certificate(void *context, int k)
     char path[4096], *text = certificate_of_claim(&c->results[k], &c->recorded[k].count, c->recorded[k].cases);
     snprintf(path, sizeof path, "%s/claims/%s.json", c->folder, c->results[k].claim->name);
     digest_of_text(text, c->recorded[k].digest);
-    if (write_text_file(path, text) != 0)
+    if (write_text_in_turn(path, text, &c->unwritten) != 0)
         c->bad = 1;
     free(text);
 }

@@ -419,6 +419,47 @@ class Places(Case):
         self.refuses("verify", NAME, "--certificates", disk / "new", words=["Read-only file system; choose another"])
         self.assertEqual(sorted((p.name, p.lstat().st_ino, p.read_bytes()) for p in disk.iterdir()), before)
 
+    def test_every_command_on_a_full_disk(self):
+        """Nothing that existed is lost, one line says where no room is, and the exit code is that of a failure on the way."""
+        disk, answers = self.folder / "disk", self.folder / "answers"
+        disk.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(disk)], capture_output=True).returncode != 0:
+            self.skipTest("nothing can be mounted here")
+        self.addCleanup(lambda: subprocess.run(["umount", str(disk)], check=True))
+        answers.mkdir()
+        for name in "ann", "bob", "cy":
+            shutil.copy(ROOT / "chapters/labs/de-casteljau/right/iterative.c", answers / f"{name}.c")
+            (disk / "results" / name).mkdir(parents=True)
+            for kept in "result.json", "results.json", "page.html":
+                (disk / "results" / name / kept).write_text(f"{kept} of {name}")
+        for name in "old.svg", "old.csv", "old.json", "old.xml", "results/results.csv", "results/manifest.json", "results/envelope_extra.svg":
+            (disk / name).write_text("kept")
+        (disk / "fill").touch()
+        with self.assertRaises(OSError), open(disk / "fill", "wb", buffering=0) as fill:
+            while True:
+                fill.write(bytes(4096))
+
+        def kept():
+            return sorted((str(p), p.read_bytes()) for p in disk.rglob("*") if p.is_file())
+        before, example = kept(), ROOT / "cli/check/example.md"
+        commands = [["verify", NAME, "--certificates", disk / "results"], ["verify", "elevation_*", "--certificates", disk / "new"], ["verify", NAME, "--junit", disk / "old.xml"],
+                    ["figures", "envelope_extra", "--out", disk / "results"], ["figures", "envelope_*", "--out", disk / "new"],
+                    ["fit", ARCH, "--svg", disk / "old.svg"], ["fit", ARCH, "--residuals", disk / "old.csv"], ["fit", ARCH, "--curve", disk / "old.json"],
+                    ["check", ROOT / "cli/check/basis.md", "--svg", disk / "old.svg"], ["check", example, "--certificates", disk / "results"],
+                    ["check", example, "--junit", disk / "old.xml"], ["exactly", ROOT / "exact/code/example/README.md", "--certificates", disk / "results"],
+                    ["lab", "start", "de-casteljau", disk / "mine"]]
+        if shutil.which("bwrap"):
+            commands += [["lab", "grade", answers, "--lab", "de-casteljau", "--out", disk / out] for out in ("results", "anew")]
+        for args in commands:
+            with self.subTest(args=args):
+                r = run(*args)
+                self.assertEqual((r.returncode, len(r.stderr.splitlines())), (3, 1), r.stderr)
+                self.assertRegex(r.stderr, rf"^cagd: {disk}/\S+: No space left on device; (what was there is unchanged|nothing was left there); make room")
+                self.assertEqual(kept(), before)
+        r = run("lab", "new", "mine2", cwd=disk)
+        self.assertEqual((r.returncode, len(r.stderr.splitlines())), (3, 1), r.stderr)
+        self.assertEqual(kept(), before)
+
 
 class Labs(Case):
     """Folders that a lab is written to, and those that it is read from."""
