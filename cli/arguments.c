@@ -1,5 +1,5 @@
 /* arguments.c -- how the arguments of a command are parsed: its own options, and those that commands share. */
-#include "cli/command.h"
+#include "cli/options.h"
 #include "cli/output.h"
 #include "cli/terminal.h"
 
@@ -7,11 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static const struct argp_option json_row[] = {
-    {"json", 'J', 0, 0, "Print JSON, with a field \"schema\" that names its format", -2}, {0}};
-static const struct argp_option jobs_row[] = {{"jobs", 'j', "N", 0, "Threads (default: one for each processor)", -2},
-                                              {0}};
 
 static error_t parse_shared(int key, char *arg, struct argp_state *state)
 {
@@ -22,6 +17,12 @@ static error_t parse_shared(int key, char *arg, struct argp_state *state)
         return 0;
     case 'j':
         a->jobs = whole_number(state, "--jobs", arg, 1, 64);
+        return 0;
+    case '?':
+        argp_state_help(state, state->out_stream, ARGP_HELP_STD_HELP);
+        return 0;
+    case KEY_USAGE:
+        argp_state_help(state, state->out_stream, ARGP_HELP_USAGE | ARGP_HELP_EXIT_OK);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -39,13 +40,6 @@ enum { MOST_GIVEN = 16 };
 static struct given given[MOST_GIVEN];
 static int files_given;
 
-int is_written_file(const struct argp_option *row) { return row->arg != NULL && strcmp(row->arg, "FILE") == 0; }
-int is_written_folder(const struct argp_option *row) { return row->arg != NULL && strcmp(row->arg, "DIR") == 0; }
-int is_read_file(const struct argp_option *row)
-{
-    return row->arg != NULL && strchr(row->arg, '.') != NULL && strstr(row->arg, "...") == NULL;
-}
-
 /* Notes the file that the option names, if it names one; one file an option. */
 static void note_file(const struct argp_option *row, const char *path, struct argp_state *state)
 {
@@ -53,7 +47,7 @@ static void note_file(const struct argp_option *row, const char *path, struct ar
         return;
     for (int k = 0; k < files_given; k++)
         if (given[k].row == row)
-            argp_error(state, "--%s is given twice: '%s' or '%s'?", row->name, given[k].path, path);
+            refuse_call(state->name, "--%s is given twice: '%s' or '%s'?", row->name, given[k].path, path);
     if (files_given < MOST_GIVEN)
         given[files_given++] = (struct given){row, path};
 }
@@ -96,6 +90,13 @@ static void promise_files(const struct asked *a)
 
 /* ---- arguments --------------------------------------------------------------------------------------- */
 
+static error_t parse_none(int key, char *arg, struct argp_state *state)
+{
+    if (key == ARGP_KEY_ARG)
+        refuse_call(state->name, "takes options only, not '%s'; leave it out", arg);
+    return ARGP_ERR_UNKNOWN;
+}
+
 static error_t parse_patterns(int key, char *arg, struct argp_state *state)
 {
     (void)arg;
@@ -112,18 +113,18 @@ static error_t parse_file(int key, char *arg, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_ARG:
         if (a->path != NULL)
-            argp_error(state, "one file at a time: '%s' or '%s'?", a->path, arg);
+            refuse_call(state->name, "one file at a time: '%s' or '%s'?", a->path, arg);
         a->path = arg;
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "expected the file of %s", a->command->file);
+        refuse_call(state->name, "expected the file of %s", a->command->file);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
 }
 
-enum { PARTS = 4 };
+enum { PARTS = 5 };
 
 /* Every part is given the same input, the arguments of the command. */
 static error_t give_input(int key, char *arg, struct argp_state *state)
@@ -155,22 +156,29 @@ void parse_arguments(const struct call *call, struct asked *a)
 {
     static const struct argp json = {.options = json_row, .parser = parse_shared};
     static const struct argp jobs = {.options = jobs_row, .parser = parse_shared};
-    static const struct argp none = {0}, names = {.parser = parse_patterns}, file = {.parser = parse_file};
-    static const struct argp *const arguments[] = {
-        [NO_ARGUMENTS] = &none, [CLAIM_NAMES] = &names, [FIGURE_NAMES] = &names, [FILE_NAME] = &file, [WORDS] = &names};
+    static const struct argp help = {.options = help_rows, .parser = parse_shared};
+    static const struct argp none = {0}, alone = {.parser = parse_none}, names = {.parser = parse_patterns},
+                             file = {.parser = parse_file};
+    static const struct argp *const arguments[] = {[NO_ARGUMENTS] = &alone,
+                                                   [CLAIM_NAMES] = &names,
+                                                   [FIGURE_NAMES] = &names,
+                                                   [FILE_NAME] = &file,
+                                                   [WORDS] = &names};
     const struct command *c = call->command;
     const struct argp own = {.options = c->options, .parser = parse_own};
     const struct argp_child parts[PARTS + 1] = {{.argp = &own},
                                                 {.argp = c->shared & TAKES_JSON ? &json : &none},
                                                 {.argp = c->shared & TAKES_JOBS ? &jobs : &none},
+                                                {.argp = &help},
                                                 {.argp = arguments[c->arguments]}};
     const struct argp whole = {.parser = give_input, .args_doc = c->usage, .doc = c->text, .children = parts};
     files_given = 0;
     a->command = c;
     a->jobs = processors();
     fit_help_to_screen();
+    check_options(call);
     argp_err_exit_status = EXIT_USAGE;
-    int refused = argp_parse(&whole, call->argc, call->argv, 0, NULL, a);
+    int refused = argp_parse(&whole, call->argc, call->argv, ARGP_NO_HELP, NULL, a);
     if (refused == ENOMEM)
         abort();
     if (refused != 0)
@@ -183,17 +191,6 @@ int whole_number(struct argp_state *state, const char *option, const char *text,
     char *end;
     long value = strtol(text, &end, 10);
     if (*text == '\0' || *end != '\0' || value < low || value > high)
-        argp_error(state, "%s takes a whole number from %d to %d, not '%s'", option, low, high, text);
+        refuse_call(state->name, "%s takes a whole number from %d to %d, not '%s'", option, low, high, text);
     return (int)value;
-}
-
-void visit_options(const struct command *c, void (*visit)(void *context, const struct argp_option *row), void *context)
-{
-    for (const struct argp_option *row = c->options; row != NULL && row->name != NULL; row++)
-        if (!(row->flags & OPTION_HIDDEN))
-            visit(context, row);
-    if (c->shared & TAKES_JSON)
-        visit(context, json_row);
-    if (c->shared & TAKES_JOBS)
-        visit(context, jobs_row);
 }

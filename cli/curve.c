@@ -28,9 +28,10 @@ struct arguments {
 static void act(struct argp_state *state, struct arguments *a, enum action action)
 {
     if (a->action != DESCRIBE && (a->action != action || action == SPLIT))
-        argp_error(state,
-                   "one change at a time: of --insert, --remove, --elevate, --reduce, --split and --bezier only one is "
-                   "possible (--insert and --remove may be repeated)");
+        refuse_call(
+            state->name,
+            "one change at a time: of --insert, --remove, --elevate, --reduce, --split and --bezier only one is "
+            "possible (--insert and --remove may be repeated)");
     a->action = action;
 }
 
@@ -43,7 +44,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'r':
     case 's':
         if (a->parameters + a->knots >= MOST_PARAMETERS)
-            argp_error(state, "at most %d parameters and knots", MOST_PARAMETERS);
+            refuse_call(state->name, "at most %d parameters and knots", MOST_PARAMETERS);
         if (key == 't') {
             a->at[a->parameters++] = exact_number(state, "--at", arg);
             break;
@@ -74,16 +75,16 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case ARGP_KEY_END:
         if (a->action != DESCRIBE && (a->parameters > 0 || a->file != NULL))
-            argp_error(state, "--at belongs to the curve as it is; the changed curve can be read again");
+            refuse_call(state->name, "--at belongs to the curve as it is; the changed curve can be read again");
         if (a->parameters == 0 && a->file == NULL && (a->derivatives > 0 || a->left || a->csv))
-            argp_error(state, "%s is about the points of --at or --at-file, and none is given",
-                       a->derivatives > 0 ? "--derivatives"
-                       : a->left          ? "--left"
-                                          : "--csv");
+            refuse_call(state->name, "%s is about the points of --at or --at-file, and none is given",
+                        a->derivatives > 0 ? "--derivatives"
+                        : a->left          ? "--left"
+                                           : "--csv");
         if (a->csv && a->asked.json)
-            argp_error(state, "one format at a time: --csv or --json?");
+            refuse_call(state->name, "one format at a time: --csv or --json?");
         if (a->file != NULL && a->asked.path != NULL && strcmp(a->file, "-") == 0 && strcmp(a->asked.path, "-") == 0)
-            argp_error(state, "standard input has either the curve or the parameters");
+            refuse_call(state->name, "standard input has either the curve or the parameters");
         break;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -1,5 +1,6 @@
 /* curve_json.c -- curves and numbers as files have them. */
 #include "cli/curve_json.h"
+#include "cli/command.h"
 #include "core/number/limits.h"
 #include "exact/words.h"
 
@@ -237,7 +238,8 @@ static char *read_file(const struct reading *r, const char *path, size_t *length
         if (bad)
             refuse(r, "", "%s", strerror(cause));
         else
-            refuse(r, "", "more than %zu bytes, the largest size that is read; expected the file of a curve", MOST_BYTES);
+            refuse(r, "", "more than %zu bytes, the largest size that is read; expected the file of a curve",
+                   MOST_BYTES);
         return NULL;
     }
     text[had] = '\0';
@@ -323,7 +325,8 @@ num_q exact_number(struct argp_state *state, const char *option, const char *tex
     unsigned before = region_faults;
     num_q a = from_string_q(text);
     if (region_faults != before)
-        argp_error(state, "%s takes a number such as 3/7, 0.1 or 0x1.8p-3, with an exponent up to 99999, not '%s'",
-                   option, text);
+        refuse_call(state->name,
+                    "%s takes a number such as 3/7, 0.1 or 0x1.8p-3, with an exponent up to 99999, not '%s'", option,
+                    text);
     return a;
 }

@@ -29,7 +29,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case ARGP_KEY_END:
         if (a->list && a->out != NULL)
-            argp_error(state, "--list writes nothing: --out does not go with it");
+            refuse_call(state->name, "--list writes nothing: --out does not go with it");
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -41,6 +41,7 @@ struct work {
     const char *folder;
     const figure **list;
     atomic_int failed;
+    int unwritten;
 };
 
 /* Figure k, unless another one failed. */
@@ -56,7 +57,7 @@ static void draw(void *context, int k)
     const char *text = svg_text(s);
     if (text == NULL)
         fprintf(stderr, "cagd: figure '%s' cannot be drawn: %s\n", w->list[k]->name, svg_failed(s));
-    w->failed += text == NULL || write_text_file(path, text) != 0;
+    w->failed += text == NULL || write_text_in_turn(path, text, &w->unwritten) != 0;
     svg_free(s);
     region_drop(mark);
 }

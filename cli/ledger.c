@@ -29,7 +29,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case ARGP_KEY_END:
         if (a->asked.json + a->summary + (a->striking > 0) > 1)
-            argp_error(state, "one form at a time: --json, --summary or --striking?");
+            refuse_call(state->name, "one form at a time: --json, --summary or --striking?");
         break;
     default:
         return ARGP_ERR_UNKNOWN;

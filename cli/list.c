@@ -18,7 +18,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     (void)arg;
     struct arguments *a = state->input;
     if (key == ARGP_KEY_END && a->names && a->asked.json)
-        argp_error(state, "one form at a time: --json or --names?");
+        refuse_call(state->name, "one form at a time: --json or --names?");
     if (key != 'n')
         return ARGP_ERR_UNKNOWN;
     a->names = 1;

@@ -2,6 +2,7 @@
 #include "chapters/chapters.h"
 #include "cli/commands.h"
 #include "cli/memory.h"
+#include "cli/nearest.h"
 #include "cli/screen.h"
 
 #include <locale.h>
@@ -29,8 +30,12 @@ void print_help(FILE *out)
 
 static int unknown_command(const char *name)
 {
-    fprintf(stderr, "cagd: there is no command '%s'; expected", name);
+    struct nearest n = {.text = name};
     for (int k = 0; commands[k] != NULL; k++)
+        consider_name(&n, commands[k]->name);
+    fprintf(stderr, "cagd: there is no command '%s'; %s", name, n.name[0] == NULL ? "expected" : "");
+    put_nearest(stderr, &n, "");
+    for (int k = 0; n.name[0] == NULL && commands[k] != NULL; k++)
         fprintf(stderr, "%s %s", k == 0 ? "" : commands[k + 1] == NULL ? " or" : ",", commands[k]->name);
     fputs("\n", stderr);
     return EXIT_USAGE;

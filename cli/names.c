@@ -1,5 +1,6 @@
 /* names.c -- names as people type them. */
 #include "cli/names.h"
+#include "cli/nearest.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -193,75 +194,22 @@ void print_names(const cagd_register *r, const struct patterns *p)
     free(s), free(c);
 }
 
-/* ---- nearest names --------------------------------------------------------------------------------- */
+/* ---- what is meant --------------------------------------------------------------------------------- */
 
-/* Levenshtein's distance. */
-static int distance(const char *a, const char *b)
-{
-    size_t m = strlen(b);
-    int *row = must(calloc(m + 1, sizeof *row));
-    for (size_t j = 0; j <= m; j++)
-        row[j] = (int)j;
-    for (size_t i = 1; a[i - 1] != '\0'; i++) {
-        int diagonal = row[0];
-        row[0] = (int)i;
-        for (size_t j = 1; j <= m; j++) {
-            int change = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            int smallest = row[j] + 1 < row[j - 1] + 1 ? row[j] + 1 : row[j - 1] + 1;
-            row[j] = change < smallest ? change : smallest;
-        }
-    }
-    int d = row[m];
-    free(row);
-    return d;
-}
-
-enum { NEAREST = 3, LONGEST = 255 };
-struct near {
-    const char *text, *name[NEAREST];
-    int distance[NEAREST];
-};
-
-/* Near is what contains the text, or differs from it, or without its source, in a quarter of the letters at most and in
- * one more; among equals, what begins alike is nearer. */
 static void consider_near(void *context, const char *name, const char *title, const char *title_zh)
 {
-    enum { SHORTEST = 3 };
-    struct near *n = context;
-    const char *place = strchr(name, ':') != NULL ? strchr(name, ':') + 1 : name;
-    int length = (int)strlen(n->text), alike = 0;
-    int letters = distance(n->text, name), without = distance(n->text, place);
     (void)title, (void)title_zh;
-    if (without < letters)
-        letters = without;
-    if (length >= SHORTEST && strstr(name, n->text) != NULL)
-        letters = 1;
-    if (letters > length / 4 + 1 || letters >= length)
-        return;
-    while (alike < LONGEST && n->text[alike] != '\0' && n->text[alike] == name[alike])
-        alike++;
-    int d = letters * (LONGEST + 1) - alike;
-    for (int k = 0; k < NEAREST; k++)
-        if (n->name[k] == NULL || d < n->distance[k]) {
-            for (int j = NEAREST - 1; j > k; j--)
-                n->name[j] = n->name[j - 1], n->distance[j] = n->distance[j - 1];
-            n->name[k] = name, n->distance[k] = d;
-            return;
-        }
+    consider_name(context, name);
 }
-
-/* ---- what is meant --------------------------------------------------------------------------------- */
 
 static void complain(const cagd_register *r, const char *text, enum kind_of_name kind)
 {
-    struct near n = {.text = text};
+    struct nearest n = {.text = text};
     if (!is_glob(text))
         visit_names(r, kind, consider_near, &n);
     fprintf(stderr, "cagd: no %s %s '%s'; ", kind == FIGURES ? "figure" : "statement or claim",
             is_glob(text) ? "matches" : "is called", text);
-    for (int k = 0; k < NEAREST && n.name[k] != NULL; k++)
-        fprintf(stderr, "%s %s", k > 0 ? "," : "the nearest:", n.name[k]);
+    put_nearest(stderr, &n, "");
     for (const figure *f = r->figures; kind != FIGURES && f->name != NULL; f++)
         if (n.name[0] == NULL && strcmp(f->name, text) == 0) {
             fputs("it is a figure: cagd figures draws it\n", stderr);
@@ -275,6 +223,7 @@ static void complain(const cagd_register *r, const char *text, enum kind_of_name
 
 const char *name_meant_by(const cagd_register *r, const char *text, enum kind_of_name kind)
 {
+    enum { LONGEST = 255 };
     char end[LONGEST + 1];
     struct meant m = {.text = text}, titled = {.text = text};
     int formula = as_end_of_id(text, end, sizeof end);

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -282,6 +283,16 @@ int write_text_file(const char *path, const char *text)
         return -1;
     fputs(text, output_stream(o));
     return output_close(o);
+}
+
+int write_text_in_turn(const char *path, const char *text, int *failed)
+{
+    static pthread_mutex_t turn = PTHREAD_MUTEX_INITIALIZER;
+    pthread_mutex_lock(&turn);
+    *failed = *failed || write_text_file(path, text) != 0;
+    int status = *failed ? -1 : 0;
+    pthread_mutex_unlock(&turn);
+    return status;
 }
 
 int make_folder(const char *path)

@@ -16,6 +16,9 @@ FILE *output_stream(struct output *o);
 int output_close(struct output *o);
 void output_forget(void); /* what is not whole is taken away: in a handler, before the process ends */
 int write_text_file(const char *path, const char *text);
+/* The same where several threads write: one after the other, and none after one of them has failed, so that one line says it.
+ * *failed begins as 0 and is theirs together. */
+int write_text_in_turn(const char *path, const char *text, int *failed);
 int make_folder(const char *path); /* with its parents */
 
 /* What is to be done where writing failed for that cause, an errno, 0 if it is not known: "make room there, or " where that may

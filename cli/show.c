@@ -28,9 +28,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     if (key != ARGP_KEY_END)
         return ARGP_ERR_UNKNOWN;
     if (a->patterns.count == 0)
-        argp_error(state, "which id? for example wang-ch3:thm-3.3.2");
+        refuse_call(state->name, "which id? for example wang-ch3:thm-3.3.2");
     if (a->patterns.count > 1 && a->json)
-        argp_error(state, "--json shows one id at a time, not also '%s'", a->patterns.at[1]);
+        refuse_call(state->name, "--json shows one id at a time, not also '%s'", a->patterns.at[1]);
     return 0;
 }
 

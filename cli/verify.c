@@ -44,7 +44,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'S': {
         char *slash = strchr(arg, '/');
         if (slash == NULL)
-            argp_error(state, "--shard takes K/N, such as 1/4, not '%s'", arg);
+            refuse_call(state->name, "--shard takes K/N, such as 1/4, not '%s'", arg);
         *slash = '\0';
         a->shards = whole_number(state, "--shard K/N: N", slash + 1, 1, 1000);
         a->shard = whole_number(state, "--shard K/N: K", arg, 1, a->shards);
@@ -52,9 +52,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     }
     case ARGP_KEY_END:
         if (a->report != NULL && (a->asked.patterns.count > 0 || a->shards > 1))
-            argp_error(state, "--report is about every statement: it takes no PATTERN and no --shard");
+            refuse_call(state->name, "--report is about every statement: it takes no PATTERN and no --shard");
         if (a->asked.json && a->tap)
-            argp_error(state, "one format at a time: --json or --tap?");
+            refuse_call(state->name, "one format at a time: --json or --tap?");
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -212,6 +212,7 @@ struct certificates {
     const claim_result *results;
     struct recorded *recorded;
     atomic_int bad;
+    int unwritten;
 };
 
 static void write_certificate(void *context, int k)
@@ -222,7 +223,7 @@ static void write_certificate(void *context, int k)
     char path[4096], *text = certificate_of_claim(&c->results[k], &c->recorded[k].count, c->recorded[k].cases);
     snprintf(path, sizeof path, "%s/claims/%s.json", c->folder, c->results[k].claim->name);
     digest_of_text(text, c->recorded[k].digest);
-    if (write_text_file(path, text) != 0)
+    if (write_text_in_turn(path, text, &c->unwritten) != 0)
         c->bad = 1;
     free(text);
 }

@@ -73,9 +73,9 @@ FIGURE(bezier_patch)
         }
     for (int panel = 0; panel < 2; panel++) {
         svg_panel(s, window(r(-1, 2), q(-1), q(9), q(6)), 350, 0, panel ? "lines, and $P_u×P_w$" : "the net");
-        if (panel == 0)
-            put_net(s, 3, 2, P);
         put_surface(s, 3, 2, P, 8, SVG_CURVE, SVG_FAMILY);
+        if (panel == 0) /* the net is above the surface, and so in front of it */
+            put_net(s, 3, 2, P);
         for (int k = 0; k < 9 && panel == 1; k++)
             put_normal(s, 3, 2, P, r(k / 3 + 1, 4), r(k % 3 + 1, 4), r(1, 30), SVG_RIGHT);
     }

@@ -34,7 +34,7 @@ FIGURE(worked_table)
     svg_bezier(s, 3, b, SVG_CURVE);
     for (int k = 0; k < 7; k++)
         svg_mark(s, svg_pair(printed[k]), SVG_WRONG, SVG_USUAL);
-    svg_panel(s, window(q(-1), q(-18), q(7), q(14)), 340, 260, "printed minus exact, in thousandths");
+    svg_panel(s, window(r(-1, 4), q(-18), q(7), q(14)), 340, 260, "printed minus exact, in thousandths");
     svg_axes(s, q(0), q(5), "t", NULL);
     for (int k = 0; k < 7; k++) {
         char name[16];

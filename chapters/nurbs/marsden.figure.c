@@ -23,7 +23,7 @@ FIGURE(marsden_identity)
                   {{13, 5}, {6, 5}, SVG_NW},
                   {{6, 1}, {8, 3}, SVG_E},
                   {{28, 5}, {17, 2}, SVG_SE}};
-    svg_panel(s, window(r(-1, 2), q(-3), r(13, 2), q(17)), 440, 320, "$k=3$, $x=2$, simple knots");
+    svg_panel(s, window(q(0), q(-3), r(13, 2), q(17)), 440, 320, "$k=3$, $x=2$, simple knots");
     svg_axes(s, q(1), q(5), "t", NULL);
     for (int mu = p; mu < p + SPANS; mu++) {
         num_q sum[k] = {q(0), q(0), q(0)};

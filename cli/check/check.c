@@ -77,7 +77,7 @@ static int check_one(const struct document *d, const struct formula *s, struct r
     json_t *entry = finding_json(d, s, &found);
     if (to->list == NULL)
         print_finding_page(d, s, &found);
-    if (to->certificates != NULL) {
+    if (to->certificates != NULL && *to->code == EXIT_AS_EXPECTED) { /* where one could not be written, no others are */
         const char *name;
         if (certify_formula(to->certificates, d, s, &found, &name) != 0)
             *to->code = EXIT_INTERNAL;
@@ -207,12 +207,13 @@ static int check(const cagd_register *reg, const struct arguments *a)
         region_drop(mark);
     }
     to.list = sheets;
+    int uncertified = code;
     good &= check_sheets(a, &d, count > 0, &to, &code);
     good &= d.left_outs == 0;
     json_t *left_out = tell_left_out(&d, a->asked.json);
-    if (a->certificates != NULL && certify_end(&certificates) != 0)
-        code = EXIT_INTERNAL;
-    if (a->certificates != NULL && !a->asked.json)
+    if (a->certificates != NULL && uncertified == EXIT_AS_EXPECTED && certify_end(&certificates) != 0)
+        uncertified = code = EXIT_INTERNAL;
+    if (a->certificates != NULL && uncertified == EXIT_AS_EXPECTED && !a->asked.json)
         printf("\n\nCertificates of %d of %d statement%s in %s\n", to.certified, count, count == 1 ? "" : "s",
                a->certificates);
     if (to.junit != NULL && junit_write(to.junit, "cagd check", a->junit) != 0)

@@ -41,7 +41,7 @@ static double positive(struct argp_state *state, const char *option, const char 
 {
     double x = to_double_q(exact_number(state, option, text));
     if (!(x > 0) || !isfinite(x))
-        argp_error(state, "%s takes a number > 0, not '%s'", option, text);
+        refuse_call(state->name, "%s takes a number > 0, not '%s'", option, text);
     return x;
 }
 
@@ -58,7 +58,7 @@ static int parts(struct argp_state *state, const char *text)
         while (k < 3 && (strlen(part[k]) != n || strncmp(s, part[k], n) != 0))
             k++;
         if (k == 3)
-            argp_error(state, "--free takes a list of weights, inner and ends, or none, not '%s'", text);
+            refuse_call(state->name, "--free takes a list of weights, inner and ends, or none, not '%s'", text);
         else
             sum |= 1 << k;
         if (*(s += n) == '\0')
@@ -75,7 +75,7 @@ static void read_ends(struct argp_state *state, const char *text, struct fit_arg
     else if (strcmp(text, "measured") == 0)
         a->options.ends = CAGD_FIT_ENDS_MEASURED;
     else if (!a->exact_ends)
-        argp_error(state, "--ends takes measured, exact or sliding, not '%s'", text);
+        refuse_call(state->name, "--ends takes measured, exact or sliding, not '%s'", text);
     a->ends = text;
 }
 
@@ -85,13 +85,13 @@ static void bounds(struct argp_state *state, const char *text, cagd_fit_options 
     const char *colon = strchr(text, ':');
     char *low = colon == NULL ? NULL : strndup(text, (size_t)(colon - text));
     if (low == NULL)
-        argp_error(state, "--weights-between takes LOW:HIGH, not '%s'", text);
+        refuse_call(state->name, "--weights-between takes LOW:HIGH, not '%s'", text);
     else {
         o->weight_low = positive(state, "--weights-between", low);
         o->weight_high = positive(state, "--weights-between", colon + 1);
         if (!(o->weight_low < 1 && 1 < o->weight_high))
-            argp_error(state, "--weights-between takes LOW:HIGH with LOW < 1 < HIGH, not '%s': the first weight is 1",
-                       text);
+            refuse_call(state->name,
+                        "--weights-between takes LOW:HIGH with LOW < 1 < HIGH, not '%s': the first weight is 1", text);
     }
     free(low);
 }
@@ -102,7 +102,7 @@ static cagd_fit_loss loss(struct argp_state *state, const char *text)
     for (int k = 0; k < 3; k++)
         if (strcmp(text, name[k]) == 0)
             return (cagd_fit_loss)k;
-    argp_error(state, "--loss takes squares, huber or cauchy, not '%s'", text);
+    refuse_call(state->name, "--loss takes squares, huber or cauchy, not '%s'", text);
     return CAGD_FIT_SQUARES;
 }
 
@@ -122,18 +122,19 @@ static void read_knots(struct argp_state *state, struct fit_arguments *a)
         double u = more[a->inner_knots] = positive(state, "--knots", text);
         free(text);
         if (!(u < 1))
-            argp_error(state, "--knots takes inner knots between 0 and 1, not %.*s", (int)n, s);
+            refuse_call(state->name, "--knots takes inner knots between 0 and 1, not %.*s", (int)n, s);
         if (a->inner_knots > 0 && u < more[a->inner_knots - 1])
-            argp_error(state, "--knots takes increasing numbers: %.*s is smaller than the one before", (int)n, s);
+            refuse_call(state->name, "--knots takes increasing numbers: %.*s is smaller than the one before", (int)n,
+                        s);
         if (a->inner_knots >= a->options.degree && u == more[a->inner_knots - a->options.degree])
-            argp_error(state, "--knots: %.*s stands more than %d times, which would break a curve of degree %d", (int)n,
-                       s, a->options.degree, a->options.degree);
+            refuse_call(state->name, "--knots: %.*s stands more than %d times, which would break a curve of degree %d",
+                        (int)n, s, a->options.degree, a->options.degree);
         a->inner_knots++;
         if (*(s += n) == '\0')
             break;
     }
     if (a->inner_knots > MOST_CONTROL_POINTS)
-        argp_error(state, "at most %d inner knots", MOST_CONTROL_POINTS);
+        refuse_call(state->name, "at most %d inner knots", MOST_CONTROL_POINTS);
 }
 
 /* What is left for the points to say.  Of a spline weights are fitted where a test says so, unless --free is given. */
@@ -143,17 +144,19 @@ static void choose(struct argp_state *state, struct fit_arguments *a)
     cagd_fit_choices *c = &a->choices;
     const int smoothed = a->smooth || o->smooth > 0, counted = a->knots != NULL || o->count != 0;
     if (a->initial != NULL && (a->closed > 0 || a->automatic || a->within > 0 || smoothed))
-        argp_error(state,
-                   "--closed, --control-points auto, --tolerance-distance and --smooth do not go with --initial");
+        refuse_call(state->name,
+                    "--closed, --control-points auto, --tolerance-distance and --smooth do not go with --initial");
     if (a->within > 0 && (counted || smoothed))
-        argp_error(state, "--tolerance-distance chooses the control points; --control-points N, --knots and --smooth "
-                          "do not go with it");
+        refuse_call(state->name,
+                    "--tolerance-distance chooses the control points; --control-points N, --knots and --smooth "
+                    "do not go with it");
     if (a->closed > 0 && (a->ends != NULL || a->knots != NULL))
-        argp_error(state, "a closed curve has no ends, and even knots; --ends and --knots do not go with --closed");
+        refuse_call(state->name,
+                    "a closed curve has no ends, and even knots; --ends and --knots do not go with --closed");
     if (smoothed && a->free_given && o->free & CAGD_FIT_WEIGHTS)
-        argp_error(state, "--smooth leaves weights out; --free weights does not go with it");
+        refuse_call(state->name, "--smooth leaves weights out; --free weights does not go with it");
     if (smoothed && o->degree == 1)
-        argp_error(state, "--smooth needs a degree of 2 or more");
+        refuse_call(state->name, "--smooth needs a degree of 2 or more");
     *c = (cagd_fit_choices){.closed = a->closed,
                             .degree = a->degree_automatic,
                             .smooth = a->smooth                   ? 1
@@ -178,30 +181,32 @@ static void finish(struct argp_state *state, struct fit_arguments *a)
 {
     cagd_fit_options *o = &a->options;
     if (a->initial != NULL && (a->degree_given || a->knots != NULL || o->count != 0))
-        argp_error(state, "--initial gives degree and knots; --degree, --knots and --control-points do not go with it");
+        refuse_call(state->name,
+                    "--initial gives degree and knots; --degree, --knots and --control-points do not go with it");
     if (a->knots != NULL && o->count != 0)
-        argp_error(state, "the knots give the number of control points; --control-points does not go with --knots");
+        refuse_call(state->name,
+                    "the knots give the number of control points; --control-points does not go with --knots");
     if (o->count != 0 && o->count < o->degree + 1)
-        argp_error(state, "--control-points %d: a curve of degree %d has at least %d", o->count, o->degree,
-                   o->degree + 1);
+        refuse_call(state->name, "--control-points %d: a curve of degree %d has at least %d", o->count, o->degree,
+                    o->degree + 1);
     if (a->degree_automatic && a->knots != NULL)
-        argp_error(state, "the knots are those of a degree; --degree auto does not go with --knots");
+        refuse_call(state->name, "the knots are those of a degree; --degree auto does not go with --knots");
     if (a->ends != NULL && a->free_given && a->exact_ends == (o->free & CAGD_FIT_END_POINTS) / CAGD_FIT_END_POINTS)
-        argp_error(state, "--ends %s does not go with --free %s", a->ends,
-                   a->exact_ends ? "that has ends" : "without ends, which are then exact or those of --initial");
+        refuse_call(state->name, "--ends %s does not go with --free %s", a->ends,
+                    a->exact_ends ? "that has ends" : "without ends, which are then exact or those of --initial");
     choose(state, a);
     if (a->exact_ends)
         o->free &= ~CAGD_FIT_END_POINTS;
     if (a->initial == NULL && o->free == 0)
-        argp_error(state, "--free none takes the distances from a given curve, and needs --initial CURVE.json");
+        refuse_call(state->name, "--free none takes the distances from a given curve, and needs --initial CURVE.json");
     if (a->initial == NULL && !(o->free & CAGD_FIT_INNER_POINTS) && o->degree > 1)
-        argp_error(state, "without --initial the inner points are free: --free needs inner");
+        refuse_call(state->name, "without --initial the inner points are free: --free needs inner");
     if (o->loss == CAGD_FIT_SQUARES && o->loss_scale != 0)
-        argp_error(state, "--scale belongs to --loss huber or --loss cauchy");
+        refuse_call(state->name, "--scale belongs to --loss huber or --loss cauchy");
     if (o->loss == CAGD_FIT_SQUARES)
         o->loss_scale = 1;
     if (a->sigma != 0 && a->columns.sigma != NULL)
-        argp_error(state, "--sigma and --sigma-column exclude one another");
+        refuse_call(state->name, "--sigma and --sigma-column exclude one another");
     if (a->knots != NULL)
         read_knots(state, a);
 }

@@ -28,6 +28,12 @@ struct class
     int count;
 };
 
+/* What the processes have in common.  Only one of them writes at a time, and none after a result could not be written. */
+struct board {
+    atomic_int next, stopped;
+    char graded[MOST];
+};
+
 static const char *member(const json_t *row, const char *key)
 {
     const char *text = json_string_value(json_object_get(row, key));
@@ -174,33 +180,40 @@ static json_t *nothing(const struct class *c, const char *why)
                      "notes");
 }
 
-static int write_result(const struct class *c, const char *student, json_t *result)
+/* Up to the first file that cannot be written. */
+static int write_result(const struct class *c, const char *student, const json_t *result)
 {
     char path[LAB_MOST_PATH + 400];
+    json_t *scores = gradescope(result);
     snprintf(path, sizeof path, "%s/%s", c->out, student);
     int status = make_folder(path);
     snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
-    status |= put_json(path, result);
-    json_t *scores = gradescope(result);
+    status = status != 0 ? status : put_json(path, result);
     snprintf(path, sizeof path, "%s/%s/results.json", c->out, student);
-    status |= put_json(path, scores);
-    json_decref(scores);
+    status = status != 0 ? status : put_json(path, scores);
     snprintf(path, sizeof path, "%s/%s/page.html", c->out, student);
-    return status | write_page(path, student, result);
+    json_decref(scores);
+    return status != 0 ? status : write_page(path, student, result);
 }
 
 /* One of the processes: takes submissions until there are none. */
-static int work(const struct class *c, atomic_int *next)
+static int work(const struct class *c, struct board *board, int lock)
 {
     char cause[LAB_CAUSE], student[300];
     struct lab_bench *bench = calloc(1, sizeof *bench);
     if (bench == NULL || lab_bench_open(bench, c->lab, cause) != 0)
         return 1;
-    for (int k; (k = atomic_fetch_add(next, 1)) < c->count;) {
+    for (int k; !board->stopped && (k = atomic_fetch_add(&board->next, 1)) < c->count;) {
         char *answer = answer_of(c, c->name[k]);
         json_t *result = answer != NULL ? lab_judge(bench, answer, 1) : nothing(c, "there is no file that can be read");
         student_of(c, c->name[k], student);
-        write_result(c, student, result);
+        if (lockf(lock, F_LOCK, 0) != 0) /* it ends with the process that has it */
+            abort();
+        if (!board->stopped && write_result(c, student, result) != 0)
+            board->stopped = 1;
+        board->graded[k] = !board->stopped;
+        if (lockf(lock, F_ULOCK, 0) != 0)
+            abort();
         json_decref(result);
         free(answer);
     }
@@ -233,14 +246,56 @@ static int find(struct class *c)
     return 0;
 }
 
+/* Whether what is at the path is where the submissions are. */
+static int holds_submissions(const struct class *c, const char *path)
+{
+    struct stat here, there;
+    return stat(c->submissions, &here) == 0 && stat(path, &there) == 0 && here.st_dev == there.st_dev &&
+           here.st_ino == there.st_ino;
+}
+
+/* Every student has one submission, and a folder of one's own for the result, which is none that is read. */
+static int check_students(const struct class *c)
+{
+    char student[300], before[300] = "", path[LAB_MOST_PATH + 400];
+    char **sorted = malloc((size_t)(c->count + 1) * sizeof *sorted);
+    int status = 0;
+    if (sorted == NULL)
+        abort();
+    /* Sorted by the students: "a.c" and "a" need not stand together among the names, for "a-b" is between them. */
+    for (int k = 0; k < c->count; k++) {
+        student_of(c, c->name[k], student);
+        if ((sorted[k] = strdup(student)) == NULL)
+            abort();
+    }
+    qsort(sorted, (size_t)c->count, sizeof *sorted, by_name);
+    for (int k = 0; k < c->count; k++) {
+        snprintf(path, sizeof path, "%s/%s", c->out, sorted[k]);
+        if (status == 0 && k > 0 && strcmp(sorted[k], before) == 0) {
+            fprintf(stderr, "cagd: %s: '%s%s' and '%s' are two submissions of one student; leave one of them\n",
+                    c->submissions, sorted[k], strrchr(c->lab->file, '.'), sorted[k]);
+            status = -1;
+        } else if (status == 0 && holds_submissions(c, path)) {
+            fprintf(stderr, "cagd: --out %s: the results of '%s' would go to the submissions; choose another folder\n",
+                    c->out, sorted[k]);
+            status = -1;
+        }
+        snprintf(before, sizeof before, "%s", sorted[k]);
+    }
+    for (int k = 0; k < c->count; k++)
+        free(sorted[k]);
+    free(sorted);
+    return status;
+}
+
 static int write_tables(const struct class *c, json_t *all)
 {
     char path[LAB_MOST_PATH + 64];
     size_t k, r;
     const json_t *result, *row;
-    int status = 0;
     snprintf(path, sizeof path, "%s/results.json", c->out);
-    status |= put_json(path, all);
+    if (put_json(path, all) != 0)
+        return -1;
     snprintf(path, sizeof path, "%s/results.csv", c->out);
     struct output *csv = output_open(path);
     if (csv == NULL)
@@ -267,22 +322,27 @@ static int write_tables(const struct class *c, json_t *all)
         fputc('\n', table);
     }
     snprintf(path, sizeof path, "%s/junit.xml", c->out);
-    return status | output_close(csv) | junit_write(cases, c->lab->name, path);
+    int unwritten = output_close(csv);
+    return unwritten != 0 ? unwritten : junit_write(cases, c->lab->name, path);
 }
 
-/* The results that were written, and of what has none, that it was not graded. */
-static json_t *gather(const struct class *c, int *missing)
+/* The results that were written, and of what has none, that it was not graded; NULL where that cannot be written. */
+static json_t *gather(const struct class *c, const struct board *board, int *missing)
 {
     json_t *all = json_array();
     char path[LAB_MOST_PATH + 400], student[300];
     for (int k = 0; k < c->count; k++) {
         student_of(c, c->name[k], student);
         snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
-        json_t *result = json_load_file(path, 0, NULL);
+        json_t *result = board->graded[k] ? json_load_file(path, 0, NULL) : NULL;
         if (result == NULL) {
             result = nothing(c, "it was not graded: the grader ended");
-            write_result(c, student, result);
             ++*missing;
+            if (write_result(c, student, result) != 0) {
+                json_decref(result);
+                json_decref(all);
+                return NULL;
+            }
         }
         json_object_set_new(result, "student", json_string(student));
         json_array_append_new(all, result);
@@ -290,42 +350,33 @@ static json_t *gather(const struct class *c, int *missing)
     return all;
 }
 
-/* Results of an earlier run are no results of this one. */
-static void forget_earlier(const struct class *c)
-{
-    char path[LAB_MOST_PATH + 400], student[300];
-    for (int k = 0; k < c->count; k++) {
-        student_of(c, c->name[k], student);
-        snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
-        unlink(path);
-    }
-}
-
 int lab_grade(const struct lab *lab, const char *submissions, const char *out, int jobs, const char *seed)
 {
     struct class *c = calloc(1, sizeof *c);
-    atomic_int *next = mmap(NULL, sizeof *next, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (c == NULL || next == MAP_FAILED)
+    struct board *board = mmap(NULL, sizeof *board, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    int lock = memfd_create("cagd", MFD_CLOEXEC);
+    if (c == NULL || board == MAP_FAILED || lock < 0)
         abort();
     *c = (struct class){.lab = lab, .submissions = submissions, .out = out};
     int missing = 0, code = EXIT_USAGE;
-    if (find(c) == 0 && make_folder(out) == 0) {
-        forget_earlier(c);
+    if (find(c) == 0 && check_students(c) == 0 && make_folder(out) == 0) {
         fflush(NULL);
         for (int k = 0; k < jobs && k < c->count; k++)
             if (fork() == 0)
-                _exit(work(c, next));
+                _exit(work(c, board, lock));
         while (wait(NULL) > 0 || errno == EINTR)
             ;
-        json_t *all = gather(c, &missing);
-        code = write_tables(c, all) == 0 && missing == 0 ? EXIT_AS_EXPECTED : EXIT_INTERNAL;
-        printf("%d submissions of %s, seed %s: %s/results.csv; %d not graded\n", c->count, lab->name, seed, out,
-               missing);
+        json_t *all = board->stopped ? NULL : gather(c, board, &missing);
+        code = all != NULL && write_tables(c, all) == 0 && missing == 0 ? EXIT_AS_EXPECTED : EXIT_INTERNAL;
+        if (all != NULL)
+            printf("%d submissions of %s, seed %s: %s/results.csv; %d not graded\n", c->count, lab->name, seed, out,
+                   missing);
         json_decref(all);
     }
+    close(lock);
     for (int k = 0; k < c->count; k++)
         free(c->name[k]);
     free(c);
-    munmap(next, sizeof *next);
+    munmap(board, sizeof *board);
     return code;
 }

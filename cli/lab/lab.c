@@ -170,7 +170,7 @@ static int check(const struct arguments *a, const char *folder)
 static int start(const struct arguments *a, const char *name, const char *folder)
 {
     struct lab *lab = lab_called(name, a->seed);
-    int code = lab != NULL && lab_begin(lab, folder != NULL ? folder : lab->name) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
+    int code = lab != NULL ? lab_begin(lab, folder != NULL ? folder : lab->name) : EXIT_USAGE;
     lab_free(lab);
     return code;
 }
@@ -213,7 +213,7 @@ static int run_grade(const struct arguments *a, const char *submissions, const c
 static int run_new(const struct arguments *a, const char *name, const char *none)
 {
     (void)a, (void)none;
-    return lab_new(name) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
+    return lab_new(name);
 }
 
 static int run_test(const struct arguments *a, const char *folder, const char *none)

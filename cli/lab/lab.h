@@ -143,7 +143,7 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut);
 
 void lab_print(const struct lab *lab, const json_t *result);
 int lab_grade(const struct lab *lab, const char *submissions, const char *out, int jobs, const char *seed);
-int lab_begin(const struct lab *lab, const char *folder); /* cagd lab start */
+int lab_begin(const struct lab *lab, const char *folder); /* cagd lab start; an exit code, as the next */
 int lab_new(const char *name);
 int lab_test(const char *folder, int json);
 #endif

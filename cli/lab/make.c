@@ -1,4 +1,5 @@
 /* make.c -- folders that are written: what a student begins with, and a lab of one's own; see lab.h. */
+#include "cli/command.h"
 #include "cli/lab/lab.h"
 #include "cli/output.h"
 
@@ -57,7 +58,7 @@ int lab_begin(const struct lab *lab, const char *folder)
     int has_figure = access(path, R_OK) == 0;
     const char *const names[] = {"README.md", lab->file, "Makefile", has_figure ? "figure.svg" : NULL, NULL};
     if (is_free(folder, names) != 0)
-        return -1;
+        return EXIT_USAGE;
     snprintf(start, sizeof start, "start%s", strrchr(lab->file, '.'));
     snprintf(makefile, sizeof makefile,
              "# make: does it compile?  make check: is it right?\n"
@@ -69,10 +70,10 @@ int lab_begin(const struct lab *lab, const char *folder)
                                                   : "@echo nothing to compile");
     if (copy(lab, "README.md", folder, "README.md") != 0 || copy(lab, start, folder, lab->file) != 0 ||
         put(folder, "Makefile", makefile) != 0 || (has_figure && copy(lab, "figure.svg", folder, "figure.svg") != 0))
-        return -1;
+        return EXIT_INTERNAL;
     printf("%s/README.md is the assignment, %s/%s the place for the answer; cagd lab check %s judges it\n", folder,
            folder, lab->file, folder);
-    return 0;
+    return EXIT_AS_EXPECTED;
 }
 
 int lab_new(const char *name)
@@ -96,23 +97,26 @@ int lab_new(const char *name)
     char path[LAB_MOST_PATH], *text = NULL;
     if (*name == '\0' || strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-") != strlen(name) || strlen(name) > 40) {
         fprintf(stderr, "cagd: '%s': a name of at most 40 small letters, digits and - was expected\n", name);
-        return -1;
+        return EXIT_USAGE;
     }
     snprintf(path, sizeof path, "%s/right", name);
-    if (is_free(name, names) != 0 || make_folder(path) != 0 || asprintf(&text, lab_md, name, name) < 0)
-        return -1;
+    if (is_free(name, names) != 0)
+        return EXIT_USAGE;
+    if (make_folder(path) != 0 || asprintf(&text, lab_md, name, name) < 0)
+        return EXIT_INTERNAL;
     int status = put(name, "lab.md", text);
     free(text);
     if (status != 0 || asprintf(&text,
                                 "# %s\n\nWrite `double sum(double a, double b)` in `%s.c`: the sum of the two.\n\n"
                                 "在 `%s.c` 中写出 `double sum(double a, double b)`：两数之和。\n",
                                 name, name, name) < 0)
-        return -1;
+        return EXIT_INTERNAL;
     status = put(name, "README.md", text);
     free(text);
-    if (status == 0)
-        status = put(name, "reference.c", reference) | put(name, "start.c", start) | put(name, "right/plain.c", plain);
+    status = status != 0 ? status : put(name, "reference.c", reference);
+    status = status != 0 ? status : put(name, "start.c", start);
+    status = status != 0 ? status : put(name, "right/plain.c", plain);
     if (status == 0)
         printf("%s is a lab: change its files, and cagd lab test %s says whether it is well made\n", name, name);
-    return status;
+    return status == 0 ? EXIT_AS_EXPECTED : EXIT_INTERNAL;
 }

@@ -16,12 +16,11 @@ error_t __wrap_argp_parse(const struct argp *argp, int argc, char **argv, unsign
         longjmp(refused, 1);
     return 0;
 }
-_Noreturn void __wrap_argp_error(const struct argp_state *state, const char *format, ...);
-void __wrap_argp_error(const struct argp_state *state, const char *format, ...)
+void refuse_call(const char *name, const char *format, ...)
 {
     char text[512];
     va_list list;
-    (void)state;
+    (void)name;
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
