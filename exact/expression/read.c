@@ -653,6 +653,46 @@ static int is_over(const cagd_token *t, const char *index)
     return index != NULL && strcmp(t[1].word, "_") == 0 && strcmp(t[2].word, "{") == 0 && strcmp(t[3].word, index) == 0;
 }
 
+/* Dots between factors, perhaps with a sign of a product before them: not ".." and not those of a range. */
+static int dots_between(const cagd_reader *r)
+{
+    const cagd_token *t = r->token + cagd_next_is(r, "*");
+    return r->ends == 0 && strcmp(t->word, "\\dots") == 0 && r->text[t->from] != '.';
+}
+
+/* Dots and the last factor come next; of the factors before them *count are left, the last one being what is returned. */
+static const cagd_tree *factors_left_out(cagd_reader *r, const cagd_tree *list[], int *count)
+{
+    int start;
+    cagd_pass(r, "*");
+    const cagd_token *dots = r->token++;
+    cagd_pass(r, "*");
+    const cagd_tree *last = factor(r);
+    const cagd_tree *t =
+        last != NULL ? cagd_fill_dots(r, CAGD_PRODUCT_OVER, dots, list, *count, last, 0, &start) : NULL;
+    *count = t != NULL ? start + 1 : 1;
+    return t;
+}
+
+/* Dots and the last term come next, the sign before the dots being passed, which was a minus or not; likewise. */
+static const cagd_tree *terms_left_out(cagd_reader *r, const cagd_tree *list[], int *count, int before)
+{
+    int start;
+    if (cagd_next_is(r, "+") || cagd_next_is(r, "-")) /* a_0 - a_1 + - \dots */
+        before = cagd_next_is(r, "-"), r->token++;
+    const cagd_token *dots = r->token++;
+    int from = r->token->from, minus = cagd_pass(r, "-");
+    if (!minus && !cagd_expect(r, "+", "the dots"))
+        return NULL;
+    const cagd_tree *last = cagd_read_product(r);
+    if (last != NULL && minus)
+        last = cagd_new_of(r, CAGD_NEGATIVE, from, 1, &last);
+    const cagd_tree *t =
+        last != NULL ? cagd_fill_dots(r, CAGD_SUM_OVER, dots, list, *count, last, minus != before, &start) : NULL;
+    *count = t != NULL ? start + 1 : 1;
+    return t;
+}
+
 /* A product, or what a sum or product over an index is `inside`. */
 static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const char *index)
 {
@@ -661,6 +701,11 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
     list[count++] = factor(r);
     while (list[count - 1] != NULL) {
         const char *sign = cagd_next_is(r, "\\times") ? "\\times" : "*";
+        if (dots_between(r)) {
+            const cagd_tree *all = factors_left_out(r, list, &count);
+            list[count - 1] = all;
+            continue;
+        }
         if (cagd_next_is(r, "/") && is_sum(r->token[1].word) && is_over(r->token + 1, index))
             break; /* a sum over i by another one */
         int dot = cagd_pass(r, sign), stroke = !dot && cagd_pass(r, "/");
@@ -724,6 +769,17 @@ const cagd_tree *cagd_read_sum(cagd_reader *r)
         minus = cagd_pass(r, "-");
         if (!minus && !cagd_pass(r, "+"))
             break;
+        int more = cagd_next_is(r, "+") || cagd_next_is(r, "-");
+        if (strcmp(r->token[more].word, "\\dots") == 0) {
+            const cagd_tree *all = terms_left_out(r, list, &count, minus);
+            if (all == NULL)
+                return NULL;
+            list[count - 1] = all;
+            begin = r->token->from;
+            minus = cagd_pass(r, "-");
+            if (!minus && !cagd_pass(r, "+"))
+                break;
+        }
     }
     r->depth--;
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_SUM, from, count, list);

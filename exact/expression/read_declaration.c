@@ -295,7 +295,9 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
+    r->ends++;
     cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
+    r->ends--;
     if (v.low == NULL)
         return 0;
     int has_dots = dots(r, &v.high);

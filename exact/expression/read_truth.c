@@ -86,7 +86,10 @@ static int finite_range(cagd_reader *r, const cagd_tree **low, const cagd_tree *
         braces = cagd_expect(r, "\\{", "\\in") ? 1 : -1;
     else if (!cagd_expect(r, "=", "the letter of a quantifier"))
         braces = -1;
-    if (braces < 0 || (*low = cagd_read_sum(r)) == NULL)
+    r->ends++;
+    *low = braces >= 0 ? cagd_read_sum(r) : NULL;
+    r->ends--;
+    if (*low == NULL)
         return 0;
     while (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) /* 0, 1, \dots, n */
         if (cagd_read_sum(r) == NULL)

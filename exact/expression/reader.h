@@ -24,6 +24,7 @@ typedef struct cagd_reader {
     int integrals; /* around what is read: d and a letter end the integrand  */
     int norms;     /* likewise: \| ends the norm and begins none             */
     int amounts;   /* and | that of a number                                  */
+    int ends;      /* where a range is read: dots stand between its ends      */
     int nodes;
 } cagd_reader;
 
@@ -57,6 +58,11 @@ const cagd_tree *cagd_vector_product(cagd_reader *r, const char *sign, const cag
 const cagd_tree *cagd_read_point(cagd_reader *r, const cagd_tree *first, const char *close, int from);
 /* What stands in square brackets: [x \; y] is a point, [a b c] of three vectors their mixed product; else t itself. */
 const cagd_tree *cagd_in_square_brackets(cagd_reader *r, const cagd_tree *t);
+/* Dots between before[0..count) and the last term, or factor: the sum or product over an index that stands for the terms from
+ * before[*start] to the last; where the signs before and behind the dots differ, the terms alternate.  An error at the dots, and NULL, where what they leave out is not evident. */
+const cagd_tree *cagd_fill_dots(cagd_reader *r, cagd_tree_kind kind, const cagd_token *dots,
+                                const cagd_tree *const before[], int count, const cagd_tree *last, int signs_differ,
+                                int *start);
 /* A chain of relations; between vectors, of each component. */
 const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tree *const list[],
                              const cagd_relation relation[]);

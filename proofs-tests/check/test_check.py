@@ -76,6 +76,50 @@ class Language(unittest.TestCase):
                 with self.subTest(printed=printed):
                     self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
 
+    def test_dots_are_the_sums_and_products_of_their_ends(self):
+        """Each dotted side with the sum it is, and with another one."""
+        for dotted, same, other in (
+                (r"x_0 + x_1 + \dots + x_n", r"\sum_{i=0}^n x_i", r"\sum_{i=1}^n x_i"),
+                (r"x_0 + \cdots + x_n", r"\sum_{i=0}^n x_i", r"\sum_{i=0}^{n+1} x_i"),
+                (r"x_n + x_{n-1} + \dots + x_0", r"\sum_{i=0}^n x_i", r"\sum_{i=1}^n x_i"),
+                (r"x_n + \dots + x_0", r"\sum_{i=0}^n x_i", r"\sum_{i=0}^{n-1} x_i"),
+                (r"x_1 + \dots + x_{n-1} + x_n", r"\sum_{i=1}^n x_i", r"\sum_{i=1}^{n-1} x_i"),
+                (r"x_1 + x_3 + \dots + x_{2n-1}", r"\sum_{i=1}^n x_{2i-1}", r"\sum_{i=1}^{2n-1} x_i"),
+                (r"y + x_1 + x_2 + \dots + x_n + u", r"y + u + \sum_{i=1}^n x_i", r"y + \sum_{i=1}^n (x_i + u)"),
+                (r"\frac{1}{2} x_0 + x_1 + x_2 + \dots + x_n", r"\sum_{i=0}^n x_i - \frac{x_0}{2}", r"\sum_{i=0}^n x_i"),
+                (r"x_0 \omega_n + x_1 \omega_{n-1} + \dots + x_n \omega_0", r"\sum_{i=0}^n x_i \omega_{n-i}", r"\sum_{i=0}^n x_i \omega_i"),
+                (r"x_0 - x_1 + x_2 - \dots + (-1)^n x_n", r"\sum_{i=0}^n (-1)^i x_i", r"-\sum_{i=0}^n (-1)^i x_i"),
+                (r"x_1 - x_2 + \dots + (-1)^{n+1} x_n", r"-\sum_{i=1}^n (-1)^i x_i", r"\sum_{i=1}^n (-1)^i x_i"),
+                (r"-x_1 + x_2 - + \dots + (-1)^n x_n", r"\sum_{i=1}^n (-1)^i x_i", r"\sum_{i=1}^n x_i"),
+                (r"1 + u + u^2 + \dots + u^n", r"\frac{1-u^{n+1}}{1-u}", r"\frac{1-u^n}{1-u}"),
+                (r"1 - u - u^2 - \dots - u^n", r"2 - \sum_{i=0}^n u^i", r"1 - \sum_{i=0}^n u^i"),
+                (r"1 - u + u^2 - \dots + (-1)^n u^n", r"\sum_{i=0}^n (-u)^i", r"\sum_{i=0}^n u^i"),
+                (r"u^n + u^{n-1} v + \dots + v^n", r"\sum_{i=0}^n u^i v^{n-i}", r"\sum_{i=0}^n u^i v^i"),
+                (r"1 + 2u + 3u^2 + \dots + n u^{n-1}", r"\sum_{i=1}^n i u^{i-1}", r"\sum_{i=1}^n i u^i"),
+                (r"1 + \frac{u}{1!} + \frac{u^2}{2!} + \dots + \frac{u^n}{n!}", r"\sum_{i=0}^n \frac{u^i}{i!}", r"\sum_{i=1}^n \frac{u^i}{i!}"),
+                (r"1 + 2 + \dots + n", r"\frac{n(n+1)}{2}", r"\frac{n(n-1)}{2}"),
+                (r"1 + 2 + 4 + \dots + 2^n", r"2^{n+1} - 1", r"2^n - 1"),
+                (r"1 + 3 + 5 + \dots + (2n-1)", r"n^2", r"n^2 + 1"),
+                (r"1^2 + 2^2 + \dots + n^2", r"\frac{n(n+1)(2n+1)}{6}", r"\frac{n(n+1)(2n-1)}{6}"),
+                (r"\frac{1}{1 \cdot 2} + \frac{1}{2 \cdot 3} + \dots + \frac{1}{n(n+1)}", r"\frac{n}{n+1}", r"\frac{n+1}{n+2}"),
+                (r"B_0^n(t) + B_1^n(t) + \dots + B_n^n(t)", r"1", r"t"),
+                (r"\binom{n}{1} + 2\binom{n}{2} + 3\binom{n}{3} + \dots + n\binom{n}{n}", r"n 2^{n-1}", r"n 2^n"),
+                (r"\sum_{k=0}^n (x_0 + \dots + x_k)", r"\sum_{k=0}^n (n+1-k) x_k", r"\sum_{k=0}^n (n-k) x_k"),
+                (r"x_1 x_2 \cdots x_n", r"\prod_{i=1}^n x_i", r"\prod_{i=0}^n x_i"),
+                (r"u x_1 \dots x_n v", r"u v \prod_{i=1}^n x_i", r"\prod_{i=1}^n u v x_i"),
+                (r"(u-x_0) \cdots (u-x_n)", r"\prod_{i=0}^n (u-x_i)", r"\prod_{i=0}^n (x_i-u)"),
+                (r"(1-u)(1-u^2) \cdots (1-u^n)", r"\prod_{i=1}^n (1-u^i)", r"\prod_{i=0}^n (1-u^i)"),
+                (r"1 \cdot 2 \cdot \ldots \cdot n", r"n!", r"(n-1)! + 1"),
+                (r"n(n-1)(n-2) \cdots 1", r"n!", r"(n+1)!"),
+                (r"\frac{u(u-1) \cdots (u-n+1)}{n!}", r"\binom{u}{n}", r"\binom{u-1}{n}")):
+            for right, expected in ((same, "holds"), (other, "fails")):
+                with self.subTest(dotted=dotted, right=right):
+                    s = verdict(f"{dotted} = {right}", "n = 1..4")
+                    self.assertEqual(s["verdict"], expected, s)
+
+    def test_dots_between_the_ends_of_a_range_are_no_product(self):
+        self.assertEqual(verdict("x_i + x_0 = x_0 + x_i", r"n = 3, i = 0 \dots n")["scope"].split(",")[0], "i = 0 to n")
+
     def test_implications_and_quantifiers(self):
         for printed, expected in (
                 ("x > 0 \\Rightarrow x + \\frac{1}{x} \\ge 2", "holds"), ("x > 0 \\Rightarrow x + \\frac{1}{x} > 2", "fails"),
