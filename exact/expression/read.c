@@ -387,6 +387,8 @@ static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const cha
     r->norms += kind == CAGD_NORM, r->amounts += kind == CAGD_ABSOLUTE;
     const cagd_tree *a = cagd_read_sum(r);
     r->norms -= kind == CAGD_NORM, r->amounts -= kind == CAGD_ABSOLUTE;
+    if (a != NULL && cagd_is_matrix(a->dimension) && kind == CAGD_ABSOLUTE)
+        return cagd_expect(r, close, "the matrix") ? cagd_determinant_of(r, a, from) : NULL;
     if (a != NULL && a->dimension > 0 && kind == CAGD_ABSOLUTE)
         kind = CAGD_NORM;
     return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_new_of(r, kind, from, 1, &a) : NULL;
@@ -429,8 +431,7 @@ static int is_one_of(const char *word, const char *const words[])
     return 0;
 }
 
-/* The name of an environment: {cases}. */
-static int environment(cagd_reader *r, const char *name)
+int cagd_environment(cagd_reader *r, const char *name)
 {
     const cagd_token *t = r->token;
     if (!cagd_pass(r, "{"))
@@ -463,7 +464,7 @@ static const cagd_tree *determinant(cagd_reader *r, int from)
         if (in_row * rows != count)
             return cagd_refuse_token(r, "rows of different lengths");
     } while (cagd_pass(r, "\\\\"));
-    if (!cagd_expect(r, "\\end", "the determinant") || !environment(r, "vmatrix"))
+    if (!cagd_expect(r, "\\end", "the determinant") || !cagd_environment(r, "vmatrix"))
         return cagd_refuse_token(r, "expected \\end{vmatrix}");
     if (rows != in_row || rows > MOST_ROWS)
         return cagd_refuse_token(r, "a determinant has as many columns as rows, at most %d", MOST_ROWS);
@@ -479,8 +480,8 @@ static const cagd_tree *cases(cagd_reader *r, int from)
     static const char *const when[] = {"if", "for", "when", "where", "", NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
-    if (!environment(r, "cases"))
-        return cagd_refuse_token(r, "of the environments only {cases} and {vmatrix} are understood here");
+    if (!cagd_environment(r, "cases"))
+        return cagd_refuse_token(r, "of the environments only {cases} and those of matrices are understood here");
     do {
         if (cagd_next_is(r, "\\end"))
             break;
@@ -503,7 +504,7 @@ static const cagd_tree *cases(cagd_reader *r, int from)
         if (list[count++] == NULL)
             return NULL;
     } while (cagd_pass(r, "\\\\"));
-    if (!cagd_expect(r, "\\end", "the cases") || !environment(r, "cases"))
+    if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, "cases"))
         return cagd_refuse_token(r, "expected \\end{cases}");
     return count > 0 ? cagd_new_of(r, CAGD_CASES, from, count, list) : cagd_refuse_token(r, "cases without a case");
 }
@@ -521,6 +522,15 @@ static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
     const cagd_tree *angle = factor(r);
     const cagd_tree *t = angle != NULL ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
     return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
+/* What begins with \begin, that word being passed. */
+static const cagd_tree *block(cagd_reader *r, int from)
+{
+    if (cagd_environment(r, "vmatrix"))
+        return determinant(r, from);
+    const char *matrix = cagd_pass_matrix(r);
+    return matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, from);
 }
 
 static const cagd_tree *word(cagd_reader *r)
@@ -547,7 +557,12 @@ static const cagd_tree *word(cagd_reader *r)
     if (strcmp(w, "\\lceil") == 0)
         return r->token++, bracketed(r, CAGD_CEILING, "\\rceil", from);
     if (strcmp(w, "\\begin") == 0)
-        return r->token++, environment(r, "vmatrix") ? determinant(r, from) : cases(r, from);
+        return r->token++, block(r, from);
+    if (strcmp(w, "\\det") == 0) {
+        r->token++;
+        const cagd_tree *a = factor(r);
+        return a != NULL ? cagd_determinant_of(r, a, from) : NULL;
+    }
     if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
         return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
     static const char *const others[] = {"\\tan", "\\exp", "\\log", "\\ln", NULL};
@@ -608,6 +623,17 @@ static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
     return value;
 }
 
+/* t with what stands behind ^. */
+static const cagd_tree *powered(cagd_reader *r, const cagd_tree *t, int from)
+{
+    if (t->dimension > 0 && cagd_pass_transposed(r))
+        return cagd_transposed(r, t);
+    const cagd_tree *power = cagd_read_argument(r, 1);
+    if (power != NULL && cagd_is_matrix(t->dimension))
+        return cagd_matrix_power(r, t, power);
+    return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
 static const cagd_tree *factor(cagd_reader *r)
 {
     int from = r->token->from;
@@ -620,8 +646,7 @@ static const cagd_tree *factor(cagd_reader *r)
                 return cagd_refuse_token(r, "the double factorial is not understood; (x!)! has brackets");
             t = cagd_new_of(r, CAGD_FACTORIAL, from, 1, &t);
         } else if (cagd_pass(r, "^")) {
-            const cagd_tree *power = cagd_read_argument(r, 1);
-            t = cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+            t = powered(r, t, from);
         } else if (cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") == 0) {
             r->token++;
             t = at_a_place(r, t, from);
@@ -635,8 +660,8 @@ static const cagd_tree *factor(cagd_reader *r)
 
 static int begins_factor(const cagd_reader *r)
 {
-    static const char *const words[] = {"\\sin", "\\cos", "\\frac", "\\binom",  "\\sqrt",  "\\sum",   "\\prod",
-                                        "\\int", "\\max", "\\min",  "\\lfloor", "\\lceil", "\\begin", NULL};
+    static const char *const words[] = {"\\sin", "\\cos", "\\frac",   "\\binom", "\\sqrt",  "\\sum", "\\prod", "\\int",
+                                        "\\max", "\\min", "\\lfloor", "\\lceil", "\\begin", "\\det", NULL};
     if (r->integrals > 0 && differential(r, r->token) > 0)
         return 0;
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
@@ -731,6 +756,9 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
             return cagd_refuse_token(r, "more than %d factors", CAGD_MOST_CHILDREN);
         list[count] = factor(r);
         if (dot && list[count] != NULL && list[count]->dimension > 0 && list[count - 1]->dimension > 0) {
+            for (int k = 0; k + 1 < count; k++)
+                if (cagd_is_matrix(list[k]->dimension) && !cagd_is_matrix(list[count - 1]->dimension))
+                    return cagd_refuse_tree(r, list[count], "a matrix and two vectors: write brackets");
             list[count - 1] = cagd_vector_product(r, sign, list[count - 1], list[count]);
             continue;
         }

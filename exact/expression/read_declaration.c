@@ -168,17 +168,27 @@ static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cag
     return cagd_declare(scope, v);
 }
 
-/* Behind \mathbb{R}: ^3 where the variable is a vector. */
-static int dimension(cagd_reader *r, cagd_variable *v)
+/* A number of components, rows or columns. */
+static int extent(cagd_reader *r, int *value)
 {
-    if (!cagd_pass(r, "^"))
-        return 1;
-    int braces = cagd_pass(r, "{");
     const char *digit = r->token->word;
     if (r->token->kind != CAGD_TOKEN_NUMBER || digit[1] != '\0' || digit[0] < '2' || digit[0] > '8')
         return cagd_refuse_token(r, "vectors have 2 to 8 components, not %s", cagd_name_of_next(r)) != NULL;
-    v->dimension = digit[0] - '0';
+    *value = digit[0] - '0';
     r->token++;
+    return 1;
+}
+
+/* Behind \mathbb{R}: ^3 where the variable is a vector, ^{2 \times 3} where it is a matrix. */
+static int dimension(cagd_reader *r, cagd_variable *v)
+{
+    int columns = 0;
+    if (!cagd_pass(r, "^"))
+        return 1;
+    int braces = cagd_pass(r, "{");
+    if (!extent(r, &v->dimension) || (braces && cagd_pass(r, "\\times") && !extent(r, &columns)))
+        return 0;
+    v->dimension += CAGD_MATRIX * columns;
     return !braces || cagd_expect(r, "}", "the dimension");
 }
 

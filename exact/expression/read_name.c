@@ -43,7 +43,7 @@ int cagd_may_be_unknown(const cagd_reader *r) { return r->declaring || (r->suppo
 
 struct parts {
     const char *head;
-    int lower, upper, arguments, primes;
+    int lower, upper, arguments, primes, transposed;
     const cagd_tree *of_lower[CAGD_MOST_INDICES], *of_upper[CAGD_MOST_INDICES], *argument[MOST_ARGUMENTS];
     const cagd_tree *power, *times;
 };
@@ -317,6 +317,10 @@ static int superscript(cagd_reader *r, struct parts *p)
     if (braces && (strcmp(t->word, "[") == 0 || strcmp(t->word, "(") == 0))
         return cagd_refuse_token(r, "%s was not defined with an upper index, and a power has no brackets",
                                  cagd_spelled(p->head)) != NULL;
+    if (!cagd_is_bound(r, p->head) && cagd_dimension_of(r->scope, p->head) > 0 && cagd_pass_transposed(r)) {
+        p->transposed = 1;
+        return 1;
+    }
     p->power = cagd_read_argument(r, 1);
     return p->power != NULL;
 }
@@ -448,8 +452,12 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     for (int k = 0; k < t->count; k++)
         if (t->at[k]->dimension > 0)
             return cagd_refuse_tree(r, t->at[k], "a vector is no index and no argument");
+    if (p.transposed)
+        return cagd_transposed(r, t);
     if (p.power == NULL)
         return t;
+    if (cagd_is_matrix(t->dimension))
+        return cagd_matrix_power(r, t, p.power);
     return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, p.power});
 }
 

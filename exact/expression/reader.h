@@ -52,6 +52,24 @@ cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count,
 
 /* Sets the dimension of t by that of its parts, if they fit; otherwise an error, and NULL. */
 cagd_tree *cagd_with_dimension(cagd_reader *r, cagd_tree *t);
+/* What messages call what has that dimension: "a vector of 3 components". */
+const char *cagd_called(int dimension);
+/* The component number k of a vector or matrix, from 0. */
+const cagd_tree *cagd_component_of(cagd_reader *r, const cagd_tree *t, int k);
+/* a b for matrices and vectors, if they fit; a product of several factors, some of them matrices, from the left. */
+const cagd_tree *cagd_matrix_product(cagd_reader *r, const cagd_tree *a, const cagd_tree *b);
+const cagd_tree *cagd_chain_of_matrices(cagd_reader *r, const cagd_tree *t);
+/* The determinant of a square matrix; a matrix to a whole power, perhaps below 0; transposed. */
+const cagd_tree *cagd_determinant_of(cagd_reader *r, const cagd_tree *t, int from);
+const cagd_tree *cagd_matrix_power(cagd_reader *r, const cagd_tree *t, const cagd_tree *exponent);
+const cagd_tree *cagd_transposed(cagd_reader *r, const cagd_tree *t);
+/* Whether the sign of transposition comes next, behind ^; then it is passed. */
+int cagd_pass_transposed(cagd_reader *r);
+/* The environment of a matrix, if its name in braces comes next: then it is passed.  The entries behind it, up to its end. */
+const char *cagd_pass_matrix(cagd_reader *r);
+const cagd_tree *cagd_read_matrix(cagd_reader *r, const char *name, int from);
+/* Whether the name of an environment comes next, in braces; then it is passed. */
+int cagd_environment(cagd_reader *r, const char *name);
 /* The factor b behind a with "*" or "\times" between, one of them a vector; of two vectors a product of vectors. */
 const cagd_tree *cagd_vector_product(cagd_reader *r, const char *sign, const cagd_tree *a, const cagd_tree *b);
 /* Behind the first of several values with commas between: a point, or the mixed product of three vectors. */

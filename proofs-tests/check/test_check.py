@@ -120,6 +120,58 @@ class Language(unittest.TestCase):
     def test_dots_between_the_ends_of_a_range_are_no_product(self):
         self.assertEqual(verdict("x_i + x_0 = x_0 + x_i", r"n = 3, i = 0 \dots n")["scope"].split(",")[0], "i = 0 to n")
 
+    def test_matrices(self):
+        let = r"""M = \begin{pmatrix} 1 & 0 & 0 \\ -2 & 2 & 0 \\ 1 & -2 & 1 \end{pmatrix}
+R(t) = \begin{bmatrix} 1-t & t \\ 0 & t^2 \end{bmatrix}
+A, C \in \mathbb{R}^{2 \times 2}
+K \in \mathbb{R}^{3 \times 3}
+L \in \mathbb{R}^{2 \times 3}
+\mathbf{u}, \mathbf{v} \in \mathbb{R}^2
+\mathbf{w}, \mathbf{z} \in \mathbb{R}^3
+"""
+        row, column = r"\begin{pmatrix} 1 & t & t^2 \end{pmatrix}", r"\begin{pmatrix} x_0 \\ x_1 \\ x_2 \end{pmatrix}"
+        for printed, expected in (
+                (row + " M " + column + r" = \sum_{i=0}^2 x_i B_i^2(t)", "holds"), (row + " M^T " + column + r" = \sum_{i=0}^2 x_i B_i^2(t)", "fails"),
+                (r"[1 \; t \; t^2] M (x_0, x_1, x_2) = \sum_{i=0}^2 x_i B_i^2(t)", "holds"),
+                (r"[1 \; t \; t^2] M = \begin{bmatrix} B_0^2(t) & B_1^2(t) & B_2^2(t) \end{bmatrix}", "holds"),
+                (r"[1 \; t \; t^2] M = \begin{bmatrix} B_0^2(t) & B_2^2(t) & B_1^2(t) \end{bmatrix}", "fails"),
+                (r"(A C)^T = C^T A^T", "holds"), (r"(A C)^T = A^T C^T", "fails"), (r"\det(A C) = \det A \det C", "holds"),
+                (r"\det (A + C) = \det A + \det C", "fails"), (r"|A| = |A^\top|", "holds"), (r"A C = C A", "fails"), (r"A \ne C", "fails"),
+                (r"A (C A) = (A C) A", "holds"), (r"A^{-1} A = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}", "holds"),
+                (r"(A C)^{-1} = C^{-1} A^{-1}", "holds"), (r"(A C)^{-1} = A^{-1} C^{-1}", "fails"), (r"(A C)^2 = A^2 C^2", "fails"),
+                (r"(A C)^2 = A C A C", "holds"), (r"\mathbf{u}^T A \mathbf{v} = \mathbf{v}^{\mathsf T} A^\top \mathbf{u}", "holds"),
+                (r"\mathbf{u}^T A \mathbf{v} = \mathbf{v}^T A \mathbf{u}", "fails"), (r"\mathbf{u}^T \mathbf{v} = \mathbf{u} \cdot \mathbf{v}", "holds"),
+                (r"(\mathbf{u} \mathbf{v}^T)^T = \mathbf{v} \mathbf{u}^T", "holds"), (r"\mathbf{u} \mathbf{v}^T = \mathbf{v} \mathbf{u}^T", "fails"),
+                (r"L K \mathbf{w} + \mathbf{u} = L (K \mathbf{w}) + \mathbf{u}", "holds"), (r"(K \mathbf{w}) \times \mathbf{z} = K (\mathbf{w} \times \mathbf{z})", "fails"),
+                (r"\frac{d}{dt} R(t)^2 = R(t) R'(t) + R'(t) R(t)", "holds"), (r"\frac{d}{dt} R(t)^2 = 2 R(t) R'(t)", "fails"),
+                (r"\int_0^1 R(t) \, dt = \begin{bmatrix} \frac12 & \frac12 \\ 0 & \frac13 \end{bmatrix}", "holds"), (r"2 A + A = 3 A", "holds"),
+                (r"\left(\begin{array}{cc} x & y \\ u & v \end{array}\right)^{-1} = \frac{1}{x v - y u} \begin{pmatrix} v & -y \\ -u & x \end{pmatrix}", "holds"),
+                (r"\left|\begin{array}{cc} x & y \\ u & v \end{array}\right| = x v + y u", "fails"), (r"A^T A = A A^T \Rightarrow A = A^T", "fails"),
+                (r"\begin{pmatrix} x \\ y \end{pmatrix} = (x, y)", "holds"), (r"\begin{pmatrix} 1 & 1 \\ 1 & 1 \end{pmatrix}^{-1} = A", "undecided")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 2", let)
+                self.assertEqual(s["verdict"], expected, s)
+
+    def test_matrices_that_do_not_fit(self):
+        let = "A \\in \\mathbb{R}^{2 \\times 2}\nK \\in \\mathbb{R}^{3 \\times 3}\nL \\in \\mathbb{R}^{2 \\times 3}\n\\mathbf{v} \\in \\mathbb{R}^2\n\\mathbf{w}, \\mathbf{z} \\in \\mathbb{R}^3\n"
+        for printed, message in (
+                (r"A \mathbf{w} = \mathbf{w}", "a matrix of 2 rows and 2 columns before a vector of 3 components: there is no such product"),
+                (r"\mathbf{v} A = \mathbf{v}", "a vector of 2 components before a matrix of 2 rows and 2 columns: there is no such product"),
+                (r"A = \mathbf{v}", "a matrix of 2 rows and 2 columns beside a vector of 2 components"), (r"A < A", "vectors are equal or not; none is less than another"),
+                (r"A + K = K", "a matrix of 2 rows and 2 columns beside a matrix of 3 rows and 3 columns"), (r"A^{1/2} = A", "a matrix has powers with numbers from 1 to 12, and ^T"),
+                (r"\det L = 1", "a determinant is of as many columns as rows, at most 6; this is a matrix of 2 rows and 3 columns"),
+                (r"\det x = 1", "a determinant is of as many columns as rows, at most 6; this is a number"), (r"A^n = A", "a matrix has powers with numbers from 1 to 12, and ^T"),
+                (r"L^2 = L", "a power of a matrix of 2 rows and 3 columns"), (r"\|A\| = 1", "the length of what is no vector; of a number it is |a|"),
+                (r"\frac{1}{A} = A", "a matrix where a number is expected"), (r"A \times A = A", "a matrix where a vector is expected"), (r"A + 1 = A", "a number where a vector is expected"),
+                (r"K \mathbf{w} \times \mathbf{z} = \mathbf{w}", "a matrix and two vectors: write brackets"),
+                (r"\begin{pmatrix} 1 & 2 \\ 3 \end{pmatrix} = A", "rows of different lengths"), (r"\begin{pmatrix} 1 & 2 \\ 3 & 4 = A", "expected '\\end' after the matrix, not '='"),
+                (r"\begin{pmatrix} \end{pmatrix} = A", "a matrix without entries"), (r"\begin{pmatrix} 1 & 2 \end{bmatrix} = A", r"expected \end{pmatrix}"),
+                (r"\begin{pmatrix} 1 & 2 & 3 & 4 & 5 & 6 & 7 & 8 & 9 \end{pmatrix} = A", "a matrix of more than 8 rows or columns")):
+            with self.subTest(printed=printed):
+                r = check(document(printed, "n = 2", let))
+                self.assertEqual((r.returncode, r.stdout), (2, ""))
+                self.assertEqual(r.stderr.splitlines()[0].split(": ", 2)[2], message)
+
     def test_implications_and_quantifiers(self):
         for printed, expected in (
                 ("x > 0 \\Rightarrow x + \\frac{1}{x} \\ge 2", "holds"), ("x > 0 \\Rightarrow x + \\frac{1}{x} > 2", "fails"),
