@@ -162,6 +162,54 @@ static int differential(const cagd_reader *r, const cagd_token *t)
     return strcmp(t[1].word, "{") == 0 && strcmp(t[2].word, "d") == 0 && strcmp(t[3].word, "}") == 0 ? 4 : 0;
 }
 
+/* A letter by which there is a derivative, and how often; NULL: once. */
+struct by {
+    const char *head;
+    const cagd_tree *order;
+};
+
+/* \partial^3 f / \partial s^2 \partial t, the first letter below being passed: one derivative of another. */
+static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tree *order, const cagd_tree *body,
+                                         struct by first)
+{
+    struct by by[CAGD_MOST_INDICES] = {first};
+    int count = 1, all = 0, sign;
+    while ((sign = differential(r, r->token)) > 0) {
+        if (count == CAGD_MOST_INDICES)
+            return cagd_refuse_token(r, "a derivative by more than %d letters", CAGD_MOST_INDICES);
+        r->token += sign;
+        by[count].head = cagd_read_head(r);
+        if (by[count].head == NULL)
+            return NULL;
+        if (!cagd_is_known(r, by[count].head))
+            return cagd_refuse_token(r, "%s is not defined", by[count].head);
+        if (cagd_pass(r, "^") && (by[count].order = cagd_read_argument(r, 1)) == NULL)
+            return NULL;
+        count++;
+    }
+    for (int k = 0; k < count; k++) {
+        if (by[k].order == NULL)
+            by[k].order = cagd_tree_number(1, from, from);
+        if (by[k].order == NULL || by[k].order->kind != CAGD_NUMBER)
+            return cagd_refuse_token(r, "the orders of a mixed derivative are numbers");
+        all += (int)mpz_get_si(mpq_numref(by[k].order->number.at));
+    }
+    if (order == NULL || order->kind != CAGD_NUMBER || !cagd_equal_q(order->number, from_int_q(all)))
+        return cagd_refuse_token(r, "the orders above and below are not the same");
+    if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
+        return NULL;
+    if (body == NULL)
+        body = cagd_read_product(r);
+    while (body != NULL && count > 0) {
+        count--;
+        cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, by[count].order});
+        if (t != NULL)
+            t->head = by[count].head;
+        body = t;
+    }
+    return body;
+}
+
 /* d^k f / d t^k, the brace of the numerator being passed, if it has braces; the body f may follow the fraction. */
 static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
 {
@@ -188,9 +236,11 @@ static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
     const cagd_tree *again = NULL;
     if (cagd_pass(r, "^") && (again = cagd_read_argument(r, 1)) == NULL)
         return NULL;
+    if (differential(r, r->token) > 0)
+        return mixed_derivative(r, from, order, body, (struct by){head, again});
     if ((order == NULL) != (again == NULL) || (order != NULL && !cagd_tree_equal(order, again)))
         return cagd_refuse_token(r, "the orders above and below are not the same");
-    if (!cagd_expect(r, "}", "the derivative"))
+    if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
         return NULL;
     if (body == NULL)
         body = cagd_read_product(r);
@@ -261,65 +311,127 @@ static const char *index_letter(cagd_reader *r)
     return head;
 }
 
+/* The second index, where there is one, is from second_low to high. */
 struct range {
-    const char *head;
-    const cagd_tree *low, *high, *condition[4];
+    const char *head, *second;
+    const cagd_tree *low, *high, *second_low, *condition[4];
     int conditions;
+    struct cagd_bound bound[2];
 };
 
-/* What stands below: i=0, or 0 \le i \le n, and conditions behind commas. */
-static int below(cagd_reader *r, struct range *a, struct cagd_bound *bound)
+static void bind_both(cagd_reader *r, struct range *a)
+{
+    a->bound[0] = (struct cagd_bound){a->head, r->bound};
+    a->bound[1] = (struct cagd_bound){a->second, &a->bound[0]};
+    r->bound = &a->bound[a->second != NULL];
+}
+
+/* i=0, or i,j=0. */
+static int from_one_end(cagd_reader *r, struct range *a)
+{
+    a->head = index_letter(r);
+    if (a->head == NULL || (cagd_pass(r, ",") && (a->second = index_letter(r)) == NULL))
+        return 0;
+    if (a->second != NULL && strcmp(a->head, a->second) == 0)
+        return cagd_refuse_token(r, "the index %s is there twice", a->head) != NULL;
+    r->token++;
+    a->low = a->second_low = cagd_read_sum(r);
+    return a->low != NULL;
+}
+
+/* The next token is < or \le, and is passed; whether it is <. */
+static int pass_less(cagd_reader *r, int *strict)
+{
+    cagd_relation relation;
+    if (!cagd_relation_next(r, &relation) || (relation != CAGD_LESS_OR_EQUAL && relation != CAGD_LESS))
+        return cagd_refuse_token(r, "expected a range such as {i=0} or {0 \\le i \\le n}") != NULL;
+    *strict = relation == CAGD_LESS;
+    r->token++;
+    return 1;
+}
+
+/* end + by, if there is a by. */
+static const cagd_tree *moved(cagd_reader *r, const cagd_tree *end, long by)
+{
+    if (end == NULL || by == 0)
+        return end;
+    return cagd_new_of(r, CAGD_SUM, end->from, 2, (const cagd_tree *[]){end, cagd_tree_number(by, end->to, end->to)});
+}
+
+/* 0 \le i \le n, 0 \le i < j \le n. */
+static int between_ends(cagd_reader *r, struct range *a)
+{
+    int strict;
+    const cagd_tree *low = cagd_read_sum(r);
+    if (low == NULL || !pass_less(r, &strict))
+        return 0;
+    a->low = moved(r, low, strict);
+    a->head = index_letter(r);
+    if (a->low == NULL || a->head == NULL || !pass_less(r, &strict))
+        return 0;
+    if (r->token->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, r->token->word) &&
+        strcmp(r->token->word, a->head) != 0 &&
+        (strcmp(r->token[1].word, "<") == 0 || strcmp(r->token[1].word, "\\le") == 0)) {
+        cagd_tree *first = cagd_new(r, CAGD_NAME, r->token->from, 0);
+        if (first == NULL)
+            return 0;
+        first->head = a->head;
+        a->second_low = moved(r, first, strict);
+        a->second = index_letter(r);
+        if (a->second_low == NULL || a->second == NULL || !pass_less(r, &strict))
+            return 0;
+    }
+    a->high = moved(r, cagd_read_sum(r), strict ? -1 : 0);
+    return a->high != NULL;
+}
+
+/* What stands below: i=0, or 0 \le i \le n, and conditions behind commas, or below one another. */
+static int below(cagd_reader *r, struct range *a)
 {
     if (!cagd_expect(r, "{", "_"))
         return 0;
-    if (cagd_begins_name(r) && strcmp(r->token[1].word, "=") == 0) {
-        a->head = index_letter(r);
-        if (a->head == NULL)
-            return 0;
-        r->token++;
-        a->low = cagd_read_sum(r);
-    } else {
-        cagd_relation relation;
-        a->low = cagd_read_sum(r);
-        if (a->low == NULL)
-            return 0;
-        for (int k = 0; k < 2; k++) {
-            if (!cagd_relation_next(r, &relation) || (relation != CAGD_LESS_OR_EQUAL && relation != CAGD_LESS))
-                return cagd_refuse_token(r, "expected a range such as {i=0} or {0 \\le i \\le n}") != NULL;
-            r->token++;
-            if (k == 0)
-                a->head = index_letter(r);
-            else
-                a->high = cagd_read_sum(r);
-            const cagd_tree *one = cagd_tree_number(k == 0 ? 1 : -1, r->token->from, r->token->from);
-            const cagd_tree **end = k == 0 ? &a->low : &a->high;
-            if (a->head == NULL || *end == NULL)
-                return 0;
-            if (relation == CAGD_LESS)
-                *end = cagd_new_of(r, CAGD_SUM, (*end)->from, 2, (const cagd_tree *[]){*end, one});
-        }
-    }
-    *bound = (struct cagd_bound){a->head, r->bound};
-    r->bound = bound;
-    while (a->low != NULL && cagd_pass(r, ",")) {
+    int stack = cagd_pass(r, "\\substack");
+    if (stack && !cagd_expect(r, "{", "\\substack"))
+        return 0;
+    int pair = r->token->kind == CAGD_TOKEN_LETTER && strcmp(r->token[1].word, ",") == 0 &&
+               r->token[2].kind == CAGD_TOKEN_LETTER && strcmp(r->token[3].word, "=") == 0;
+    int one_end = pair || (cagd_begins_name(r) && strcmp(r->token[1].word, "=") == 0);
+    if (!(one_end ? from_one_end : between_ends)(r, a))
+        return 0;
+    const struct cagd_bound *outside = r->bound;
+    bind_both(r, a);
+    while (cagd_pass(r, ",") || (stack && cagd_pass(r, "\\\\"))) {
         if (a->conditions == 4)
             return cagd_refuse_token(r, "more than four conditions") != NULL;
         a->condition[a->conditions] = cagd_read_relations(r);
         if (a->condition[a->conditions++] == NULL)
             return 0;
     }
-    r->bound = bound->next;
-    return a->low != NULL && cagd_expect(r, "}", "the range");
+    r->bound = outside;
+    return (!stack || cagd_expect(r, "}", "the range")) && cagd_expect(r, "}", "the range");
+}
+
+static const cagd_tree *over_one(cagd_reader *r, cagd_tree_kind kind, int from, const char *head,
+                                 const cagd_tree *const ends[2], const cagd_tree *body, int conditions,
+                                 const cagd_tree *const condition[])
+{
+    cagd_tree *t = cagd_new(r, kind, from, 3 + conditions);
+    if (t == NULL)
+        return NULL;
+    t->head = head;
+    t->at[0] = ends[0], t->at[1] = ends[1], t->at[2] = body;
+    for (int k = 0; k < conditions; k++)
+        t->at[3 + k] = condition[k];
+    return cagd_with_dimension(r, t);
 }
 
 static const cagd_tree *over(cagd_reader *r, cagd_tree_kind kind, int from)
 {
     struct range a = {0};
-    struct cagd_bound bound;
     const char *sign = kind == CAGD_SUM_OVER ? "sum" : "product";
     if (!cagd_pass(r, "_"))
         return cagd_refuse_token(r, "over what is the %s? expected _{i=0}^{n}", sign);
-    if (!below(r, &a, &bound))
+    if (!below(r, &a))
         return NULL;
     if (a.high == NULL) {
         if (!cagd_pass(r, "^"))
@@ -328,19 +440,19 @@ static const cagd_tree *over(cagd_reader *r, cagd_tree_kind kind, int from)
         if (a.high == NULL)
             return NULL;
     }
-    r->bound = &bound;
+    const struct cagd_bound *outside = r->bound;
+    bind_both(r, &a);
     const cagd_tree *body = product(r, kind, a.head);
-    r->bound = bound.next;
+    r->bound = outside;
+    int conditions = a.conditions;
+    if (body != NULL && a.second != NULL) { /* the conditions are of both, and stand with the inner one */
+        body = over_one(r, kind, from, a.second, (const cagd_tree *[]){a.second_low, a.high}, body, conditions,
+                        a.condition);
+        conditions = 0;
+    }
     if (body == NULL)
         return NULL;
-    cagd_tree *t = cagd_new(r, kind, from, 3 + a.conditions);
-    if (t == NULL)
-        return NULL;
-    t->head = a.head;
-    t->at[0] = a.low, t->at[1] = a.high, t->at[2] = body;
-    for (int k = 0; k < a.conditions; k++)
-        t->at[3 + k] = a.condition[k];
-    return cagd_with_dimension(r, t);
+    return over_one(r, kind, from, a.head, (const cagd_tree *[]){a.low, a.high}, body, conditions, a.condition);
 }
 
 static const cagd_tree *integral(cagd_reader *r, int from)
@@ -401,9 +513,18 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     const cagd_tree *a = cagd_read_sum(r);
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
+    if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over"))) {
+        cagd_tree_kind kind = cagd_next_is(r, "\\over") ? CAGD_QUOTIENT : CAGD_BINOMIAL;
+        r->token++;
+        const cagd_tree *b = cagd_read_sum(r);
+        a = cagd_new_of(r, kind, from, 2, (const cagd_tree *[]){a, b});
+    }
     if (a != NULL && close[0] == ']')
         a = cagd_in_square_brackets(r, a);
-    return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_read_primed_group(r, a) : NULL;
+    if (a == NULL || !cagd_expect(r, close, "the bracket") ||
+        (!cagd_is_bare_function(r, a) && cagd_refuse_argument(r, a)))
+        return NULL;
+    return cagd_read_primed_group(r, a);
 }
 
 static const cagd_tree *extremum(cagd_reader *r, cagd_tree_kind kind, int from)
@@ -524,6 +645,25 @@ static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
     return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
 
+/* Behind \det: a matrix, or (a, b, c), the columns. */
+static const cagd_tree *det(cagd_reader *r, int from)
+{
+    const cagd_token *start = r->token;
+    const char *close = cagd_pass(r, "(") ? ")" : cagd_pass(r, "[") ? "]" : NULL;
+    const cagd_tree *list[CAGD_MOST_ROWS], *a = NULL;
+    int count = 0, depth = r->depth;
+    while (close != NULL && count < CAGD_MOST_ROWS && (list[count] = cagd_read_sum(r)) != NULL &&
+           list[count++]->dimension > 0 && cagd_pass(r, ","))
+        ;
+    if (count > 1 && cagd_pass(r, close)) {
+        a = cagd_columns_of(r, count, list, from);
+    } else if (r->error->message[0] == '\0') {
+        r->token = start, r->depth = depth;
+        a = factor(r);
+    }
+    return a != NULL ? cagd_determinant_of(r, a, from) : NULL;
+}
+
 /* What begins with \begin, that word being passed. */
 static const cagd_tree *block(cagd_reader *r, int from)
 {
@@ -560,8 +700,7 @@ static const cagd_tree *word(cagd_reader *r)
         return r->token++, block(r, from);
     if (strcmp(w, "\\det") == 0) {
         r->token++;
-        const cagd_tree *a = factor(r);
-        return a != NULL ? cagd_determinant_of(r, a, from) : NULL;
+        return det(r, from);
     }
     if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
         return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
@@ -573,9 +712,22 @@ static const cagd_tree *word(cagd_reader *r)
     return cagd_refuse_token(r, "%s is not understood", w);
 }
 
+/* \operatorname{det} */
+static int pass_operator_det(cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    if (!cagd_next_is(r, "\\operatorname") || strcmp(t[1].word, "{") != 0 || strcmp(t[2].word, "d") != 0 ||
+        strcmp(t[3].word, "e") != 0 || strcmp(t[4].word, "t") != 0 || strcmp(t[5].word, "}") != 0)
+        return 0;
+    r->token += 6;
+    return 1;
+}
+
 static const cagd_tree *base(cagd_reader *r)
 {
     int from = r->token->from;
+    if (pass_operator_det(r))
+        return det(r, from);
     if (cagd_next_is(r, "\\mathbf") && (strcmp(r->token[1].word, "0") == 0 || strcmp(r->token[2].word, "0") == 0)) {
         r->token++; /* the vector 0 */
         return cagd_read_argument(r, 0);
@@ -629,6 +781,8 @@ static const cagd_tree *powered(cagd_reader *r, const cagd_tree *t, int from)
     if (t->dimension > 0 && cagd_pass_transposed(r))
         return cagd_transposed(r, t);
     const cagd_tree *power = cagd_read_argument(r, 1);
+    if (power != NULL && cagd_is_bare_function(r, t) && (t = cagd_read_primed_group(r, t)) == NULL) /* {f'}^2(t) */
+        return NULL;
     if (power != NULL && cagd_is_matrix(t->dimension))
         return cagd_matrix_power(r, t, power);
     return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
@@ -903,7 +1057,8 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
             more = 1;
         else if (words != NULL)
             r->token = here, more = 0;
-        if (more && (r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
+        if (more && (cagd_next_is_member(r) || r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") ||
+                     cagd_next_is(r, "\\end")))
             more = 0;
     } while (more);
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);

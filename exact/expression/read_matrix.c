@@ -117,6 +117,20 @@ const cagd_tree *cagd_matrix_power(cagd_reader *r, const cagd_tree *t, const cag
     return power;
 }
 
+const cagd_tree *cagd_columns_of(cagd_reader *r, int count, const cagd_tree *const list[], int from)
+{
+    const cagd_tree *entry[CAGD_MOST_ROWS * CAGD_MOST_ROWS];
+    int rows = list[0]->dimension;
+    for (int k = 0; k < count; k++) {
+        if (cagd_is_matrix(list[k]->dimension) || list[k]->dimension != rows)
+            return cagd_refuse_tree(r, list[k], "columns that are vectors have one dimension; this is %s",
+                                    cagd_called(list[k]->dimension));
+        for (int row = 0; row < rows; row++)
+            entry[row * count + k] = cagd_component_of(r, list[k], row);
+    }
+    return shaped(r, CAGD_POINT, from, rows * count, entry, shape_of(rows, count));
+}
+
 /* ---- entries in rows ----------------------------------------------------------------------------------- */
 
 static const char *const environments[] = {"pmatrix", "bmatrix", "Bmatrix", "matrix", "smallmatrix", "array", NULL};
@@ -165,5 +179,7 @@ const cagd_tree *cagd_read_matrix(cagd_reader *r, const char *name, int from)
         return cagd_refuse_token(r, "expected \\end{%s}", name);
     if (count == 0)
         return cagd_refuse_token(r, "a matrix without entries");
+    if (rows == 1 && count > 1 && list[0]->dimension > 0)
+        return cagd_columns_of(r, count, list, from);
     return count == 1 ? list[0] : shaped(r, CAGD_POINT, from, count, list, shape_of(rows, columns));
 }

@@ -482,3 +482,35 @@ const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t)
         at[t->count + k] = p.argument[k];
     return whole;
 }
+
+int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t)
+{
+    return t->kind == CAGD_NAME && t->arguments == 0 && known_arguments(r, t->head) > 0;
+}
+
+static int has_bare_function(const cagd_reader *r, const cagd_tree *t)
+{
+    if (cagd_is_bare_function(r, t))
+        return 1;
+    for (int k = 0; k < t->count; k++)
+        if (has_bare_function(r, t->at[k]))
+            return 1;
+    return 0;
+}
+
+int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t)
+{
+    const cagd_token *inside = r->token;
+    if (!cagd_next_is(r, "("))
+        return 0;
+    do {
+        inside++;
+        if (inside->kind != CAGD_TOKEN_LETTER && inside->kind != CAGD_TOKEN_NUMBER)
+            return 0;
+        inside++;
+    } while (strcmp(inside->word, ",") == 0 || strcmp(inside->word, ";") == 0);
+    if (strcmp(inside->word, ")") != 0 || !has_bare_function(r, t))
+        return 0;
+    cagd_refuse_token(r, "arguments of what stands before, or a factor? write them behind the name, or \\cdot between");
+    return 1;
+}

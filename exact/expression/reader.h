@@ -59,6 +59,8 @@ const cagd_tree *cagd_component_of(cagd_reader *r, const cagd_tree *t, int k);
 /* a b for matrices and vectors, if they fit; a product of several factors, some of them matrices, from the left. */
 const cagd_tree *cagd_matrix_product(cagd_reader *r, const cagd_tree *a, const cagd_tree *b);
 const cagd_tree *cagd_chain_of_matrices(cagd_reader *r, const cagd_tree *t);
+/* The matrix whose columns are these vectors, which have to be of one dimension. */
+const cagd_tree *cagd_columns_of(cagd_reader *r, int count, const cagd_tree *const list[], int from);
 /* The determinant of a square matrix; a matrix to a whole power, perhaps below 0; transposed. */
 const cagd_tree *cagd_determinant_of(cagd_reader *r, const cagd_tree *t, int from);
 const cagd_tree *cagd_matrix_power(cagd_reader *r, const cagd_tree *t, const cagd_tree *exponent);
@@ -94,6 +96,8 @@ const cagd_tree *cagd_read_relations(cagd_reader *r);
 const cagd_tree *cagd_read_conditions(cagd_reader *r);
 /* What is true or false: conditions, with implications, "or", "not" and quantifiers between. */
 const cagd_tree *cagd_read_truth(cagd_reader *r);
+/* Whether names and \in come next, with no relation before it: what follows is said of them. */
+int cagd_next_is_member(const cagd_reader *r);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
@@ -107,6 +111,10 @@ int cagd_begins_name(const cagd_reader *r);
 const cagd_tree *cagd_read_name(cagd_reader *r);
 /* {B_i^n}'(t): a name in brackets, and primes and arguments behind them. */
 const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t);
+/* Whether t is a function without its arguments; whether such a one is in it, and a bracket with letters or numbers alone comes
+ * next, which can be its arguments or a factor: then an error. */
+int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t);
+int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t);
 /* The letter with its faces: "t", "\hat{\omega}". */
 const char *cagd_read_head(cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */

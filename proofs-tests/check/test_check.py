@@ -172,6 +172,42 @@ L \in \mathbb{R}^{2 \times 3}
                 self.assertEqual((r.returncode, r.stdout), (2, ""))
                 self.assertEqual(r.stderr.splitlines()[0].split(": ", 2)[2], message)
 
+    def test_what_papers_write(self):
+        let = r"""p_i, a, b \in \mathbb{R}
+\mathbf{a}, \mathbf{b}, \mathbf{c} \in \mathbb{R}^3
+f(t) = t^3
+g(s,t) = s^2 t^3
+"""
+        for printed, expected in (
+                (r"\sum_{0 \le i < j \le n} p_i p_j = p_0 p_1 + p_0 p_2 + p_1 p_2", "holds"), (r"\sum_{0 \le i \le j \le n} p_i p_j = p_0 p_1 + p_0 p_2 + p_1 p_2", "fails"),
+                (r"\sum_{0 \le i \le j < n} p_i p_j = p_0^2 + p_0 p_1 + p_1^2", "holds"), (r"\sum_{0 < i < j \le n} p_i p_j = p_1 p_2", "holds"),
+                (r"\prod_{0 \le i < j \le n} (p_j - p_i) = (p_1 - p_0)(p_2 - p_0)(p_2 - p_1)", "holds"), (r"\sum_{i,j=0}^n p_i p_j = (p_0 + p_1 + p_2)^2", "holds"),
+                (r"\sum_{i,j=0, i \ne j}^n p_i p_j = 2 (p_0 p_1 + p_0 p_2 + p_1 p_2)", "holds"), (r"\sum_{i,j=0, i < j}^n p_i p_j = 2 (p_0 p_1 + p_0 p_2 + p_1 p_2)", "fails"),
+                (r"\sum_{\substack{i=0 \\ i \ne 1}}^n p_i = p_0 + p_2", "holds"), (r"\prod_{\substack{0 \le j \le n \\ j \ne 1}} (x - p_j) = (x - p_0)(x - p_1)", "fails"),
+                (r"{f'}^2(t) = 9 t^4", "holds"), (r"{f'}^2(t) = 9 t^5", "fails"), (r"f'^2(t) = 9 t^4", "holds"), (r"[f'(t)]^2 = 9 t^4", "holds"),
+                (r"\frac{\partial^2 g(s,t)}{\partial s \partial t} = 6 s t^2", "holds"), (r"\frac{\partial^3 g(s,t)}{\partial s \partial t^2} = 6 s t", "fails"),
+                (r"\frac{\partial^3}{\partial s \, \partial t^2} g(s,t) = 12 s t", "holds"), (r"{n \choose 1} = {2n \over 2}", "holds"), (r"{n \choose 1} = n + 1", "fails"),
+                (r"\lVert \mathbf{a} \times \mathbf{b} \rVert^2 = \Vert \mathbf{a} \Vert^2 \left\lVert \mathbf{b} \right\rVert^2 - (\mathbf{a} \cdot \mathbf{b})^2", "holds"),
+                (r"\det(\mathbf{a}, \mathbf{b}, \mathbf{c}) = (\mathbf{a} \times \mathbf{b}) \cdot \mathbf{c}", "holds"),
+                (r"\operatorname{det}[\mathbf{a}, \mathbf{b}, \mathbf{c}] = \det(\mathbf{b}, \mathbf{a}, \mathbf{c})", "fails"),
+                (r"\det \begin{pmatrix} \mathbf{a} & \mathbf{b} & \mathbf{c} \end{pmatrix} = [\mathbf{a}, \mathbf{b}, \mathbf{c}]", "holds"),
+                (r"\begin{bmatrix} \mathbf{a} & \mathbf{b} \end{bmatrix} \begin{bmatrix} x \\ y \end{bmatrix} = x \mathbf{a} + y \mathbf{b}", "holds"),
+                (r"\lbrace a + b \rbrace^2 = a^2 + 2 a b + b^2", "holds"), (r"f(x) \ge 0, \quad x \in [0,1]", "holds"), (r"f(x) \ge 0, \quad x \in [-1,1]", "fails"),
+                (r"f(x) \ge f(y) \text{ for all } x \in [1,2], y \in [0,1]", "holds"), (r"f(x) > f(y) \quad \forall x \in [1,2], y \in [0,1]", "fails"),
+                (r"f(x) > f(y) \quad \forall x \in (1,2], y \in [0,1)", "holds"), (r"x y < 1 \quad \forall x, y \in (0,1)", "holds")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 2", let)
+                self.assertEqual(s["verdict"], expected, s)
+
+    def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
+        let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
+        for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3"):
+            with self.subTest(printed=printed):
+                r = check(document(printed, "n = 2", let))
+                self.assertEqual(r.returncode, 2)
+                self.assertIn(r"arguments of what stands before, or a factor?", r.stderr)
+        self.assertEqual(verdict("(f - F)(1-t) = (f(t) - F(t)) (1-t)", "n = 2", let)["verdict"], "holds")
+
     def test_implications_and_quantifiers(self):
         for printed, expected in (
                 ("x > 0 \\Rightarrow x + \\frac{1}{x} \\ge 2", "holds"), ("x > 0 \\Rightarrow x + \\frac{1}{x} > 2", "fails"),
