@@ -8,6 +8,7 @@
 #include "cli/junit.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "core/clock.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -27,13 +28,6 @@ struct report {
     struct certifying *certificates; /* or NULL */
     int certified, *code;
 };
-
-static double now(void)
-{
-    struct timespec t;
-    timespec_get(&t, TIME_UTC);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* "t = 1/10; b = -243/5000 < 0", or why nothing was decided: from the entry of the list. */
 static char *text_of_failure(const json_t *entry)
@@ -60,7 +54,7 @@ static void put_entry(const struct report *to, json_t *entry, const char *name, 
 {
     if (to->junit != NULL) {
         char *text = text_of_failure(entry);
-        junit_add(to->junit, to->path, name, now() - start, failure, text);
+        junit_add(to->junit, to->path, name, cagd_seconds() - start, failure, text);
         free(text);
     }
     if (to->list != NULL)
@@ -72,7 +66,7 @@ static void put_entry(const struct report *to, json_t *entry, const char *name, 
 static int check_one(const struct document *d, const struct formula *s, struct report *to)
 {
     cagd_finding found;
-    double start = now();
+    double start = cagd_seconds();
     cagd_check(&s->scope, s->tree, s->seconds, &found);
     if (found.answer == CAGD_HOLDS)
         cagd_check_changes(&s->scope, s->tree, s->seconds / 10, &found);
@@ -98,7 +92,7 @@ static int check_one(const struct document *d, const struct formula *s, struct r
 static int find_one(const struct document *d, const struct formula *s, struct report *to)
 {
     cagd_found *found = region_bytes(sizeof *found);
-    double start = now();
+    double start = cagd_seconds();
     if (found == NULL)
         return 0;
     cagd_find(&s->scope, s->tree, s->find, s->seconds, found);
@@ -148,10 +142,10 @@ static int check_sheets(const struct arguments *a, const struct document *d, int
         region_mark mark = region_open();
         if (list == NULL && (behind || k > 0))
             puts("\n");
-        double start = now();
+        double start = cagd_seconds();
         int all = check_sheet(d, &d->sheet[k], list, picture);
         if (to->junit != NULL)
-            junit_add(to->junit, to->path, d->sheet[k].name, now() - start,
+            junit_add(to->junit, to->path, d->sheet[k].name, cagd_seconds() - start,
                       all ? NULL : "undecided, expected an answer to everything", "");
         good &= all;
         region_drop(mark);

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/lab/lab.h"
 #include "cli/report.h"
+#include "core/clock.h"
 
 #include <dirent.h>
 #include <stdlib.h>
@@ -15,13 +16,6 @@ struct proof {
     char caught[2000]; /* requirements that some wrong solution fails, each between blanks */
     int bad;
 };
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
 
 static const char *member(const json_t *row, const char *key)
 {
@@ -61,12 +55,12 @@ static void try_right(struct proof *p, const char *name)
     const char *hint;
     snprintf(path, sizeof path, "%s/%s", p->lab->folder, name);
     char *text = lab_file(path);
-    double begun = now();
+    double begun = cagd_seconds();
     json_t *result = text != NULL ? lab_judge(p->bench, text, 0) : json_object();
     failed_in(result, failed, &hint);
     if (text == NULL || failed[0] != 0)
         snprintf(what, sizeof what, "a right solution fails: %s", failed);
-    tell(p, name, "right", now() - begun, what, result);
+    tell(p, name, "right", cagd_seconds() - begun, what, result);
     json_decref(result);
     free(text);
 }
@@ -85,7 +79,7 @@ static void try_wrong(struct proof *p, const json_t *wrong)
     char failed[400] = "", what[LAB_CAUSE] = "";
     const char *hint = "", *name = member(wrong, "name"), *fails = lab_text(wrong, "fails");
     char *text = lab_wrong_source(p->lab, wrong, what);
-    double begun = now();
+    double begun = cagd_seconds();
     json_t *result = text != NULL ? lab_judge(p->bench, text, 0) : json_object();
     if (text != NULL) {
         failed_in(result, failed, &hint);
@@ -97,7 +91,7 @@ static void try_wrong(struct proof *p, const json_t *wrong)
             snprintf(what, sizeof what, "does not say \"%s\"", lab_text(wrong, "says"));
         snprintf(p->caught + strlen(p->caught), sizeof p->caught - strlen(p->caught), " %s ", failed);
     }
-    tell(p, name, "wrong", now() - begun, what, result);
+    tell(p, name, "wrong", cagd_seconds() - begun, what, result);
     json_decref(result);
     free(text);
 }
@@ -144,10 +138,10 @@ int lab_test(const char *folder, int as_json)
     if (as_json)
         stdout = stderr;
     printf("%s\n", lab->name);
-    double begun = now();
+    double begun = cagd_seconds();
     try_all(&p);
     printf("%s: %zu solutions, %d not as they should be, %.1f s\n", lab->name, json_array_size(p.rows), p.bad,
-           now() - begun);
+           cagd_seconds() - begun);
     stdout = screen;
     if (as_json)
         print_json(json_pack("{s:s, s:s, s:O}", "schema", "cagd-lab-test-1", "lab", lab->name, "solutions", p.rows));

@@ -89,7 +89,7 @@ def of_splprep(Q, closed, target):
             break
         n = len(t) - k - 1 - (k if closed else 0)
         near = rms(lambda u: np.array(splev(u, (t, c, k))).T, t[k : len(t) - k], Q)
-        if near <= target * (1 + 1e-9):
+        if near <= target * (1 + 1e-9):  # a few roundings of a mean over the points
             if fewest is None or n < fewest:
                 fewest, best = n, near
         s *= 0.97
