@@ -91,6 +91,16 @@ const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tre
 const cagd_tree *cagd_read_sum(cagd_reader *r);
 const cagd_tree *cagd_read_product(cagd_reader *r);
 const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script);
+/* One factor; a product, or, behind the sign of one over that index, what it goes over. */
+const cagd_tree *cagd_read_factor(cagd_reader *r);
+const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, const char *index);
+/* Behind \frac, \sqrt, \sum or \prod, \int, which began at `from`. */
+const cagd_tree *cagd_read_fraction(cagd_reader *r, int from);
+const cagd_tree *cagd_read_root(cagd_reader *r, int from);
+const cagd_tree *cagd_read_over(cagd_reader *r, cagd_tree_kind kind, int from);
+const cagd_tree *cagd_read_integral(cagd_reader *r, int from);
+/* How many tokens a differential sign has that begins at t: d, \partial, \mathrm{d}; 0 where there is none. */
+int cagd_differential(const cagd_reader *r, const cagd_token *t);
 /* A chain of relations, and conditions with "," or "and" between; a truth. */
 const cagd_tree *cagd_read_relations(cagd_reader *r);
 const cagd_tree *cagd_read_conditions(cagd_reader *r);
