@@ -160,7 +160,7 @@ int cagd_next_is_member(const cagd_reader *r)
 }
 
 /* x \in [a, b], x, y \in (a, b): a \le x \le b and so on. */
-static const cagd_tree *members(cagd_reader *r)
+const cagd_tree *cagd_read_members(cagd_reader *r)
 {
     const cagd_tree *name[CAGD_MOST_INDICES * 2], *list[CAGD_MOST_CHILDREN];
     int from = r->token->from, count = 0;
@@ -215,7 +215,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
         return a;
     if (implied && only_names(r))
         return a;
-    b = implies ? cagd_read_truth(r) : cagd_next_is_member(r) ? members(r) : alternatives(r);
+    b = implies ? cagd_read_truth(r) : cagd_next_is_member(r) ? cagd_read_members(r) : alternatives(r);
     if (b == NULL)
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};

@@ -108,6 +108,7 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r);
 const cagd_tree *cagd_read_truth(cagd_reader *r);
 /* Whether names and \in come next, with no relation before it: what follows is said of them. */
 int cagd_next_is_member(const cagd_reader *r);
+const cagd_tree *cagd_read_members(cagd_reader *r);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
