@@ -140,8 +140,12 @@ static int key_of_component(cagd_context *c, const cagd_tree *t, char key[], int
     if (c->component == 0)
         return fail(c, t, FAULT_UNABLE, "a vector where a number is expected"), 0;
     char whole[96];
-    int k = c->component, used = v->dimension <= 3 ? snprintf(whole, sizeof whole, "(%s)_%s", key, of_space[k - 1])
-                                                   : snprintf(whole, sizeof whole, "(%s)_%d", key, k);
+    int k = c->component, used, columns = cagd_columns(v->dimension);
+    if (columns > 1)
+        used = snprintf(whole, sizeof whole, "(%s)_{%d%d}", key, (k - 1) / columns + 1, (k - 1) % columns + 1);
+    else
+        used = v->dimension <= 3 ? snprintf(whole, sizeof whole, "(%s)_%s", key, of_space[k - 1])
+                                 : snprintf(whole, sizeof whole, "(%s)_%d", key, k);
     if (used >= room)
         return fail(c, t, FAULT_UNABLE, "a name that is too long"), 0;
     memcpy(key, whole, (size_t)used + 1);
@@ -623,6 +627,46 @@ static cagd_value determinant(cagd_context *c, const cagd_tree *t, const frame *
     return region_faults != 0 ? cagd_value_int(0) : minor(entry, t->order, 0, 0);
 }
 
+/* An entry of the inverse: the minor without its column and row, with its sign, by the determinant. */
+static cagd_value inverse(cagd_context *c, const cagd_tree *t, int row, int column, const frame *f)
+{
+    cagd_value entry[CAGD_MOST_CHILDREN], rest[CAGD_MOST_CHILDREN];
+    int n = cagd_rows(t->dimension), count = 0;
+    for (int k = 0; k < n * n; k++)
+        entry[k] = component(c, t->at[0], k, f);
+    if (region_faults != 0)
+        return cagd_value_int(0);
+    for (int k = 0; k < n * n; k++)
+        if (k / n != column && k % n != row)
+            rest[count++] = entry[k];
+    cagd_value whole = minor(entry, n, 0, 0), part = minor(rest, n - 1, 0, 0);
+    if (cagd_value_is_zero(whole))
+        return fail(c, t, FAULT_UNDEFINED, "the inverse of a matrix whose determinant is 0");
+    if ((row + column) % 2 != 0)
+        part = cagd_value_sub(cagd_value_int(0), part);
+    return cagd_value_div(part, whole);
+}
+
+/* The entry of a matrix that is asked for: of a product, of one transposed, of an inverse, by its minors. */
+static cagd_value of_matrix(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    if (c->component == 0 && t->dimension > 0)
+        return fail(c, t, FAULT_UNABLE, "a matrix where a number is expected");
+    int k = t->dimension > 0 ? c->component - 1 : 0, columns = cagd_columns(t->dimension);
+    int row = k / columns, column = k % columns;
+    if (t->kind == CAGD_TRANSPOSED)
+        return component(c, t->at[0], column * cagd_columns(t->at[0]->dimension) + row, f);
+    if (t->kind == CAGD_INVERSE)
+        return inverse(c, t, row, column, f);
+    cagd_value sum = cagd_value_int(0);
+    for (int m = 0; m < t->order && region_faults == 0; m++) {
+        int behind = m * cagd_columns(t->at[1]->dimension) + column;
+        sum = cagd_value_add(
+            sum, cagd_value_mul(component(c, t->at[0], row * t->order + m, f), component(c, t->at[1], behind, f)));
+    }
+    return sum;
+}
+
 /* ---- angles -------------------------------------------------------------------------------------------- */
 
 /* The cosine and the sine of an angle. */
@@ -941,6 +985,10 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
     case CAGD_POINT:
     case CAGD_CROSS:
         return of_component(c, t, f);
+    case CAGD_MATRIX_PRODUCT:
+    case CAGD_TRANSPOSED:
+    case CAGD_INVERSE:
+        return of_matrix(c, t, f);
     case CAGD_COMPONENT:
         return component(c, t->at[0], t->order, f);
     case CAGD_DOT:

@@ -366,6 +366,24 @@ static int inner_environment(const cagd_latex_text *t, int k, char inside[][LONG
     return is_setting(name) ? end : k;
 }
 
+/* The brace around such an environment, \left\{ and \right.: behind it; k where there is none. */
+static int behind_brace_of_rows(const cagd_latex_text *t, int k)
+{
+    static const char *const left = "\\left\\{", *const right = "\\right.";
+    char name[LONGEST_NAME];
+    int at = begins(t, k, left) ? k + (int)strlen(left) : k;
+    while (at > k && at < t->size && is_blank(t->bytes[at]))
+        at++;
+    if (at > k && environment(t, at, "\\begin", name) > at && is_setting(name))
+        return at;
+    for (at = begins(t, k, right) ? k : 0; at > 0 && is_blank(t->bytes[at - 1]);)
+        at--;
+    while (at > 0 && t->bytes[at] != '\\')
+        at--;
+    return begins(t, k, right) && environment(t, at, "\\end", name) > at && is_setting(name) ? k + (int)strlen(right)
+                                                                                             : k;
+}
+
 /* Behind the end of a row at k: \\, \\*, \\[2pt]. */
 static int behind_break(const cagd_latex_text *t, int k, int stop)
 {
@@ -426,6 +444,8 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
         }
         braces += (c == '{') - (c == '}');
         int end = c == '\\' && next > k + 2 ? inner_environment(t, k, inside, &depth) : k;
+        if (end == k && c == '\\')
+            end = behind_brace_of_rows(t, k);
         if (end == k && c == '\\')
             end = special_word(s, &r, k, next, stop);
         if (end > k) {

@@ -87,9 +87,6 @@ cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count,
 
 /* ---- scripts and arguments ----------------------------------------------------------------------------- */
 
-static const cagd_tree *factor(cagd_reader *r);
-static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const char *index);
-
 static const cagd_tree *number(cagd_reader *r)
 {
     cagd_tree *t = (r->token++, cagd_new(r, CAGD_NUMBER, r->token[-1].from, 0));
@@ -125,7 +122,7 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
     }
     if (is_script && r->token->kind != CAGD_TOKEN_WORD)
         return cagd_refuse_token(r, "expected an index or a power, not %s", cagd_name_of_next(r));
-    return factor(r);
+    return cagd_read_factor(r);
 }
 
 const char *cagd_read_words(cagd_reader *r)
@@ -146,238 +143,6 @@ const char *cagd_read_words(cagd_reader *r)
     return words != NULL ? words : "";
 }
 
-/* ---- fractions and derivatives ------------------------------------------------------------------------- */
-
-/* How many tokens a differential sign has: d, \partial, \mathrm{d}; 0 where there is none. */
-static int differential(const cagd_reader *r, const cagd_token *t)
-{
-    if (strcmp(t->word, "\\partial") == 0)
-        return 1;
-    if (strcmp(t->word, "d") == 0)
-        return !cagd_is_known(r, "d");
-    if (strcmp(t->word, "\\mathrm") != 0)
-        return 0;
-    if (strcmp(t[1].word, "d") == 0)
-        return 1 + 1;
-    return strcmp(t[1].word, "{") == 0 && strcmp(t[2].word, "d") == 0 && strcmp(t[3].word, "}") == 0 ? 4 : 0;
-}
-
-/* d^k f / d t^k, the brace of the numerator being passed, if it has braces; the body f may follow the fraction. */
-static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
-{
-    r->token += differential(r, r->token);
-    const cagd_tree *order = NULL, *body = NULL;
-    if (cagd_pass(r, "^") && (order = cagd_read_argument(r, 1)) == NULL)
-        return NULL;
-    if (braces && !cagd_next_is(r, "}") && (body = cagd_read_sum(r)) == NULL)
-        return NULL;
-    if ((braces && !cagd_expect(r, "}", "the numerator")) || !cagd_expect(r, "{", "the numerator"))
-        return NULL;
-    int sign = differential(r, r->token);
-    if (sign == 0)
-        return cagd_refuse_token(r, "expected d and a letter below the derivative, not %s", cagd_name_of_next(r));
-    r->token += sign;
-    const cagd_token *variable = r->token;
-    const char *head = cagd_read_head(r);
-    if (head == NULL)
-        return NULL;
-    if (!cagd_is_known(r, head)) {
-        r->token = variable;
-        return cagd_refuse_token(r, "%s is not defined", head);
-    }
-    const cagd_tree *again = NULL;
-    if (cagd_pass(r, "^") && (again = cagd_read_argument(r, 1)) == NULL)
-        return NULL;
-    if ((order == NULL) != (again == NULL) || (order != NULL && !cagd_tree_equal(order, again)))
-        return cagd_refuse_token(r, "the orders above and below are not the same");
-    if (!cagd_expect(r, "}", "the derivative"))
-        return NULL;
-    if (body == NULL)
-        body = cagd_read_product(r);
-    if (order == NULL)
-        order = cagd_tree_number(1, from, from);
-    cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, order});
-    if (t != NULL)
-        t->head = head;
-    return t;
-}
-
-static const cagd_tree *fraction(cagd_reader *r, int from)
-{
-    if (cagd_next_is(r, "{") && differential(r, r->token + 1) > 0) {
-        const cagd_token *second = r->token;
-        for (int depth = 0; second->kind != CAGD_TOKEN_END; second++) {
-            depth += (strcmp(second->word, "{") == 0) - (strcmp(second->word, "}") == 0);
-            if (depth == 0)
-                break;
-        }
-        if (second->kind != CAGD_TOKEN_END && strcmp(second[1].word, "{") == 0 && differential(r, second + 2) > 0) {
-            r->token++;
-            return derivative(r, from, 1);
-        }
-    }
-    if (cagd_next_is(r, "\\partial") && strcmp(r->token[1].word, "{") == 0 && differential(r, r->token + 2) > 0)
-        return derivative(r, from, 0);                                        /* \frac\partial{\partial t} */
-    if (r->token->kind == CAGD_TOKEN_NUMBER && strlen(r->token->word) == 2) { /* \frac12 */
-        const char *digits = (r->token++)->word;
-        const cagd_tree *half[2];
-        for (int k = 0; k < 2; k++) {
-            if (digits[k] < '0' || digits[k] > '9')
-                return cagd_refuse_token(r, "write \\frac{...}{...}");
-            half[k] = cagd_tree_number(digits[k] - '0', from, r->token[-1].to);
-        }
-        return cagd_new_of(r, CAGD_QUOTIENT, from, 2, half);
-    }
-    const cagd_tree *a = cagd_read_argument(r, 0), *b = a != NULL ? cagd_read_argument(r, 0) : NULL;
-    return cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){a, b});
-}
-
-static const cagd_tree *root(cagd_reader *r, int from)
-{
-    const cagd_tree *n = NULL;
-    if (cagd_pass(r, "[")) {
-        n = cagd_read_sum(r);
-        if (n == NULL || !cagd_expect(r, "]", "the root"))
-            return NULL;
-    }
-    const cagd_tree *a = cagd_read_argument(r, 0);
-    if (n == NULL)
-        n = cagd_tree_number(2, from, from);
-    return cagd_new_of(r, CAGD_ROOT, from, 2, (const cagd_tree *[]){a, n});
-}
-
-/* ---- sums and products over an index ------------------------------------------------------------------- */
-
-/* The letter of an index, which has to be new. */
-static const char *index_letter(cagd_reader *r)
-{
-    const cagd_token *t = r->token;
-    const char *head = cagd_read_head(r);
-    if (head != NULL &&
-        (cagd_is_bound(r, head) || cagd_declared(r->scope, head) != NULL || cagd_defined(r->scope, head) != NULL)) {
-        r->token = t;
-        return cagd_refuse_token(r, "the index %s has a meaning already: take another letter", head), NULL;
-    }
-    return head;
-}
-
-struct range {
-    const char *head;
-    const cagd_tree *low, *high, *condition[4];
-    int conditions;
-};
-
-/* What stands below: i=0, or 0 \le i \le n, and conditions behind commas. */
-static int below(cagd_reader *r, struct range *a, struct cagd_bound *bound)
-{
-    if (!cagd_expect(r, "{", "_"))
-        return 0;
-    if (cagd_begins_name(r) && strcmp(r->token[1].word, "=") == 0) {
-        a->head = index_letter(r);
-        if (a->head == NULL)
-            return 0;
-        r->token++;
-        a->low = cagd_read_sum(r);
-    } else {
-        cagd_relation relation;
-        a->low = cagd_read_sum(r);
-        if (a->low == NULL)
-            return 0;
-        for (int k = 0; k < 2; k++) {
-            if (!cagd_relation_next(r, &relation) || (relation != CAGD_LESS_OR_EQUAL && relation != CAGD_LESS))
-                return cagd_refuse_token(r, "expected a range such as {i=0} or {0 \\le i \\le n}") != NULL;
-            r->token++;
-            if (k == 0)
-                a->head = index_letter(r);
-            else
-                a->high = cagd_read_sum(r);
-            const cagd_tree *one = cagd_tree_number(k == 0 ? 1 : -1, r->token->from, r->token->from);
-            const cagd_tree **end = k == 0 ? &a->low : &a->high;
-            if (a->head == NULL || *end == NULL)
-                return 0;
-            if (relation == CAGD_LESS)
-                *end = cagd_new_of(r, CAGD_SUM, (*end)->from, 2, (const cagd_tree *[]){*end, one});
-        }
-    }
-    *bound = (struct cagd_bound){a->head, r->bound};
-    r->bound = bound;
-    while (a->low != NULL && cagd_pass(r, ",")) {
-        if (a->conditions == 4)
-            return cagd_refuse_token(r, "more than four conditions") != NULL;
-        a->condition[a->conditions] = cagd_read_relations(r);
-        if (a->condition[a->conditions++] == NULL)
-            return 0;
-    }
-    r->bound = bound->next;
-    return a->low != NULL && cagd_expect(r, "}", "the range");
-}
-
-static const cagd_tree *over(cagd_reader *r, cagd_tree_kind kind, int from)
-{
-    struct range a = {0};
-    struct cagd_bound bound;
-    const char *sign = kind == CAGD_SUM_OVER ? "sum" : "product";
-    if (!cagd_pass(r, "_"))
-        return cagd_refuse_token(r, "over what is the %s? expected _{i=0}^{n}", sign);
-    if (!below(r, &a, &bound))
-        return NULL;
-    if (a.high == NULL) {
-        if (!cagd_pass(r, "^"))
-            return cagd_refuse_token(r, "up to what is the %s? expected ^{n}", sign);
-        a.high = cagd_read_argument(r, 1);
-        if (a.high == NULL)
-            return NULL;
-    }
-    r->bound = &bound;
-    const cagd_tree *body = product(r, kind, a.head);
-    r->bound = bound.next;
-    if (body == NULL)
-        return NULL;
-    cagd_tree *t = cagd_new(r, kind, from, 3 + a.conditions);
-    if (t == NULL)
-        return NULL;
-    t->head = a.head;
-    t->at[0] = a.low, t->at[1] = a.high, t->at[2] = body;
-    for (int k = 0; k < a.conditions; k++)
-        t->at[3 + k] = a.condition[k];
-    return cagd_with_dimension(r, t);
-}
-
-static const cagd_tree *integral(cagd_reader *r, int from)
-{
-    const cagd_tree *low = NULL, *high = NULL;
-    for (int k = 0; k < 2; k++)
-        if (cagd_pass(r, "_"))
-            low = cagd_read_argument(r, 1);
-        else if (cagd_pass(r, "^"))
-            high = cagd_read_argument(r, 1);
-    if (low == NULL || high == NULL)
-        return cagd_refuse_token(r, "from where to where is the integral? expected \\int_a^b ... dt");
-    /* The letter of the variable stands behind the integrand, and has to be known in it. */
-    const cagd_token *end = r->token;
-    while (end->kind != CAGD_TOKEN_END &&
-           (differential(r, end) == 0 || end[differential(r, end)].kind != CAGD_TOKEN_LETTER))
-        end++;
-    if (end->kind == CAGD_TOKEN_END)
-        return cagd_refuse_token(r, "by what is the integral? expected d and a letter at its end");
-    struct cagd_bound bound = {end[differential(r, end)].word, r->bound};
-    r->bound = &bound;
-    r->integrals++;
-    const cagd_tree *body = cagd_read_sum(r);
-    r->integrals--;
-    r->bound = bound.next;
-    if (body == NULL)
-        return NULL;
-    if (differential(r, r->token) == 0 || r->token != end)
-        return cagd_refuse_token(r, "expected d%s at the end of the integral, not %s", bound.head,
-                                 cagd_name_of_next(r));
-    r->token += differential(r, r->token) + 1;
-    cagd_tree *t = cagd_new_of(r, CAGD_INTEGRAL, from, 3, (const cagd_tree *[]){low, high, body});
-    if (t != NULL)
-        t->head = bound.head;
-    return t;
-}
-
 enum { MOST_ROWS = 6 };
 
 /* ---- brackets, lists, cases ---------------------------------------------------------------------------- */
@@ -387,6 +152,8 @@ static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const cha
     r->norms += kind == CAGD_NORM, r->amounts += kind == CAGD_ABSOLUTE;
     const cagd_tree *a = cagd_read_sum(r);
     r->norms -= kind == CAGD_NORM, r->amounts -= kind == CAGD_ABSOLUTE;
+    if (a != NULL && cagd_is_matrix(a->dimension) && kind == CAGD_ABSOLUTE)
+        return cagd_expect(r, close, "the matrix") ? cagd_determinant_of(r, a, from) : NULL;
     if (a != NULL && a->dimension > 0 && kind == CAGD_ABSOLUTE)
         kind = CAGD_NORM;
     return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_new_of(r, kind, from, 1, &a) : NULL;
@@ -399,9 +166,18 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     const cagd_tree *a = cagd_read_sum(r);
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
+    if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over"))) {
+        cagd_tree_kind kind = cagd_next_is(r, "\\over") ? CAGD_QUOTIENT : CAGD_BINOMIAL;
+        r->token++;
+        const cagd_tree *b = cagd_read_sum(r);
+        a = cagd_new_of(r, kind, from, 2, (const cagd_tree *[]){a, b});
+    }
     if (a != NULL && close[0] == ']')
         a = cagd_in_square_brackets(r, a);
-    return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_read_primed_group(r, a) : NULL;
+    if (a == NULL || !cagd_expect(r, close, "the bracket") ||
+        (!cagd_is_bare_function(r, a) && cagd_refuse_argument(r, a)))
+        return NULL;
+    return cagd_read_primed_group(r, a);
 }
 
 static const cagd_tree *extremum(cagd_reader *r, cagd_tree_kind kind, int from)
@@ -429,8 +205,7 @@ static int is_one_of(const char *word, const char *const words[])
     return 0;
 }
 
-/* The name of an environment: {cases}. */
-static int environment(cagd_reader *r, const char *name)
+int cagd_environment(cagd_reader *r, const char *name)
 {
     const cagd_token *t = r->token;
     if (!cagd_pass(r, "{"))
@@ -463,7 +238,7 @@ static const cagd_tree *determinant(cagd_reader *r, int from)
         if (in_row * rows != count)
             return cagd_refuse_token(r, "rows of different lengths");
     } while (cagd_pass(r, "\\\\"));
-    if (!cagd_expect(r, "\\end", "the determinant") || !environment(r, "vmatrix"))
+    if (!cagd_expect(r, "\\end", "the determinant") || !cagd_environment(r, "vmatrix"))
         return cagd_refuse_token(r, "expected \\end{vmatrix}");
     if (rows != in_row || rows > MOST_ROWS)
         return cagd_refuse_token(r, "a determinant has as many columns as rows, at most %d", MOST_ROWS);
@@ -479,8 +254,8 @@ static const cagd_tree *cases(cagd_reader *r, int from)
     static const char *const when[] = {"if", "for", "when", "where", "", NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
-    if (!environment(r, "cases"))
-        return cagd_refuse_token(r, "of the environments only {cases} and {vmatrix} are understood here");
+    if (!cagd_environment(r, "cases"))
+        return cagd_refuse_token(r, "of the environments only {cases} and those of matrices are understood here");
     do {
         if (cagd_next_is(r, "\\end"))
             break;
@@ -503,7 +278,7 @@ static const cagd_tree *cases(cagd_reader *r, int from)
         if (list[count++] == NULL)
             return NULL;
     } while (cagd_pass(r, "\\\\"));
-    if (!cagd_expect(r, "\\end", "the cases") || !environment(r, "cases"))
+    if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, "cases"))
         return cagd_refuse_token(r, "expected \\end{cases}");
     return count > 0 ? cagd_new_of(r, CAGD_CASES, from, count, list) : cagd_refuse_token(r, "cases without a case");
 }
@@ -518,9 +293,37 @@ static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
         return NULL;
     if (power != NULL && power->kind == CAGD_NEGATIVE)
         return cagd_refuse_tree(r, power, "the inverse function, or 1 over it? write \\frac{1}{...}");
-    const cagd_tree *angle = factor(r);
+    const cagd_tree *angle = cagd_read_factor(r);
     const cagd_tree *t = angle != NULL ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
     return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
+/* Behind \det: a matrix, or (a, b, c), the columns. */
+static const cagd_tree *det(cagd_reader *r, int from)
+{
+    const cagd_token *start = r->token;
+    const char *close = cagd_pass(r, "(") ? ")" : cagd_pass(r, "[") ? "]" : NULL;
+    const cagd_tree *list[CAGD_MOST_ROWS], *a = NULL;
+    int count = 0, depth = r->depth;
+    while (close != NULL && count < CAGD_MOST_ROWS && (list[count] = cagd_read_sum(r)) != NULL &&
+           list[count++]->dimension > 0 && cagd_pass(r, ","))
+        ;
+    if (count > 1 && cagd_pass(r, close)) {
+        a = cagd_columns_of(r, count, list, from);
+    } else if (r->error->message[0] == '\0') {
+        r->token = start, r->depth = depth;
+        a = cagd_read_factor(r);
+    }
+    return a != NULL ? cagd_determinant_of(r, a, from) : NULL;
+}
+
+/* What begins with \begin, that word being passed. */
+static const cagd_tree *block(cagd_reader *r, int from)
+{
+    if (cagd_environment(r, "vmatrix"))
+        return determinant(r, from);
+    const char *matrix = cagd_pass_matrix(r);
+    return matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, from);
 }
 
 static const cagd_tree *word(cagd_reader *r)
@@ -528,18 +331,18 @@ static const cagd_tree *word(cagd_reader *r)
     int from = r->token->from;
     const char *w = r->token->word;
     if (strcmp(w, "\\frac") == 0)
-        return r->token++, fraction(r, from);
+        return r->token++, cagd_read_fraction(r, from);
     if (strcmp(w, "\\binom") == 0) {
         r->token++;
         const cagd_tree *a = cagd_read_argument(r, 0), *b = a != NULL ? cagd_read_argument(r, 0) : NULL;
         return cagd_new_of(r, CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b});
     }
     if (strcmp(w, "\\sqrt") == 0)
-        return r->token++, root(r, from);
+        return r->token++, cagd_read_root(r, from);
     if (strcmp(w, "\\sum") == 0 || strcmp(w, "\\prod") == 0)
-        return r->token++, over(r, w[1] == 's' ? CAGD_SUM_OVER : CAGD_PRODUCT_OVER, from);
+        return r->token++, cagd_read_over(r, w[1] == 's' ? CAGD_SUM_OVER : CAGD_PRODUCT_OVER, from);
     if (strcmp(w, "\\int") == 0)
-        return r->token++, integral(r, from);
+        return r->token++, cagd_read_integral(r, from);
     if (strcmp(w, "\\max") == 0 || strcmp(w, "\\min") == 0)
         return r->token++, extremum(r, w[2] == 'a' ? CAGD_MAXIMUM : CAGD_MINIMUM, from);
     if (strcmp(w, "\\lfloor") == 0)
@@ -547,7 +350,11 @@ static const cagd_tree *word(cagd_reader *r)
     if (strcmp(w, "\\lceil") == 0)
         return r->token++, bracketed(r, CAGD_CEILING, "\\rceil", from);
     if (strcmp(w, "\\begin") == 0)
-        return r->token++, environment(r, "vmatrix") ? determinant(r, from) : cases(r, from);
+        return r->token++, block(r, from);
+    if (strcmp(w, "\\det") == 0) {
+        r->token++;
+        return det(r, from);
+    }
     if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
         return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
     static const char *const others[] = {"\\tan", "\\exp", "\\log", "\\ln", NULL};
@@ -558,9 +365,22 @@ static const cagd_tree *word(cagd_reader *r)
     return cagd_refuse_token(r, "%s is not understood", w);
 }
 
+/* \operatorname{det} */
+static int pass_operator_det(cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    if (!cagd_next_is(r, "\\operatorname") || strcmp(t[1].word, "{") != 0 || strcmp(t[2].word, "d") != 0 ||
+        strcmp(t[3].word, "e") != 0 || strcmp(t[4].word, "t") != 0 || strcmp(t[5].word, "}") != 0)
+        return 0;
+    r->token += 6;
+    return 1;
+}
+
 static const cagd_tree *base(cagd_reader *r)
 {
     int from = r->token->from;
+    if (pass_operator_det(r))
+        return det(r, from);
     if (cagd_next_is(r, "\\mathbf") && (strcmp(r->token[1].word, "0") == 0 || strcmp(r->token[2].word, "0") == 0)) {
         r->token++; /* the vector 0 */
         return cagd_read_argument(r, 0);
@@ -608,7 +428,20 @@ static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
     return value;
 }
 
-static const cagd_tree *factor(cagd_reader *r)
+/* t with what stands behind ^. */
+static const cagd_tree *powered(cagd_reader *r, const cagd_tree *t, int from)
+{
+    if (t->dimension > 0 && cagd_pass_transposed(r))
+        return cagd_transposed(r, t);
+    const cagd_tree *power = cagd_read_argument(r, 1);
+    if (power != NULL && cagd_is_bare_function(r, t) && (t = cagd_read_primed_group(r, t)) == NULL) /* {f'}^2(t) */
+        return NULL;
+    if (power != NULL && cagd_is_matrix(t->dimension))
+        return cagd_matrix_power(r, t, power);
+    return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
+const cagd_tree *cagd_read_factor(cagd_reader *r)
 {
     int from = r->token->from;
     if (++r->depth > CAGD_MOST_DEPTH)
@@ -620,8 +453,7 @@ static const cagd_tree *factor(cagd_reader *r)
                 return cagd_refuse_token(r, "the double factorial is not understood; (x!)! has brackets");
             t = cagd_new_of(r, CAGD_FACTORIAL, from, 1, &t);
         } else if (cagd_pass(r, "^")) {
-            const cagd_tree *power = cagd_read_argument(r, 1);
-            t = cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+            t = powered(r, t, from);
         } else if (cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") == 0) {
             r->token++;
             t = at_a_place(r, t, from);
@@ -635,9 +467,9 @@ static const cagd_tree *factor(cagd_reader *r)
 
 static int begins_factor(const cagd_reader *r)
 {
-    static const char *const words[] = {"\\sin", "\\cos", "\\frac", "\\binom",  "\\sqrt",  "\\sum",   "\\prod",
-                                        "\\int", "\\max", "\\min",  "\\lfloor", "\\lceil", "\\begin", NULL};
-    if (r->integrals > 0 && differential(r, r->token) > 0)
+    static const char *const words[] = {"\\sin", "\\cos", "\\frac",   "\\binom", "\\sqrt",  "\\sum", "\\prod", "\\int",
+                                        "\\max", "\\min", "\\lfloor", "\\lceil", "\\begin", "\\det", NULL};
+    if (r->integrals > 0 && cagd_differential(r, r->token) > 0)
         return 0;
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
            (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) || cagd_next_is(r, "(") ||
@@ -653,14 +485,59 @@ static int is_over(const cagd_token *t, const char *index)
     return index != NULL && strcmp(t[1].word, "_") == 0 && strcmp(t[2].word, "{") == 0 && strcmp(t[3].word, index) == 0;
 }
 
+/* Dots between factors, perhaps with a sign of a product before them: not ".." and not those of a range. */
+static int dots_between(const cagd_reader *r)
+{
+    const cagd_token *t = r->token + cagd_next_is(r, "*");
+    return r->ends == 0 && strcmp(t->word, "\\dots") == 0 && r->text[t->from] != '.';
+}
+
+/* Dots and the last factor come next; of the factors before them *count are left, the last one being what is returned. */
+static const cagd_tree *factors_left_out(cagd_reader *r, const cagd_tree *list[], int *count)
+{
+    int start;
+    cagd_pass(r, "*");
+    const cagd_token *dots = r->token++;
+    cagd_pass(r, "*");
+    const cagd_tree *last = cagd_read_factor(r);
+    const cagd_tree *t =
+        last != NULL ? cagd_fill_dots(r, CAGD_PRODUCT_OVER, dots, list, *count, last, 0, &start) : NULL;
+    *count = t != NULL ? start + 1 : 1;
+    return t;
+}
+
+/* Dots and the last term come next, the sign before the dots being passed, which was a minus or not; likewise. */
+static const cagd_tree *terms_left_out(cagd_reader *r, const cagd_tree *list[], int *count, int before)
+{
+    int start;
+    if (cagd_next_is(r, "+") || cagd_next_is(r, "-")) /* a_0 - a_1 + - \dots */
+        before = cagd_next_is(r, "-"), r->token++;
+    const cagd_token *dots = r->token++;
+    int from = r->token->from, minus = cagd_pass(r, "-");
+    if (!minus && !cagd_expect(r, "+", "the dots"))
+        return NULL;
+    const cagd_tree *last = cagd_read_product(r);
+    if (last != NULL && minus)
+        last = cagd_new_of(r, CAGD_NEGATIVE, from, 1, &last);
+    const cagd_tree *t =
+        last != NULL ? cagd_fill_dots(r, CAGD_SUM_OVER, dots, list, *count, last, minus != before, &start) : NULL;
+    *count = t != NULL ? start + 1 : 1;
+    return t;
+}
+
 /* A product, or what a sum or product over an index is `inside`. */
-static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const char *index)
+const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, const char *index)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0, from = r->token->from, juxtaposed = 1;
-    list[count++] = factor(r);
+    list[count++] = cagd_read_factor(r);
     while (list[count - 1] != NULL) {
         const char *sign = cagd_next_is(r, "\\times") ? "\\times" : "*";
+        if (dots_between(r)) {
+            const cagd_tree *all = factors_left_out(r, list, &count);
+            list[count - 1] = all;
+            continue;
+        }
         if (cagd_next_is(r, "/") && is_sum(r->token[1].word) && is_over(r->token + 1, index))
             break; /* a sum over i by another one */
         int dot = cagd_pass(r, sign), stroke = !dot && cagd_pass(r, "/");
@@ -673,7 +550,7 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
         juxtaposed &= !dot && !stroke;
         if (stroke) {
             const cagd_tree *above = count > 1 ? cagd_new_of(r, CAGD_PRODUCT, from, count, list) : list[0];
-            const cagd_tree *under = factor(r);
+            const cagd_tree *under = cagd_read_factor(r);
             if (under != NULL && begins_factor(r))
                 return cagd_refuse_token(r, "a/b c is (a/b) c or a/(b c): write \\frac or brackets");
             list[0] = cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){above, under});
@@ -684,8 +561,11 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
             return cagd_refuse_token(r, "two numbers side by side");
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d factors", CAGD_MOST_CHILDREN);
-        list[count] = factor(r);
+        list[count] = cagd_read_factor(r);
         if (dot && list[count] != NULL && list[count]->dimension > 0 && list[count - 1]->dimension > 0) {
+            for (int k = 0; k + 1 < count; k++)
+                if (cagd_is_matrix(list[k]->dimension) && !cagd_is_matrix(list[count - 1]->dimension))
+                    return cagd_refuse_tree(r, list[count], "a matrix and two vectors: write brackets");
             list[count - 1] = cagd_vector_product(r, sign, list[count - 1], list[count]);
             continue;
         }
@@ -699,7 +579,7 @@ static const cagd_tree *product(cagd_reader *r, cagd_tree_kind inside, const cha
     return t;
 }
 
-const cagd_tree *cagd_read_product(cagd_reader *r) { return product(r, CAGD_PRODUCT, NULL); }
+const cagd_tree *cagd_read_product(cagd_reader *r) { return cagd_read_product_in(r, CAGD_PRODUCT, NULL); }
 
 const cagd_tree *cagd_read_sum(cagd_reader *r)
 {
@@ -724,6 +604,17 @@ const cagd_tree *cagd_read_sum(cagd_reader *r)
         minus = cagd_pass(r, "-");
         if (!minus && !cagd_pass(r, "+"))
             break;
+        int more = cagd_next_is(r, "+") || cagd_next_is(r, "-");
+        if (strcmp(r->token[more].word, "\\dots") == 0) {
+            const cagd_tree *all = terms_left_out(r, list, &count, minus);
+            if (all == NULL)
+                return NULL;
+            list[count - 1] = all;
+            begin = r->token->from;
+            minus = cagd_pass(r, "-");
+            if (!minus && !cagd_pass(r, "+"))
+                break;
+        }
     }
     r->depth--;
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_SUM, from, count, list);
@@ -819,7 +710,8 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
             more = 1;
         else if (words != NULL)
             r->token = here, more = 0;
-        if (more && (r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
+        if (more && (cagd_next_is_member(r) || r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") ||
+                     cagd_next_is(r, "\\end")))
             more = 0;
     } while (more);
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);

@@ -67,6 +67,58 @@ static int is_left_side(cagd_reader *r, const cagd_tree *left)
     return 1;
 }
 
+/* Whether a function with its arguments and "=" come next: another definition. */
+static int next_definition(const cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    int depth = 0, has_arguments = 0;
+    if (!cagd_begins_name(r))
+        return 0;
+    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || strchr("=<>,", t->word[0]) == NULL); t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        has_arguments |= strcmp(t->word, "(") == 0;
+    }
+    return has_arguments && strcmp(t->word, "=") == 0 && strcmp(t[-1].word, ")") == 0;
+}
+
+/* i = 0, 1, \dots, n as a condition: 0 \le i \le n. */
+static const cagd_tree *index_range(cagd_reader *r)
+{
+    static const cagd_relation between[2] = {CAGD_LESS_OR_EQUAL, CAGD_LESS_OR_EQUAL};
+    const cagd_token *t = r->token;
+    while (t->kind != CAGD_TOKEN_END && strcmp(t->word, "\\dots") != 0)
+        t++;
+    if (r->token->kind != CAGD_TOKEN_LETTER || strcmp(r->token[1].word, "=") != 0 || t->kind == CAGD_TOKEN_END)
+        return NULL;
+    const cagd_tree *name = cagd_read_name(r), *high = NULL;
+    cagd_pass(r, "=");
+    r->ends++;
+    const cagd_tree *low = name != NULL ? cagd_read_sum(r) : NULL;
+    r->ends--;
+    while (low != NULL && cagd_pass(r, ",") && !cagd_next_is(r, "\\dots"))
+        if (cagd_read_sum(r) == NULL)
+            return NULL;
+    if (low != NULL && cagd_expect(r, "\\dots", "the first numbers")) {
+        cagd_pass(r, ",");
+        high = cagd_read_sum(r);
+    }
+    return high != NULL ? cagd_relate(r, name->from, 3, (const cagd_tree *[]){low, name, high}, between) : NULL;
+}
+
+/* What stands behind the comma of a definition. */
+static const cagd_tree *condition(cagd_reader *r)
+{
+    if (cagd_next_is_member(r))
+        return cagd_read_members(r);
+    const cagd_tree *range = index_range(r);
+    if (range == NULL)
+        return r->error->message[0] == '\0' ? cagd_read_conditions(r) : NULL;
+    if (!cagd_pass(r, ",") || r->token->kind == CAGD_TOKEN_END)
+        return range;
+    const cagd_tree *more = condition(r);
+    return cagd_new_of(r, CAGD_ALL, range->from, 2, (const cagd_tree *[]){range, more});
+}
+
 static int definition(cagd_reader *r, cagd_scope *scope)
 {
     r->declaring = 1;
@@ -92,12 +144,11 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     d->body = body, d->dimension = body->dimension;
     if (cagd_pass(r, ",") || cagd_next_is(r, "\\text")) {
         cagd_read_words(r);
-        d->when = cagd_read_conditions(r);
-        if (d->when == NULL)
+        if (r->token->kind != CAGD_TOKEN_END && !next_definition(r) && (d->when = condition(r)) == NULL)
             return 0;
     }
     r->bound = NULL;
-    return 1;
+    return !next_definition(r) || definition(r, scope);
 }
 
 static int is_zero_over_zero(const cagd_token *t)
@@ -118,6 +169,7 @@ static int is_zero_over_zero(const cagd_token *t)
 /* Whether the line is "name = ...", and no range: the first relation that stands in no bracket. */
 static int is_definition(const cagd_token *t)
 {
+    const cagd_token *first = t;
     int depth = 0;
     for (; t->kind != CAGD_TOKEN_END; t++) {
         depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
@@ -128,10 +180,12 @@ static int is_definition(const cagd_token *t)
         if (depth == 0 && strcmp(t->word, "=") == 0)
             break;
     }
+    if (t > first + 1) /* the name of a range is a letter */
+        return 1;
     for (int inner = 0; t->kind != CAGD_TOKEN_END; t++) {
         inner += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
         if (inner == 0 && strcmp(t->word, "\\dots") == 0)
-            return 0;
+            return strchr("+-*", t[-1].word[0]) != NULL; /* or what is left out of a sum or product */
     }
     return 1;
 }
@@ -168,17 +222,27 @@ static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cag
     return cagd_declare(scope, v);
 }
 
-/* Behind \mathbb{R}: ^3 where the variable is a vector. */
-static int dimension(cagd_reader *r, cagd_variable *v)
+/* A number of components, rows or columns. */
+static int extent(cagd_reader *r, int *value)
 {
-    if (!cagd_pass(r, "^"))
-        return 1;
-    int braces = cagd_pass(r, "{");
     const char *digit = r->token->word;
     if (r->token->kind != CAGD_TOKEN_NUMBER || digit[1] != '\0' || digit[0] < '2' || digit[0] > '8')
         return cagd_refuse_token(r, "vectors have 2 to 8 components, not %s", cagd_name_of_next(r)) != NULL;
-    v->dimension = digit[0] - '0';
+    *value = digit[0] - '0';
     r->token++;
+    return 1;
+}
+
+/* Behind \mathbb{R}: ^3 where the variable is a vector, ^{2 \times 3} where it is a matrix. */
+static int dimension(cagd_reader *r, cagd_variable *v)
+{
+    int columns = 0;
+    if (!cagd_pass(r, "^"))
+        return 1;
+    int braces = cagd_pass(r, "{");
+    if (!extent(r, &v->dimension) || (braces && cagd_pass(r, "\\times") && !extent(r, &columns)))
+        return 0;
+    v->dimension += CAGD_MATRIX * columns;
     return !braces || cagd_expect(r, "}", "the dimension");
 }
 
@@ -295,7 +359,9 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
+    r->ends++;
     cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
+    r->ends--;
     if (v.low == NULL)
         return 0;
     int has_dots = dots(r, &v.high);

@@ -43,7 +43,7 @@ int cagd_may_be_unknown(const cagd_reader *r) { return r->declaring || (r->suppo
 
 struct parts {
     const char *head;
-    int lower, upper, arguments, primes;
+    int lower, upper, arguments, primes, transposed;
     const cagd_tree *of_lower[CAGD_MOST_INDICES], *of_upper[CAGD_MOST_INDICES], *argument[MOST_ARGUMENTS];
     const cagd_tree *power, *times;
 };
@@ -317,6 +317,10 @@ static int superscript(cagd_reader *r, struct parts *p)
     if (braces && (strcmp(t->word, "[") == 0 || strcmp(t->word, "(") == 0))
         return cagd_refuse_token(r, "%s was not defined with an upper index, and a power has no brackets",
                                  cagd_spelled(p->head)) != NULL;
+    if (!cagd_is_bound(r, p->head) && cagd_dimension_of(r->scope, p->head) > 0 && cagd_pass_transposed(r)) {
+        p->transposed = 1;
+        return 1;
+    }
     p->power = cagd_read_argument(r, 1);
     return p->power != NULL;
 }
@@ -448,8 +452,12 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     for (int k = 0; k < t->count; k++)
         if (t->at[k]->dimension > 0)
             return cagd_refuse_tree(r, t->at[k], "a vector is no index and no argument");
+    if (p.transposed)
+        return cagd_transposed(r, t);
     if (p.power == NULL)
         return t;
+    if (cagd_is_matrix(t->dimension))
+        return cagd_matrix_power(r, t, p.power);
     return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, p.power});
 }
 
@@ -473,4 +481,36 @@ const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t)
     for (int k = 0; k < p.arguments; k++)
         at[t->count + k] = p.argument[k];
     return whole;
+}
+
+int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t)
+{
+    return t->kind == CAGD_NAME && t->arguments == 0 && known_arguments(r, t->head) > 0;
+}
+
+static int has_bare_function(const cagd_reader *r, const cagd_tree *t)
+{
+    if (cagd_is_bare_function(r, t))
+        return 1;
+    for (int k = 0; k < t->count; k++)
+        if (has_bare_function(r, t->at[k]))
+            return 1;
+    return 0;
+}
+
+int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t)
+{
+    const cagd_token *inside = r->token;
+    if (!cagd_next_is(r, "("))
+        return 0;
+    do {
+        inside++;
+        if (inside->kind != CAGD_TOKEN_LETTER && inside->kind != CAGD_TOKEN_NUMBER)
+            return 0;
+        inside++;
+    } while (strcmp(inside->word, ",") == 0 || strcmp(inside->word, ";") == 0);
+    if (strcmp(inside->word, ")") != 0 || !has_bare_function(r, t))
+        return 0;
+    cagd_refuse_token(r, "arguments of what stands before, or a factor? write them behind the name, or \\cdot between");
+    return 1;
 }

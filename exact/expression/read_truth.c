@@ -86,7 +86,10 @@ static int finite_range(cagd_reader *r, const cagd_tree **low, const cagd_tree *
         braces = cagd_expect(r, "\\{", "\\in") ? 1 : -1;
     else if (!cagd_expect(r, "=", "the letter of a quantifier"))
         braces = -1;
-    if (braces < 0 || (*low = cagd_read_sum(r)) == NULL)
+    r->ends++;
+    *low = braces >= 0 ? cagd_read_sum(r) : NULL;
+    r->ends--;
+    if (*low == NULL)
         return 0;
     while (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) /* 0, 1, \dots, n */
         if (cagd_read_sum(r) == NULL)
@@ -141,6 +144,60 @@ static int only_names(cagd_reader *r)
     return 0;
 }
 
+int cagd_next_is_member(const cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    int depth = 0;
+    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || strcmp(t->word, "\\in") != 0); t++) {
+        cagd_relation relation;
+        cagd_reader at = *r;
+        at.token = t;
+        depth += (strcmp(t->word, "{") == 0) - (strcmp(t->word, "}") == 0);
+        if (depth == 0 && (cagd_relation_next(&at, &relation) || strchr("+-*/([", t->word[0]) != NULL))
+            return 0;
+    }
+    return t->kind != CAGD_TOKEN_END && cagd_begins_name(r);
+}
+
+/* x \in [a, b], x, y \in (a, b): a \le x \le b and so on. */
+const cagd_tree *cagd_read_members(cagd_reader *r)
+{
+    const cagd_tree *name[CAGD_MOST_INDICES * 2], *list[CAGD_MOST_CHILDREN];
+    int from = r->token->from, count = 0;
+    do {
+        int names = 0;
+        do {
+            if (names == CAGD_MOST_INDICES * 2)
+                return cagd_refuse_token(r, "too many names before \\in");
+            name[names] = cagd_read_name(r);
+            if (name[names++] == NULL)
+                return NULL;
+        } while (cagd_pass(r, ","));
+        if (!cagd_expect(r, "\\in", "the names"))
+            return NULL;
+        int open = cagd_pass(r, "(");
+        if (!open && !cagd_pass(r, "["))
+            return cagd_refuse_token(r, "expected an interval such as [0,1]; other sets stand in :for:");
+        const cagd_tree *low = cagd_read_sum(r);
+        if (low == NULL || !cagd_expect(r, ",", "the low end"))
+            return NULL;
+        const cagd_tree *high = cagd_read_sum(r);
+        int open_above = high != NULL && cagd_pass(r, ")");
+        if (high == NULL || (!open_above && !cagd_expect(r, "]", "the high end")))
+            return NULL;
+        const cagd_relation relation[2] = {open ? CAGD_LESS : CAGD_LESS_OR_EQUAL,
+                                           open_above ? CAGD_LESS : CAGD_LESS_OR_EQUAL};
+        for (int k = 0; k < names; k++) {
+            if (count == CAGD_MOST_CHILDREN)
+                return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
+            list[count] = cagd_relate(r, from, 3, (const cagd_tree *[]){low, name[k], high}, relation);
+            if (list[count++] == NULL)
+                return NULL;
+        }
+    } while (cagd_pass(r, ",") && cagd_next_is_member(r));
+    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
+}
+
 const cagd_tree *cagd_read_truth(cagd_reader *r)
 {
     static const char *const if_words[] = {"if", "when", "whenever", "for", "for all", "for every", NULL};
@@ -151,12 +208,14 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     if (a == NULL)
         return NULL;
     int implies = cagd_pass(r, "\\Rightarrow"), iff = !implies && cagd_pass(r, "\\iff"),
-        implied = !implies && !iff && (cagd_pass(r, "\\Leftarrow") || (cagd_pass(r, ","), pass_words(r, if_words)));
+        implied = !implies && !iff &&
+                  (cagd_pass(r, "\\Leftarrow") || (cagd_pass(r, ","), pass_words(r, if_words)) ||
+                   cagd_pass(r, "\\forall") || cagd_next_is_member(r));
     if (!implies && !iff && !implied)
         return a;
     if (implied && only_names(r))
         return a;
-    b = implies ? cagd_read_truth(r) : alternatives(r);
+    b = implies ? cagd_read_truth(r) : cagd_next_is_member(r) ? cagd_read_members(r) : alternatives(r);
     if (b == NULL)
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};

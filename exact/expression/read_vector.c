@@ -40,6 +40,13 @@ static int is_in_square_brackets(const cagd_reader *r, const cagd_tree *t)
     return before >= 0 && r->text[before] == '[' && cagd_next_is(r, "]");
 }
 
+static cagd_tree *different_shapes(cagd_reader *r, const cagd_tree *t, int a, int b)
+{
+    if (!cagd_is_matrix(a) && !cagd_is_matrix(b))
+        return cagd_refuse_tree(r, t, "vectors of %d and of %d components", a, b);
+    return cagd_refuse_tree(r, t, "%s beside %s", cagd_called(a), cagd_called(b));
+}
+
 /* Vectors side by side: only three in square brackets are something, their mixed product. */
 static cagd_tree *side_by_side(cagd_reader *r, cagd_tree *t)
 {
@@ -56,27 +63,42 @@ static cagd_tree *side_by_side(cagd_reader *r, cagd_tree *t)
 static int takes_vectors(cagd_tree_kind kind)
 {
     return kind == CAGD_DOT || kind == CAGD_CROSS || kind == CAGD_MIXED || kind == CAGD_NORM ||
-           kind == CAGD_COMPONENT || kind >= CAGD_RELATION;
+           kind == CAGD_COMPONENT || kind == CAGD_MATRIX_PRODUCT || kind == CAGD_TRANSPOSED || kind == CAGD_INVERSE ||
+           kind >= CAGD_RELATION;
+}
+
+/* The product with matrices among its factors, in their order. */
+static cagd_tree *of_matrices(cagd_reader *r, cagd_tree *t)
+{
+    const cagd_tree *product = cagd_chain_of_matrices(r, t);
+    if (product == NULL)
+        return NULL;
+    int from = t->from, to = t->to;
+    *t = *product;
+    t->from = from, t->to = to;
+    return t;
 }
 
 cagd_tree *cagd_with_dimension(cagd_reader *r, cagd_tree *t)
 {
-    int vectors = 0;
-    if (t->kind == CAGD_NORM && t->at[0]->dimension == 0)
+    int vectors = 0, matrices = 0;
+    if (t->kind == CAGD_NORM && (t->at[0]->dimension == 0 || cagd_is_matrix(t->at[0]->dimension)))
         return cagd_refuse_tree(r, t, "the length of what is no vector; of a number it is |a|");
     if (takes_vectors(t->kind))
         return t;
     for (int k = 0; k < t->count; k++) {
         int dimension = t->at[k]->dimension;
+        matrices += cagd_is_matrix(dimension);
         if (dimension > 0 && !is_part(t, k))
-            return cagd_refuse_tree(r, t->at[k], "a vector where a number is expected");
-        if (dimension > 0 && t->dimension > 0 && dimension != t->dimension)
-            return cagd_refuse_tree(r, t->at[k], "vectors of %d and of %d components", t->dimension, dimension);
+            return cagd_refuse_tree(r, t->at[k], "a %s where a number is expected",
+                                    cagd_is_matrix(dimension) ? "matrix" : "vector");
+        if (dimension > 0 && t->dimension > 0 && dimension != t->dimension && t->kind != CAGD_PRODUCT)
+            return different_shapes(r, t->at[k], t->dimension, dimension);
         t->dimension = dimension > 0 ? dimension : t->dimension;
         vectors += dimension > 0;
     }
     if (t->kind == CAGD_PRODUCT && vectors > 1)
-        return side_by_side(r, t);
+        return matrices > 0 ? of_matrices(r, t) : side_by_side(r, t);
     for (int k = 0; (t->kind == CAGD_SUM || t->kind == CAGD_CASES) && vectors > 0 && k < t->count; k++)
         if (is_part(t, k) && t->at[k]->dimension == 0 && !is_zero(t->at[k]))
             return cagd_refuse_tree(r, t->at[k], "a number where a vector is expected");
@@ -86,10 +108,15 @@ cagd_tree *cagd_with_dimension(cagd_reader *r, cagd_tree *t)
 const cagd_tree *cagd_vector_product(cagd_reader *r, const char *sign, const cagd_tree *a, const cagd_tree *b)
 {
     int cross = strcmp(sign, "\\times") == 0;
+    if (!cross && (cagd_is_matrix(a->dimension) || cagd_is_matrix(b->dimension)))
+        return cagd_matrix_product(r, a, b);
     if (a->dimension != b->dimension)
-        return cagd_refuse_tree(r, b, "vectors of %d and of %d components", a->dimension, b->dimension);
+        return different_shapes(r, b, a->dimension, b->dimension);
     if (cross && a->dimension != OF_SPACE)
-        return cagd_refuse_tree(r, b, "the product a \\times b is of vectors with 3 components, not %d", a->dimension);
+        return cagd_is_matrix(a->dimension)
+                   ? cagd_refuse_tree(r, b, "a matrix where a vector is expected")
+                   : cagd_refuse_tree(r, b, "the product a \\times b is of vectors with 3 components, not %d",
+                                      a->dimension);
     cagd_tree *t = cagd_new_of(r, cross ? CAGD_CROSS : CAGD_DOT, a->from, 2, (const cagd_tree *[]){a, b});
     if (t != NULL)
         t->dimension = cross ? OF_SPACE : 0;
@@ -158,7 +185,7 @@ static const cagd_tree *chain(cagd_reader *r, int from, int count, const cagd_tr
     return t;
 }
 
-static const cagd_tree *component(cagd_reader *r, const cagd_tree *t, int k)
+const cagd_tree *cagd_component_of(cagd_reader *r, const cagd_tree *t, int k)
 {
     cagd_tree *c = cagd_new_of(r, CAGD_COMPONENT, t->from, 1, &t);
     if (c != NULL)
@@ -179,7 +206,7 @@ static const cagd_tree *different(cagd_reader *r, int from, const cagd_tree *a, 
 const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tree *const list[],
                              const cagd_relation relation[])
 {
-    const cagd_tree *part[MOST_COMPONENTS], *side[CAGD_MOST_CHILDREN];
+    const cagd_tree *part[CAGD_MOST_ROWS * CAGD_MOST_ROWS], *side[CAGD_MOST_CHILDREN];
     int dimension = 0;
     for (int k = 0; k < count; k++)
         dimension = dimension == 0 ? list[k]->dimension : dimension;
@@ -188,17 +215,20 @@ const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tre
     for (int k = 0; k < count; k++)
         if (list[k]->dimension != dimension && !is_zero(list[k]))
             return list[k]->dimension == 0 ? cagd_refuse_tree(r, list[k], "a number where a vector is expected")
-                                           : cagd_refuse_tree(r, list[k], "vectors of %d and of %d components",
-                                                              dimension, list[k]->dimension);
-    if (count == 2 && relation[0] == CAGD_NOT_EQUAL)
+                                           : different_shapes(r, list[k], dimension, list[k]->dimension);
+    if (count == 2 && relation[0] == CAGD_NOT_EQUAL && !cagd_is_matrix(dimension))
         return list[0]->dimension > 0 ? different(r, from, list[0], list[1]) : different(r, from, list[1], list[0]);
+    if (count == 2 && relation[0] == CAGD_NOT_EQUAL) {
+        const cagd_tree *same = cagd_relate(r, from, count, list, &(cagd_relation){CAGD_EQUAL});
+        return same != NULL ? cagd_new_of(r, CAGD_NOT, from, 1, &same) : NULL;
+    }
     for (int k = 0; k + 1 < count; k++)
         if (relation[k] != CAGD_EQUAL)
             return cagd_refuse_tree(r, list[k], "vectors are equal or not; none is less than another");
-    for (int c = 0; c < dimension; c++) {
+    for (int c = 0; c < cagd_components(dimension); c++) {
         for (int k = 0; k < count; k++)
-            side[k] = component(r, list[k], c);
+            side[k] = cagd_component_of(r, list[k], c);
         part[c] = chain(r, from, count, side, relation);
     }
-    return cagd_new_of(r, CAGD_ALL, from, dimension, part);
+    return cagd_new_of(r, CAGD_ALL, from, cagd_components(dimension), part);
 }

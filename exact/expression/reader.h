@@ -24,6 +24,7 @@ typedef struct cagd_reader {
     int integrals; /* around what is read: d and a letter end the integrand  */
     int norms;     /* likewise: \| ends the norm and begins none             */
     int amounts;   /* and | that of a number                                  */
+    int ends;      /* where a range is read: dots stand between its ends      */
     int nodes;
 } cagd_reader;
 
@@ -51,12 +52,37 @@ cagd_tree *cagd_new_of(cagd_reader *r, cagd_tree_kind kind, int from, int count,
 
 /* Sets the dimension of t by that of its parts, if they fit; otherwise an error, and NULL. */
 cagd_tree *cagd_with_dimension(cagd_reader *r, cagd_tree *t);
+/* What messages call what has that dimension: "a vector of 3 components". */
+const char *cagd_called(int dimension);
+/* The component number k of a vector or matrix, from 0. */
+const cagd_tree *cagd_component_of(cagd_reader *r, const cagd_tree *t, int k);
+/* a b for matrices and vectors, if they fit; a product of several factors, some of them matrices, from the left. */
+const cagd_tree *cagd_matrix_product(cagd_reader *r, const cagd_tree *a, const cagd_tree *b);
+const cagd_tree *cagd_chain_of_matrices(cagd_reader *r, const cagd_tree *t);
+/* The matrix whose columns are these vectors, which have to be of one dimension. */
+const cagd_tree *cagd_columns_of(cagd_reader *r, int count, const cagd_tree *const list[], int from);
+/* The determinant of a square matrix; a matrix to a whole power, perhaps below 0; transposed. */
+const cagd_tree *cagd_determinant_of(cagd_reader *r, const cagd_tree *t, int from);
+const cagd_tree *cagd_matrix_power(cagd_reader *r, const cagd_tree *t, const cagd_tree *exponent);
+const cagd_tree *cagd_transposed(cagd_reader *r, const cagd_tree *t);
+/* Whether the sign of transposition comes next, behind ^; then it is passed. */
+int cagd_pass_transposed(cagd_reader *r);
+/* The environment of a matrix, if its name in braces comes next: then it is passed.  The entries behind it, up to its end. */
+const char *cagd_pass_matrix(cagd_reader *r);
+const cagd_tree *cagd_read_matrix(cagd_reader *r, const char *name, int from);
+/* Whether the name of an environment comes next, in braces; then it is passed. */
+int cagd_environment(cagd_reader *r, const char *name);
 /* The factor b behind a with "*" or "\times" between, one of them a vector; of two vectors a product of vectors. */
 const cagd_tree *cagd_vector_product(cagd_reader *r, const char *sign, const cagd_tree *a, const cagd_tree *b);
 /* Behind the first of several values with commas between: a point, or the mixed product of three vectors. */
 const cagd_tree *cagd_read_point(cagd_reader *r, const cagd_tree *first, const char *close, int from);
 /* What stands in square brackets: [x \; y] is a point, [a b c] of three vectors their mixed product; else t itself. */
 const cagd_tree *cagd_in_square_brackets(cagd_reader *r, const cagd_tree *t);
+/* Dots between before[0..count) and the last term, or factor: the sum or product over an index that stands for the terms from
+ * before[*start] to the last; where the signs before and behind the dots differ, the terms alternate.  An error at the dots, and NULL, where what they leave out is not evident. */
+const cagd_tree *cagd_fill_dots(cagd_reader *r, cagd_tree_kind kind, const cagd_token *dots,
+                                const cagd_tree *const before[], int count, const cagd_tree *last, int signs_differ,
+                                int *start);
 /* A chain of relations; between vectors, of each component. */
 const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tree *const list[],
                              const cagd_relation relation[]);
@@ -65,11 +91,24 @@ const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tre
 const cagd_tree *cagd_read_sum(cagd_reader *r);
 const cagd_tree *cagd_read_product(cagd_reader *r);
 const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script);
+/* One factor; a product, or, behind the sign of one over that index, what it goes over. */
+const cagd_tree *cagd_read_factor(cagd_reader *r);
+const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, const char *index);
+/* Behind \frac, \sqrt, \sum or \prod, \int, which began at `from`. */
+const cagd_tree *cagd_read_fraction(cagd_reader *r, int from);
+const cagd_tree *cagd_read_root(cagd_reader *r, int from);
+const cagd_tree *cagd_read_over(cagd_reader *r, cagd_tree_kind kind, int from);
+const cagd_tree *cagd_read_integral(cagd_reader *r, int from);
+/* How many tokens a differential sign has that begins at t: d, \partial, \mathrm{d}; 0 where there is none. */
+int cagd_differential(const cagd_reader *r, const cagd_token *t);
 /* A chain of relations, and conditions with "," or "and" between; a truth. */
 const cagd_tree *cagd_read_relations(cagd_reader *r);
 const cagd_tree *cagd_read_conditions(cagd_reader *r);
 /* What is true or false: conditions, with implications, "or", "not" and quantifiers between. */
 const cagd_tree *cagd_read_truth(cagd_reader *r);
+/* Whether names and \in come next, with no relation before it: what follows is said of them. */
+int cagd_next_is_member(const cagd_reader *r);
+const cagd_tree *cagd_read_members(cagd_reader *r);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
@@ -83,6 +122,10 @@ int cagd_begins_name(const cagd_reader *r);
 const cagd_tree *cagd_read_name(cagd_reader *r);
 /* {B_i^n}'(t): a name in brackets, and primes and arguments behind them. */
 const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t);
+/* Whether t is a function without its arguments; whether such a one is in it, and a bracket with letters or numbers alone comes
+ * next, which can be its arguments or a factor: then an error. */
+int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t);
+int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t);
 /* The letter with its faces: "t", "\hat{\omega}". */
 const char *cagd_read_head(cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */

@@ -9,7 +9,7 @@
 
 typedef struct cagd_definition {
     const cagd_tree *left, *body, *when; /* when: a condition, or NULL                    */
-    int dimension;                       /* of a vector; 0 of a number                    */
+    int dimension;                       /* of a vector or matrix; 0 of a number          */
     struct cagd_definition *next;        /* in the order in which they were written       */
 } cagd_definition;
 
@@ -18,7 +18,7 @@ typedef struct cagd_definition {
 typedef struct cagd_variable {
     const char *head;
     int lower, upper;
-    int dimension; /* of a vector; 0 of a number */
+    int dimension; /* of a vector or matrix; 0 of a number */
     int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
     const cagd_tree *low, *high;
     int low_open, high_open; /* < and not <= */

@@ -13,7 +13,7 @@ static const struct {
     {"\\leq", "\\le"}, {"\\geq", "\\ge"}, {"\\neq", "\\ne"}, {"\\leqslant", "\\le"}, {"\\geqslant", "\\ge"},
     {"\\lt", "<"}, {"\\gt", ">"}, {"\\equiv", "="}, {"\\ldots", "\\dots"}, {"\\cdots", "\\dots"}, {"\\dotsc", "\\dots"},
     {"\\dotsb", "\\dots"}, {"\\dfrac", "\\frac"}, {"\\tfrac", "\\frac"}, {"\\dbinom", "\\binom"}, {"\\tbinom", "\\binom"},
-    {"\\cdot", "*"}, {"\\ast", "*"}, {"\\star", "*"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\vert", "|"},
+    {"\\cdot", "*"}, {"\\ast", "*"}, {"\\star", "*"}, {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\Vert", "\\|"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\vert", "|"},
     {"\\varepsilon", "\\epsilon"}, {"\\widehat", "\\hat"}, {"\\widetilde", "\\tilde"}, {"\\overline", "\\bar"},
     {"\\colon", ":"}, {"\\lbrace", "\\{"}, {"\\rbrace", "\\}"}, {"\\lbrack", "["}, {"\\rbrack", "]"}, {"\\wedge", "\\land"},
     {"\\left", ""}, {"\\right", ""}, {"\\big", ""}, {"\\Big", ""}, {"\\bigg", ""}, {"\\Bigg", ""}, {"\\bigl", ""},
@@ -78,7 +78,7 @@ static int recognise(const char *s, int n, cagd_token *t)
     for (int k = 0; k < SAME; k++)
         if (is(s, n, same[k].written)) {
             t->word = same[k].word;
-            t->kind = t->word[0] == '\\' ? CAGD_TOKEN_WORD : CAGD_TOKEN_SIGN;
+            t->kind = t->word[0] == '\\' && isalpha((unsigned char)t->word[1]) ? CAGD_TOKEN_WORD : CAGD_TOKEN_SIGN;
             for (int g = 0; g < GREEK; g++)
                 t->kind = strcmp(greek[g].command, t->word) == 0 ? CAGD_TOKEN_LETTER : t->kind;
             return 1;

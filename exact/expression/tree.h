@@ -4,7 +4,7 @@
 
 #include "exact/expression/reading.h"
 
-enum { CAGD_MOST_CHILDREN = 64, CAGD_MOST_DEPTH = 200, CAGD_MOST_INDICES = 4 };
+enum { CAGD_MOST_CHILDREN = 64, CAGD_MOST_ROWS = 8, CAGD_MATRIX = 16, CAGD_MOST_DEPTH = 200, CAGD_MOST_INDICES = 4 };
 
 /* In brackets: what the children are. */
 typedef enum cagd_tree_kind {
@@ -26,17 +26,20 @@ typedef enum cagd_tree_kind {
     CAGD_MINIMUM,   /* [a, b, ...] */
     CAGD_SUM_OVER,  /* [low, high, body, conditions ...] over the index `head`                                    */
     CAGD_PRODUCT_OVER,
-    CAGD_DERIVATIVE,  /* [a]: `order` times by the variable `head`                                                 */
-    CAGD_INTEGRAL,    /* [low, high, a] by the variable `head`                                                     */
-    CAGD_AT,          /* [a, b]: a with b in the place of the variable `head`                                      */
-    CAGD_POINT,       /* [x, y, ...]: a vector by its components                                                   */
-    CAGD_COMPONENT,   /* [a]: component number `order` of a vector, from 0                                         */
-    CAGD_DOT,         /* [a, b] */
-    CAGD_CROSS,       /* [a, b], of space */
-    CAGD_MIXED,       /* [a, b, c]: (a, b, c) = (a x b) . c */
-    CAGD_NORM,        /* [a]: the length of a vector                                                               */
-    CAGD_DETERMINANT, /* [a_11, a_12, ...]: of `order` rows, one behind the other                                  */
-    CAGD_COSINE,      /* [a]: of an angle, a sum of names and of halves of names                                  */
+    CAGD_DERIVATIVE,     /* [a]: `order` times by the variable `head`                                                 */
+    CAGD_INTEGRAL,       /* [low, high, a] by the variable `head`                                                     */
+    CAGD_AT,             /* [a, b]: a with b in the place of the variable `head`                                      */
+    CAGD_POINT,          /* [x, y, ...]: a vector by its components, a matrix by its rows, one behind the other       */
+    CAGD_COMPONENT,      /* [a]: component number `order` of a vector, from 0                                         */
+    CAGD_DOT,            /* [a, b] */
+    CAGD_CROSS,          /* [a, b], of space */
+    CAGD_MIXED,          /* [a, b, c]: (a, b, c) = (a x b) . c */
+    CAGD_NORM,           /* [a]: the length of a vector                                                               */
+    CAGD_MATRIX_PRODUCT, /* [a, b]: `order` terms for each entry                                              */
+    CAGD_TRANSPOSED,     /* [a] */
+    CAGD_INVERSE,        /* [a] */
+    CAGD_DETERMINANT,    /* [a_11, a_12, ...]: of `order` rows, one behind the other                                  */
+    CAGD_COSINE,         /* [a]: of an angle, a sum of names and of halves of names                                  */
     CAGD_SINE,
     CAGD_CASES,       /* [a, condition, b, condition, ...]; the last condition may be missing: otherwise            */
     CAGD_RELATION,    /* [a, b, ...]: a relation[0] b relation[1] c ...; a truth, no value                         */
@@ -65,13 +68,19 @@ typedef struct cagd_tree {
     cagd_num_q number;
     const char *head; /* "t", "\\hat{B}_" of a name with lower indices: t and t_i are different names */
     int lower, upper, arguments, order;
-    int dimension; /* of a vector; 0 of a number or a truth */
+    int dimension; /* of a vector; rows + CAGD_MATRIX columns of a matrix; 0 of a number or a truth */
     const struct cagd_tree *times;
     int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij} */
     int count;
     const struct cagd_tree **at;
     const cagd_relation *relation;
 } cagd_tree;
+
+/* What a dimension says.  A matrix has at least two columns; a vector is a column, and counts as a matrix of one. */
+static inline int cagd_is_matrix(int dimension) { return dimension > CAGD_MATRIX; }
+static inline int cagd_rows(int dimension) { return dimension % CAGD_MATRIX; }
+static inline int cagd_columns(int dimension) { return dimension > CAGD_MATRIX ? dimension / CAGD_MATRIX : 1; }
+static inline int cagd_components(int dimension) { return cagd_rows(dimension) * cagd_columns(dimension); }
 
 /* A tree with room for so many children, the others fields 0; NULL when there is no memory. */
 cagd_tree *cagd_tree_new(cagd_tree_kind kind, int from, int to, int count);

@@ -76,6 +76,138 @@ class Language(unittest.TestCase):
                 with self.subTest(printed=printed):
                     self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
 
+    def test_dots_are_the_sums_and_products_of_their_ends(self):
+        """Each dotted side with the sum it is, and with another one."""
+        for dotted, same, other in (
+                (r"x_0 + x_1 + \dots + x_n", r"\sum_{i=0}^n x_i", r"\sum_{i=1}^n x_i"),
+                (r"x_0 + \cdots + x_n", r"\sum_{i=0}^n x_i", r"\sum_{i=0}^{n+1} x_i"),
+                (r"x_n + x_{n-1} + \dots + x_0", r"\sum_{i=0}^n x_i", r"\sum_{i=1}^n x_i"),
+                (r"x_n + \dots + x_0", r"\sum_{i=0}^n x_i", r"\sum_{i=0}^{n-1} x_i"),
+                (r"x_1 + \dots + x_{n-1} + x_n", r"\sum_{i=1}^n x_i", r"\sum_{i=1}^{n-1} x_i"),
+                (r"x_1 + x_3 + \dots + x_{2n-1}", r"\sum_{i=1}^n x_{2i-1}", r"\sum_{i=1}^{2n-1} x_i"),
+                (r"y + x_1 + x_2 + \dots + x_n + u", r"y + u + \sum_{i=1}^n x_i", r"y + \sum_{i=1}^n (x_i + u)"),
+                (r"\frac{1}{2} x_0 + x_1 + x_2 + \dots + x_n", r"\sum_{i=0}^n x_i - \frac{x_0}{2}", r"\sum_{i=0}^n x_i"),
+                (r"x_0 \omega_n + x_1 \omega_{n-1} + \dots + x_n \omega_0", r"\sum_{i=0}^n x_i \omega_{n-i}", r"\sum_{i=0}^n x_i \omega_i"),
+                (r"x_0 - x_1 + x_2 - \dots + (-1)^n x_n", r"\sum_{i=0}^n (-1)^i x_i", r"-\sum_{i=0}^n (-1)^i x_i"),
+                (r"x_1 - x_2 + \dots + (-1)^{n+1} x_n", r"-\sum_{i=1}^n (-1)^i x_i", r"\sum_{i=1}^n (-1)^i x_i"),
+                (r"-x_1 + x_2 - + \dots + (-1)^n x_n", r"\sum_{i=1}^n (-1)^i x_i", r"\sum_{i=1}^n x_i"),
+                (r"1 + u + u^2 + \dots + u^n", r"\frac{1-u^{n+1}}{1-u}", r"\frac{1-u^n}{1-u}"),
+                (r"1 - u - u^2 - \dots - u^n", r"2 - \sum_{i=0}^n u^i", r"1 - \sum_{i=0}^n u^i"),
+                (r"1 - u + u^2 - \dots + (-1)^n u^n", r"\sum_{i=0}^n (-u)^i", r"\sum_{i=0}^n u^i"),
+                (r"u^n + u^{n-1} v + \dots + v^n", r"\sum_{i=0}^n u^i v^{n-i}", r"\sum_{i=0}^n u^i v^i"),
+                (r"1 + 2u + 3u^2 + \dots + n u^{n-1}", r"\sum_{i=1}^n i u^{i-1}", r"\sum_{i=1}^n i u^i"),
+                (r"1 + \frac{u}{1!} + \frac{u^2}{2!} + \dots + \frac{u^n}{n!}", r"\sum_{i=0}^n \frac{u^i}{i!}", r"\sum_{i=1}^n \frac{u^i}{i!}"),
+                (r"1 + 2 + \dots + n", r"\frac{n(n+1)}{2}", r"\frac{n(n-1)}{2}"),
+                (r"1 + 2 + 4 + \dots + 2^n", r"2^{n+1} - 1", r"2^n - 1"),
+                (r"1 + 3 + 5 + \dots + (2n-1)", r"n^2", r"n^2 + 1"),
+                (r"1^2 + 2^2 + \dots + n^2", r"\frac{n(n+1)(2n+1)}{6}", r"\frac{n(n+1)(2n-1)}{6}"),
+                (r"\frac{1}{1 \cdot 2} + \frac{1}{2 \cdot 3} + \dots + \frac{1}{n(n+1)}", r"\frac{n}{n+1}", r"\frac{n+1}{n+2}"),
+                (r"B_0^n(t) + B_1^n(t) + \dots + B_n^n(t)", r"1", r"t"),
+                (r"\binom{n}{1} + 2\binom{n}{2} + 3\binom{n}{3} + \dots + n\binom{n}{n}", r"n 2^{n-1}", r"n 2^n"),
+                (r"\sum_{k=0}^n (x_0 + \dots + x_k)", r"\sum_{k=0}^n (n+1-k) x_k", r"\sum_{k=0}^n (n-k) x_k"),
+                (r"x_1 x_2 \cdots x_n", r"\prod_{i=1}^n x_i", r"\prod_{i=0}^n x_i"),
+                (r"u x_1 \dots x_n v", r"u v \prod_{i=1}^n x_i", r"\prod_{i=1}^n u v x_i"),
+                (r"(u-x_0) \cdots (u-x_n)", r"\prod_{i=0}^n (u-x_i)", r"\prod_{i=0}^n (x_i-u)"),
+                (r"(1-u)(1-u^2) \cdots (1-u^n)", r"\prod_{i=1}^n (1-u^i)", r"\prod_{i=0}^n (1-u^i)"),
+                (r"1 \cdot 2 \cdot \ldots \cdot n", r"n!", r"(n-1)! + 1"),
+                (r"n(n-1)(n-2) \cdots 1", r"n!", r"(n+1)!"),
+                (r"\frac{u(u-1) \cdots (u-n+1)}{n!}", r"\binom{u}{n}", r"\binom{u-1}{n}")):
+            for right, expected in ((same, "holds"), (other, "fails")):
+                with self.subTest(dotted=dotted, right=right):
+                    s = verdict(f"{dotted} = {right}", "n = 1..4")
+                    self.assertEqual(s["verdict"], expected, s)
+
+    def test_dots_between_the_ends_of_a_range_are_no_product(self):
+        self.assertEqual(verdict("x_i + x_0 = x_0 + x_i", r"n = 3, i = 0 \dots n")["scope"].split(",")[0], "i = 0 to n")
+
+    def test_matrices(self):
+        let = r"""M = \begin{pmatrix} 1 & 0 & 0 \\ -2 & 2 & 0 \\ 1 & -2 & 1 \end{pmatrix}
+R(t) = \begin{bmatrix} 1-t & t \\ 0 & t^2 \end{bmatrix}
+A, C \in \mathbb{R}^{2 \times 2}
+K \in \mathbb{R}^{3 \times 3}
+L \in \mathbb{R}^{2 \times 3}
+\mathbf{u}, \mathbf{v} \in \mathbb{R}^2
+\mathbf{w}, \mathbf{z} \in \mathbb{R}^3
+"""
+        row, column = r"\begin{pmatrix} 1 & t & t^2 \end{pmatrix}", r"\begin{pmatrix} x_0 \\ x_1 \\ x_2 \end{pmatrix}"
+        for printed, expected in (
+                (row + " M " + column + r" = \sum_{i=0}^2 x_i B_i^2(t)", "holds"), (row + " M^T " + column + r" = \sum_{i=0}^2 x_i B_i^2(t)", "fails"),
+                (r"[1 \; t \; t^2] M (x_0, x_1, x_2) = \sum_{i=0}^2 x_i B_i^2(t)", "holds"),
+                (r"[1 \; t \; t^2] M = \begin{bmatrix} B_0^2(t) & B_1^2(t) & B_2^2(t) \end{bmatrix}", "holds"),
+                (r"[1 \; t \; t^2] M = \begin{bmatrix} B_0^2(t) & B_2^2(t) & B_1^2(t) \end{bmatrix}", "fails"),
+                (r"(A C)^T = C^T A^T", "holds"), (r"(A C)^T = A^T C^T", "fails"), (r"\det(A C) = \det A \det C", "holds"),
+                (r"\det (A + C) = \det A + \det C", "fails"), (r"|A| = |A^\top|", "holds"), (r"A C = C A", "fails"), (r"A \ne C", "fails"),
+                (r"A (C A) = (A C) A", "holds"), (r"A^{-1} A = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}", "holds"),
+                (r"(A C)^{-1} = C^{-1} A^{-1}", "holds"), (r"(A C)^{-1} = A^{-1} C^{-1}", "fails"), (r"(A C)^2 = A^2 C^2", "fails"),
+                (r"(A C)^2 = A C A C", "holds"), (r"\mathbf{u}^T A \mathbf{v} = \mathbf{v}^{\mathsf T} A^\top \mathbf{u}", "holds"),
+                (r"\mathbf{u}^T A \mathbf{v} = \mathbf{v}^T A \mathbf{u}", "fails"), (r"\mathbf{u}^T \mathbf{v} = \mathbf{u} \cdot \mathbf{v}", "holds"),
+                (r"(\mathbf{u} \mathbf{v}^T)^T = \mathbf{v} \mathbf{u}^T", "holds"), (r"\mathbf{u} \mathbf{v}^T = \mathbf{v} \mathbf{u}^T", "fails"),
+                (r"L K \mathbf{w} + \mathbf{u} = L (K \mathbf{w}) + \mathbf{u}", "holds"), (r"(K \mathbf{w}) \times \mathbf{z} = K (\mathbf{w} \times \mathbf{z})", "fails"),
+                (r"\frac{d}{dt} R(t)^2 = R(t) R'(t) + R'(t) R(t)", "holds"), (r"\frac{d}{dt} R(t)^2 = 2 R(t) R'(t)", "fails"),
+                (r"\int_0^1 R(t) \, dt = \begin{bmatrix} \frac12 & \frac12 \\ 0 & \frac13 \end{bmatrix}", "holds"), (r"2 A + A = 3 A", "holds"),
+                (r"\left(\begin{array}{cc} x & y \\ u & v \end{array}\right)^{-1} = \frac{1}{x v - y u} \begin{pmatrix} v & -y \\ -u & x \end{pmatrix}", "holds"),
+                (r"\left|\begin{array}{cc} x & y \\ u & v \end{array}\right| = x v + y u", "fails"), (r"A^T A = A A^T \Rightarrow A = A^T", "fails"),
+                (r"\begin{pmatrix} x \\ y \end{pmatrix} = (x, y)", "holds"), (r"\begin{pmatrix} 1 & 1 \\ 1 & 1 \end{pmatrix}^{-1} = A", "undecided")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 2", let)
+                self.assertEqual(s["verdict"], expected, s)
+
+    def test_matrices_that_do_not_fit(self):
+        let = "A \\in \\mathbb{R}^{2 \\times 2}\nK \\in \\mathbb{R}^{3 \\times 3}\nL \\in \\mathbb{R}^{2 \\times 3}\n\\mathbf{v} \\in \\mathbb{R}^2\n\\mathbf{w}, \\mathbf{z} \\in \\mathbb{R}^3\n"
+        for printed, message in (
+                (r"A \mathbf{w} = \mathbf{w}", "a matrix of 2 rows and 2 columns before a vector of 3 components: there is no such product"),
+                (r"\mathbf{v} A = \mathbf{v}", "a vector of 2 components before a matrix of 2 rows and 2 columns: there is no such product"),
+                (r"A = \mathbf{v}", "a matrix of 2 rows and 2 columns beside a vector of 2 components"), (r"A < A", "vectors are equal or not; none is less than another"),
+                (r"A + K = K", "a matrix of 2 rows and 2 columns beside a matrix of 3 rows and 3 columns"), (r"A^{1/2} = A", "a matrix has powers with numbers from 1 to 12, and ^T"),
+                (r"\det L = 1", "a determinant is of as many columns as rows, at most 6; this is a matrix of 2 rows and 3 columns"),
+                (r"\det x = 1", "a determinant is of as many columns as rows, at most 6; this is a number"), (r"A^n = A", "a matrix has powers with numbers from 1 to 12, and ^T"),
+                (r"L^2 = L", "a power of a matrix of 2 rows and 3 columns"), (r"\|A\| = 1", "the length of what is no vector; of a number it is |a|"),
+                (r"\frac{1}{A} = A", "a matrix where a number is expected"), (r"A \times A = A", "a matrix where a vector is expected"), (r"A + 1 = A", "a number where a vector is expected"),
+                (r"K \mathbf{w} \times \mathbf{z} = \mathbf{w}", "a matrix and two vectors: write brackets"),
+                (r"\begin{pmatrix} 1 & 2 \\ 3 \end{pmatrix} = A", "rows of different lengths"), (r"\begin{pmatrix} 1 & 2 \\ 3 & 4 = A", "expected '\\end' after the matrix, not '='"),
+                (r"\begin{pmatrix} \end{pmatrix} = A", "a matrix without entries"), (r"\begin{pmatrix} 1 & 2 \end{bmatrix} = A", r"expected \end{pmatrix}"),
+                (r"\begin{pmatrix} 1 & 2 & 3 & 4 & 5 & 6 & 7 & 8 & 9 \end{pmatrix} = A", "a matrix of more than 8 rows or columns")):
+            with self.subTest(printed=printed):
+                r = check(document(printed, "n = 2", let))
+                self.assertEqual((r.returncode, r.stdout), (2, ""))
+                self.assertEqual(r.stderr.splitlines()[0].split(": ", 2)[2], message)
+
+    def test_what_papers_write(self):
+        let = r"""p_i, a, b \in \mathbb{R}
+\mathbf{a}, \mathbf{b}, \mathbf{c} \in \mathbb{R}^3
+f(t) = t^3
+g(s,t) = s^2 t^3
+"""
+        for printed, expected in (
+                (r"\sum_{0 \le i < j \le n} p_i p_j = p_0 p_1 + p_0 p_2 + p_1 p_2", "holds"), (r"\sum_{0 \le i \le j \le n} p_i p_j = p_0 p_1 + p_0 p_2 + p_1 p_2", "fails"),
+                (r"\sum_{0 \le i \le j < n} p_i p_j = p_0^2 + p_0 p_1 + p_1^2", "holds"), (r"\sum_{0 < i < j \le n} p_i p_j = p_1 p_2", "holds"),
+                (r"\prod_{0 \le i < j \le n} (p_j - p_i) = (p_1 - p_0)(p_2 - p_0)(p_2 - p_1)", "holds"), (r"\sum_{i,j=0}^n p_i p_j = (p_0 + p_1 + p_2)^2", "holds"),
+                (r"\sum_{i,j=0, i \ne j}^n p_i p_j = 2 (p_0 p_1 + p_0 p_2 + p_1 p_2)", "holds"), (r"\sum_{i,j=0, i < j}^n p_i p_j = 2 (p_0 p_1 + p_0 p_2 + p_1 p_2)", "fails"),
+                (r"\sum_{\substack{i=0 \\ i \ne 1}}^n p_i = p_0 + p_2", "holds"), (r"\prod_{\substack{0 \le j \le n \\ j \ne 1}} (x - p_j) = (x - p_0)(x - p_1)", "fails"),
+                (r"{f'}^2(t) = 9 t^4", "holds"), (r"{f'}^2(t) = 9 t^5", "fails"), (r"f'^2(t) = 9 t^4", "holds"), (r"[f'(t)]^2 = 9 t^4", "holds"),
+                (r"\frac{\partial^2 g(s,t)}{\partial s \partial t} = 6 s t^2", "holds"), (r"\frac{\partial^3 g(s,t)}{\partial s \partial t^2} = 6 s t", "fails"),
+                (r"\frac{\partial^3}{\partial s \, \partial t^2} g(s,t) = 12 s t", "holds"), (r"{n \choose 1} = {2n \over 2}", "holds"), (r"{n \choose 1} = n + 1", "fails"),
+                (r"\lVert \mathbf{a} \times \mathbf{b} \rVert^2 = \Vert \mathbf{a} \Vert^2 \left\lVert \mathbf{b} \right\rVert^2 - (\mathbf{a} \cdot \mathbf{b})^2", "holds"),
+                (r"\det(\mathbf{a}, \mathbf{b}, \mathbf{c}) = (\mathbf{a} \times \mathbf{b}) \cdot \mathbf{c}", "holds"),
+                (r"\operatorname{det}[\mathbf{a}, \mathbf{b}, \mathbf{c}] = \det(\mathbf{b}, \mathbf{a}, \mathbf{c})", "fails"),
+                (r"\det \begin{pmatrix} \mathbf{a} & \mathbf{b} & \mathbf{c} \end{pmatrix} = [\mathbf{a}, \mathbf{b}, \mathbf{c}]", "holds"),
+                (r"\begin{bmatrix} \mathbf{a} & \mathbf{b} \end{bmatrix} \begin{bmatrix} x \\ y \end{bmatrix} = x \mathbf{a} + y \mathbf{b}", "holds"),
+                (r"\lbrace a + b \rbrace^2 = a^2 + 2 a b + b^2", "holds"), (r"f(x) \ge 0, \quad x \in [0,1]", "holds"), (r"f(x) \ge 0, \quad x \in [-1,1]", "fails"),
+                (r"f(x) \ge f(y) \text{ for all } x \in [1,2], y \in [0,1]", "holds"), (r"f(x) > f(y) \quad \forall x \in [1,2], y \in [0,1]", "fails"),
+                (r"f(x) > f(y) \quad \forall x \in (1,2], y \in [0,1)", "holds"), (r"x y < 1 \quad \forall x, y \in (0,1)", "holds")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 2", let)
+                self.assertEqual(s["verdict"], expected, s)
+
+    def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
+        let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
+        for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3"):
+            with self.subTest(printed=printed):
+                r = check(document(printed, "n = 2", let))
+                self.assertEqual(r.returncode, 2)
+                self.assertIn(r"arguments of what stands before, or a factor?", r.stderr)
+        self.assertEqual(verdict("(f - F)(1-t) = (f(t) - F(t)) (1-t)", "n = 2", let)["verdict"], "holds")
+
     def test_implications_and_quantifiers(self):
         for printed, expected in (
                 ("x > 0 \\Rightarrow x + \\frac{1}{x} \\ge 2", "holds"), ("x > 0 \\Rightarrow x + \\frac{1}{x} > 2", "fails"),

@@ -173,6 +173,19 @@ class Reading(unittest.TestCase):
                     text = source(f"{definition}\n\\begin{{equation}}\\label{{a}} G(x) = {value} x \\end{{equation}}")
                     self.assertEqual(verdicts(text), {"a": expected})
 
+    def test_definitions_as_papers_print_them(self):
+        """With the range of an index or a dotted sum behind the sign of equality, and several in one brace."""
+        body = r"""
+\begin{equation}\label{b} b_i^n(t) = \binom{n}{i} t^i (1-t)^{n-i}, \qquad i = 0,1,\dots,n, \end{equation} % cagd: definition
+\begin{equation}\label{s} S_n(t) = 1 + t + \cdots + t^n \end{equation} % cagd: definition
+\begin{equation}\label{c} \left\{ \begin{aligned} c_0(t) &= 1 - t, \ c_1(t) &= t. \end{aligned} \right. \end{equation} % cagd: definition
+\begin{equation}\label{one} \sum_{i=0}^n b_i^n(t) = @ \end{equation} % cagd: for n = 1..
+\begin{equation}\label{two} (1-u) S_n(u) = @ - u^{n+1} \end{equation} % cagd: for n = 0..4
+\begin{equation}\label{three} c_0(u) + c_1(u) = @ \end{equation}
+"""
+        for value, expected in (("1", "holds"), ("2", "fails")):
+            self.assertEqual(verdicts(source("% cagd: let t \in \mathbb{R}\n" + body.replace("@", value))), dict.fromkeys(("one", "two", "three"), expected))
+
     def test_what_is_skipped(self):
         self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x = x\\end{equation}\\begin{equation}\\label{b} x = 1 % cagd: skip\n\\end{equation}")),
                          {"a": "holds"})

@@ -1,0 +1,349 @@
+/* read_over.c -- fractions and derivatives, sums and products over an index, integrals. */
+#include "exact/expression/reader.h"
+#include "exact/words.h"
+
+#include <string.h>
+
+/* ---- fractions and derivatives ------------------------------------------------------------------------- */
+
+int cagd_differential(const cagd_reader *r, const cagd_token *t)
+{
+    if (strcmp(t->word, "\\partial") == 0)
+        return 1;
+    if (strcmp(t->word, "d") == 0)
+        return !cagd_is_known(r, "d");
+    if (strcmp(t->word, "\\mathrm") != 0)
+        return 0;
+    if (strcmp(t[1].word, "d") == 0)
+        return 1 + 1;
+    return strcmp(t[1].word, "{") == 0 && strcmp(t[2].word, "d") == 0 && strcmp(t[3].word, "}") == 0 ? 4 : 0;
+}
+
+/* A letter by which there is a derivative, and how often; NULL: once. */
+struct by {
+    const char *head;
+    const cagd_tree *order;
+};
+
+/* \partial^3 f / \partial s^2 \partial t, the first letter below being passed: one derivative of another. */
+static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tree *order, const cagd_tree *body,
+                                         struct by first)
+{
+    struct by by[CAGD_MOST_INDICES] = {first};
+    int count = 1, all = 0, sign;
+    while ((sign = cagd_differential(r, r->token)) > 0) {
+        if (count == CAGD_MOST_INDICES)
+            return cagd_refuse_token(r, "a derivative by more than %d letters", CAGD_MOST_INDICES);
+        r->token += sign;
+        by[count].head = cagd_read_head(r);
+        if (by[count].head == NULL)
+            return NULL;
+        if (!cagd_is_known(r, by[count].head))
+            return cagd_refuse_token(r, "%s is not defined", by[count].head);
+        if (cagd_pass(r, "^") && (by[count].order = cagd_read_argument(r, 1)) == NULL)
+            return NULL;
+        count++;
+    }
+    for (int k = 0; k < count; k++) {
+        if (by[k].order == NULL)
+            by[k].order = cagd_tree_number(1, from, from);
+        if (by[k].order == NULL || by[k].order->kind != CAGD_NUMBER)
+            return cagd_refuse_token(r, "the orders of a mixed derivative are numbers");
+        all += (int)mpz_get_si(mpq_numref(by[k].order->number.at));
+    }
+    if (order == NULL || order->kind != CAGD_NUMBER || !cagd_equal_q(order->number, from_int_q(all)))
+        return cagd_refuse_token(r, "the orders above and below are not the same");
+    if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
+        return NULL;
+    if (body == NULL)
+        body = cagd_read_product(r);
+    while (body != NULL && count > 0) {
+        count--;
+        cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, by[count].order});
+        if (t != NULL)
+            t->head = by[count].head;
+        body = t;
+    }
+    return body;
+}
+
+/* d^k f / d t^k, the brace of the numerator being passed, if it has braces; the body f may follow the fraction. */
+static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
+{
+    r->token += cagd_differential(r, r->token);
+    const cagd_tree *order = NULL, *body = NULL;
+    if (cagd_pass(r, "^") && (order = cagd_read_argument(r, 1)) == NULL)
+        return NULL;
+    if (braces && !cagd_next_is(r, "}") && (body = cagd_read_sum(r)) == NULL)
+        return NULL;
+    if ((braces && !cagd_expect(r, "}", "the numerator")) || !cagd_expect(r, "{", "the numerator"))
+        return NULL;
+    int sign = cagd_differential(r, r->token);
+    if (sign == 0)
+        return cagd_refuse_token(r, "expected d and a letter below the derivative, not %s", cagd_name_of_next(r));
+    r->token += sign;
+    const cagd_token *variable = r->token;
+    const char *head = cagd_read_head(r);
+    if (head == NULL)
+        return NULL;
+    if (!cagd_is_known(r, head)) {
+        r->token = variable;
+        return cagd_refuse_token(r, "%s is not defined", head);
+    }
+    const cagd_tree *again = NULL;
+    if (cagd_pass(r, "^") && (again = cagd_read_argument(r, 1)) == NULL)
+        return NULL;
+    if (cagd_differential(r, r->token) > 0)
+        return mixed_derivative(r, from, order, body, (struct by){head, again});
+    if ((order == NULL) != (again == NULL) || (order != NULL && !cagd_tree_equal(order, again)))
+        return cagd_refuse_token(r, "the orders above and below are not the same");
+    if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
+        return NULL;
+    if (body == NULL)
+        body = cagd_read_product(r);
+    if (order == NULL)
+        order = cagd_tree_number(1, from, from);
+    cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, order});
+    if (t != NULL)
+        t->head = head;
+    return t;
+}
+
+const cagd_tree *cagd_read_fraction(cagd_reader *r, int from)
+{
+    if (cagd_next_is(r, "{") && cagd_differential(r, r->token + 1) > 0) {
+        const cagd_token *second = r->token;
+        for (int depth = 0; second->kind != CAGD_TOKEN_END; second++) {
+            depth += (strcmp(second->word, "{") == 0) - (strcmp(second->word, "}") == 0);
+            if (depth == 0)
+                break;
+        }
+        if (second->kind != CAGD_TOKEN_END && strcmp(second[1].word, "{") == 0 &&
+            cagd_differential(r, second + 2) > 0) {
+            r->token++;
+            return derivative(r, from, 1);
+        }
+    }
+    if (cagd_next_is(r, "\\partial") && strcmp(r->token[1].word, "{") == 0 && cagd_differential(r, r->token + 2) > 0)
+        return derivative(r, from, 0);                                        /* \frac\partial{\partial t} */
+    if (r->token->kind == CAGD_TOKEN_NUMBER && strlen(r->token->word) == 2) { /* \frac12 */
+        const char *digits = (r->token++)->word;
+        const cagd_tree *half[2];
+        for (int k = 0; k < 2; k++) {
+            if (digits[k] < '0' || digits[k] > '9')
+                return cagd_refuse_token(r, "write \\frac{...}{...}");
+            half[k] = cagd_tree_number(digits[k] - '0', from, r->token[-1].to);
+        }
+        return cagd_new_of(r, CAGD_QUOTIENT, from, 2, half);
+    }
+    const cagd_tree *a = cagd_read_argument(r, 0), *b = a != NULL ? cagd_read_argument(r, 0) : NULL;
+    return cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){a, b});
+}
+
+const cagd_tree *cagd_read_root(cagd_reader *r, int from)
+{
+    const cagd_tree *n = NULL;
+    if (cagd_pass(r, "[")) {
+        n = cagd_read_sum(r);
+        if (n == NULL || !cagd_expect(r, "]", "the root"))
+            return NULL;
+    }
+    const cagd_tree *a = cagd_read_argument(r, 0);
+    if (n == NULL)
+        n = cagd_tree_number(2, from, from);
+    return cagd_new_of(r, CAGD_ROOT, from, 2, (const cagd_tree *[]){a, n});
+}
+
+/* ---- sums and products over an index ------------------------------------------------------------------- */
+
+/* The letter of an index, which has to be new. */
+static const char *index_letter(cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    const char *head = cagd_read_head(r);
+    if (head != NULL &&
+        (cagd_is_bound(r, head) || cagd_declared(r->scope, head) != NULL || cagd_defined(r->scope, head) != NULL)) {
+        r->token = t;
+        return cagd_refuse_token(r, "the index %s has a meaning already: take another letter", head), NULL;
+    }
+    return head;
+}
+
+/* The second index, where there is one, is from second_low to high. */
+struct range {
+    const char *head, *second;
+    const cagd_tree *low, *high, *second_low, *condition[4];
+    int conditions;
+    struct cagd_bound bound[2];
+};
+
+static void bind_both(cagd_reader *r, struct range *a)
+{
+    a->bound[0] = (struct cagd_bound){a->head, r->bound};
+    a->bound[1] = (struct cagd_bound){a->second, &a->bound[0]};
+    r->bound = &a->bound[a->second != NULL];
+}
+
+/* i=0, or i,j=0. */
+static int from_one_end(cagd_reader *r, struct range *a)
+{
+    a->head = index_letter(r);
+    if (a->head == NULL || (cagd_pass(r, ",") && (a->second = index_letter(r)) == NULL))
+        return 0;
+    if (a->second != NULL && strcmp(a->head, a->second) == 0)
+        return cagd_refuse_token(r, "the index %s is there twice", a->head) != NULL;
+    r->token++;
+    a->low = a->second_low = cagd_read_sum(r);
+    return a->low != NULL;
+}
+
+/* The next token is < or \le, and is passed; whether it is <. */
+static int pass_less(cagd_reader *r, int *strict)
+{
+    cagd_relation relation;
+    if (!cagd_relation_next(r, &relation) || (relation != CAGD_LESS_OR_EQUAL && relation != CAGD_LESS))
+        return cagd_refuse_token(r, "expected a range such as {i=0} or {0 \\le i \\le n}") != NULL;
+    *strict = relation == CAGD_LESS;
+    r->token++;
+    return 1;
+}
+
+/* end + by, if there is a by. */
+static const cagd_tree *moved(cagd_reader *r, const cagd_tree *end, long by)
+{
+    if (end == NULL || by == 0)
+        return end;
+    return cagd_new_of(r, CAGD_SUM, end->from, 2, (const cagd_tree *[]){end, cagd_tree_number(by, end->to, end->to)});
+}
+
+/* 0 \le i \le n, 0 \le i < j \le n. */
+static int between_ends(cagd_reader *r, struct range *a)
+{
+    int strict;
+    const cagd_tree *low = cagd_read_sum(r);
+    if (low == NULL || !pass_less(r, &strict))
+        return 0;
+    a->low = moved(r, low, strict);
+    a->head = index_letter(r);
+    if (a->low == NULL || a->head == NULL || !pass_less(r, &strict))
+        return 0;
+    if (r->token->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, r->token->word) &&
+        strcmp(r->token->word, a->head) != 0 &&
+        (strcmp(r->token[1].word, "<") == 0 || strcmp(r->token[1].word, "\\le") == 0)) {
+        cagd_tree *first = cagd_new(r, CAGD_NAME, r->token->from, 0);
+        if (first == NULL)
+            return 0;
+        first->head = a->head;
+        a->second_low = moved(r, first, strict);
+        a->second = index_letter(r);
+        if (a->second_low == NULL || a->second == NULL || !pass_less(r, &strict))
+            return 0;
+    }
+    a->high = moved(r, cagd_read_sum(r), strict ? -1 : 0);
+    return a->high != NULL;
+}
+
+/* What stands below: i=0, or 0 \le i \le n, and conditions behind commas, or below one another. */
+static int below(cagd_reader *r, struct range *a)
+{
+    if (!cagd_expect(r, "{", "_"))
+        return 0;
+    int stack = cagd_pass(r, "\\substack");
+    if (stack && !cagd_expect(r, "{", "\\substack"))
+        return 0;
+    int pair = r->token->kind == CAGD_TOKEN_LETTER && strcmp(r->token[1].word, ",") == 0 &&
+               r->token[2].kind == CAGD_TOKEN_LETTER && strcmp(r->token[3].word, "=") == 0;
+    int one_end = pair || (cagd_begins_name(r) && strcmp(r->token[1].word, "=") == 0);
+    if (!(one_end ? from_one_end : between_ends)(r, a))
+        return 0;
+    const struct cagd_bound *outside = r->bound;
+    bind_both(r, a);
+    while (cagd_pass(r, ",") || (stack && cagd_pass(r, "\\\\"))) {
+        if (a->conditions == 4)
+            return cagd_refuse_token(r, "more than four conditions") != NULL;
+        a->condition[a->conditions] = cagd_read_relations(r);
+        if (a->condition[a->conditions++] == NULL)
+            return 0;
+    }
+    r->bound = outside;
+    return (!stack || cagd_expect(r, "}", "the range")) && cagd_expect(r, "}", "the range");
+}
+
+static const cagd_tree *over_one(cagd_reader *r, cagd_tree_kind kind, int from, const char *head,
+                                 const cagd_tree *const ends[2], const cagd_tree *body, int conditions,
+                                 const cagd_tree *const condition[])
+{
+    cagd_tree *t = cagd_new(r, kind, from, 3 + conditions);
+    if (t == NULL)
+        return NULL;
+    t->head = head;
+    t->at[0] = ends[0], t->at[1] = ends[1], t->at[2] = body;
+    for (int k = 0; k < conditions; k++)
+        t->at[3 + k] = condition[k];
+    return cagd_with_dimension(r, t);
+}
+
+const cagd_tree *cagd_read_over(cagd_reader *r, cagd_tree_kind kind, int from)
+{
+    struct range a = {0};
+    const char *sign = kind == CAGD_SUM_OVER ? "sum" : "product";
+    if (!cagd_pass(r, "_"))
+        return cagd_refuse_token(r, "over what is the %s? expected _{i=0}^{n}", sign);
+    if (!below(r, &a))
+        return NULL;
+    if (a.high == NULL) {
+        if (!cagd_pass(r, "^"))
+            return cagd_refuse_token(r, "up to what is the %s? expected ^{n}", sign);
+        a.high = cagd_read_argument(r, 1);
+        if (a.high == NULL)
+            return NULL;
+    }
+    const struct cagd_bound *outside = r->bound;
+    bind_both(r, &a);
+    const cagd_tree *body = cagd_read_product_in(r, kind, a.head);
+    r->bound = outside;
+    int conditions = a.conditions;
+    if (body != NULL && a.second != NULL) { /* the conditions are of both, and stand with the inner one */
+        body = over_one(r, kind, from, a.second, (const cagd_tree *[]){a.second_low, a.high}, body, conditions,
+                        a.condition);
+        conditions = 0;
+    }
+    if (body == NULL)
+        return NULL;
+    return over_one(r, kind, from, a.head, (const cagd_tree *[]){a.low, a.high}, body, conditions, a.condition);
+}
+
+const cagd_tree *cagd_read_integral(cagd_reader *r, int from)
+{
+    const cagd_tree *low = NULL, *high = NULL;
+    for (int k = 0; k < 2; k++)
+        if (cagd_pass(r, "_"))
+            low = cagd_read_argument(r, 1);
+        else if (cagd_pass(r, "^"))
+            high = cagd_read_argument(r, 1);
+    if (low == NULL || high == NULL)
+        return cagd_refuse_token(r, "from where to where is the integral? expected \\int_a^b ... dt");
+    /* The letter of the variable stands behind the integrand, and has to be known in it. */
+    const cagd_token *end = r->token;
+    while (end->kind != CAGD_TOKEN_END &&
+           (cagd_differential(r, end) == 0 || end[cagd_differential(r, end)].kind != CAGD_TOKEN_LETTER))
+        end++;
+    if (end->kind == CAGD_TOKEN_END)
+        return cagd_refuse_token(r, "by what is the integral? expected d and a letter at its end");
+    struct cagd_bound bound = {end[cagd_differential(r, end)].word, r->bound};
+    r->bound = &bound;
+    r->integrals++;
+    const cagd_tree *body = cagd_read_sum(r);
+    r->integrals--;
+    r->bound = bound.next;
+    if (body == NULL)
+        return NULL;
+    if (cagd_differential(r, r->token) == 0 || r->token != end)
+        return cagd_refuse_token(r, "expected d%s at the end of the integral, not %s", bound.head,
+                                 cagd_name_of_next(r));
+    r->token += cagd_differential(r, r->token) + 1;
+    cagd_tree *t = cagd_new_of(r, CAGD_INTEGRAL, from, 3, (const cagd_tree *[]){low, high, body});
+    if (t != NULL)
+        t->head = bound.head;
+    return t;
+}
