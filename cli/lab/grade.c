@@ -39,7 +39,7 @@ static const char *member(const json_t *row, const char *key)
 static void put_cell(FILE *out, const char *text)
 {
     fputc('"', out);
-    if (strchr("=+-@", *text) != NULL && *text != 0) /* no formula for a spreadsheet */
+    if (strchr("=+-@\t\r", *text) != NULL && *text != 0) /* no formula for a spreadsheet */
         fputc('\'', out);
     for (; *text != 0; text++)
         fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
@@ -147,13 +147,47 @@ static char *answer_of(const struct class *c, const char *name)
     return lab_file(path);
 }
 
-/* The name without its ending. */
+static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+
+static int is_submitted(const struct class *c, const char *name)
+{
+    return bsearch(&name, c->name, (size_t)c->count, sizeof *c->name, by_name) != NULL;
+}
+
+/* The name of a file without its ending, unless that is the name of another submission; and none of the tables'. */
 static void student_of(const struct class *c, const char *name, char student[300])
 {
+    static const char *const tables[] = {"results.csv", "results.json", "junit.xml"};
     const char *end = strrchr(c->lab->file, '.');
     size_t length = strlen(name), ending = strlen(end);
-    snprintf(student, 300, "%.*s",
-             (int)(length > ending && strcmp(name + length - ending, end) == 0 ? length - ending : length), name);
+    char path[LAB_MOST_PATH + 300];
+    struct stat is;
+    snprintf(path, sizeof path, "%s/%s", c->submissions, name);
+    int is_file = lstat(path, &is) == 0 && !S_ISDIR(is.st_mode);
+    if (is_file && length > ending && strcmp(name + length - ending, end) == 0)
+        length -= ending;
+    snprintf(student, 300, "%.*s", (int)length, name);
+    if (length < strlen(name) && is_submitted(c, student))
+        snprintf(student, 300, "%s", name);
+    for (size_t k = 0; k < sizeof tables / sizeof *tables; k++)
+        if (strcmp(student, tables[k]) == 0) {
+            do
+                strcat(student, "-");
+            while (is_submitted(c, student) && strlen(student) < 290);
+        }
+}
+
+/* The name as a text: where it is no UTF-8, its bytes beyond ASCII as %FF. */
+static const char *shown_name(const char *student, char shown[1000])
+{
+    json_t *text = json_string(student);
+    size_t size = 0;
+    for (const char *at = student; *at != 0 && size < 990; at++)
+        size += (size_t)snprintf(shown + size, 1000 - size, text == NULL && (unsigned char)*at >= 0x80 ? "%%%02X" : "%c",
+                                 (unsigned char)*at);
+    shown[size] = 0;
+    json_decref(text);
+    return shown;
 }
 
 static json_t *nothing(const struct class *c, const char *why)
@@ -176,7 +210,7 @@ static json_t *nothing(const struct class *c, const char *why)
 
 static int write_result(const struct class *c, const char *student, json_t *result)
 {
-    char path[LAB_MOST_PATH + 400];
+    char path[LAB_MOST_PATH + 400], shown[1000];
     snprintf(path, sizeof path, "%s/%s", c->out, student);
     int status = make_folder(path);
     snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
@@ -186,7 +220,7 @@ static int write_result(const struct class *c, const char *student, json_t *resu
     status |= put_json(path, scores);
     json_decref(scores);
     snprintf(path, sizeof path, "%s/%s/page.html", c->out, student);
-    return status | write_page(path, student, result);
+    return status | write_page(path, shown_name(student, shown), result);
 }
 
 /* One of the processes: takes submissions until there are none. */
@@ -210,8 +244,6 @@ static int work(const struct class *c, atomic_int *next)
 }
 
 /* ---- all of them ---------------------------------------------------------------------------------------------- */
-
-static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
 static int find(struct class *c)
 {
@@ -274,7 +306,7 @@ static int write_tables(const struct class *c, json_t *all)
 static json_t *gather(const struct class *c, int *missing)
 {
     json_t *all = json_array();
-    char path[LAB_MOST_PATH + 400], student[300];
+    char path[LAB_MOST_PATH + 400], student[300], shown[1000];
     for (int k = 0; k < c->count; k++) {
         student_of(c, c->name[k], student);
         snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
@@ -284,7 +316,7 @@ static json_t *gather(const struct class *c, int *missing)
             write_result(c, student, result);
             ++*missing;
         }
-        json_object_set_new(result, "student", json_string(student));
+        json_object_set_new(result, "student", json_string(shown_name(student, shown)));
         json_array_append_new(all, result);
     }
     return all;
