@@ -101,6 +101,8 @@ static const char *wrong_directive(const char *at)
             return comment;
         open = close + 2;
     }
+    if (memmem(at, (size_t)(end - at), "__has_", 6) != NULL)
+        return "what is there, and what the compiler can do, is not asked in an assignment";
     const char *word = behind_blanks(at);
     if (word == NULL)
         return comment;

@@ -47,7 +47,7 @@ def blanked(text):
 
 
 def faults(text):
-    """(line, what, text with it), in the order of the text."""
+    """(place and change, text with it), in the order of the text."""
     code = blanked(text)
     found = []
     for pattern, replacements in RULES:
@@ -61,18 +61,17 @@ def faults(text):
                 line = text.count("\n", 0, m.start()) + 1
                 found.append((m.start(), line, f"{old.strip()} -> {new.strip()}", text[:m.start()] + new + text[m.end():]))
     found.sort(key=lambda f: (f[0], f[2]))
-    return [(line, f"{line}:{start - text.rfind(chr(10), 0, start)} {what}", new) for start, line, what, new in found]
+    return [(f"{line}:{start - text.rfind(chr(10), 0, start)} {what}", new) for start, line, what, new in found]
 
 
-def chosen(lab, one_in):
+def all_of(lab):
     """Name -> text with the fault; the name tells the file, the place and the change."""
-    all_of_lab = {}
-    for path in sorted((lab / "right").glob("*.c")):
-        for _, what, text in faults(path.read_text()):
-            name = f"{lab.name}/{path.name}:{what}"
-            if zlib.crc32(name.encode()) % one_in == 0:
-                all_of_lab[name] = text
-    return all_of_lab
+    return {f"{lab.name}/{path.name}:{what}": text
+            for path in sorted((lab / "right").glob("*.c")) for what, text in faults(path.read_text())}
+
+
+def chosen(texts, one_in):
+    return {name: text for name, text in texts.items() if zlib.crc32(name.encode()) % one_in == 0}
 
 
 def judged(cagd, lab, texts):
@@ -117,7 +116,11 @@ def main():
     for lab in labs:
         if a.lab and lab.name not in a.lab:
             continue
-        texts = chosen(lab, a.one_in)
+        every = all_of(lab)
+        stale = [name for name in known if name.startswith(lab.name + "/") and name not in every]
+        if stale:
+            sys.exit(f"harmless.txt: there is no such fault any more: {stale}")
+        texts = chosen(every, a.one_in)
         if a.list:
             print("\n".join(texts))
             continue

@@ -69,6 +69,13 @@ ATTACKS = {
     "assembly-behind-a-splice": attack('#li\\\nne 1 "/usr/include/stdio.h"\n__asm__(".globl evil\\nevil: ret");'),
     "assembly-behind-a-comment": attack("#if __has_include(<x/*y>)\n#endif\n#line 1 \"/usr/include/stdio.h\"\n"
                                         '__asm__(".globl evil\\nevil: ret"); /* */'),
+    "assembly-behind-a-mark": "\ufeff" + attack('# 1 "/usr/include/stdio.h" 1 3\n__asm__(".globl evil\\nevil: ret");'),
+    "assembly-behind-a-wide-blank": attack('\u00a0# 1 "/usr/include/stdio.h" 1 3\n__asm__(".globl evil\\nevil: ret");'),
+    "assembly-behind-an-open-comment": attack('#define A /*\n# 1 "/usr/include/stdio.h" 1 3 */\n'
+                                              '__asm__(".globl evil\\nevil: ret");'),
+    "assembly-behind-a-made-directive": attack('#define HASH #\nHASH 1 "/usr/include/stdio.h" 1 3\n'
+                                               '__asm__(".globl evil\\nevil: ret");'),
+    "pragma-by-an-operator": attack('_Pragma("redefine_extname other system") int other(const char *);', 'other("true");'),
     "assembly-pasted": attack('#define GLUE(a, b) a##b\nGLUE(__as, m__)(".globl evil\\nevil: ret");'),
     "assembly-in-one-build": attack('#if __INCLUDE_LEVEL__ == 0\n__asm__(".globl evil\\nevil: ret");\n#endif'),
     "assembly-in-position-independent-code": attack('#ifdef __PIC__\n__asm__(".globl evil\\nevil: ret");\n#endif'),
@@ -145,8 +152,8 @@ ATTACKS = {
     "no-text": "\x7fELF" + "\x01" * 100,
     "deep-brackets": attack("int number = " + "(" * 100000 + "1" + ")" * 100000 + ";"),
 }
-# Beside the wrong answer these do nothing at all: they lose nothing either.
-HARMLESS = {"asks-for-the-day"}
+# What these do is seen by nobody: they have the mark of the wrong answer.
+HARMLESS = {"asks-for-the-day", "asks-for-the-build", "main", "malloc", "strcmp"}
 
 NAMES = {"quote\"s, and commas": "quotes", "two\nlines": "newline", "<script>alert(1)<": "script", "=cmd()": "formula",
          "n" * 253: "long", "ünïcode 名字": "letters", "results.csv": "table", "results.json": "table", "junit.xml": "table",
@@ -194,17 +201,14 @@ class RedTeam(unittest.TestCase):
         return rows
 
     def test_no_attack_changes_a_mark(self):
-        attacks = {k: v for k, v in ATTACKS.items() if not os.environ.get("ATTACKS") or k in os.environ["ATTACKS"].split()}
-        for name, source in attacks.items():
+        for name, source in ATTACKS.items():
             (self.class_ / f"{name}.c").write_text(source.replace("SECRET", str(self.folder / "secret.c")))
         (self.class_ / "zoe.c").write_text((LAB / "right/recursive.c").read_text())
         rows = {r["student"]: r for r in self.graded()}
         marks = {k: int(r["points"]) for k, r in rows.items()}
         self.assertEqual((marks["ann"], marks["zoe"]), (10, 10))
         self.assertEqual((marks["wrong"], rows["wrong"]["right"]), (8, "0"))
-        for name in attacks:
-            if os.environ.get("ATTACKS"):
-                print(name, rows[name], json.loads((self.out / name / "result.json").read_text()).get("refused"))
+        for name in ATTACKS:
             with self.subTest(name):
                 self.assertEqual(rows[name]["right"], "0")
                 self.assertEqual(marks[name] == 8, name in HARMLESS, rows[name])
