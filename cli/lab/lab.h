@@ -3,8 +3,9 @@
  * A lab is a folder NAME with
  *     README.md     the assignment, in English and Chinese, which the student gets
  *     lab.md        blocks {lab}, {requirement} and {wrong}, and the page for the lecturer around them
- *     start.c       what the student begins with; start.py where the language is Python
- *     reference.c   what is right, by the definition
+ *     figure.svg    the picture in it, if there is one
+ *     start.c       what the student begins with; start.py where the language is Python, start.txt where numbers are asked for
+ *     reference.c   what is right, by the definition, in C whatever the language
  *     right/        other right solutions
  * A block is ":::{kind} name", lines ":key: text" that go on in lines which begin with a blank, and ":::". */
 #ifndef CAGD_LAB_H
@@ -27,6 +28,7 @@ struct lab_case {
     char label[64]; /* "n = 3", or "" */
     int number;     /* of its function in the driver */
     int earlier;    /* another case of the requirement, which is run before it where state is looked for */
+    char *python;   /* the call in Python, where that is the language; else NULL */
     struct cagd_code_harness *h;
 };
 
@@ -113,6 +115,26 @@ char *lab_wrong_source(const struct lab *lab, const json_t *wrong, char cause[LA
  * what the preprocessor made of it, of which the lines are looked at that its markers give to the file of the lab. */
 char *lab_wrong_directive(const char *source);
 char *lab_wrong_expansion(const struct lab *lab, const char *expanded);
+
+/* ---- python.c -------------------------------------------------------------------------------------------- */
+
+/* Whether the object, which is not the reference, is an answer in Python. */
+int lab_is_python(const struct lab *lab, const char *object);
+/* As lab_build, for an answer in Python: the object is its source, beside cagd_lab.py and cases.json. */
+char *lab_build_python(const struct lab *lab, const struct lab_place *place, const char *source, const char *object);
+/* As lab_inspect. */
+json_t *lab_inspect_python(const struct lab_place *place, const char *file);
+/* Whether two texts of rational functions, "(0-2*t)/(p[0]+1)", are the same function; 0 where one is not understood. */
+int lab_same_function(const char *a, const char *b);
+
+/* ---- numbers.c ------------------------------------------------------------------------------------------- */
+
+/* Whether the object, which is not the reference, is made of a file of numbers. */
+int lab_is_numbers(const struct lab *lab, const char *object);
+/* The file of numbers as functions in C; NULL and a cause, which the caller frees.  digits: of all numbers together. */
+char *lab_numbers_as_c(const char *source, char **cause, long *digits);
+/* As lab_inspect. */
+json_t *lab_inspect_numbers(const char *source);
 
 /* ---- judge.c ------------------------------------------------------------------------------------------- */
 

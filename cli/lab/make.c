@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* Whether files of these names can be made in the folder, which is made when they can: nothing is written before all of that is
  * known. */
@@ -51,8 +52,10 @@ static int copy(const struct lab *lab, const char *from, const char *folder, con
 
 int lab_begin(const struct lab *lab, const char *folder)
 {
-    const char *const names[] = {"README.md", lab->file, "Makefile", NULL};
-    char start[80], makefile[1000];
+    char start[80], makefile[1000], path[LAB_MOST_PATH + 16];
+    snprintf(path, sizeof path, "%s/figure.svg", lab->folder);
+    int has_figure = access(path, R_OK) == 0;
+    const char *const names[] = {"README.md", lab->file, "Makefile", has_figure ? "figure.svg" : NULL, NULL};
     if (is_free(folder, names) != 0)
         return -1;
     snprintf(start, sizeof start, "start%s", strrchr(lab->file, '.'));
@@ -65,7 +68,7 @@ int lab_begin(const struct lab *lab, const char *folder)
              : strcmp(lab->language, "c") == 0    ? "cc -Wall -Wextra -c $(wildcard *.c)"
                                                   : "@echo nothing to compile");
     if (copy(lab, "README.md", folder, "README.md") != 0 || copy(lab, start, folder, lab->file) != 0 ||
-        put(folder, "Makefile", makefile) != 0)
+        put(folder, "Makefile", makefile) != 0 || (has_figure && copy(lab, "figure.svg", folder, "figure.svg") != 0))
         return -1;
     printf("%s/README.md is the assignment, %s/%s the place for the answer; cagd lab check %s judges it\n", folder,
            folder, lab->file, folder);

@@ -88,7 +88,10 @@ void lab_print(const struct lab *lab, const json_t *result)
         json_array_foreach(json_object_get(result, "requirements"), k, row) print_requirement(row);
     json_array_foreach(json_object_get(result, "notes"), k,
                        row) if (!all || strstr(member(row, "text"), "division") == NULL)
-        printf("  line %d: %s\n", (int)json_integer_value(json_object_get(row, "line")), member(row, "text"));
+    {
+        int line = (int)json_integer_value(json_object_get(row, "line"));
+        printf(line > 0 ? "  line %d: %s\n" : "  %.0d%s\n", line, member(row, "text"));
+    }
     if (measured != NULL)
         printf("  %-12s  %.3g ulps from the exact value at worst, the reference %.3g; %d operations, the reference "
                "%d%s%s\n",

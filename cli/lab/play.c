@@ -218,7 +218,7 @@ int lab_play(const char *object)
 
 int lab_player_open(struct lab_player *p, const struct lab_place *place, const struct lab *lab, const char *object)
 {
-    char self[LAB_MOST_PATH], path[LAB_MOST_PATH + 64], script[LAB_MOST_PATH + 64];
+    char self[LAB_MOST_PATH], path[LAB_MOST_PATH + 64], script[LAB_MOST_PATH + 64], cases[LAB_MOST_PATH + 64];
     int to, from;
     ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
     if (length < 0)
@@ -226,9 +226,11 @@ int lab_player_open(struct lab_player *p, const struct lab_place *place, const s
     self[length] = 0;
     snprintf(path, sizeof path, "%s/%s", place->folder, object);
     snprintf(script, sizeof script, "%s/cagd_lab.py", place->folder);
+    snprintf(cases, sizeof cases, "%s/cases.json", place->folder);
     char *const c[] = {self, (char *)(uintptr_t) "lab", (char *)(uintptr_t) "--play", path, NULL};
-    char *const python[] = {(char *)(uintptr_t) "/usr/bin/python3", (char *)(uintptr_t) "-I", script, path, NULL};
-    p->pid = lab_start(place, strcmp(lab->language, "python") == 0 ? python : c, &to, &from, -1);
+    char *const python[] = {
+        (char *)(uintptr_t) "/usr/bin/python3", (char *)(uintptr_t) "-I", script, path, cases, NULL};
+    p->pid = lab_start(place, lab_is_python(lab, object) ? python : c, &to, &from, -1);
     p->to = p->pid > 0 ? fdopen(to, "w") : NULL;
     p->from = p->pid > 0 ? fdopen(from, "r") : NULL;
     return p->to != NULL && p->from != NULL ? 0 : -1;

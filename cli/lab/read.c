@@ -261,6 +261,11 @@ static int add_case(struct lab *lab, const json_t *requirement, const struct let
         snprintf(cause, LAB_CAUSE, "%s: %s", name, error.cause);
         return -1;
     }
+    if (*lab_text(requirement, "python") != 0 &&
+        (c->python = put_numbers(lab_text(requirement, "python"), l)) == NULL) {
+        snprintf(cause, LAB_CAUSE, "%s: a number behind $ was expected in :python:", name);
+        return -1;
+    }
     c->requirement = requirement;
     c->number = lab->cases++;
     c->earlier = c->number > 0 && c[-1].requirement == requirement ? c->number - 1 : c->number;
@@ -356,8 +361,10 @@ void lab_free(struct lab *lab)
 {
     if (lab == NULL)
         return;
-    for (int k = 0; k < lab->cases; k++)
+    for (int k = 0; k < lab->cases; k++) {
         cagd_code_harness_free(lab->at[k].h);
+        free(lab->at[k].python);
+    }
     json_decref(lab->blocks);
     free(lab);
 }

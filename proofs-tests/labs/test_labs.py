@@ -47,7 +47,7 @@ class Student(InFolder):
     def test_from_start_to_full_marks(self):
         place = self.folder / "mine"
         self.assertEqual(run("start", "de-casteljau", place).returncode, 0)
-        self.assertEqual(sorted(p.name for p in place.iterdir()), ["Makefile", "README.md", "de-casteljau.c"])
+        self.assertEqual(sorted(p.name for p in place.iterdir()), ["Makefile", "README.md", "de-casteljau.c", "figure.svg"])
         begun = run("check", place)
         self.assertEqual(begun.returncode, 1)
         self.assertIn("0 of 10 points", begun.stdout)
@@ -62,8 +62,8 @@ class Student(InFolder):
         self.assertEqual(run("start", "de-casteljau", self.folder).returncode, 2)
 
     def test_every_file_that_students_begin_with_compiles_and_is_worth_nothing(self):
-        for lab in sorted(LABS.glob("*/start.c")):
-            (self.folder / (lab.parent.name + ".c")).write_text(lab.read_text())
+        for lab in sorted(LABS.glob("*/start.*")):
+            (self.folder / (lab.parent.name + lab.suffix)).write_text(lab.read_text())
             ran = run("check", self.folder, "--lab", lab.parent.name, "--json")
             result = json.loads(ran.stdout)
             self.assertNotIn("compiler", result, lab)
@@ -95,6 +95,13 @@ class Student(InFolder):
         result = self.checked("double point(int n, const double *p, double t)\n{\n    return x;\n}\n")
         self.assertIn("line 3: use of undeclared identifier 'x'", result["compiler"])
 
+    def test_lines_are_those_of_the_answer_behind_headers_too(self):
+        result = self.checked("#include <math.h>\n#include <stdio.h>\n" + RIGHT.replace("return b[0];", "return x;"))
+        self.assertIn("use of undeclared identifier 'x'\n        return x;", result["compiler"])
+        result = self.checked("#include <stdlib.h>\n" + RIGHT.replace("return b[0];", 'system("true");\n    return b[0];'))
+        line = RIGHT[:RIGHT.index("return b[0];")].count("\n") + 2
+        self.assertEqual(result["refused"], f"line {line}: system is no function for an assignment")
+
     def test_another_type_is_an_error(self):
         result = self.checked(RIGHT.replace("double point(int n,", "float point(int n,"))
         self.assertIn("conflicting types for 'point'", result["compiler"])
@@ -113,6 +120,77 @@ class Student(InFolder):
     def test_there_is_no_lab(self):
         ran = run("check", self.folder)
         self.assertEqual((ran.returncode, len(ran.stderr.splitlines())), (2, 1))
+
+
+PYTHON = (LABS / "de-casteljau-python/right/iterative.py").read_text()
+
+
+class InPython(InFolder):
+    def judged(self, source):
+        (self.folder / "de-casteljau-python.py").write_text(source)
+        ran = run("check", self.folder, "--json")
+        self.assertIn(ran.returncode, (0, 1), ran.stderr)
+        return json.loads(ran.stdout)
+
+    def test_right_for_all_inputs(self):
+        result = self.judged(PYTHON)
+        self.assertEqual(result["points"], result["of"])
+        self.assertEqual(result["requirements"][0]["text"], "right for all inputs, n = 1 to n = 5")
+
+    def test_a_branch_that_no_random_point_takes_is_found(self):
+        result = self.judged(PYTHON.replace("b = list(p)", "b = list(p)\n    if 4 * t > 3 and t < 0.750000000001:\n        return 7"))
+        self.assertEqual(result["requirements"][0]["verdict"], "wrong", result["requirements"][0])
+
+    def test_a_right_branch_stays_right(self):
+        result = self.judged(PYTHON.replace("b = list(p)", "b = list(p)\n    if t == 0:\n        return p[0]"))
+        self.assertEqual(result["points"], result["of"], result["requirements"])
+        self.assertIn("each of the", result["requirements"][0]["text"])
+
+    def test_a_third_is_a_third_and_a_root_is_refused(self):
+        result = self.judged(PYTHON.replace("return b[0]", "return 3 * (1 / 3) * b[0]"))
+        self.assertEqual(result["points"], result["of"], result["requirements"])
+        result = self.judged("import math\n" + PYTHON.replace("return b[0]", "return math.sqrt(b[0]) ** 2"))
+        self.assertIn("not exact", result["requirements"][0]["text"])
+
+    def test_ways_out_lead_nowhere(self):
+        for way in ("().__class__", "open('/etc/passwd')", "eval('1')", "point.func_globals", "(x for x in p).gi_frame",
+                    "getattr(p, 'x')", "globals()", "__builtins__"):
+            result = self.judged(PYTHON.replace("return b[0]", f"return ({way}, b[0])[1]"))
+            self.assertEqual(result["points"], 0, way)
+            self.assertIn("refused", result, way)
+        for module in ("os", "sys", "ctypes", "subprocess", "operator.attrgetter"):
+            name, _, part = module.partition(".")
+            line = f"from {name} import {part}" if part else f"import {name}"
+            self.assertIn("refused", self.judged(line + "\n" + PYTHON), module)
+        for inner in ("fractions.sys", "functools.GenericAlias", "operator.methodcaller"):  # no name of the module as an answer has it
+            result = self.judged(f"import {inner.split('.')[0]}\n" + PYTHON.replace("return b[0]", f"return ({inner}, b[0])[1]"))
+            self.assertEqual(result["requirements"][0]["verdict"], "stopped", inner)
+
+    def test_memory_time_and_depth_are_bounded(self):
+        for code, says in (("x = [0] * 10 ** 10", "memory"), ("x = 9 ** 9 ** 9", ""), ("x = point(p, t)", "without end")):
+            row = self.judged(PYTHON.replace("return b[0]", code + "\n    return b[0]"))["requirements"][0]
+            self.assertEqual(row["verdict"], "stopped", code)
+            self.assertIn(says, row["text"])
+
+
+class Numbers(InFolder):
+    def judged(self, text):
+        (self.folder / "mistake-arc.txt").write_text(text)
+        return json.loads(run("check", self.folder, "--json").stdout)
+
+    def test_numbers_are_ranked_and_formulas_compared(self):
+        right = (LABS / "mistake-arc/right/small.txt").read_text()
+        result = self.judged(right)
+        self.assertEqual(result["points"], result["of"])
+        self.assertEqual(result["requirements"][0]["text"], "right, decided exactly")
+        self.assertIn("3 digits", result["notes"][0]["text"])
+
+    def test_what_is_no_number_has_its_line(self):
+        for text, line in (("counterexample = 1, x", 1), ("\n\nf(l) = l +", 3), ("f(l) = q", 1), ("a = 1/0", 1), ("a = 1234567890123456", 1),
+                           ("a = 1; system(\"x\")", 1), ("f(l) = l } int x {", 1), ("cagd_x = 1", 1)):
+            result = self.judged(text)
+            self.assertIn(f"line {line}:", result["compiler"], text)
+            self.assertEqual(result["points"], 0)
 
 
 class Lecturer(InFolder):
