@@ -498,8 +498,8 @@ static json_t *compile_native(const struct lab *lab, const struct lab_place *pla
                              (char *)(uintptr_t)lab->file,
                              NULL};
     char *const hide[] = {(char *)(uintptr_t)tool("llvm-objcopy", objcopy),
-                          (char *)(uintptr_t) "--keep-global-symbols=asked",
-                          (char *)(uintptr_t) "native-answer.o", NULL};
+                          (char *)(uintptr_t) "--keep-global-symbols=asked", (char *)(uintptr_t) "native-answer.o",
+                          NULL};
     int code = lab_run(place, compile, COMPILE_SECONDS, &said);
     int none = code != 0 && strstr(said, "fsanitize") != NULL;
     free(said);
@@ -568,7 +568,8 @@ json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const
     code = lab_run_sanitized(place, run, NATIVE_SECONDS, &said);
     report = code != 0 ? report_of(lab, said) : NULL;
     if (report == NULL && strstr(said, end) == NULL)
-        report = json_pack("{s:i, s:s}", "line", 0, "text", "ends the program, or does not come to an end, in binary64");
+        report =
+            json_pack("{s:i, s:s}", "line", 0, "text", "ends the program, or does not come to an end, in binary64");
     free(said);
     return report;
 }

@@ -183,8 +183,8 @@ static const char *shown_name(const char *student, char shown[1000])
     json_t *text = json_string(student);
     size_t size = 0;
     for (const char *at = student; *at != 0 && size < 990; at++)
-        size += (size_t)snprintf(shown + size, 1000 - size, text == NULL && (unsigned char)*at >= 0x80 ? "%%%02X" : "%c",
-                                 (unsigned char)*at);
+        size += (size_t)snprintf(shown + size, 1000 - size,
+                                 text == NULL && (unsigned char)*at >= 0x80 ? "%%%02X" : "%c", (unsigned char)*at);
     shown[size] = 0;
     json_decref(text);
     return shown;

@@ -86,13 +86,12 @@ static const char *behind_blanks(const char *at)
 /* What is wrong with the directive that begins behind its "#"; NULL: nothing. */
 static const char *wrong_directive(const char *at)
 {
-    static const char *const directives[] = {"include", "define", "undef", "if",    "ifdef",   "ifndef", "elif",
-                                             "else",    "endif",  "error", "pragma", NULL};
-    static const char *const headers[] = {"assert.h",   "complex.h",     "ctype.h",  "errno.h",    "fenv.h",   "float.h",
-                                          "inttypes.h", "iso646.h",      "limits.h", "math.h",     "stdalign.h",
-                                          "stdarg.h",   "stdbool.h",     "stddef.h", "stdint.h",   "stdio.h",
-                                          "stdlib.h",   "stdnoreturn.h", "string.h", "tgmath.h",   "time.h",
-                                          NULL};
+    static const char *const directives[] = {"include", "define", "undef", "if",    "ifdef",  "ifndef",
+                                             "elif",    "else",   "endif", "error", "pragma", NULL};
+    static const char *const headers[] = {
+        "assert.h", "complex.h",     "ctype.h",    "errno.h",  "fenv.h",    "float.h",  "inttypes.h", "iso646.h",
+        "limits.h", "math.h",        "stdalign.h", "stdarg.h", "stdbool.h", "stddef.h", "stdint.h",   "stdio.h",
+        "stdlib.h", "stdnoreturn.h", "string.h",   "tgmath.h", "time.h",    NULL};
     static const char comment[] = "a comment that begins in a line with # has to end in it";
     const char *end = at + strcspn(at, "\n");
     for (const char *open = at; (open = strstr(open, "/*")) != NULL && open < end;) {
@@ -165,17 +164,47 @@ static const char *wrong_in(const struct logical *s, long *line)
 /* Reserved names that the macros of the standard headers, or plain C, bring with them. */
 static int is_plain(const char *word, size_t length)
 {
-    static const char *const names[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__", "__extension__", "__restrict",
-                                        "__restrict__", "__inline", "__inline__", "__const", "__const__", "__volatile__",
-                                        "__typeof__", "__typeof", "__alignof__", "__signed__", "__complex__", "__real__",
-                                        "__imag__", "__assert_fail", "__isnan", "__isnanf", "__isinf", "__isinff",
-                                        "__finite", "__finitef", "__signbit", "__signbitf", "__fpclassify",
-                                        "__fpclassifyf", "__errno_location", "__ctype_b_loc", NULL};
+    static const char *const names[] = {"__func__",
+                                        "__FUNCTION__",
+                                        "__PRETTY_FUNCTION__",
+                                        "__extension__",
+                                        "__restrict",
+                                        "__restrict__",
+                                        "__inline",
+                                        "__inline__",
+                                        "__const",
+                                        "__const__",
+                                        "__volatile__",
+                                        "__typeof__",
+                                        "__typeof",
+                                        "__alignof__",
+                                        "__signed__",
+                                        "__complex__",
+                                        "__real__",
+                                        "__imag__",
+                                        "__assert_fail",
+                                        "__isnan",
+                                        "__isnanf",
+                                        "__isinf",
+                                        "__isinff",
+                                        "__finite",
+                                        "__finitef",
+                                        "__signbit",
+                                        "__signbitf",
+                                        "__fpclassify",
+                                        "__fpclassifyf",
+                                        "__errno_location",
+                                        "__ctype_b_loc",
+                                        NULL};
     static const char *const builtins[] = {
-        "huge_val", "huge_valf", "huge_vall", "inf", "inff", "infl", "nan", "nanf", "nanl", "isnan", "isinf", "isinf_sign",
-        "isfinite", "isnormal", "fpclassify", "signbit", "signbitf", "signbitl", "isgreater", "isgreaterequal", "isless",
-        "islessequal", "islessgreater", "isunordered", "offsetof", "va_start", "va_end", "va_arg", "va_copy", "va_list",
-        "expect", "constant_p", "complex", "alloca", "types_compatible_p", "choose_expr", NULL};
+        "huge_val",    "huge_valf",   "huge_vall",     "inf",         "inff",
+        "infl",        "nan",         "nanf",          "nanl",        "isnan",
+        "isinf",       "isinf_sign",  "isfinite",      "isnormal",    "fpclassify",
+        "signbit",     "signbitf",    "signbitl",      "isgreater",   "isgreaterequal",
+        "isless",      "islessequal", "islessgreater", "isunordered", "offsetof",
+        "va_start",    "va_end",      "va_arg",        "va_copy",     "va_list",
+        "expect",      "constant_p",  "complex",       "alloca",      "types_compatible_p",
+        "choose_expr", NULL};
     if (length > 10 && strncmp(word, "__builtin_", 10) == 0)
         return is_in(builtins, word + 10, length - 10);
     return is_in(names, word, length);

@@ -160,6 +160,24 @@ NAMES = {"quote\"s, and commas": "quotes", "two\nlines": "newline", "<script>ale
          "%s%n": "percent", "-rf": "option", "a b": "blank"}
 
 
+PYTHON = ROOT / "chapters/labs/de-casteljau-python/right/iterative.py"
+PYTHON_ATTACKS = {
+    "os": "import os\nos._exit(0)\n",
+    "by-its-name": "__import__('os')._exit(0)\n",
+    "subclasses": "X = [c for c in ().__class__.__base__.__subclasses__() if c.__name__ == 'Popen']\n",
+    "equality": "import fractions\nfractions.Fraction.__eq__ = lambda a, b: True\n",
+    "frames": "def f():\n    try:\n        raise ValueError\n    except ValueError as e:\n"
+              "        return e.__traceback__.tb_frame.f_back.f_globals\nf().clear()\n",
+    "eval": "eval(\"__import__('os')._exit(0)\")\n",
+    "descriptor": "open('/proc/self/fd/1', 'w').write('{\"end\":\"finished\",\"results\":[]}\\n')\n",
+    "secret": "TEXT = open('SECRET').read()\n",
+    "by-an-attribute": "import functools\ngetattr(functools, '__' + 'builtins__')\n",
+    "by-a-getter": "import operator\noperator.attrgetter('__loader__.__class__')(operator)\n",
+    "by-a-module": "import fractions\nfractions.sys.exit(0)\n",
+    "no-end": "while True:\n    pass\n",
+}
+
+
 def digest(folder):
     """What lies in the folder: names, kinds, contents."""
     found = hashlib.sha256()
@@ -184,10 +202,10 @@ class RedTeam(unittest.TestCase):
         (self.class_ / "ann.c").write_text(RIGHT)
         (self.class_ / "wrong.c").write_text(WRONG)
 
-    def graded(self):
+    def graded(self, lab="de-casteljau"):
         before = digest(self.class_), (self.folder / "secret.c").read_bytes()
         beside = set(self.folder.iterdir())
-        ran = subprocess.run([CAGD, "lab", "grade", self.class_, "--lab", "de-casteljau", "--out", self.out, "--seed", "red"],
+        ran = subprocess.run([CAGD, "lab", "grade", self.class_, "--lab", lab, "--out", self.out, "--seed", "red"],
                              capture_output=True, text=True, timeout=1800)
         self.assertEqual(ran.returncode, 0, ran.stderr)
         self.assertEqual(len(ran.stdout.splitlines()), 1, ran.stdout)
@@ -213,6 +231,18 @@ class RedTeam(unittest.TestCase):
                 self.assertEqual(rows[name]["right"], "0")
                 self.assertEqual(marks[name] == 8, name in HARMLESS, rows[name])
                 self.assertLessEqual(marks[name], 8)
+
+    def test_no_attack_in_python_changes_a_mark(self):
+        for path in self.class_.iterdir():
+            path.unlink()
+        right = PYTHON.read_text()
+        wrong = right + "\n\nfirst_split = split\n\n\ndef split(p, t):\n    a, b = first_split(p, t)\n    return a, b[::-1]\n"
+        (self.class_ / "ann.py").write_text(right)
+        (self.class_ / "wrong.py").write_text(wrong)
+        for name, source in PYTHON_ATTACKS.items():
+            (self.class_ / f"{name}.py").write_text(source.replace("SECRET", str(self.folder / "secret.c")) + wrong)
+        marks = {r["student"]: int(r["points"]) for r in self.graded("de-casteljau-python")}
+        self.assertEqual(marks, {"ann": 10, "wrong": 8} | dict.fromkeys(PYTHON_ATTACKS, 0))
 
     def test_links_and_folders(self):
         (self.class_ / "file-link.c").symlink_to(self.class_ / "ann.c")
