@@ -33,10 +33,13 @@ The degree is at most $n$: see the next entry.
 :title: The curve of n+1 points has degree n
 :zh: 曲线的次数
 :printed: what $n+1$ points determine is a Bézier curve of degree $n$
-:holds-by: bernstein_derivative derivatives_go_down_through_the_differences
+:definition: yes
+:checked-by: bernstein_derivative derivatives_go_down_through_the_differences
 :confirmed-by: differences_give_every_derivative bernstein_to_power_keeps_polynomial
-:hypothesis: equally_spaced_points_make_a_line | the $n$-th difference of the points is not 0; otherwise the degree is
-  lower, and $n$ is that of the Bernstein polynomials in which the curve is written
+:meant: the formula that follows, which is written with $n$ | The name of the curve: $n$ is the degree of the Bernstein polynomials in which it
+  is written.
+:reading: equally_spaced_points_make_a_line | $n$ is the degree of the curve as a polynomial: it is lower where the $n$-th difference
+  of the points is 0
 :figure: degrees_one_to_three
 
 The $n$-th derivative is $n!$ times the $n$-th difference of the points.

@@ -95,7 +95,9 @@ direction; each of the two parameters has its one tangent, the point has two.
 :holds-by: quotient_of_a_power_tends_to_its_derivative
 :confirmed-by: chord_turns_into_the_derivative
 :meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve.
-:reading: quotient_of_a_power_tends_to_its_derivative | A regular point is a parameter, as in the definition: it has one tangent.
+:argued: | A polynomial in $h$ tends with $h$ to its value for $h=0$: so the directions of the chords, on either side, tend to that of $\dot P(t_0)$ where it is not 0.
+:reading: quotient_of_a_power_tends_to_its_derivative | A regular point is a parameter, as in the definition: it has one tangent. | A polynomial in $h$ tends with
+  $h$ to its value for $h=0$.
 :reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
   though both parameters are regular.
 :figure: regular_double_point

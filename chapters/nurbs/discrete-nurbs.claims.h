@@ -194,9 +194,9 @@ which the later proof answers in another way than the definition of the $\alpha$
   $0$, and there is no new point though the curve is there
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
-:hypothesis: knot_at_an_outer_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$ at ends that are single knots, too
 :meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, as they are read here: intervals closed on the left.
 :reading: knots_outside_the_domain_cut_corners | with these $\alpha$, for knots outside the domain, too
+:reading: knot_at_an_outer_end_has_no_shares | with these $\alpha$, for $t_1$ and $t_{n+k}$ that are single knots: the first or the last weight is 0
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
   closed on the right, for a knot at the start of a clamped curve: $\tau=t_1$ has to be excluded
 :reading: clamped_end_may_be_inserted_again | with the same $\alpha_i$ a $k$-fold right end may be inserted, which repeats $r_n$

@@ -151,10 +151,9 @@ CLAIM(osculating_plane_meets_the_origin_once)
 :needs: vanishing_curvature_says_nothing_about_the_points | the sentence is about the whole span | the condition holds for all
   $t$ of the span; at one $t$, which is what the alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf
   r''=0$ there
+:argued: | If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$, the slopes $y'/x'$ and $z'/x'$ have the
+  derivative 0 and are constant, the segment is straight, and so its points are on a line.
 :figure: points_off_the_plane
-
-If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all
-$t$, the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its points are on a line.
 :::
 
 :::{claim} vanishing_curvature_says_nothing_about_the_points
@@ -296,9 +295,10 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
 :reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: every
   inflection is a counterexample
-:reading: slope_is_constant_where_nothing_turns | for all $t$
+:reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
+:argued: | A quotient whose derivative is 0 on an interval is constant there: so the slope $y'/x'$ is, and $y=ax+b$; where $x'$ is 0 for all $t$, $x$ is constant.
 :figure: nurbs_second_line
 
 This is where the proof breaks: an equation that has to hold at one $t$ is used as if it held for all.

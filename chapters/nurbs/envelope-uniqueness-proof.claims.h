@@ -274,10 +274,11 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :needs: twisted_sextic_has_products_zero | the sentence is about the whole span | the condition holds for all pairs of the
   square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
   need not be coplanar
+:argued: | As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
+  slopes have the derivative 0, and with them, at $\tau=t$, the segment.
 :figure: nurbs_envelope_space
 
-As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points,
-or every member is straight, and with them, at $\tau=t$, the segment.  But (4.3.15) gives the products at single pairs
+But (4.3.15) gives the products at single pairs
 only; here the proof loses the curves of space.
 :::
 

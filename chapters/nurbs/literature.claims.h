@@ -246,7 +246,8 @@ CLAIM(keys_have_the_years_of_their_entries)
 :holds-by: numbered_references_are_all_cited
 
 Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 spells SIGGRAPH without
-its P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.
+its P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.  Reference 10 is about knot removal, not
+"knot-remove"; the thesis of reference 2 is on applications of the rational form, with an s and an article.
 :::
 
 :::{claim} numbered_references_are_all_cited

@@ -198,8 +198,13 @@ CLAIM(control_point_of_space_is_not_enough)
 :class: misprint
 :refuted-by: polygon_begun_elsewhere_misses_the_start
 :corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
-:corrected-by: clamped_end_is_the_first_point
+:corrected-by: polygon_is_the_curve_of_order_two
+:confirmed-by: moved_point_changes_its_support clamped_end_is_the_first_point
+:argued: every order | The control points are $\tilde r_1,\dots,\tilde r_n$ by the beginning of the sentence, and the polygon is that of definition 4.3.1, whose curve of
+  order 2 is $r_1r_2\cdots r_n$ whatever the order of the curve that it controls.
 :figure: polygon_begun_elsewhere
+
+Each of the $n$ points acts on the curve, the first one, too, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
 :::
 */
 
@@ -511,7 +516,8 @@ hide unequal weights, independent ones cannot.
 :zh: 权相等时退化为 B 样条曲线
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
-:reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do
+:reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do | No $N_{i,k}$ of the span is 0, so every
+  $w_i$ is $w(t)$, and all are equal.
 :figure: nurbs_definition
 
 At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.

@@ -91,7 +91,7 @@ $m\le k-3$, and where it is not 0 the torsion for $m\le k-4$.
 :argued: | About any point of an ellipse, parabola or hyperbola there are two tangents that meet, and the frame of their two points and
   of the point where they meet may be any triangle, as an affine map takes one into the other.
 :reading: ellipse_carries_no_polynomial_arc | as an advantage over B-spline curves, for ellipses: a polynomial arc on an ellipse is
-  a point
+  a point | A polynomial that is 0 for infinitely many $t$ is 0, and so is the coefficient of its highest power.
 :reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
 :figure: nurbs_circle
 
@@ -221,6 +221,7 @@ The preface confuses the size of the expression with the number of operations; b
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
   dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying
 :corrected-by: recursion_is_quadratic
+:meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.
 :reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
   occurs again: then the time does double with the order.  Nobody needs to do so, and algorithm 4.1.1, level after
   level, does not.
@@ -438,9 +439,9 @@ static long terms_of_determinant(int n, unsigned used, int row)
 :kind: decision
 :given: the determinant of order $k$ as the sum over permutations
 :then: from order $k-1$ to order $k$ the number of terms is multiplied by $k$, so that it is $k!$, more than any power of $k$
-:method: The terms are counted one by one, as they are summed.  For every $k$: the first row offers $k$ columns, and each leaves a
-  determinant of order $k-1$.
+:method: The terms are counted one by one, as they are summed.
 :degrees: k = 2..8
+:argued: every k | The first row offers $k$ columns, and each leaves a determinant of order $k-1$.
 :control: the terms of an expansion that keeps what it has computed, twice as many
 :::
 */

@@ -155,6 +155,8 @@ the equation.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant_row_by_row
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
+:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
+  every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the curve has no base point; else theorem 3.4.2 says nothing, and the degree is
   less than $n$
 :reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors, though
@@ -163,7 +165,7 @@ the equation.
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it
 :figure: arc_of_a_line
 
-Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is proved.  That $F$ is
+Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.  That $F$ is
 irreducible when the parametrisation is proper is cited.
 :::
 

@@ -20,7 +20,8 @@ make a point of the convex hull; this is the whole proof, and positive weights a
   weights are positive; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
 :reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
-  given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs.
+  given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs. | A common factor $-1$ of the
+  weights changes nothing; weights without opposite signs make all shares nonnegative.
 :figure: convex_hull
 
 Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.  The claim

@@ -35,7 +35,7 @@ binomial coefficients.
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights
   (`unweighted_derivatives_are_parallel`), but not for others
 :reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
-  and in the plane empty from dimension 2 on
+  and in the plane empty from dimension 2 on | The factors are not 0, so the derivatives of the member span what those of the curve do.
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$
   with its tangent: it is 1 where $\kappa\ne0$, and there
   $\frac{\kappa^{[n-r]}}{\kappa}=\frac{n(n-r-1)}{(n-r)(n-1)}<1$

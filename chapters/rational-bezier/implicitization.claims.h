@@ -557,6 +557,8 @@ determinant is identically 0.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant_row_by_row
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
+:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
+  every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, $u=\infty$
   included (no base point); else $F$ is 0 for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
@@ -564,7 +566,8 @@ determinant is identically 0.
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
   space $F=0$ is only the cylinder over its projection
 :meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation.
-:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs no hypothesis
+:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs no hypothesis | A square matrix that takes a
+  vector that is not 0 to 0 has the determinant 0.
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve, and there are no other ones, of parameters outside of the interval or
   isolated
 :figure: implicit_elevation
@@ -778,6 +781,7 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 :zh: 由结式理论 F 必为零
 :printed: By the theory of the resultant of polynomials the resultant $F(x,y)$ of (3.4.5) must be 0, at the points of the curve.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; at $\mathbf R_0$ its first column is 0.
 :confirmed-by: equation_vanishes_on_the_curve
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.

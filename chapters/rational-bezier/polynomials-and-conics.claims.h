@@ -16,7 +16,10 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :confirmed-by: ellipse_carries_no_polynomial_arc hyperbola_carries_no_polynomial_arc
 :meant: section 3.1, which calls a pair of lines a degenerate conic | A conic section is an ellipse, a
   parabola or a hyperbola.
-:reading: highest_powers_along_a_conic | A conic section is an ellipse, a parabola or a hyperbola.
+:argued: | Along an arc of the conic the equation is one of polynomials in $t$ that is true for infinitely many $t$, so for all, and the coefficient of its
+  highest power is 0: this the claim excludes for an ellipse and, in affine coordinates, for a hyperbola.
+:reading: highest_powers_along_a_conic | A conic section is an ellipse, a parabola or a hyperbola. | A polynomial that is 0 for infinitely many $t$ is 0, and so
+  is the coefficient of its highest power.
 :reading: line_pair_carries_a_segment | Every equation (3.1.1) is a conic section, as 3.1 has it, two lines among them:
   these carry segments.
 :figure: polynomial_on_conics
@@ -296,4 +299,42 @@ CLAIM(tangent_conics_are_rational_quadratics)
     /* μ xy + ν (x + y - 1)² = 0 */
     vanishes(T, add(mul(mu, mul(P[0], P[1])), mul(nu, mul(s, s))));
 }
+
+#if RATIONAL
+/*
+## The list of references (参考文献)
+
+:::{statement} wang-ch3:references-cited
+:title: The numbered references
+:zh: 参考文献的引用
+:printed: the references 1 to 10
+:holds-by: each_of_ten_references_is_cited_once
+
+Rowin, Coons, Ball, Forrest, Farin, Pigel and 刘鼎元 are named in the opening with the numbers 1 to 7, Liming with 8, the rule of Descartes with 9 and the genus with
+10.  Reference 1 is of the Boeing Company, printed Beoing; reference 3 is about the conic lofting tile, printed title; the author of
+reference 6 is Piegl, printed Pigel here and in the opening.
+:::
+
+:::{claim} each_of_ten_references_is_cited_once
+:title: The numbers cited are 1 to 10, in this order
+:zh: 参考文献 1 至 10 依次被引用
+:kind: decision
+:given: the citations of the chapter in their order
+:data: citations = 1 2 3 4 5 6 7 8 9 10
+:instead: citations = 1 2 3 4 5 6 7 8 8 10
+:then: citation number $k$ is that of reference $k$
+:method: The numbers are compared one after the other.
+:scope: the numbered references
+:control: one reference cited twice, and the next not at all
+:::
+*/
+CLAIM(each_of_ten_references_is_cited_once)
+{
+    enum { REFERENCES = 10 };
+    num cited[REFERENCES];
+    given_points(T, "citations", REFERENCES, 1, cited);
+    for (int k = 0; k < REFERENCES; k++)
+        same(T, cited[k], from_int(k + 1));
+}
+#endif
 #include "chapters/judge/claims_off.h"

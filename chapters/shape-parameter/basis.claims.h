@@ -398,7 +398,7 @@ print; but the whole geometry of the curve rests on the sum, and the next sectio
 :refuted-by: printed_functions_do_not_sum_to_one
 :class: misprint
 :corrected: the printed functions add up to $1-4\beta(1-t)^3t^4$, which is 1 for all $t$ only if $\beta=0$; the corrected
-  functions add up to 1 for every $\beta$ and $t$
+  functions (`sec-2-properties`) add up to 1 for every $\beta$ and $t$
 :corrected-by: printed_sum_in_closed_form corrected_functions_sum_to_one
 :figure: eight_functions
 :::

@@ -29,13 +29,17 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_at_minus_seven_crosses_a_line_off_its_polygon
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions (`sec-2-properties`) exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings,
-  and for common points unless the curve is on $L$ and the polygon is not; for the printed functions only for $\beta=0$
+:corrected: true for the corrected functions (`sec-2-properties`), crossings and common points being counted along the curve and along
+  the polygon, exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings, and for common points unless the curve is on $L$
+  and the polygon is not; for the printed functions only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero corrected_functions_sum_to_one
   functions_are_independent_but_for_two_values linear_factor_adds_a_change_of_sign
   averages_between_neighbours_keep_sign_changes third_function_has_a_zero_for_every_smaller_beta
   first_function_has_a_zero_for_every_larger_beta printed_sum_in_closed_form
 :confirmed-by: roots_are_at_most_sign_changes
+:meant: (19) and (20), which count changes of sign and parameters | Intersections are counted along the curve and along the polygon.
+:reading: self_crossing_polygon_has_fewer_points_on_a_line | of the correction, common points counted as points of the plane: a polygon
+  that crosses itself on $L$ may have fewer than its curve
 :figure: crossings_off_the_polygon
 :striking: 12
 
@@ -267,6 +271,37 @@ and a combination that vanishes is a curve that lies on a line; it crosses nothi
 the line.  The printed functions, having another sum than 1, leave a polygon that is straight.  At $\beta=-7$ the negative
 values of $B_2$ take the curve below its triangle.
 
+:::{claim} self_crossing_polygon_has_fewer_points_on_a_line
+:title: The curve of a polygon that crosses itself on a line has more points there
+:zh: 控制多边形在直线上自交时曲线与直线的公共点更多
+:kind: counterexample
+:data: β = 0; P = (-15,63) (-15,15) (17,-17) (17,-33) (-17,-33) (-17,-17) (15,15) (15,63); Q = (0,0); u = (0,1); t = 1/4 3/4
+:instead: P = (-15,63) (-15,15) (17,-17) (17,-33) (-17,-33) (-17,-17) (17,15) (15,63)
+:result: q(t) = (831/2048,0) (-831/2048,0); points of the curve on the line = 2; points of the polygon on the line = 1
+:given: the Bézier curve of a polygon whose second and last edge but one cross in $Q$, the line through $Q$ with the normal vector $u$, and two
+  parameters $t$
+:then: the points of the two parameters differ and are all that the curve has on the line; the polygon has one point there, which it passes twice
+:method: The points by the kernel; the intersections of curve and polygon are counted exactly.
+:control: a polygon that passes two points
+:::
+*/
+CLAIM(self_crossing_polygon_has_fewer_points_on_a_line)
+{
+    struct G(meeting) m = G(given_meeting)(T, 0);
+    num t[2], q[2 * dim];
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++)
+        G(curve_point)(0, 7, dim, m.P, m.beta, t[k], q + k * dim);
+    found_points(T, "q(t)", 2, dim, q);
+    int of_curve = 1 + !equal_q(q[0], q[dim]),
+        all = m.curve.common_closed == 2 && is_zero_q(q[1]) && is_zero_q(q[dim + 1]);
+    found_whole(T, "points of the curve on the line", of_curve);
+    found_whole(T, "points of the polygon on the line", m.polygon.components);
+    about(T, "these being all, the curve has no more points on the line than the polygon");
+    refute(T, all && of_curve > m.polygon.components);
+}
+
+/*
 :::{claim} curve_on_a_line_that_its_polygon_crosses
 :title: At beta = -21/4 a curve is on a line that its polygon crosses three times
 :zh: β=-21/4 时曲线全在一条直线上而控制多边形与之相交

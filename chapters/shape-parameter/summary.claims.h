@@ -39,8 +39,8 @@ the range from $-\frac{21}4$ to 1.
   edge_is_not_tangent_at_minus_seven
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
-  not 0; at $\beta=-\frac{21}4$ too, but variation diminution for crossings, and for common points unless the curve is on
-  the line and the polygon is not
+  not 0, variation diminution in the sense of property 3.6; at $\beta=-\frac{21}4$ too, but variation diminution for crossings, and
+  for common points unless the curve is on the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign functions_are_independent_but_for_two_values
@@ -73,7 +73,7 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
   edge_is_not_tangent_at_minus_seven curve_of_a_triangle_meets_a_line_three_times
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
-  not 0, convexity in the sense of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$
+  not 0, variation diminution in the sense of property 3.6, convexity in that of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$
   too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
   not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range

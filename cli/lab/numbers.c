@@ -59,7 +59,8 @@ static int put_whole(struct line *l, FILE *out)
 {
     size_t n = strspn(l->at, "0123456789");
     if (n == 0 || n > MOST_DIGITS)
-        return wrong(l, n == 0 ? "a number such as 3, -13/2 was expected" : "a number of at most 15 digits was expected");
+        return wrong(l,
+                     n == 0 ? "a number such as 3, -13/2 was expected" : "a number of at most 15 digits was expected");
     fprintf(out, "%.*s.0", (int)n, l->at);
     l->digits += (long)n;
     l->at += n;

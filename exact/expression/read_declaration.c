@@ -136,7 +136,7 @@ static int is_definition(const cagd_token *t)
     return 1;
 }
 
-static int ranges(cagd_reader *r, cagd_scope *scope);
+static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before);
 
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
 {
@@ -148,7 +148,7 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
         scope->zero_over_zero = 1;
         return 1;
     }
-    int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope);
+    int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope, &before);
     if (good && (cagd_pass(&r, "."), r.token->kind != CAGD_TOKEN_END))
         good = cagd_refuse_token(&r, "expected the end of the line, not %s", cagd_name_of_next(&r)) != NULL;
     if (!good)
@@ -341,14 +341,15 @@ static int is_less(cagd_relation a) { return a == CAGD_LESS || a == CAGD_LESS_OR
 static int is_greater(cagd_relation a) { return a == CAGD_GREATER || a == CAGD_GREATER_OR_EQUAL; }
 static int is_strict(cagd_relation a) { return a == CAGD_LESS || a == CAGD_GREATER; }
 
-/* Whether a bound leaves room for all that another, which may be NULL, leaves out: of numbers, those are compared. */
-static int is_tighter(const cagd_tree *bound, const cagd_tree *before, int up)
+/* Whether a bound says all that another one says, which may be NULL: of numbers, those are compared. */
+static int is_tighter(const cagd_tree *bound, int strict, const cagd_tree *before, int up)
 {
     if (before == NULL)
         return 1;
-    int order =
-        bound->kind == CAGD_NUMBER && before->kind == CAGD_NUMBER ? cagd_compare_q(bound->number, before->number) : 0;
-    return up ? order > 0 : order < 0;
+    if (bound->kind != CAGD_NUMBER || before->kind != CAGD_NUMBER)
+        return 0;
+    int order = cagd_compare_q(bound->number, before->number);
+    return (up ? order > 0 : order < 0) || (order == 0 && strict);
 }
 
 /* A name in an index that means nothing, and is not called `besides`; NULL where there is none. */
@@ -383,8 +384,9 @@ static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
     return every;
 }
 
-/* -1 \le \lambda < 1: bounds of the only variable, or else a condition. */
-static int chain(cagd_reader *r, cagd_scope *scope)
+/* -1 \le \lambda < 1: bounds of the only variable, or else a condition.  What was said before this list of ranges, in `before`, of a
+ * variable that is no whole number is replaced; what this list says itself holds as well. */
+static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
     struct piece p[CAGD_MOST_INDICES];
     cagd_relation relation[CAGD_MOST_INDICES];
@@ -413,12 +415,15 @@ static int chain(cagd_reader *r, cagd_scope *scope)
     if (!some_index && (alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) &&
         (count == 2 || which == 1)) {
         cagd_variable v = *cagd_declared(scope, p[which].tree->head);
+        const cagd_variable *old = cagd_declared(before, v.head);
         int replaces = 1;
         for (int k = 0; k < count; k++) {
             if (k == which)
                 continue;
             int strict = is_strict(relation[k < which ? k : which]), below = (k < which) == up;
-            replaces &= !v.whole || is_tighter(p[k].tree, below ? v.low : v.high, below);
+            const cagd_tree *bound = below ? v.low : v.high;
+            int is_replaced = !v.whole && old != NULL && bound == (below ? old->low : old->high);
+            replaces &= is_replaced || is_tighter(p[k].tree, strict, bound, below);
             if (below)
                 v.low = p[k].tree, v.low_open = strict;
             else
@@ -434,7 +439,7 @@ static int chain(cagd_reader *r, cagd_scope *scope)
     return t != NULL && (t = for_every_index(r, t)) != NULL && cagd_suppose(scope, t);
 }
 
-static int ranges(cagd_reader *r, cagd_scope *scope)
+static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
     do {
         while (cagd_read_words(r) != NULL)
@@ -443,7 +448,7 @@ static int ranges(cagd_reader *r, cagd_scope *scope)
         if (done < 0)
             done = numbers(r, scope);
         if (done < 0)
-            done = chain(r, scope);
+            done = chain(r, scope, before);
         if (!done)
             return 0;
     } while (cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_next_is(r, "\\text"));
@@ -456,7 +461,7 @@ int cagd_read_ranges(cagd_scope *scope, const char *text, int from, int to, cagd
     cagd_scope before = *scope;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return 0;
-    int good = ranges(&r, scope);
+    int good = ranges(&r, scope, &before);
     if (good && r.token->kind != CAGD_TOKEN_END)
         good = cagd_refuse_token(&r, "expected a comma or the end, not %s", cagd_name_of_next(&r)) != NULL;
     if (!good)

@@ -97,6 +97,77 @@ class Language(unittest.TestCase):
                 s = verdict(printed, "n = 1")
                 self.assertEqual(s["verdict"], expected, s)
 
+    def test_derivatives_at_joints(self):
+        """There is none where the values of both sides differ, though their slopes are one; nor of a derivative that has a joint."""
+        step = "g(t) = \\begin{cases} 0 & t < 1 \\\\ 1 & t \\ge 1 \\end{cases}\n"
+        bent = "h(t) = \\begin{cases} t^2 & t \\ge 0 \\\\ -t^2 & t < 0 \\end{cases}\nk(t) = h'(t)\n"
+        for printed, let, expected in (("g'(1) = 0", step, "undecided"), ("g'(2) = 0", step, "holds"), ("h'(0) = 0", bent, "holds"),
+                                       ("h''(0) = 2", bent, "undecided"), ("k'(0) = 2", bent, "undecided"), ("k'(1) = 2", bent, "holds"),
+                                       ("k'(-1) = -2", bent, "holds")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
+
+    def test_the_names_of_a_counterexample(self):
+        values = verdict("x_{10} = x_9", "n = 1")["counterexample"]["values"]
+        self.assertEqual(sorted(v["name"] for v in values), ["x_9", "x_{10}"])
+
+    def test_an_open_range_that_ends_at_another_name(self):
+        for ends, expected in (("(p, 7)", "holds"), ("[p, 7]", "fails")):
+            self.assertEqual(verdict("q > p", "n = 1", f"p \\in (0, 5)\nq \\in {ends}\n")["verdict"], expected)
+            self.assertEqual(verdict("q \\ge p", "n = 1", f"p \\in (0, 5)\nq \\in {ends}\n")["verdict"], "holds")
+
+    def test_values_that_are_computed(self):
+        """Larger determinants and binomial coefficients, conditions of sums one by one, an implication of what is false."""
+        rows = "1 & 2 & 0 & 1 \\\\ 0 & 3 & 1 & x \\\\ 2 & 0 & 1 & 1 \\\\ 1 & 1 & 0 & 2"
+        for right, wrong in ((f"\\begin{{vmatrix}} {rows} \\end{{vmatrix}} = 8 + x", f"\\begin{{vmatrix}} {rows} \\end{{vmatrix}} = 8 - x"),
+                             ("\\binom{20}{13} = 77520", "\\binom{20}{13} = 167960"),
+                             ("\\sum_{i=0, i \\ne 1, i \\ne 2}^{3} i = 3", "\\sum_{i=0, i \\ne 1, i \\ne 2}^{3} i = 5"),
+                             ("\\forall i = 0..2: (i > 5 \\Rightarrow i < 0)", "\\forall i = 0..2: (i > 1 \\Rightarrow i < 0)")):
+            with self.subTest(right=right):
+                self.assertEqual(verdict(right, "n = 1")["verdict"], "holds")
+                self.assertEqual(verdict(wrong, "n = 1")["verdict"], "fails")
+
+    def test_what_is_false_at_a_few_places_alone(self):
+        """Where two roots meet, at the last corner, on an edge of which no corner belongs to the box, near a point that halving does not meet."""
+        box = "0 \\le x \\le 1, 0 \\le y \\le 1, 0 \\le u \\le 1"
+        for printed, ranges, allowed in (("(t-x)(t-1+x) \\ge 0", "0 \\le t \\le 1, 0 < x < 1", {"fails"}), ("x y u < 1", box, {"fails"}),
+                                         ("y + u + x y u > 0", "0 < x < 1, 0 \\le y \\le 1, 0 \\le u \\le 1", {"fails"}),
+                                         ("x t + 1 > 0", "-1 < x < 1, t \\ge 0", {"fails"}),
+                                         ("(x-\\frac13)^2 + (y-\\frac27)^2 + (u-\\frac15)^2 > 0", box, {"fails", "undecided"})):
+            with self.subTest(printed=printed):
+                self.assertIn(verdict(printed, ranges)["verdict"], allowed)
+
+    def test_all_bounds_of_a_list_hold(self):
+        """A later one does not replace an earlier one that says more; in another place it does."""
+        for ranges in ("0 < x, x \\ge 0", "x \\ge 0, x > 0", "0 < x < 3, x \\le 3, x \\ge -1", "x \\ge -1, x \\le 3, 0 < x < 3",
+                       "0 < x, -1 \\le x < 3", "y = 0, x > 0, x \\ge y"):
+            self.assertEqual(verdict("x > 0", ranges)["verdict"], "holds", ranges)
+            self.assertEqual(verdict("x \\ge 1", ranges)["verdict"], "fails", ranges)
+        let = "p \\in [0, 1]\n"
+        self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
+        self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
+
+    def test_bounds_of_a_name_that_is_another(self):
+        for x, y in ((1, 2), (2, 1)):
+            for name in "xy":
+                s = verdict(f"x = y \\Rightarrow {name} \\le 1", f"0 \\le x \\le {x}, 0 \\le y \\le {y}")
+                self.assertEqual(s["verdict"], "holds", (x, y, name))
+        self.assertEqual(verdict("|(x^2 - y)^2| = (x^2-y)^2", "n = 1")["verdict"], "holds")
+
+    def test_the_sign_of_a_sine(self):
+        """No identity tells x from -x: the value at the counterexample does, sin x for u = tan(x/4) being 4u(1-u^2)/(1+u^2)^2."""
+        s = verdict("\\sin x = 0", "n = 1")["counterexample"]
+        u = fractions.Fraction(s["values"][0]["value"])
+        self.assertEqual(fractions.Fraction(s["left"]), 4 * u * (1 - u * u) / (1 + u * u) ** 2)
+
+    def test_a_division_by_zero_beside_another_factor(self):
+        """With 0/0 = 0 a factor that is divided by 0 is not asked for beside a factor 0, and beside another one it is."""
+        self.assertEqual(verdict("\\frac{1}{0} \\cdot 3 = 3", "n = 1", "0/0 = 0\n")["verdict"], "undecided")
+        self.assertEqual(verdict("\\frac{1}{0} \\cdot 0 = 0", "n = 1", "0/0 = 0\n")["verdict"], "holds")
+
+    def test_which_definition_fits_depends_on_a_name(self):
+        self.assertEqual(verdict("c_x = 2", "n = 1", "c_0 = 1\nc_i = 2\n")["verdict"], "undecided")
+
     def test_counterexamples_with_many_names_are_found(self):
         """Knots that are equal, as the simplest numbers are, make the denominators 0."""
         terms = " + ".join(f"\\frac{{1}}{{x_{i}-x_{i + 1}}}" for i in range(6))

@@ -53,7 +53,7 @@ def run_tests(jobs):
     must("cmake", "-G", "Ninja", "-S", ".", "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_C_FLAGS_DEBUG=-O0 -w --coverage",
          "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -w --coverage", "-DCAGD_TYPES=RATIONAL", "-DCAGD_CHAPTERS=foundations",
          f"-DCMAKE_EXE_LINKER_FLAGS_DEBUG=-Wl,--wrap=_exit {BUILD / 'ending.o'}")
-    programs = ["cagd", "run_programs", "cagd-compile-exactly", "cagd-exactly-session", "test_certified"]
+    programs = ["cagd", "run_programs", "cagd-compile-exactly", "cagd-exactly-session", "test_certified", "test_memory"]
     must("cmake", "--build", str(BUILD), "-j", str(jobs), "--target", *tests, *programs)
     for old in BUILD.rglob("*.gcda"):
         old.unlink()
@@ -67,7 +67,7 @@ def run_tests(jobs):
               python("cli/test_exactly.py", cagd, ROOT), python("cli/test_fit.py", cagd, ROOT),
               python("code/test_language.py", BUILD / "cagd-compile-exactly", BUILD / "proofs-tests/code/run_programs"),
               python("code/test_interface.py", BUILD, ROOT), python("fit/test_real.py", cagd), python("fit/kinds.py", cagd),
-              [fit / "test_certified", ROOT / "proofs-tests/fit/problems"]]
+              python("labs/test_labs.py", cagd, ROOT), [fit / "test_certified", ROOT / "proofs-tests/fit/problems"], [fit / "test_memory"]]
     for command in others:  # whatever they say of a program that is so slow and has one chapter, it has run
         subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return len(tests) + len(others)

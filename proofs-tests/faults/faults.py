@@ -98,7 +98,7 @@ class Expression(Room):
 
 class Judge(Room):
     """The judge, and the commands that report what it found."""
-    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_comparison", "test_judge", "test_command")}
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_comparison", "test_judge", "test_judge_ends", "test_command")}
 
     def units(self):
         return {c: [c] for c in [*sources("chapters/judge/*.c"), *(f"cli/{name}.c" for name in "verify ledger page report junit manifest".split())]}

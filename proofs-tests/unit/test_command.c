@@ -163,6 +163,17 @@ static const statement lost_statements[] = {
     {STATEMENT("2", "book", 2, "", "", "", ""),
      .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL}, {HOLDS_BY, "missing", NULL, "", NULL})},
     {.id = NULL}};
+/* A claim in intervals alone; one whose control is not caught; one reading that words argue for; a class where nothing fails. */
+static void never_caught_q(trial *T) { agree(T, 1); }
+static const claim few_claims[] = {{TEXTS("enclosed_sum", "two", 70), .body = {[INTERVAL_TYPE] = double_i}},
+                                   {TEXTS("never_caught", "two", 80), .body = {[RATIONAL_TYPE] = never_caught_q}},
+                                   {TEXTS("square_is_product", "two", 90), .body = {[FIELD_TYPE] = square_f}},
+                                   {.name = NULL}};
+static const statement few_statements[] = {
+    {STATEMENT("1", "book", 1, "misprint", "", "", ""),
+     .links = LINKS({READING, "square_is_product", "because it is so", "one way", NULL},
+                    {READING, "square_is_product", NULL, "another way", NULL})},
+    {.id = NULL}};
 static const source sources[] = {{"book", "Ann Author, Bob Author", "A book", "书", "1999", "Press", "chapter 1", "n"},
                                  {"paper", "unknown", "A paper", "", "unknown", "", "pages 1 to 9", "n"},
                                  {.key = NULL}};
@@ -171,7 +182,8 @@ static const figure figures[] = {{.name = NULL}};
 static claim good_claims[GOOD + 1];
 static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL, NULL},
                            bad = {claims, bad_statements, chapters, figures, sources, NULL, NULL},
-                           lost = {good_claims, lost_statements, chapters, figures, sources, NULL, NULL};
+                           lost = {good_claims, lost_statements, chapters, figures, sources, NULL, NULL},
+                           few = {few_claims, few_statements, chapters, figures, sources, NULL, NULL};
 
 /* main.c has the list of the commands; here there is no other. */
 const struct command *const commands[] = {&command_verify, NULL};
@@ -444,6 +456,30 @@ static void ledger_says(void **state)
     SAYS(EXIT_AS_EXPECTED, ledger, &good, "ledger-summary.txt", "--summary", "paper:*");
 }
 
+/* What is enclosed is counted as sampled; controls that were caught are counted, and not those that ran; words that lead to a
+ * reading weaken it alone; what does not fail has no class. */
+static void what_few_claims_have(void **state)
+{
+    (void)state;
+    char *out;
+    assert_int_equal(CALL(verify, &few, &out, "-j1"), EXIT_NOT_AS_EXPECTED);
+    assert_non_null(strstr(out, "\n3 claims: 1 proved, 0 decided, 0 argued, 1 sampled, 0 counterexamples, 1 not as "
+                                "expected\n"));
+    assert_non_null(strstr(out, "; 2 of 3 controls caught\n"));
+    free(out);
+    assert_int_equal(CALL(ledger, &few, &out, "-j1", "--json"), EXIT_AS_EXPECTED);
+    json_t *ledger = json_loads(out, 0, NULL);
+    const json_t *printed = json_object_get(json_array_get(json_object_get(ledger, "statements"), 0), "as_printed");
+    static const char *const known[] = {"argued", "proved"};
+    for (size_t k = 0; k < 2; k++) {
+        const json_t *reading = json_array_get(json_object_get(printed, "readings"), k);
+        assert_string_equal(json_string_value(json_object_get(reading, "evidence")), known[k]);
+    }
+    assert_string_equal(json_string_value(json_object_get(printed, "class")), "");
+    json_decref(ledger);
+    free(out);
+}
+
 /* Every run of blanks and ends of lines becomes one blank. */
 static void squeeze(char *text)
 {
@@ -572,6 +608,7 @@ int main(void)
         unit(digests),
         unit(verify_says),
         unit(ledger_says),
+        unit(what_few_claims_have),
         unit(pages_say),
         unit(files_say),
     };

@@ -147,6 +147,49 @@ static void sizes(void **state)
     field_close();
 }
 
+/* a + b x + c y is linear; x y, x^2 and what is divided by a variable are not. */
+static void linear_forms(void **state)
+{
+    (void)state;
+    cagd_field_open(3);
+    num_f x = variable_f("x"), y = variable_f("y"), one = from_int_f(1), half = from_ratio_f(1, 2);
+    struct cagd_linear form;
+    assert_true(cagd_linear_f(add_f(add_f(half, mul_f(from_int_f(3), x)), neg_f(y)), &form));
+    assert_int_equal(form.count, 2);
+    assert_true(cagd_equal_q(form.constant, from_ratio_q(1, 2)));
+    for (int k = 0; k < 2; k++)
+        assert_true(
+            cagd_equal_q(form.coefficient[k], from_int_q(form.variable[k] == cagd_field_variable_f(x) ? 3 : -1)));
+    assert_true(cagd_linear_f(half, &form));
+    assert_int_equal(form.count, 0);
+    const num_f none[] = {mul_f(x, y),   mul_f(x, x), add_f(one, mul_f(x, y)),
+                          div_f(one, x), div_f(x, y), div_f(x, add_f(x, one))};
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++)
+        assert_false(cagd_linear_f(none[k], &form));
+    field_close();
+}
+
+/* 1/((x+1)...(x+n)), of more factors than a list of them has room for, times (x+1)...(x+n) is 1, and it is equal to itself in other
+ * ways of making it. */
+static void more_factors_than_a_list_has(void **state)
+{
+    (void)state;
+    enum { MOST = 40 };
+    cagd_field_open(2);
+    num_f x = variable_f("x"), up = from_int_f(1), down = up, product = up;
+    for (int n = 1; n <= MOST; n++) {
+        up = div_f(up, add_f(x, from_int_f(n)));
+        product = mul_f(product, add_f(x, from_int_f(n)));
+        assert_int_equal(denominator_degree_f(up, x), n);
+        assert_true(equal_f(mul_f(up, product), from_int_f(1)));
+        assert_true(equal_f(up, div_f(from_int_f(1), product)));
+    }
+    for (int n = MOST; n >= 1; n--)
+        down = div_f(down, add_f(x, from_int_f(n)));
+    assert_true(equal_f(up, down));
+    field_close();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +198,8 @@ int main(void)
         unit(as_many_variables_as_there_can_be),
         unit(a_field_that_nobody_opened),
         unit(sizes),
+        unit(linear_forms),
+        unit(more_factors_than_a_list_has),
     };
     return run_unit_tests(tests);
 }

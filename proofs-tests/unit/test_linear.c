@@ -88,6 +88,19 @@ static void a_wrong_answer_is_seen(void **state)
     assert_false(cagd_linear_answer_holds(N, 2, condition, answer));
     answer.multiplier = nothing;
     assert_false(cagd_linear_answer_holds(N, 2, condition, answer));
+    /* x - 1 >= 0 and -1 times what is said of x make -1 >= 0: a contradiction where x = 0 is said, and none with x > 0 or x >= 0 */
+    const num_q right[3] = {from_int_q(0), from_int_q(1), from_int_q(0)},
+                far[3] = {from_int_q(-1), from_int_q(1), from_int_q(0)}, mixed[2] = {from_int_q(-1), from_int_q(1)};
+    answer.multiplier = mixed;
+    for (int relation = 0; relation < 3; relation++) {
+        static const enum cagd_linear_relation relations[] = {CAGD_LINEAR_POSITIVE, CAGD_LINEAR_NONNEGATIVE,
+                                                              CAGD_LINEAR_ZERO};
+        condition[0] = (struct cagd_linear_condition){right, relations[relation]};   /* x > 0, x >= 0, x = 0 */
+        condition[1] = (struct cagd_linear_condition){far, CAGD_LINEAR_NONNEGATIVE}; /* x >= 1 */
+        assert_int_equal(cagd_linear_answer_holds(N, 2, condition, answer), relation == 2);
+    }
+    condition[0] = (struct cagd_linear_condition){above, CAGD_LINEAR_NONNEGATIVE};
+    condition[1] = (struct cagd_linear_condition){below, CAGD_LINEAR_NONNEGATIVE};
     answer = (struct cagd_linear_answer){1, point, NULL};
     assert_false(cagd_linear_answer_holds(N, 2, condition, answer));
     region_drop(m);

@@ -219,6 +219,8 @@ static void roots(void **state)
     }
     root_q(2, q(2));
     expect_fault(FAULT_UNABLE);
+    root_q(2, from_ratio_q(1, 2)); /* of the denominator alone there is none */
+    expect_fault(FAULT_UNABLE);
     root_q(2, q(-1));
     expect_fault(FAULT_UNABLE);
     root_i(2, from_int_i(-1));
@@ -389,8 +391,16 @@ static void texts_are_read_exactly(void **state)
     }
     static char digits[100002];
     memset(digits, '7', sizeof digits - 1);
-    from_string_q(digits);
-    expect_fault(FAULT_UNDEFINED);
+    for (int length = 100001; length >= 99999; length--) { /* 99999 are read, and no more */
+        digits[length] = '\0';
+        num_q a = from_string_q(digits);
+        if (length > 99999)
+            expect_fault(FAULT_UNDEFINED);
+        else
+            assert_int_equal(strlen(to_string_q(a)), length);
+    }
+    assert_int_equal(strlen(to_string_q(from_string_q("1e99999"))), 100000);
+    assert_int_equal(strlen(to_string_q(from_string_q("1e-99999"))), strlen("1/") + 100000);
 }
 
 /* MPFR's rounding into binary64's own exponent range. */

@@ -156,6 +156,21 @@ static void text_and_edges(void **state)
     expect_fault(FAULT_UNDEFINED);
 }
 
+/* The degree of p(q) is that of p times that of q, and has to be an int: 46341^2 is more than 2^31 - 1, and 46340^2 less. */
+static void degrees_that_no_int_has(void **state)
+{
+    (void)state;
+    enum { DEGREE = 46341 };
+    num_q *c = cagd_region_array(1, DEGREE + 1, sizeof *c), zero = from_int_q(0);
+    assert_non_null(c);
+    for (int k = 0; k < DEGREE; k++)
+        c[k] = zero;
+    c[DEGREE] = from_int_q(1);
+    poly p = cagd_poly_from_q(DEGREE + 1, c);
+    cagd_poly_compose(p, p);
+    expect_fault(FAULT_MEMORY);
+}
+
 /* A fault stays beside those that were there before. */
 static void faults_add_up(void **state)
 {
@@ -180,6 +195,7 @@ int main(void)
         unit(squarefree_decomposition_multiplies_back),
         unit(fractions_of_the_field_in_one_variable),
         unit(text_and_edges),
+        unit(degrees_that_no_int_has),
         unit(faults_add_up),
     };
     return run_unit_tests(tests);

@@ -388,6 +388,34 @@ static void values_made_before(void **state)
 }
 
 /* The last node that there is room for, and one more. */
+/* What is computed with a polynomial that was made before the trace is noted, and so is what is computed after it. */
+static void after_a_polynomial_made_before(void **state)
+{
+    (void)state;
+    num_q c[] = {from_int_q(2), from_int_q(3)};
+    poly before = cagd_poly_from_q(2, c);
+    cagd_trace_open(PLENTY);
+    poly twice = cagd_poly_add(before, before);
+    cagd_poly_neg(twice);
+    num_q five = from_int_q(5);
+    add_q(five, five);
+    assert_list(cagd_trace_nodes(), "[\"opoly\",\"2\",\"3\"],[\"p+\",0,0],[\"pneg\",1],[\"c\",\"5\"],[\"+\",3,3]");
+    cagd_trace_close();
+}
+
+/* A variable whose name begins another one's is another variable. */
+static void names_that_begin_others(void **state)
+{
+    (void)state;
+    cagd_field_open(3);
+    cagd_trace_open(PLENTY);
+    num_f long_name = variable_f("ab"), short_name = variable_f("a");
+    add_f(long_name, variable_f("ab")), add_f(short_name, long_name);
+    assert_list(cagd_trace_nodes(), "[\"x\",0],[\"x\",1],[\"+\",0,0],[\"+\",1,0]");
+    cagd_trace_close();
+    cagd_field_open(1);
+}
+
 static void too_many_nodes(void **state)
 {
     (void)state;
@@ -441,9 +469,18 @@ static void names_of_variables(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        unit(arithmetic),     unit(functions_and_polynomials), unit(decisions),         unit(planar),
-        unit(in_the_field),   unit(made_of_smaller_decisions), unit(many_values),       unit(slots_that_are_used_again),
-        unit(too_many_nodes), unit(names_of_variables),        unit(values_made_before)};
+    const struct CMUnitTest tests[] = {unit(arithmetic),
+                                       unit(functions_and_polynomials),
+                                       unit(decisions),
+                                       unit(planar),
+                                       unit(in_the_field),
+                                       unit(made_of_smaller_decisions),
+                                       unit(many_values),
+                                       unit(slots_that_are_used_again),
+                                       unit(too_many_nodes),
+                                       unit(names_of_variables),
+                                       unit(values_made_before),
+                                       unit(after_a_polynomial_made_before),
+                                       unit(names_that_begin_others)};
     return run_unit_tests(tests);
 }

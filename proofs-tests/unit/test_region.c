@@ -6,6 +6,9 @@
 #include "exact/number/polynomial.h"
 #include "exact/words.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <math.h>
 #include <pthread.h>
 #include <string.h>
@@ -264,6 +267,22 @@ static void threads_have_their_own_precision(void **state)
     }
 }
 
+/* Blocks that do not fit in a page are given back at once, and not when the thread ends. */
+static void large_blocks_are_given_back(void **state)
+{
+    (void)state;
+#ifdef __GLIBC__
+    const struct mallinfo2 before = mallinfo2();
+    for (int k = 0; k < 100; k++) {
+        region_mark m = region_open();
+        assert_non_null(cagd_region_bytes(1 << 20));
+        region_drop(m);
+    }
+    const struct mallinfo2 after = mallinfo2();
+    assert_true(after.uordblks + after.hblkhd < before.uordblks + before.hblkhd + (10 << 20));
+#endif
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -278,6 +297,7 @@ int main(void)
         unit(precisions_mix),
         unit(precisions_that_are_none),
         unit(threads_have_their_own_precision),
+        unit(large_blocks_are_given_back),
     };
     return run_unit_tests(tests);
 }

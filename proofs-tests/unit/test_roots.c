@@ -195,6 +195,36 @@ static void bounds_enclose_every_root(void **state)
     }
 }
 
+/* For x^6 - x^5/2 - 3x^4/2 - 3x^3 - 7x^2 - 15x - 31 every |c_(6-k)| is below 2^(k-1), and the positive root is above 2: the exponent that
+ * is divided by k has to be rounded up. */
+static void a_bound_that_is_needed(void **state)
+{
+    (void)state;
+    const num_q c[] = {from_int_q(-31),     from_int_q(-15),     from_int_q(-7), from_int_q(-3),
+                       from_ratio_q(-3, 2), from_ratio_q(-1, 2), from_int_q(1)};
+    poly p = poly_from_q(7, c);
+    assert_int_equal(cagd_count_roots(p, from_int_q(2), from_int_q(3), OPEN).distinct, 1);
+    assert_int_equal(cagd_count_roots_above(p, from_int_q(0)).distinct, 1);
+    assert_true(cagd_compare_q(root_bound(p), from_int_q(2)) > 0);
+}
+
+/* An ordinate at the end that is smaller than what was cut off of the others: its sign is asked for again, at either end. */
+static void a_sign_that_is_hidden_at_an_end(void **state)
+{
+    (void)state;
+    num_q tiny = from_int_q(1), zero = from_int_q(0), one = from_int_q(1), half = from_ratio_q(1, 2);
+    for (int k = 0; k < 2000; k++)
+        tiny = mul_q(tiny, half);
+    const num_q near[] = {tiny, sub_q(one, tiny)};
+    for (int k = 0; k < 2; k++) {
+        struct cagd_root_count r = cagd_count_roots(linear(near[k]), zero, one, OPEN);
+        assert_int_equal(r.distinct, 1);
+        assert_int_equal(r.crossings, 1);
+        assert_int_equal(cagd_count_roots(linear(k == 0 ? neg_q(tiny) : add_q(one, tiny)), zero, one, OPEN).distinct,
+                         0);
+    }
+}
+
 static void edges(void **state)
 {
     (void)state;
@@ -228,6 +258,8 @@ int main(void)
         unit(chebyshev),
         unit(clusters),
         unit(bounds_enclose_every_root),
+        unit(a_bound_that_is_needed),
+        unit(a_sign_that_is_hidden_at_an_end),
         unit(edges),
     };
     return run_unit_tests(tests);

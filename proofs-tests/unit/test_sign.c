@@ -65,8 +65,11 @@ static void edges(void **state)
     assert_int_equal(cagd_sign_on(poly_from_q(0, NULL), zero, one, OPEN), SIGN_ZERO);
     assert_int_equal(cagd_sign_on(poly_variable(), zero, zero, CLOSED), SIGN_ZERO);
     assert_int_equal(cagd_sign_on(poly_variable(), one, one, CLOSED), SIGN_POSITIVE);
-    cagd_sign_on(poly_variable(), zero, zero, OPEN);
-    expect_fault(FAULT_UNDEFINED);
+    for (enum cagd_ends e = CLOSED; e <= OPEN_RIGHT; e++)
+        if (e != CLOSED) { /* [0,0) and (0,0] are no intervals either */
+            cagd_sign_on(poly_variable(), zero, zero, e);
+            expect_fault(FAULT_UNDEFINED);
+        }
     cagd_sign_on(poly_variable(), one, zero, CLOSED);
     expect_fault(FAULT_UNDEFINED);
 }

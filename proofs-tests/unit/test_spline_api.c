@@ -254,12 +254,31 @@ static void what_has_no_value_is_undefined(void **state)
     assert_int_equal(cagd_spline_derivatives(&s, 0.5, CAGD_RIGHT, 1, out), CAGD_OVERFLOW);
 }
 
+/* A knot p+2 times at the very end is too many; of the end of the domain, a knot twice that is no end of the knots, nothing is lowered. */
+static void knots_at_the_end(void **state)
+{
+    (void)state;
+    const double good[] = {0, 0, 1, 2, 2}, bad[] = {0, 0, 2, 2, 2}, inside[] = {0, 1, 2, 2.5, 2.5, 3, 3, 4, 5};
+    int where;
+    assert_int_equal(check_knots_d(3, 1, good, &where), CAGD_OK);
+    assert_int_equal(check_knots_d(3, 1, bad, &where), CAGD_KNOTS_MULTIPLE);
+    assert_int_equal(where, 4);
+    /* degree 2, six points, domain from u_2 = 2 to u_6 = 3: v is 2, 2, 2.5, 3, 3 */
+    double v[8];
+    assert_int_equal(check_knots_d(6, 2, inside, &where), CAGD_OK);
+    assert_int_equal(lowered_knots_d(6, 2, inside, NULL), 3);
+    assert_int_equal(lowered_knots_d(6, 2, inside, v), 3);
+    static const double expected[] = {2, 2, 2.5, 3, 3};
+    for (int k = 0; k < 5; k++)
+        assert_true(v[k] == expected[k]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_are_the_kernels),         cmocka_unit_test(insertion_and_split_are_the_kernels),
         cmocka_unit_test(elevation_is_the_kernel),        cmocka_unit_test(bad_splines_are_refused),
-        cmocka_unit_test(what_has_no_value_is_undefined),
+        cmocka_unit_test(what_has_no_value_is_undefined), cmocka_unit_test(knots_at_the_end),
     };
     return cmocka_run_group_tests(tests, setup, NULL);
 }

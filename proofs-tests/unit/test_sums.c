@@ -251,6 +251,9 @@ static void test_sums_from_a_number_on(void **state)
     field_close();
 }
 
+/* a + m. */
+static num_f plus(num_f a, long m) { return add_f(a, whole(m)); }
+
 /* The value of a + b k + c k^2. */
 static num_f quadratic(long a, long b, long c)
 {
@@ -300,6 +303,19 @@ static void test_denominators_that_are_not_told(void **state)
     field_close();
 }
 
+/* With a recurrence of order 0 at most, the rows n = 0 and 1 are looked at: the sum of (n choose k) is 3^n in the first alone. */
+static void test_the_last_of_the_first_rows(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T;
+    cagd_sum s = {binomials(1), whole(1), whole(3), whole(1), 0, 0};
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 0, &T), CAGD_SUM_REFUTED);
+    s.ratio = whole(2);
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 0, &T), CAGD_SUM_UNDECIDED);
+    field_close();
+}
+
 /* A telescoper whose last coefficients are 0 is one as long as some coefficient is not. */
 static void test_coefficients_that_are_zero(void **state)
 {
@@ -312,6 +328,29 @@ static void test_coefficients_that_are_zero(void **state)
     T.order = 2, T.a[2] = whole(0);
     assert_true(cagd_telescoper_holds(F, n, k, &T));
     assert_false(cagd_telescoper_holds(F, n, k, &none));
+    field_close();
+}
+
+/* F(n,k) = (-29)(-28)...(n-30) C(n,k) n! / ((k-30)! (n-k+30)!), read off its ratios: (k+1)(k-29) stands in the denominator of that in k, so
+ * that no row with n >= 30 is defined, though the telescoper is defined everywhere and the first rows have the sum that is claimed, of
+ * the ratio (2n+2)(2n+1)/(n+31). */
+static void test_a_term_that_ends_before_its_row(void **state)
+{
+    (void)state;
+    open_field();
+    num_f n1 = plus(n, 1), left = sub_f(n, k);
+    cagd_term F = {div_f(mul_f(mul_f(n1, n1), plus(n, -29)), mul_f(plus(left, 1), plus(left, 31))),
+                   div_f(mul_f(left, plus(left, 30)), mul_f(plus(k, 1), plus(k, -29)))};
+    num_f ratio = div_f(mul_f(plus(mul_f(whole(2), n), 2), plus(mul_f(whole(2), n), 1)), plus(n, 31));
+    cagd_sum s = {F, whole(1), ratio, whole(1), 0, 0};
+    cagd_telescoper T;
+    assert_true(cagd_telescope(F, n, k, 3, &T));
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    assert_int_equal(T.order, 1);
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
+    /* with k+31 in the place of k-29 it ends nowhere, and has another sum */
+    s.F.by_k = div_f(mul_f(left, plus(left, 30)), mul_f(plus(k, 1), plus(k, 31)));
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
     field_close();
 }
 
@@ -328,6 +367,8 @@ int main(void)
                                        unit(test_coefficients_that_are_zero),
                                        unit(test_sums_from_a_number_on),
                                        unit(test_shifts_and_degrees),
-                                       unit(test_denominators_that_are_not_told)};
+                                       unit(test_denominators_that_are_not_told),
+                                       unit(test_a_term_that_ends_before_its_row),
+                                       unit(test_the_last_of_the_first_rows)};
     return run_unit_tests(tests);
 }

@@ -17,3 +17,25 @@ double e_logarithm(void) { double x = log(7); return x > 1 ? 3 * x : 0; }
 double e_acos(void) { return acos(0.5) * sqrt(5); }
 /* = 2 ** (1/3) */
 double e_cube_root(void) { return cbrt(2); }
+/* = math.tan(1) */
+double e_tangent(void) { return tan(1); }
+/* = math.asin(1/3) */
+double e_asin(void) { return asin(1.0 / 3); }
+/* = math.expm1(1/3) */
+double e_expm1(void) { return expm1(1.0 / 3); }
+/* = math.log1p(1/3) */
+double e_log1p(void) { return log1p(1.0 / 3); }
+/* = math.sinh(1) */
+double e_sinh(void) { return sinh(1); }
+/* = math.cosh(1) */
+double e_cosh(void) { return cosh(1); }
+/* = math.tanh(1) */
+double e_tanh(void) { return tanh(1); }
+/* = 2 ** (1/3) */
+double e_exp2(void) { return exp2(1.0 / 3); }
+/* = math.atan2(2, 3) */
+double e_atan2(void) { return atan2(2, 3); }
+/* = -math.sqrt(2) * math.sqrt(3) / math.sqrt(5) */
+double e_negative(void) { double x = -sqrt(2); return x * sqrt(3) / sqrt(5); }
+/* = math.sqrt(2) + 7 */
+double e_whole_part_of_an_enclosure(void) { return sqrt(2) + floor(sqrt(55)); }

@@ -108,3 +108,34 @@ double l_memcmp_of_texts(void) { return memcmp("abcdefgh", "abcdefgh", 8) == 0; 
 double l_builtin(void) { return __builtin_fabs(-2.0 / 3); }
 /* = 2 */
 double l_strings(void) { char b[20]; strcpy(b, "a"); strcat(b, "b"); return strlen(b); }
+void sincos(double, double *, double *);
+int __isnan(double), __isinf(double), __finite(double), __signbit(double), finite(double);
+double roundeven(double);
+/* = 1 */
+double l_sincos(void) { double s, c; sincos(0, &s, &c); return s + c; }
+/* = 1 + 10 + 100 + 1000 + 10000 */
+double l_what_is_no_number(void) { double n = NAN; return (isnan)(n) + 10 * __isnan(n) + 100 * !(isnan)(1.0) + 1000 * !(isinf)(n) + 10000 * !finite(n); }
+/* = 1 - 10 + 100 + 1000 */
+double l_what_is_infinite(void) { double x = INFINITY; return (isinf)(x) + 10 * __isinf(-x) + 100 * __finite(2) + 1000 * (__signbit(-2) != 0); }
+/* = 1 + 2 + 4 + 8 + 16 + 32 */
+double l_with_an_infinity(void)
+{
+    volatile double x = INFINITY;
+    return (x + 1 > 5) + 2 * (-x < 0) + 4 * (1 / x == 0) + 8 * (x - 1 == x) + 16 * (x * 2 == x) + 32 * (fabs(-x) == x);
+}
+/* = 3 - 4 */
+double l_llround(void) { return llround(5.0 / 2) + llround(-7.0 / 2); }
+/* = 2 - 4 */
+double l_llrint(void) { return llrint(5.0 / 2) + llrint(-7.0 / 2); }
+/* = 2 - 4 */
+double l_roundeven(void) { return roundeven(5.0 / 2) + roundeven(-7.0 / 2); }
+/* = F(3, 8) + F(1, 4) */
+double l_fmaf(void) { return fmaf(0.75f, 0.5f, 0.25f); }
+/* = 6 */
+double l_ldexpf(void) { return ldexpf(0.75f, 3); }
+/* = F(1, 3) - 10 * F(1, 5) */
+double l_conj(void) { double _Complex z = __builtin_complex(1.0 / 3, 1.0 / 5); z = __builtin_conj(z); return __real__ z + 10 * __imag__ z; }
+/* = 7 */
+double l_posix_memalign(void) { void *p = NULL; int bad = posix_memalign(&p, 3, 8), good = posix_memalign(&p, 64, 8); double r = (bad != 0) + 2 * (good == 0) + 4 * ((unsigned long)p % 64 == 0); free(p); return r; }
+/* = 1 */
+double l_prints(void) { printf("%d numbers, the first %g, at %p\n", 2, 1.0 / 3, NULL); fprintf(stderr, "%g\n", 0.5); return 1; }

@@ -25,3 +25,8 @@ void scale(int n, double *restrict a, double x)
     for (int i = 0; i < n; i++)
         a[i] *= x;
 }
+/* Every operation that has an instruction of its own. */
+double every(double x, double y, int n, unsigned m)
+{
+    return x + y - x / y + (int)x + (unsigned)y + n + m + (float)(x / 3);
+}

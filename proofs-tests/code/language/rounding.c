@@ -21,3 +21,15 @@ double n_functions(void) { return sin(1.0) + exp(0.5); }
 double n_from_integer(void) { long n = (1l << 53) + 1; return n; }
 /* # float(int(0.1 * 3 / 0.3 * 1e16)) */
 double n_to_integer(void) { return (long)(0.1 * 3 / 0.3 * 1e16); }
+/* # math.fmod(16/3, 0.7) */
+double n_fmod(void) { return fmod(16.0 / 3, 0.7); }
+/* # math.remainder(17/3, 2.0) */
+double n_remainder(void) { return remainder(17.0 / 3, 2); }
+/* # float(F(0.1) * 10 - 1) */
+double n_fma(void) { return fma(0.1, 10, -1); }
+/* # -(0.1 + 0.2) */
+double n_negative(void) { double x = 0.1; return -(x + 0.2); }
+/* # 4.0 + 3.0 + 3.0 */
+double n_whole(void) { return ceil(10.0 / 3) + round(5.0 / 2) + floor(10.0 / 3); }
+/* # 2.0 + 3.0 */
+double n_even_and_cut(void) { return rint(5.0 / 2) + trunc(10.0 / 3); }

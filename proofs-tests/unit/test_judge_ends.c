@@ -1,0 +1,259 @@
+/* test_judge_ends.c -- the judge at the ends of its ranges: more degrees than instances, degrees without end, more data than an int
+ * has bits, a fault in one case alone, cases of which the lowest is the longest. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "chapters/judge/case.h"
+#include "chapters/judge/certificate.h"
+#include "chapters/judge/run.h"
+#include "chapters/judge/scope.h"
+#include "chapters/judge/witness.h"
+#include "chapters/judge/words.h"
+#include "exact/words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static claim_result *judge_one(const claim *c)
+{
+    const run_options options = {.jobs = 1};
+    return judge_claims(&c, 1, &options);
+}
+
+/* ---- comparisons --------------------------------------------------------------------------------------- */
+
+/* When the field has no room left its values are placeholders. */
+static void in_a_crowded_field_nothing_is_refuted(void **state)
+{
+    (void)state;
+    static const claim c = {.name = "crowded", .scope = ""};
+    trial T = {.claim = &c};
+    region_faults = FAULT_CROWDED;
+    same_q(&T, from_int_q(1), from_int_q(2));
+    assert_int_equal(T.compared, 1);
+    assert_int_equal(T.outcome, HOLDS);
+    assert_int_equal(judged_case(&T), UNDECIDED);
+    region_faults = 0;
+}
+
+/* A NaN is the worst error of all. */
+static void a_nan_is_the_worst(void **state)
+{
+    (void)state;
+    static const claim c = {.name = "nan", .scope = ""};
+    trial T = {.claim = &c};
+    same_m(&T, exact_m(NAN), exact_m(1));
+    assert_true(isnan(T.worst));
+    forget_exhibits(T.shown, T.exhibits);
+}
+
+/* ---- cases --------------------------------------------------------------------------------------------- */
+
+static void unable_in_degree_one_i(trial *T)
+{
+    num_i x = unknown_i(T, "x", 0);
+    if (T->degree == 1 && !T->planted)
+        region_faults |= FAULT_UNABLE;
+    same_i(T, add_i(x, x), mul_i(from_int_i(T->planted ? 3 : 2), x));
+}
+/* Of twelve cases, of the degrees 1 and 2 in turn, the last is of degree 2. */
+static void a_fault_of_an_early_case_is_kept(void **state)
+{
+    (void)state;
+    const claim c = {.name = "unable in degree one",
+                     .scope = "",
+                     .degree_low = 1,
+                     .degree_high = 2,
+                     .degree_sampled = 2,
+                     .body = {[INTERVAL_TYPE] = unable_in_degree_one_i}};
+    claim_result *r = judge_one(&c);
+    assert_int_equal(r->by[INTERVAL_TYPE].cases, 12);
+    assert_int_equal(r->by[INTERVAL_TYPE].faults, FAULT_UNABLE);
+    assert_true(r->by[INTERVAL_TYPE].control_caught);
+    assert_false(r->as_expected);
+    free_results(r, 1);
+}
+
+static void degree_q(trial *T) { same_q(T, from_int_q(T->degree), from_int_q(T->planted ? -1 : T->degree)); }
+static void every_degree_has_an_instance(void **state)
+{
+    (void)state;
+    const claim c = {.name = "degrees",
+                     .scope = "",
+                     .degree_low = 1,
+                     .degree_high = 30,
+                     .degree_sampled = 30,
+                     .body = {[RATIONAL_TYPE] = degree_q}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->by[RATIONAL_TYPE].cases, 30);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_high, 30);
+    free_results(r, 1);
+}
+
+/* ---- data ---------------------------------------------------------------------------------------------- */
+
+enum { ENTRIES = 34 };
+static char entry_name[ENTRIES][4];
+static int left_out;
+static void ask_q(trial *T)
+{
+    num_q sum = from_int_q(0);
+    for (int k = 0; k < ENTRIES; k++)
+        if (k != left_out)
+            sum = add_q(sum, given_q(T, entry_name[k]));
+    same_q(T, sum, from_int_q(T->planted ? 0 : left_out < 0 ? ENTRIES : ENTRIES - 1));
+}
+static void entries_beyond_the_bits_of_an_int(void **state)
+{
+    (void)state;
+    static const char *const one[] = {"1"};
+    datum list[ENTRIES + 1] = {{.name = NULL}};
+    for (int k = 0; k < ENTRIES; k++) {
+        snprintf(entry_name[k], sizeof entry_name[k], "x%d", k);
+        list[k] = (datum){.name = entry_name[k], .text = "1", .rows = 1, .columns = 1, .value = one};
+    }
+    list[ENTRIES] = (datum){.name = NULL};
+    const claim c = {.name = "entries", .scope = "", .kind = DECISION, .data = list, .body = {[RATIONAL_TYPE] = ask_q}};
+    for (left_out = -1; left_out < ENTRIES; left_out++) {
+        claim_result *r = judge_one(&c);
+        assert_int_equal(r->as_expected, left_out < 0);
+        free_results(r, 1);
+    }
+}
+
+/* ---- scopes -------------------------------------------------------------------------------------------- */
+
+static char no_names[] = "";
+#define IN_FIELD(c, low, high)                                                                                         \
+    {                                                                                                                  \
+        .claim = &c, .as_expected = 1, .evidence = PROVED, .computed = PROVED,                                         \
+        .by =                                                                                                          \
+        { [FIELD_TYPE] = {                                                                                             \
+              .ran = 1, .degree_low = low, .degree_high = high, .variables = no_names, .positive = no_names} }         \
+    }
+#define SAMPLES(c, count)                                                                                              \
+    {                                                                                                                  \
+        .claim = &c, .as_expected = 1, .evidence = SAMPLED, .computed = SAMPLED, .by = {                               \
+            [RATIONAL_TYPE] = {.ran = 1, .cases = count}                                                               \
+        }                                                                                                              \
+    }
+static const claim from_one = {.name = "from_one", .scope = "", .all_degrees = 1, .degree_low = 1},
+                   from_none = {.name = "from_none", .scope = "", .all_degrees = 1},
+                   orders = {.name = "orders", .scope = "", .letter = "k", .all_degrees = 1, .degree_low = 2},
+                   low = {.name = "low", .scope = ""}, high = {.name = "high", .scope = ""},
+                   few = {.name = "few", .scope = ""}, many = {.name = "many", .scope = ""},
+                   against = {.name = "against", .kind = COUNTEREXAMPLE, .scope = ""};
+static char stated[] = "the stated instance";
+static const claim_result results[] = {
+    IN_FIELD(from_one, 1, 4),
+    IN_FIELD(from_none, 0, 4),
+    IN_FIELD(orders, 2, 4),
+    IN_FIELD(low, 1, 4),
+    IN_FIELD(high, 7, 8),
+    SAMPLES(few, 12),
+    SAMPLES(many, 1000),
+    {.claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED, .scope = stated}};
+enum { RESULTS = sizeof results / sizeof *results };
+
+static void assert_scope(const char *name, const char *letter, const char *expected)
+{
+    finding f = finding_of(result_of(name, results, RESULTS), letter);
+    assert_string_equal(f.scope, expected);
+    free_finding(&f);
+}
+static void degrees_without_end(void **state)
+{
+    (void)state;
+    assert_scope("from_one", "n", "every n from 1 on");
+    assert_scope("from_none", "n", "every n");
+    assert_scope("orders", "k", "every k from 2 on"); /* the order, one more than the degree, stays without end */
+    assert_scope("orders", "n", "every n from 1 on");
+}
+
+static void of_instances_the_fewest_are_told(void **state)
+{
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        const statement_link links[] = {{HOLDS_BY, turned ? "many" : "few", NULL, "", NULL},
+                                        {HOLDS_BY, turned ? "few" : "many", NULL, "", NULL},
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
+        const statement s = {.id = "source:1", .links = links};
+        statement_result r = derive(&s, results, RESULTS);
+        assert_string_equal(r.as_printed.scope, "12 random instances");
+        free_statement_result(&r);
+    }
+}
+
+static void a_correction_needs_a_case(void **state)
+{
+    (void)state;
+    const statement_link links[] = {{REFUTED_BY, "against", NULL, "", NULL},
+                                    {CORRECTED_BY, "low", NULL, "", NULL},
+                                    {CORRECTED_BY, "high", NULL, "", NULL},
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
+    const statement s = {.id = "source:1", .links = links};
+    statement_result r = derive(&s, results, RESULTS);
+    assert_false(r.as_expected);
+    assert_int_equal(r.verdict, VERDICT_OPEN);
+    assert_string_equal(r.as_corrected.scope, "no n");
+    free_statement_result(&r);
+}
+
+/* ---- what is written of a claim ------------------------------------------------------------------------ */
+
+/* 9000 sums in degree 1, one in degree 2. */
+static void long_in_degree_one_q(trial *T)
+{
+    num_q sum = unknown_q(T, "x", 0), one = from_int_q(1), less = sum;
+    for (int k = 0; k < (T->degree == 1 ? 9000 : 1); k++)
+        sum = add_q(sum, one);
+    same_q(T, sum, add_q(less, from_int_q(T->planted ? -1 : T->degree == 1 ? 9000 : 1)));
+}
+static void of_two_cases_the_long_one_is_left_out(void **state)
+{
+    (void)state;
+    const claim c = {.name = "long in degree one",
+                     .scope = "",
+                     .degree_low = 1,
+                     .degree_high = 2,
+                     .degree_sampled = 2,
+                     .body = {[RATIONAL_TYPE] = long_in_degree_one_q}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    struct recorded_case recorded[MOST_RECORDED];
+    int count;
+    char *text = certificate_of_claim(r, &count, recorded);
+    assert_int_equal(count, 1);
+    assert_int_equal(recorded[0].degree, 2);
+    region_faults = 0; /* of the program that was too long */
+    free(text);
+    free_results(r, 1);
+}
+
+static void is_two_q(trial *T) { same_q(T, unknown_q(T, "x", 0), from_int_q(2)); }
+static void the_search_for_a_witness_leaves_the_faults(void **state)
+{
+    (void)state;
+    const claim c = {.name = "is two", .scope = "", .body = {[RATIONAL_TYPE] = is_two_q}};
+    exhibit *shown;
+    int count;
+    region_faults = FAULT_UNABLE;
+    find_witness(&c, &shown, &count);
+    assert_int_equal(region_faults, FAULT_UNABLE);
+    assert_true(count > 0);
+    forget_exhibits(shown, count);
+    region_faults = 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        unit(in_a_crowded_field_nothing_is_refuted), unit(a_nan_is_the_worst),
+        unit(a_fault_of_an_early_case_is_kept),      unit(every_degree_has_an_instance),
+        unit(entries_beyond_the_bits_of_an_int),     unit(degrees_without_end),
+        unit(of_instances_the_fewest_are_told),      unit(a_correction_needs_a_case),
+        unit(of_two_cases_the_long_one_is_left_out), unit(the_search_for_a_witness_leaves_the_faults)};
+    return run_unit_tests(tests);
+}
