@@ -6,17 +6,21 @@
 #include "exact/number/rational.h"
 
 #include <ctype.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <unistd.h>
 
-enum { COMPILE_SECONDS = 30, NATIVE_SECONDS = 5, SHOWN_ERRORS = 3, MOST_WORDS = 32 };
+enum { EXPAND_SECONDS = 5, COMPILE_SECONDS = 20, NATIVE_SECONDS = 5, SHOWN_ERRORS = 3, MOST_WORDS = 32 };
 
 static void put_file(const struct lab_place *place, const char *name, const char *text)
 {
     char path[LAB_MOST_PATH + 128];
     snprintf(path, sizeof path, "%s/%s", place->folder, name);
-    FILE *out = fopen(path, "w");
+    unlink(path); /* whatever code that ran there has made of it */
+    int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
     if (out == NULL || fputs(text, out) < 0 || fclose(out) != 0)
         perror(path);
 }
@@ -87,7 +91,51 @@ static char *errors_of(const char *said, const char *source)
     return text;
 }
 
-char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object)
+/* The source is expanded, and takes its own place: what is looked at and what is compiled are one text.  NULL, or the cause.  The day
+ * and the hour are the same for all. */
+static char *expand(const struct lab *lab, const struct lab_place *place, const char *source, enum lab_reason *reason)
+{
+    char clang[LAB_MOST_PATH], path[LAB_MOST_PATH + 128], *said = NULL, *cause = lab_wrong_directive(source);
+    char *const word[] = {(char *)(uintptr_t)tool("clang", clang),
+                          (char *)(uintptr_t) "-E",
+                          (char *)(uintptr_t) "-w",
+                          (char *)(uintptr_t) "-fno-color-diagnostics",
+                          (char *)(uintptr_t) "-fno-caret-diagnostics",
+                          (char *)(uintptr_t) "-D__DATE__=\"Jan  1 2000\"",
+                          (char *)(uintptr_t) "-D__TIME__=\"00:00:00\"",
+                          (char *)(uintptr_t) "-D__TIMESTAMP__=\"Sat Jan  1 00:00:00 2000\"",
+                          (char *)(uintptr_t) "-Dmain=main_of_the_answer", /* its own tests stay out of the way */
+                          (char *)(uintptr_t) "-o",
+                          (char *)(uintptr_t) "expanded",
+                          (char *)(uintptr_t)lab->file,
+                          NULL};
+    *reason = LAB_REFUSED;
+    if (cause != NULL)
+        return cause;
+    put_file(place, "written", source); /* for messages */
+    put_file(place, lab->file, source);
+    if (lab_run(place, word, EXPAND_SECONDS, &said) != 0) {
+        *reason = LAB_NOT_EXPANDED;
+        cause = errors_of(said != NULL ? said : "", source);
+        free(said);
+        return cause;
+    }
+    free(said);
+    snprintf(path, sizeof path, "%s/expanded", place->folder);
+    char *expanded = lab_file(path);
+    if (expanded == NULL)
+        return copied("its macros make more than a megabyte of it");
+    cause = lab_wrong_expansion(lab, expanded);
+    if (cause == NULL) {
+        *reason = LAB_NO_REASON;
+        put_file(place, lab->file, expanded);
+    }
+    free(expanded);
+    return cause;
+}
+
+char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object,
+                enum lab_reason *reason)
 {
     char path[LAB_MOST_PATH + 128], program[LAB_MOST_PATH], *said;
     if (lab_is_python(lab, object))
@@ -102,7 +150,11 @@ char *lab_build(const struct lab *lab, const struct lab_place *place, const char
             return unread;
         put_file(place, file, made);
         free(made);
-    } else {
+    } else if (reason != NULL) {
+        char *wrong = expand(lab, place, source, reason);
+        if (wrong != NULL)
+            return wrong;
+    } else { /* of the lab itself */
         put_file(place, file, source);
     }
     snprintf(path, sizeof path, "%s/driver.c", place->folder);
@@ -337,7 +389,7 @@ json_t *lab_inspect(const struct lab *lab, const struct lab_place *place)
     char *const plain[] = {dump[0], dump[1], dump[2], dump[3], (char *)(uintptr_t) "-fno-caret-diagnostics",
                            dump[6], NULL};
     json_t *result = json_object();
-    snprintf(path, sizeof path, "%s/%s", place->folder, lab->file);
+    snprintf(path, sizeof path, "%s/written", place->folder);
     char *source = lab_file(path);
     write_check(lab, place);
     int code = lab_run(place, dump, COMPILE_SECONDS, &said);
@@ -400,6 +452,8 @@ static json_t *report_of(const struct lab *lab, const char *said)
                  {"double-free", "gives memory back twice"},
                  {"bad-free", "gives back what was not taken"},
                  {"stack-overflow", "calls itself without end"},
+                 {"rss limit", "takes memory without end"},
+                 {"allocation-size-too-big", "takes memory without end"},
                  {"SEGV", "uses memory that is not there"},
                  {"null pointer", "uses memory that is not there"},
                  {"division by zero", "divides an integer by zero"},
@@ -418,6 +472,62 @@ static json_t *report_of(const struct lab *lab, const char *said)
     return NULL;
 }
 
+/* What nobody knows before. */
+static unsigned long long secret(void)
+{
+    unsigned long long value = 0;
+    if (getrandom(&value, sizeof value, 0) != (ssize_t)sizeof value)
+        abort();
+    return value;
+}
+
+/* The answer as an object in which only the functions that are asked for can be seen: it stands in for no function of the library or
+ * of the sanitizers.  NULL; a report; the null of JSON where there are no sanitizers. */
+static json_t *compile_native(const struct lab *lab, const struct lab_place *place)
+{
+    char clang[LAB_MOST_PATH], objcopy[LAB_MOST_PATH], *said, *list = NULL;
+    char *const compile[] = {(char *)(uintptr_t)tool("clang", clang),
+                             (char *)(uintptr_t) "-g",
+                             (char *)(uintptr_t) "-O0",
+                             (char *)(uintptr_t) "-w",
+                             (char *)(uintptr_t) "-fsanitize=address,undefined",
+                             (char *)(uintptr_t) "-fno-sanitize-recover=all",
+                             (char *)(uintptr_t) "-c",
+                             (char *)(uintptr_t) "-o",
+                             (char *)(uintptr_t) "native-answer.o",
+                             (char *)(uintptr_t)lab->file,
+                             NULL};
+    char *const hide[] = {(char *)(uintptr_t)tool("llvm-objcopy", objcopy),
+                          (char *)(uintptr_t) "--keep-global-symbols=asked", (char *)(uintptr_t) "native-answer.o",
+                          NULL};
+    int code = lab_run(place, compile, COMPILE_SECONDS, &said);
+    int none = code != 0 && strstr(said, "fsanitize") != NULL;
+    free(said);
+    if (code != 0)
+        return none ? json_null()
+                    : json_pack("{s:i, s:s}", "line", 0, "text", "cannot be compiled with the sanitizers");
+    size_t size, k;
+    const json_t *value;
+    FILE *out = open_memstream(&list, &size);
+    json_array_foreach(json_object_get(lab->head, "declare"), k, value)
+    {
+        const char *text = json_string_value(value), *open = strchr(text, '('), *end = open;
+        while (open != NULL && end > text && end[-1] == ' ')
+            end--;
+        const char *name = end;
+        while (open != NULL && name > text && (isalnum((unsigned char)name[-1]) || name[-1] == '_'))
+            name--;
+        if (open != NULL)
+            fprintf(out, "%.*s\n", (int)(end - name), name);
+    }
+    fclose(out);
+    put_file(place, "asked", list);
+    free(list);
+    code = lab_run(place, hide, COMPILE_SECONDS, &said);
+    free(said);
+    return code == 0 ? NULL : json_pack("{s:i, s:s}", "line", 0, "text", "its names cannot be hidden");
+}
+
 json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const json_t *jobs)
 {
     if (strcmp(lab->language, "c") != 0) /* it has no arrays to read outside of */
@@ -426,6 +536,8 @@ json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const
 #include "cli/lab/native.inc"
         ;
     char clang[LAB_MOST_PATH], symbolizer[LAB_MOST_PATH], define[LAB_MOST_PATH + 32], here[LAB_MOST_PATH + 16], *said;
+    char end[40];
+    snprintf(end, sizeof end, "end-%016llx", secret());
     put_file(place, "native.c", native);
     write_jobs(place, jobs);
     snprintf(define, sizeof define, "-DSYMBOLIZER=\"%s\"", tool("llvm-symbolizer", symbolizer));
@@ -442,16 +554,22 @@ json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const
                              (char *)(uintptr_t) "native",
                              (char *)(uintptr_t) "native.c",
                              (char *)(uintptr_t) "driver.c",
-                             (char *)(uintptr_t)lab->file,
+                             (char *)(uintptr_t) "native-answer.o",
                              (char *)(uintptr_t) "-lm",
                              NULL};
-    char *const run[] = {here, (char *)(uintptr_t) "native.in", NULL};
+    char *const run[] = {here, (char *)(uintptr_t) "native.in", end, NULL};
+    json_t *report = compile_native(lab, place);
+    if (report != NULL)
+        return json_is_null(report) ? NULL : report;
     int code = lab_run(place, compile, COMPILE_SECONDS, &said);
     free(said);
-    if (code != 0) /* a main() of its own, or no sanitizer: nothing is said */
-        return NULL;
-    code = lab_run(place, run, NATIVE_SECONDS, &said);
-    json_t *report = code != 0 ? report_of(lab, said) : NULL;
+    if (code != 0)
+        return json_pack("{s:i, s:s}", "line", 0, "text", "cannot be linked with the sanitizers");
+    code = lab_run_sanitized(place, run, NATIVE_SECONDS, &said);
+    report = code != 0 ? report_of(lab, said) : NULL;
+    if (report == NULL && strstr(said, end) == NULL)
+        report =
+            json_pack("{s:i, s:s}", "line", 0, "text", "ends the program, or does not come to an end, in binary64");
     free(said);
     return report;
 }

@@ -45,7 +45,7 @@ static const char *member(const json_t *row, const char *key)
 static void put_cell(FILE *out, const char *text)
 {
     fputc('"', out);
-    if (strchr("=+-@", *text) != NULL && *text != 0) /* no formula for a spreadsheet */
+    if (strchr("=+-@\t\r", *text) != NULL && *text != 0) /* no formula for a spreadsheet */
         fputc('\'', out);
     for (; *text != 0; text++)
         fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
@@ -153,13 +153,47 @@ static char *answer_of(const struct class *c, const char *name)
     return lab_file(path);
 }
 
-/* The name without its ending. */
+static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+
+static int is_submitted(const struct class *c, const char *name)
+{
+    return bsearch(&name, c->name, (size_t)c->count, sizeof *c->name, by_name) != NULL;
+}
+
+/* The name of a file without its ending, unless that is the name of another submission; and none of the tables'. */
 static void student_of(const struct class *c, const char *name, char student[300])
 {
+    static const char *const tables[] = {"results.csv", "results.json", "junit.xml"};
     const char *end = strrchr(c->lab->file, '.');
     size_t length = strlen(name), ending = strlen(end);
-    snprintf(student, 300, "%.*s",
-             (int)(length > ending && strcmp(name + length - ending, end) == 0 ? length - ending : length), name);
+    char path[LAB_MOST_PATH + 300];
+    struct stat is;
+    snprintf(path, sizeof path, "%s/%s", c->submissions, name);
+    int is_file = lstat(path, &is) == 0 && !S_ISDIR(is.st_mode);
+    if (is_file && length > ending && strcmp(name + length - ending, end) == 0)
+        length -= ending;
+    snprintf(student, 300, "%.*s", (int)length, name);
+    if (length < strlen(name) && is_submitted(c, student))
+        snprintf(student, 300, "%s", name);
+    for (size_t k = 0; k < sizeof tables / sizeof *tables; k++)
+        if (strcmp(student, tables[k]) == 0) {
+            do
+                strcat(student, "-");
+            while (is_submitted(c, student) && strlen(student) < 290);
+        }
+}
+
+/* The name as a text: where it is no UTF-8, its bytes beyond ASCII as %FF. */
+static const char *shown_name(const char *student, char shown[1000])
+{
+    json_t *text = json_string(student);
+    size_t size = 0;
+    for (const char *at = student; *at != 0 && size < 990; at++)
+        size += (size_t)snprintf(shown + size, 1000 - size,
+                                 text == NULL && (unsigned char)*at >= 0x80 ? "%%%02X" : "%c", (unsigned char)*at);
+    shown[size] = 0;
+    json_decref(text);
+    return shown;
 }
 
 static json_t *nothing(const struct class *c, const char *why)
@@ -183,7 +217,7 @@ static json_t *nothing(const struct class *c, const char *why)
 /* Up to the first file that cannot be written. */
 static int write_result(const struct class *c, const char *student, const json_t *result)
 {
-    char path[LAB_MOST_PATH + 400];
+    char path[LAB_MOST_PATH + 400], shown[1000];
     json_t *scores = gradescope(result);
     snprintf(path, sizeof path, "%s/%s", c->out, student);
     int status = make_folder(path);
@@ -193,7 +227,7 @@ static int write_result(const struct class *c, const char *student, const json_t
     status = status != 0 ? status : put_json(path, scores);
     snprintf(path, sizeof path, "%s/%s/page.html", c->out, student);
     json_decref(scores);
-    return status != 0 ? status : write_page(path, student, result);
+    return status != 0 ? status : write_page(path, shown_name(student, shown), result);
 }
 
 /* One of the processes: takes submissions until there are none. */
@@ -224,8 +258,6 @@ static int work(const struct class *c, struct board *board, int lock)
 
 /* ---- all of them ---------------------------------------------------------------------------------------------- */
 
-static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
-
 static int find(struct class *c)
 {
     DIR *d = opendir(c->submissions);
@@ -254,38 +286,20 @@ static int holds_submissions(const struct class *c, const char *path)
            here.st_ino == there.st_ino;
 }
 
-/* Every student has one submission, and a folder of one's own for the result, which is none that is read. */
+/* No student's results go where the submissions are read. */
 static int check_students(const struct class *c)
 {
-    char student[300], before[300] = "", path[LAB_MOST_PATH + 400];
-    char **sorted = malloc((size_t)(c->count + 1) * sizeof *sorted);
-    int status = 0;
-    if (sorted == NULL)
-        abort();
-    /* Sorted by the students: "a.c" and "a" need not stand together among the names, for "a-b" is between them. */
+    char student[300], path[LAB_MOST_PATH + 400];
     for (int k = 0; k < c->count; k++) {
         student_of(c, c->name[k], student);
-        if ((sorted[k] = strdup(student)) == NULL)
-            abort();
-    }
-    qsort(sorted, (size_t)c->count, sizeof *sorted, by_name);
-    for (int k = 0; k < c->count; k++) {
-        snprintf(path, sizeof path, "%s/%s", c->out, sorted[k]);
-        if (status == 0 && k > 0 && strcmp(sorted[k], before) == 0) {
-            fprintf(stderr, "cagd: %s: '%s%s' and '%s' are two submissions of one student; leave one of them\n",
-                    c->submissions, sorted[k], strrchr(c->lab->file, '.'), sorted[k]);
-            status = -1;
-        } else if (status == 0 && holds_submissions(c, path)) {
+        snprintf(path, sizeof path, "%s/%s", c->out, student);
+        if (holds_submissions(c, path)) {
             fprintf(stderr, "cagd: --out %s: the results of '%s' would go to the submissions; choose another folder\n",
-                    c->out, sorted[k]);
-            status = -1;
+                    c->out, student);
+            return -1;
         }
-        snprintf(before, sizeof before, "%s", sorted[k]);
     }
-    for (int k = 0; k < c->count; k++)
-        free(sorted[k]);
-    free(sorted);
-    return status;
+    return 0;
 }
 
 static int write_tables(const struct class *c, json_t *all)
@@ -330,7 +344,7 @@ static int write_tables(const struct class *c, json_t *all)
 static json_t *gather(const struct class *c, const struct board *board, int *missing)
 {
     json_t *all = json_array();
-    char path[LAB_MOST_PATH + 400], student[300];
+    char path[LAB_MOST_PATH + 400], student[300], shown[1000];
     for (int k = 0; k < c->count; k++) {
         student_of(c, c->name[k], student);
         snprintf(path, sizeof path, "%s/%s/result.json", c->out, student);
@@ -344,7 +358,7 @@ static json_t *gather(const struct class *c, const struct board *board, int *mis
                 return NULL;
             }
         }
-        json_object_set_new(result, "student", json_string(student));
+        json_object_set_new(result, "student", json_string(shown_name(student, shown)));
         json_array_append_new(all, result);
     }
     return all;

@@ -412,7 +412,7 @@ static int is_built(struct lab_bench *b, size_t index, const json_t *wrong)
     if (source == NULL)
         return 0;
     snprintf(object, sizeof object, "wrong-%zu.so", index);
-    char *errors = lab_build(b->lab, &b->own, source, object);
+    char *errors = lab_build(b->lab, &b->own, source, object, NULL);
     if (errors == NULL && lab_player_open(&b->wrong[index], &b->own, b->lab, object) == 0)
         b->built[index] = 1;
     free(errors);
@@ -723,7 +723,13 @@ static void tell_refused(const struct lab *lab, json_t *rows, const char *verdic
 
 static char *prepare(struct trial *t, const char *source, json_t *result)
 {
-    char *errors = lab_build(t->lab, &t->place, source, "student.so");
+    enum lab_reason reason = LAB_NO_REASON;
+    char *errors = lab_build(t->lab, &t->place, source, "student.so", &reason);
+    if (reason != LAB_NO_REASON) {
+        json_object_set_new(result, reason == LAB_REFUSED ? "refused" : "compiler", json_string(errors));
+        json_object_set_new(result, "notes", json_array());
+        return errors;
+    }
     json_t *seen = lab_inspect(t->lab, &t->place);
     const char *compiler = member(seen, "compiler"), *refused = member(seen, "refused");
     json_object_set(result, "notes", json_object_get(seen, "notes"));
@@ -779,7 +785,7 @@ int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CA
         free(source);
         return -1;
     }
-    char *errors = lab_build(lab, &b->own, source, "reference.so");
+    char *errors = lab_build(lab, &b->own, source, "reference.so", NULL);
     free(source);
     if (errors == NULL && lab_player_open(&b->right, &b->own, lab, "reference.so") == 0)
         return 0;

@@ -74,9 +74,11 @@ void lab_place_close(const struct lab_place *p);
 const char *lab_cannot_shut(void);
 /* Starts it; writes the ends of the pipes to its input and from its output, unless NULL.  `errors`: a descriptor, or -1. */
 pid_t lab_start(const struct lab_place *p, char *const word[], int *to, int *from, int errors);
-/* Runs it to its end, with at most so many seconds; its output and errors go to a text that the caller frees.  The exit code;
- * 128 and the signal; -1. */
+/* Runs it to its end, with at most so many seconds and 2 GB of addresses; its output and errors go to a text that the caller frees.  The
+ * exit code; 128 and the signal; -1, also when more was said than is kept. */
 int lab_run(const struct lab_place *p, char *const word[], int seconds, char **said);
+/* The same without a bound for addresses, of which a sanitizer takes terabytes; what is said is kept as far as there is room. */
+int lab_run_sanitized(const struct lab_place *p, char *const word[], int seconds, char **said);
 
 /* ---- play.c: the process that runs other people's code ----------------------------------------------------- */
 
@@ -94,14 +96,25 @@ json_t *lab_answer(struct lab_player *p); /* NULL when there is none */
 
 /* ---- build.c ------------------------------------------------------------------------------------------- */
 
-/* The source becomes an object in the place, of that name; NULL, or the cause, which the caller frees. */
-char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object);
+/* Why nothing became of a source: it has no place in an assignment, or it is no C. */
+enum lab_reason { LAB_NO_REASON, LAB_REFUSED, LAB_NOT_EXPANDED };
+/* The source becomes an object in the place, of that name; NULL, or the cause, which the caller frees.  reason: unless NULL, whether
+ * it was refused before it was compiled. */
+char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object,
+                enum lab_reason *reason);
 /* What is seen in the source before it runs: {"refused": text or absent, "notes": [{"line", "text"}]}. */
 json_t *lab_inspect(const struct lab *lab, const struct lab_place *place);
 /* What the sanitizers say about the code in binary64; NULL: nothing.  A list of jobs, as for a player. */
 json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const json_t *jobs);
 /* The text of a wrong solution: of the file that the block names, with what it replaces.  NULL and a cause. */
 char *lab_wrong_source(const struct lab *lab, const json_t *wrong, char cause[LAB_CAUSE]);
+
+/* ---- source.c -------------------------------------------------------------------------------------------- */
+
+/* What has no place in an assignment, "line 3: ...", which the caller frees, or NULL: among the directives of a source in C, and in
+ * what the preprocessor made of it, of which the lines are looked at that its markers give to the file of the lab. */
+char *lab_wrong_directive(const char *source);
+char *lab_wrong_expansion(const struct lab *lab, const char *expanded);
 
 /* ---- python.c -------------------------------------------------------------------------------------------- */
 

@@ -95,6 +95,13 @@ class Student(InFolder):
         result = self.checked("double point(int n, const double *p, double t)\n{\n    return x;\n}\n")
         self.assertIn("line 3: use of undeclared identifier 'x'", result["compiler"])
 
+    def test_lines_are_those_of_the_answer_behind_headers_too(self):
+        result = self.checked("#include <math.h>\n#include <stdio.h>\n" + RIGHT.replace("return b[0];", "return x;"))
+        self.assertIn("use of undeclared identifier 'x'\n        return x;", result["compiler"])
+        result = self.checked("#include <stdlib.h>\n" + RIGHT.replace("return b[0];", 'system("true");\n    return b[0];'))
+        line = RIGHT[:RIGHT.index("return b[0];")].count("\n") + 2
+        self.assertEqual(result["refused"], f"line {line}: system is no function for an assignment")
+
     def test_another_type_is_an_error(self):
         result = self.checked(RIGHT.replace("double point(int n,", "float point(int n,"))
         self.assertIn("conflicting types for 'point'", result["compiler"])
