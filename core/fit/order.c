@@ -94,8 +94,16 @@ static int order_by_axes(const fit_problem *p, int by_angle, int order[])
 
 int fit_order(const fit_problem *p, enum fit_order_kind kind, int order[])
 {
-    if (kind != FIT_BY_NEIGHBOURS)
-        return order_by_axes(p, kind == FIT_AROUND_CENTRE, order);
-    order_by_neighbours(p, order);
-    return 1;
+    int good = 1;
+    if (kind == FIT_BY_NEIGHBOURS)
+        order_by_neighbours(p, order);
+    else
+        good = order_by_axes(p, kind == FIT_AROUND_CENTRE, order);
+    if (good && order[0] > order[p->points - 1])
+        for (int i = 0, j = p->points - 1; i < j; i++, j--) {
+            const int other = order[i];
+            order[i] = order[j];
+            order[j] = other;
+        }
+    return good;
 }

@@ -8,6 +8,7 @@
  * gap on; from each point to its nearest neighbour, beginning with the one farthest from the centre. */
 enum fit_order_kind { FIT_ALONG_AXIS, FIT_AROUND_CENTRE, FIT_BY_NEIGHBOURS, FIT_ORDERS };
 
-/* order[i]: the index of the i-th point along the curve.  Returns 0 when there is no memory. */
+/* order[i]: the index of the i-th point along the curve; of the two ends the first is the one that has the lower index.
+ * Returns 0 when there is no memory. */
 int fit_order(const fit_problem *problem, enum fit_order_kind kind, int order[]);
 #endif
