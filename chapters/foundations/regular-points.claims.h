@@ -114,6 +114,7 @@ direction; each of the two parameters has its one tangent, the point has two.
   $\frac{P(t+h)-P(t)}h$ of every polynomial is a polynomial in $h$ whose value for $h=0$ is $P'(t)$; so the direction of the chord has the limit $P'(t)$ from
   both sides wherever this is not 0, coordinate by coordinate.
 :degrees: all
+:scope: polynomial curves
 :over: k q p: -; h; t
 :control: $t$ in the place of $t+h$ in the bracket
 :::

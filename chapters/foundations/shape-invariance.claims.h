@@ -337,8 +337,8 @@ CLAIM(new_coordinates_are_a_translation)
 :figure: two_cubes_and_their_image
 :striking: 40
 
-It is not only not straight: no part of it is.  It turns to one side all the way, meets its chord at the ends only, and
-is an arc of an irreducible cubic curve, with inflections exactly at $P_0^*$ and $P_1^*$.
+It is not only not straight: no part of it is.  It turns to one side all the way, $P'\times P''$ being 0 at $P_0^*$ and $P_1^*$ only, meets its
+chord at the ends only, and is an arc of an irreducible cubic curve.
 :::
 
 :::{claim} image_of_the_example_turns_everywhere
@@ -387,10 +387,13 @@ CLAIM(image_of_the_example_turns_everywhere)
 :::{claim} image_of_the_example_lies_on_a_cubic
 :title: The curve of two cubes is an arc of one cubic curve
 :zh: 两立方调和曲线的隐式方程
-:given: $p=(1-t)^3$, $q=t^3$, any $t$
-:then: $(1-p-q)^3=27pq$
-:method: An identity in $t$.  When $P_0^*$ and $P_1^*$ are independent, $p$ and $q$ are affine coordinates of the plane,
-  with the axes along $P_0^*$ and $P_1^*$, so that this is an equation of degree 3 of the curve.
+:given: $p=(1-t)^3$, $q=t^3$, any $t$; and any point with $p+q=c$, any $c$
+:then: $(1-p-q)^3=27pq$; and for $q=c-p$ it is $(1-p-q)^3-27pq=27p^2-27cp+(1-c)^3$
+:method: Identities in $t$, and in $p$ and $c$.  When $P_0^*$ and $P_1^*$ are independent, $p$ and $q$ are affine coordinates of the plane,
+  with the axes along $P_0^*$ and $P_1^*$, so that this is an equation of degree 3 of the curve.  A factor of degree 1 would be $p+q-c$, since
+  $-(p+q)^3$ are the terms of degree 3, and on this line the cubic is not 0, the coefficient of $p^2$ being 27: so it is irreducible.
+  On the chord, where $c=1$, it is 0 for $pq=0$ only, at the two ends.
+:over: t; p c: -
 :control: 26 in the place of 27
 :::
 */
@@ -400,6 +403,10 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
     num side = sub(sub(from_int(1), p), q);
     /* (1 - p - q)³ = 27pq */
     same(T, G(power)(side, 3), mul(from_int(fault(T, 27, 26)), mul(p, q)));
+    num c = unknown(T, "c", 0), x = unknown(T, "p", 0), y = sub(c, x), one = from_int(1), many = from_int(27);
+    num cubic = sub(G(power)(sub(sub(one, x), y), 3), mul(many, mul(x, y)));
+    about(T, "the cubic on a line of the one direction that a factor could have");
+    same(T, cubic, add(mul(many, mul(x, sub(x, c))), G(power)(sub(one, c), 3)));
 }
 
 /*

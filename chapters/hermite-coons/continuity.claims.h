@@ -334,7 +334,7 @@ static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
 :method: A value and its derivative are one number $v+v'\epsilon$ with $\epsilon^2=0$.  A polynomial is built by such steps from its highest coefficient on, so that
   $q=p\circ\phi$ in the end: by induction $P(\phi(0))=P(0)$ for every degree, and the derivative is kept only for $\lambda=1$ or where it is 0.
 :degrees: all
-:scope: every change of the parameter
+:scope: polynomial curves; every change of the parameter
 :over: p# c#: coefficients; l: -
 :control: the derivative expected to be kept
 :::

@@ -631,14 +631,47 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :title: A part of a curve or of a surface
 :zh: 用参数范围界定曲线或曲面的一部分
 :printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
-:holds-by: bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers
-:confirmed-by: interval_kernel_gives_the_part surface_part_is_the_piece
+:holds-by: range_of_parameters_marks_a_part
+:confirmed-by: triangle_of_powers_consists_of_powers interval_kernel_gives_the_part surface_part_is_the_piece
 :meant: the formula $a\le t\le b$ beside it | Simply is: by the two numbers $a$ and $b$ alone, for each parameter.
-:argued: surfaces | With one of the parameters fixed a surface is a curve in the other; so it is cut in the one, and then in the other.
 
-The two parts of a cut at any parameter are curves of the same degree over $[0,1]$; a part from $a$ to $b$ is what two cuts leave.
-For a surface this is one range for each of the two parameters, when the part is a rectangle of them.
+For a surface this is one range for each of the two parameters, when the part is a rectangle of them.  The part of a Bézier curve or surface is one of
+the same degree over $[0,1]$.
 :::
+
+:::{claim} range_of_parameters_marks_a_part
+:title: Two numbers mark a part, whatever the functions of the parameter are
+:zh: 参数区间界定曲线或曲面的一部分
+:types: field rational
+:given: two ranges, $[a,a+h]$ of $t$ and $[c,c+g]$ of another parameter, $h,g>0$; $0\le s\le1$
+:harmless: $h,g>0$ | a range of two different numbers, in order
+:let: $t=a+hs$
+:then: $a\le t\le a+h$; $s=\frac{t-a}h$; $t=a$ for $s=0$ and $t=a+h$ for $s=1$; and the same of the other parameter
+:method: Signs of coefficients for $s=\frac x{1+x}$, $x>0$, and identities.  No function of the curve or surface is in it: $P(a+hs)$ is its part from $a$ to $a+h$ over
+  $[0,1]$, and $P(a+hs,c+gr)$ the part of a surface over the square of $s$ and $r$, one parameter at a time.
+:scope: every parametric curve and surface
+:over: a c h g x: -
+:control: $s=\frac th$
+:::
+*/
+CLAIM(range_of_parameters_marks_a_part)
+{
+    static const char *const begin[] = {"a", "c"}, *const extent[] = {"h", "g"};
+    num s = inside(T, "x"), zero = from_int(0), one = from_int(1);
+    for (int k = 0; k < 2; k++) {
+        num a = unknown(T, begin[k], 0), h = positive(T, extent[k], 0), t = add(a, mul(h, s));
+        about(T, "within the range");
+        nonnegative(T, sub(t, a));
+        nonnegative(T, sub(add(a, h), t));
+        about(T, "s from t");
+        same(T, div(sub(t, fault(T, a, zero)), h), s);
+        about(T, "the ends");
+        same(T, add(a, mul(h, zero)), a);
+        same(T, add(a, mul(h, one)), add(a, h));
+    }
+}
+
+/*
 
 :::{statement} slides-ch4:1-pieces
 :title: Pieces that are joined smoothly

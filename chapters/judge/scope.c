@@ -583,6 +583,18 @@ static void put_conditions(FILE *out, const scope *s, int behind_data)
     }
 }
 
+/* "each step for its own cases (simple knots; 0 < t < 1)": what the steps ask of their cases, as far as that is few. */
+static void put_cases_of_steps(FILE *out, const scope *s)
+{
+    enum { FEW = 3 };
+    put_between(out);
+    fputs("each step for its own cases", out);
+    for (int k = 0; k < s->said.count && s->said.count <= FEW; k++)
+        fprintf(out, "%s%s", k == 0 ? " (" : "; ", s->said.at[k]);
+    if (s->said.count > 0 && s->said.count <= FEW)
+        fputs(")", out);
+}
+
 void add_condition(scope *s, const char *condition)
 {
     const phrases one = {(char *[]){(char *)condition}, 1};
@@ -611,10 +623,8 @@ char *scope_words(const scope *s, const char *letter)
         put_between(out);
         fputs(data, out);
     }
-    if (s->apart) {
-        put_between(out);
-        fputs("each step for its own cases", out);
-    }
+    if (s->apart)
+        put_cases_of_steps(out, s);
     put_conditions(out, s, any_data || s->apart);
     if (s->instances > 0) {
         put_between(out);

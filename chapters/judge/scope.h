@@ -7,8 +7,8 @@
  * Of two phrases one may be the narrower: the option `within` of a chapter's letters says of which, "simple knots | every
  * pattern of the knots", or "* | all coefficients" of one that leaves nothing out.  The narrower one is left.  Where each of two claims has a phrase with which the other one's cannot
  * be compared, they are about different things, steps of a proof for instance, and their scopes are apart: the degree
- * alone is common to them, and every step is told with its own.  So are one
- * instance and a range of cases; and more than four kinds of data of which no claim has all are told as far as several
+ * alone is common to them, and every step is told with its own; up to three of their phrases stand beside it in brackets.
+ * So are one instance and a range of cases; and more than four kinds of data of which no claim has all are told as far as several
  * claims have them.
  *
  * What a claim takes for granted of its data, its option `where` ("the weights are not 0"), is part of its scope like everything

@@ -18,8 +18,8 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :title: Marsden's coefficients for the knots of Bernstein
 :zh: Bernstein 节点的 ω
 :printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.14): $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, $i=0,1,\dots,k-1$
-:holds-by: bernstein_coefficients_and_g
-:argued: every k | Of the knots $t_{i+1},\dots,t_{i+k-1}$ the first $k-1-i$ are $0$ and the last $i$ are $1$.
+:holds-by: bernstein_knots_in_every_order
+:confirmed-by: bernstein_coefficients_and_g
 :needs: bernstein_knots_from_one_shift_the_index | the knots printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
   from 0, $t_0=\dots=t_{k-1}=0$; as $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
 :figure: bernstein_matrix
@@ -29,8 +29,8 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :title: The matrix G for the knots of Bernstein
 :zh: Bernstein 情形的矩阵 G
 :printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j),\quad i,j=0,1,\dots,k-1
-:holds-by: bernstein_coefficients_and_g
-:argued: every k | $g_{ji}$ is the symmetric function $j$ of $k-1-i$ numbers $0$ and $i$ numbers $1$, over $\binom{k-1}j$, and this function is the number of subsets of $j$ out of $i$.
+:holds-by: coefficients_of_marsden_in_every_order bernstein_knots_in_every_order
+:confirmed-by: bernstein_coefficients_and_g
 :figure: bernstein_matrix
 :::
 
@@ -38,8 +38,8 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :title: G is upper triangular
 :zh: G 为上三角阵
 :printed: \mathbf G_{k-1,k,T}\text{ is upper triangular}
-:holds-by: bernstein_coefficients_and_g
-:argued: every k | $\binom ij=0$ for $i<j$.
+:holds-by: coefficients_of_marsden_in_every_order bernstein_knots_in_every_order
+:confirmed-by: bernstein_coefficients_and_g
 :figure: bernstein_matrix
 
 $j$ is the row, $i$ the column.
@@ -52,6 +52,42 @@ static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0,
 For these knots $\omega_{i,k}$ has only the zeros 0 and 1, and $G$ is a triangular matrix of quotients of binomial
 coefficients: it takes the Bernstein basis to the powers.
 
+:::{claim} bernstein_knots_in_every_order
+:title: Marsden's coefficients and the symmetric functions for the knots of Bernstein, in every order
+:zh: Bernstein 节点的 ω 与对称函数(任意阶数)
+:types: field rational
+:given: $i,m\ge0$, $k=i+2+m$, the knots $t_0=\dots=t_{k-1}=0$, $t_k=\dots=t_{2k-1}=1$; the common factor $q$ of $\omega_{i,k}$ and
+  $\omega_{i+1,k}$; $x$; integers $j,h\ge1$
+:let: $P=x^{k-2-i}(x-1)^i$; $c=\binom{j+h-1}j$, so that $\binom{j+h-1}{j-1}=c\frac jh$ and $\binom{j+h}j=c\frac{j+h}h$
+:then: (1) $t_{i+1}=0$ and $t_{i+k}=1$, since $k-1-(i+1)=m\ge0$, $i+k\ge k$ and $2k-1-(i+k)=m+1>0$; so $\omega_{i,k}=q\,(x-0)$, $\omega_{i+1,k}=q\,(x-1)$, and with
+  $q=P$ they are $x^{k-1-i}(x-1)^i$ and $x^{k-2-i}(x-1)^{i+1}$; (2) one number $0$ more leaves $\mathrm{Sym}_j$ what it is, and one number $1$ more
+  makes $\binom{j+h-1}j$ of it $\binom{j+h}j$
+:method: (1) is the step of an induction on $i$; $\omega_{0,k}$ is the product of $k-1$ factors $x$.  (2) is $\mathrm{Sym}_j+b\,\mathrm{Sym}_{j-1}$ for $b=0$ and $b=1$, so that of
+  $k-1-i$ numbers $0$ and $i$ numbers $1$ it is $\binom ij$, which is $0$ for $i<j$: of no numbers $\mathrm{Sym}_0=1$ and the others are $0$, and a sum of zeros is $0$.
+:degrees: all
+:over: x; k: -; i m q P j h c S#: -
+:control: $t_{i+k}=0$ in (1)
+:::
+*/
+CLAIM(bernstein_knots_in_every_order)
+{
+    num i = whole(T, "i", 0, 9), m = whole(T, "m", 0, 9), one = from_int(1), zero = from_int(0), x = unknown(T, "x", 0);
+    num k = add(add(i, m), from_int(2)), last = sub(add(k, k), one), P = unknown(T, "P", 0);
+    about(T, "the places of the two knots");
+    same(T, sub(sub(k, one), add(i, one)), m);
+    same(T, sub(add(i, k), k), i);
+    same(T, sub(last, add(i, k)), add(m, one));
+    about(T, "from one coefficient to the next"); /* P x^a (x-1)^b: one x less, one x - 1 more */
+    num here = mul(P, sub(x, zero)), next = mul(P, sub(x, fault(T, one, zero)));
+    same(T, mul(here, sub(x, one)), mul(next, x));
+    num j = whole(T, "j", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0);
+    num S[2] = {unknown(T, "S", 0), unknown(T, "S", 1)};
+    about(T, "one number more");
+    same(T, add(S[0], mul(zero, S[1])), S[0]);
+    same(T, add(c, mul(one, div(mul(c, j), h))), div(mul(c, add(j, h)), h));
+}
+
+/*
 :::{claim} bernstein_coefficients_and_g
 :title: Marsden's coefficients and G for the knots of Bernstein
 :zh: Bernstein 节点的 ω 与 G

@@ -176,8 +176,7 @@ The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r
 :then: $(1,\dots,u^p)A\,(\tilde r_{r-p},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$,
   and the quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
 :method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
-  is any coordinate, so one suffices.  Both sides are linear in $w_ir_i$ and in $w_i$, so that degree 5 is contained in
-  `matrix_holds_the_powers_of_the_basis`.
+  is any coordinate, so one suffices.
 :degrees: 0..4 sampled 7
 :scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x#: points
@@ -777,7 +776,8 @@ CLAIM(full_powers_sum_to_nothing)
 :class: invalid-proof
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
-:corrected-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
+:corrected-by: binomial_theorem_in_every_degree printed_double_sum_gives_the_basis
+:confirmed-by: powers_expand_in_the_parameter
 :figure: full_powers
 :::
 
@@ -786,10 +786,45 @@ CLAIM(full_powers_sum_to_nothing)
 :zh: 由第二行到第三行的二项展开
 :printed: \frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}=\frac{(k-1)!}{(k-1-\mu)!}\sum_{j=0}^{k-\mu-1}
   \binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
-:holds-by: powers_expand_in_the_parameter
+:holds-by: binomial_theorem_in_every_degree
+:confirmed-by: powers_expand_in_the_parameter
 :figure: full_powers
 :::
 
+The binomial theorem is an induction on the exponent, whose step is Pascal's rule.  So it is computed for all exponents at
+once.
+
+:::{claim} binomial_theorem_in_every_degree
+:title: From one power of a sum to the next, whatever the exponent
+:zh: 二项式定理(任意次数)
+:types: field rational
+:given: $x$ and $y$, once $t_r$ and $(t_{r+1}-t_r)u$, and once $\tau-t_r$ and $(t_r-t_{r+1})u$; integers $i,h\ge1$, $n=i+h-1$
+:let: $c=\binom ni$, so that $\binom n{i-1}=c\frac ih$ and $\binom{n+1}i=c\frac{i+h}h$; $U=x^{h-1}y^{i-1}$
+:then: $x+y$ is $t$, and $\tau-t$, for $t=t_r+(t_{r+1}-t_r)u$; and $x\binom nix^{n-i}y^i+y\binom n{i-1}x^{n+1-i}y^{i-1}=\binom{n+1}ix^{n+1-i}y^i$
+:method: The step of an induction on $n$, in which $i$, $h$, $c$ and $U$ are variables: $(x+y)^{n+1}$ is $x+y$ times $(x+y)^n$, and for $i=0$ and
+  $i=n+1$ there is one term on either side.  $(x+y)^0=1$.
+:degrees: all
+:over: t#: knots; i h c U: -
+:control: $i+1$ for $i$ in $\binom n{i-1}$
+:::
+*/
+CLAIM(binomial_theorem_in_every_degree)
+{
+    num i = whole(T, "i", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), U = unknown(T, "U", 0), t[2];
+    num u = parameter(T, "u"), tau = unknown(T, "tau", 0), one = from_int(1);
+    G(increasing)(T, 2, t);
+    num step = mul(u, sub(t[1], t[0])), at = add(t[0], step);
+    num x[2] = {t[0], sub(tau, t[0])}, y[2] = {step, neg(step)}, total[2] = {at, sub(tau, at)};
+    for (int k = 0; k < 2; k++) {
+        about(T, "the sum of the two");
+        same(T, add(x[k], y[k]), total[k]);
+        about(T, "from one exponent to the next");
+        num here = mul(c, mul(U, y[k])), before = mul(div(mul(c, fault(T, i, add(i, one))), h), mul(U, x[k]));
+        same(T, add(mul(x[k], here), mul(y[k], before)), mul(div(mul(c, add(i, h)), h), mul(U, mul(x[k], y[k]))));
+    }
+}
+
+/*
 :::{claim} powers_expand_in_the_parameter
 :title: The expansion of a power of tau - t in powers of u
 :zh: (τ-t) 的幂按 u 展开
@@ -797,7 +832,6 @@ CLAIM(full_powers_sum_to_nothing)
 :then: the two sides agree, and $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{j!(k-1-\mu-j)!}$
 :method: Both sides at $t=t_r+u(t_{r+1}-t_r)$.
 :degrees: 0..6 sampled 12
-:argued: every k | It is the binomial theorem for $\tau-t=(\tau-t_r)+(t_r-t_{r+1})u$.
 :over: t#: knots
 :control: $t_{r+1}-t_r$ in the place of $t_r-t_{r+1}$
 :::
@@ -826,18 +860,45 @@ CLAIM(powers_expand_in_the_parameter)
 :title: The sums exchanged
 :zh: 整理和式
 :printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
-:holds-by: summation_orders_agree powers_expand_in_the_parameter
+:holds-by: summation_limits_agree_in_every_order binomial_theorem_in_every_degree
+:confirmed-by: summation_orders_agree powers_expand_in_the_parameter
 :hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is
   put back
 :figure: full_powers
 :::
-*/
 
-#if RATIONAL
-/*
 In the end the powers of $u$ are collected, which exchanges two sums.  The new limits are found by asking for which
 $\mu$ a given $j$ occurs.
 
+:::{claim} summation_limits_agree_in_every_order
+:title: The limit of mu is the lesser of the two that it had, whatever the order
+:zh: 求和上限(任意阶数)
+:types: field rational
+:given: $1\le l\le k$, an exponent $j\ge0$, once $j=k-l+d$ and once $k-l=j+d$ with $d\ge0$
+:let: $m=\max(j,k-l)$, the first of these in one case, the second in the other
+:then: $k-1-m$ is $k-1-j$, which is $d$ less than $l-1$, in the first case; in the second it is $l-1$, which is $d$ less than $k-1-j$
+:method: Identities in $k$, $l$, $j$ and $d$.  So $\mu\le l-1$ and $\mu\le k-1-j$, which is $j\le k-\mu-1$, say together
+  $\mu\le k-1-\max(j,k-l)$.
+:degrees: all
+:over: l j d k: -
+:control: $\max$ replaced by $\min$
+:::
+*/
+CLAIM(summation_limits_agree_in_every_order)
+{
+    num l = whole(T, "l", 1, 9), j = whole(T, "j", 0, 9), d = whole(T, "d", 1, 9), one = from_int(1);
+    for (int second = 0; second <= 1; second++) {
+        num less = second ? j : whole(T, "k", 0, 9), more = add(less, d); /* of j and k - l */
+        num k = add(l, second ? more : less), mine = second ? less : more;
+        num limit = sub(sub(k, one), fault(T, more, less)), first = sub(l, one), other = sub(sub(k, one), mine);
+        about(T, second ? "k - l is the greater" : "j is the greater");
+        same(T, limit, second ? first : other);
+        same(T, sub(second ? other : first, limit), d);
+    }
+}
+
+#if RATIONAL
+/*
 :::{claim} summation_orders_agree
 :title: The pairs of mu and j are the same in both orders of summation
 :zh: 两种求和次序的指标集相同
@@ -846,7 +907,6 @@ $\mu$ a given $j$ occurs.
 :then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
 :method: Both sets are listed.
 :degrees: k = 1..12
-:argued: every k | $\mu\le k-1-\max(j,k-l)$ says $\mu\le k-1-j$ and $\mu\le l-1$.
 :control: $\max$ replaced by $\min$
 :::
 */

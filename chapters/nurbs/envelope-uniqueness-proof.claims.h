@@ -22,7 +22,7 @@ $(t,\tau)$ together, and not for the single pair at hand.
 :corrected: $\tau=t$, that is (4.3.11), or the same sum with $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$ and with
   $\mathbf r^{[k-r+1]}(t,\tau)=\mathbf p^{[r-1]}(t,\tau)/w^{[r-1]}(t,\tau)$, the member of the level before, for
   $\mathbf r^{[r-1]}(t,\tau)$
-:corrected-by: general_condition_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
 :figure: order_and_level
 
 Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined; and
@@ -89,7 +89,7 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :meant: the proof, in which the sum is the alternative to $\tau=t$ | The first: at one pair $(t,\tau)$.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
   whatever the points are
-:corrected-by: general_condition_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 :::
 */
@@ -223,7 +223,7 @@ CLAIM(weighted_points_follow_the_recursion)
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
   are 0 on every level
-:corrected-by: general_condition_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
 $k-r+1$ equations do not determine $k-r+2$ unknowns.  No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
@@ -328,7 +328,7 @@ CLAIM(twisted_sextic_has_products_zero)
 :refuted-by: convex_quartic_of_span_has_second_envelope
 :corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$
   of the level before, not of the curve
-:corrected-by: general_condition_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
 :figure: nurbs_envelope_extra
 :::
 */

@@ -314,7 +314,7 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :zh: 包络条件的等价形式
 :printed: (4.3.9) is equivalent to $(\tau-t)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr][\mathbf r'(t)\times\mathbf p''(t)]=(\tau-t)\,w''(t)\Bigl\{\mathbf
   r'(t)\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)\Bigr]\Bigr\}$
-:holds-by: first_level_condition_as_printed
+:holds-by: first_level_condition_as_printed derivatives_of_the_first_member
 :figure: nurbs_second_line
 :::
 */

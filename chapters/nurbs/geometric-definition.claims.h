@@ -22,7 +22,8 @@ envelope.
   NURBS curve $\mathbf r(t)$, $t_2\le t\le t_{n+1}$, of order 2 (degree 1) of the knot vector $T$ with the control points $\{\mathbf r_i\}_{i=1}^n$ and the weights
   $\{w_i\}_{i=1}^n$; its segments are the straight segments $\mathbf r_{j-1}\mathbf r_j$
 :definition: yes
-:checked-by: polygon_is_the_curve_of_order_two legs_are_run_through
+:checked-by: leg_of_every_polygon_is_the_curve_of_order_two legs_are_run_through
+:confirmed-by: polygon_is_the_curve_of_order_two
 :hypothesis: double_knot_skips_a_leg | $t_2<t_3<\dots<t_{n+1}$; where two of these knots are one the curve jumps over
   a leg of the polygon
 :figure: nurbs_polygons
@@ -36,10 +37,47 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :zh: 每一段的方程
 :printed: \mathbf r(t)=\frac{(t_{j+1}-t)w_{j-1}\mathbf r_{j-1}+(t-t_j)w_j\mathbf
   r_j}{(t_{j+1}-t)w_{j-1}+(t-t_j)w_j},\quad t_j\le t<t_{j+1},\ j=2,3,\dots,n
-:holds-by: polygon_is_the_curve_of_order_two
+:holds-by: leg_of_every_polygon_is_the_curve_of_order_two
+:confirmed-by: polygon_is_the_curve_of_order_two
 :figure: nurbs_polygons
 :::
 
+:::{claim} leg_of_every_polygon_is_the_curve_of_order_two
+:title: On a span the sum is the printed leg, however many points there are
+:zh: 任意顶点数时二阶曲线的每一段
+:given: a span that is not empty and the three knots at either end of it, in every pattern; weights and points; any $t$
+:then: of the four functions of order 2 that these knots have the two outer ones are 0 on the span, and the sum of all is the printed quotient of the
+  two points between
+:method: The sums by the recursion of de Boor and Cox as it is defined.  Every other function of order 2 is made from two functions of order 1
+  of other spans, which are 0 on this one, as is seen from the two outer functions here; so the number of points is in nothing.
+:degrees: 1..1
+:scope: every pattern of the knots around a span
+:control: the weights of the two points exchanged
+:::
+*/
+CLAIM(leg_of_every_polygon_is_the_curve_of_order_two)
+{
+    static const char *const patterns[] = {"111111", "11112", "11121", "1113", "12111", "1212", "1221", "123",
+                                           "21111",  "2112",  "2121",  "213",  "3111",  "312",  "321",  "33"};
+    int place[MOST_KNOTS], n = 4, j = 2; /* t_j = u[2], the points of the span R[1] and R[2] */
+    num u[MOST_KNOTS], R[8], w[8], H[8], t = parameter(T, "t"), zero = from_int(0);
+    G(free_curve)(T, n - 1, 1, R, w);
+    for (int i = 0; i < n; i++)
+        H[i] = mul(w[i], R[i]);
+    for (int kind = 0; kind < 16; kind++) {
+        G(knots_of_pattern)(T, patterns[kind], u, place);
+        about(T, "the outer functions");
+        same(T, G(cox_de_boor)(1, u, place, j - 2, place[j], t), zero);
+        same(T, G(cox_de_boor)(1, u, place, j + 1, place[j], t), zero);
+        num left = mul(sub(u[j + 1], t), w[fault(T, 1, 2)]), right = mul(sub(t, u[j]), w[fault(T, 2, 1)]);
+        num above = G(spline_value)(n, 1, 1, u, place, H, 0, place[j], t);
+        about(T, "the leg");
+        same(T, div(above, G(spline_value)(n, 1, 1, u, place, w, 0, place[j], t)),
+             div(add(mul(left, R[1]), mul(right, R[2])), add(left, right)));
+    }
+}
+
+/*
 :::{claim} polygon_is_the_curve_of_order_two
 :title: The sum over all points is the printed leg on every span
 :zh: 二阶曲线的每一段
@@ -49,7 +87,6 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
   variable.
 :scope: k = 2 with five points; simple knots and five patterns with double ones
-:argued: every number of points | On a span two functions of order 2 are not 0, and these know four knots.
 :control: the weights of the two points exchanged
 :::
 */
@@ -160,7 +197,8 @@ CLAIM(double_knot_skips_a_leg)
 :title: The polygon as one sum
 :zh: 多边形的统一表示
 :printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
-:holds-by: polygon_is_the_curve_of_order_two
+:holds-by: leg_of_every_polygon_is_the_curve_of_order_two
+:confirmed-by: polygon_is_the_curve_of_order_two
 :meant: the range $t_2\le t\le t_{n+1}$ is printed closed | At its end the limit from the left, as `def-4.1.1-interval` says once for all
   curves.
 :reading: polygon_end_belongs_to_no_interval | at $t=t_{n+1}=t_{n+2}$ by the letter of the half-open intervals: the sum is
@@ -257,7 +295,7 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
   $\mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
   r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)$
 :definition: yes
-:checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
+:checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments first_level_condition_factors
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
 :hypothesis: lower_level_lacks_a_point | no $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$ vanishes there
 :hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$ are left
@@ -431,7 +469,8 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
   neighbouring points are on a line
 :corrected-by: legs_are_tangents_of_the_continued_segments whole_member_is_polar_on_every_span
-  general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope
+  general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope first_level_condition_factors
+  derivative_by_tau_is_that_of_the_level_before
 :figure: nurbs_polygons_extra
 
 For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is

@@ -572,7 +572,8 @@ CLAIM(cofactors_give_powers_of_t)
 :title: The powers of t in powers of u
 :zh: t 的幂按 u 的幂展开
 :printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,\dots,k-1
-:holds-by: power_of_t_in_powers_of_u
+:holds-by: binomial_theorem_in_every_degree
+:confirmed-by: power_of_t_in_powers_of_u
 :::
 
 :::{claim} power_of_t_in_powers_of_u
@@ -582,7 +583,6 @@ CLAIM(cofactors_give_powers_of_t)
 :then: $t^\mu=\sum_j\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j$
 :method: Both sides at a variable $u$, also with $t_r=0$, where $t_r^0=1$.
 :degrees: 0..8 sampled 12
-:argued: every k | It is the binomial theorem.
 :over: t#: knots
 :control: the roles of the two knots exchanged
 :::

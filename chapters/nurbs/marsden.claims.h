@@ -550,7 +550,8 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :zh: 幂函数由 B 样条基表示
 :printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of $x$ on both sides of (4.4.13) gives
   $t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t)$, $\mu=0,1,\dots,k-1$
-:holds-by: powers_of_t_from_derivatives
+:holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
+:confirmed-by: powers_of_t_from_derivatives
 :figure: powers_from_averages
 :::
 
@@ -558,10 +559,51 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :title: The same in matrix form
 :zh: 矩阵形式
 :printed: (1,t,\dots,t^{k-1})=(N_{r-k+1,k}(t),N_{r-k+2,k}(t),\dots,N_{r,k}(t))\,\mathbf G_{r,k,T}^T
-:holds-by: powers_of_t_from_derivatives
+:holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
+:confirmed-by: powers_of_t_from_derivatives
 :figure: powers_from_averages
+
+The entries of $\mathbf G$ are (4.4.19), so that this is (4.4.20) for all $\mu$ at once.
+:::
+
+What is compared is the same for every order: a factor more, and every coefficient becomes a sum of two.
+
+:::{claim} coefficients_of_marsden_in_every_order
+:title: The coefficients of the powers of x on both sides of Marsden's identity, in every order
+:zh: Marsden 恒等式两边 x 的同次幂系数(任意阶数)
+:types: field rational
+:given: symmetric functions $S_j=\mathrm{Sym}_j$ and $S_{j-1}$ of some numbers, one number $b$ more, $\sigma=(-1)^j$; integers $i,h\ge1$,
+  $m=i+h-1$, $j=i$; $t$
+:let: $c=\binom mj$, so that $\binom m{j-1}=c\frac jh$ and $\binom{m+1}j=c\frac{j+h}h$; $A=j!$, $B=(k-1-j)!$, $\binom{k-1}j=\frac{(k-1)!}{AB}$
+:then: (1) the numbers with $b$ have $\mathrm{Sym}_j=S_j+bS_{j-1}$, and $(x-b)\bigl(\dots+\sigma S_jx^{m-j}-\sigma S_{j-1}x^{m-j+1}+\dots\bigr)$ has at $x^{m+1-j}$
+  the coefficient $\sigma(S_j+bS_{j-1})$; (2) of $m+1$ numbers $t$ it is $\binom{m+1}jt^j=\binom mjt^j+t\binom m{j-1}t^{j-1}$; (3)
+  $\frac{\sigma j!}{(k-1)!}\,\sigma(k-1-j)!\,S_j=S_j\big/\binom{k-1}j$
+:method: (1) and (2) are the steps of inductions on the number of factors, in which all letters are variables: $\omega_{i,k}(x)=\sum_j(-1)^j\mathrm{Sym}_j\,x^{k-1-j}$,
+  and $(x-t)^{k-1}=\sum_j(-1)^j\binom{k-1}jt^jx^{k-1-j}$.  A polynomial that is differentiated $k-1-j$ times has at 0 the value $(k-1-j)!$ times
+  its coefficient of $x^{k-1-j}$, which for $\omega_{i,k}$ is $\sigma\,\mathrm{Sym}_j$.  So by (3) the coefficients on both sides of Marsden's identity are those of
+  (4.4.20) and of (4.4.22).
+:degrees: all
+:over: t; S# b c j h A B C U: -
+:control: $S_j-bS_{j-1}$ in (1)
 :::
 */
+CLAIM(coefficients_of_marsden_in_every_order)
+{
+    num S[2] = {unknown(T, "S", 0), unknown(T, "S", 1)}, b = unknown(T, "b", 0),
+        t = parameter(T, "t"); /* S_j, S_{j-1} */
+    num j = whole(T, "j", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), U = unknown(T, "U", 0);
+    num more = add(S[0], mul(b, fault(T, S[1], neg(S[1]))));
+    for (int odd = 0; odd <= 1; odd++) {
+        num sign = from_int(odd ? -1 : 1);
+        about(T, "one factor more"); /* x times the one coefficient, -b times the one before, whose sign is the other */
+        same(T, sub(mul(sign, S[0]), mul(b, mul(neg(sign), S[1]))), mul(sign, more));
+        num A = positive(T, "A", 0), B = positive(T, "B", 0), C = positive(T, "C", 0); /* j!, (k-1-j)!, (k-1)! */
+        about(T, "derivatives and symmetric functions");
+        same(T, mul(div(mul(sign, A), C), mul(mul(sign, B), S[0])), div(S[0], div(C, mul(A, B))));
+    }
+    about(T, "equal numbers"); /* U = t^{j-1} */
+    same(T, add(mul(c, mul(t, U)), mul(t, mul(div(mul(c, j), h), U))), mul(div(mul(c, add(j, h)), h), mul(t, U)));
+}
 
 #if FIELD
 static num G(omega_derivative)(const struct G(span) * S, int i, int order)
@@ -582,7 +624,6 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
 :types: field
 :degrees: 0..5
-:argued: every k and every pattern of knots | Both sides of Marsden's identity, which `marsden_step_for_every_order` proves for every $k$, differentiated $k-1-\mu$ times by $x$ at $0$.
 :scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x: -
 :control: the sign $(-1)^\mu$ left out
@@ -615,7 +656,8 @@ CLAIM(powers_of_t_from_derivatives)
 :title: The powers of t with symmetric functions of the knots
 :zh: 用对称函数表示的幂函数公式
 :printed: t^j=\sum_{i=r-k+1}^r\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,N_{i,k}(t)\Big/\binom{k-1}j,\quad t\in[t_r,t_{r+1})
-:holds-by: powers_of_t_from_symmetric_functions
+:holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
+:confirmed-by: powers_of_t_from_symmetric_functions
 :figure: powers_from_averages
 
 For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
@@ -631,7 +673,6 @@ knots.  This is a polar form in disguise: the control value of $t^j$ at the inne
 :then: (4.4.22) for every $j$
 :method: The symmetric functions as sums over subsets, the B-splines by definition.
 :degrees: 0..5 sampled 7
-:argued: every k and every pattern of knots | The coefficients of the powers of $x$ on both sides of Marsden's identity, which `marsden_step_for_every_order` proves for every $k$.
 :scope: every pattern of the knots around a span up to order 3, simple knots above
 :over: t#: knots
 :control: the knots $t_i,\dots,t_{i+k-2}$
@@ -674,7 +715,8 @@ For $j=0$ the sum has one term, the empty product 1.
 :title: The derivatives of omega at 0 are symmetric functions
 :zh: ω 在 0 处的导数与对称函数
 :printed: \omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})
-:holds-by: derivatives_of_omega_are_symmetric
+:holds-by: coefficients_of_marsden_in_every_order
+:confirmed-by: derivatives_of_omega_are_symmetric
 :figure: powers_from_averages
 :::
 */
@@ -691,7 +733,6 @@ That the two forms (4.4.20) and (4.4.22) agree is a matter of one derivative at 
 :method: The formal derivative in the field against the sum over subsets.
 :types: field
 :degrees: 0..6
-:argued: every k | By Vieta $(-1)^j\mathrm{Sym}_j$ is the coefficient of $x^{k-1-j}$ in the product $\omega_{i,k}(x)$.
 :over: t#: knots; x: -
 :control: the sign $(-1)^j$ left out
 :::

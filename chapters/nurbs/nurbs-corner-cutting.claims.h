@@ -24,6 +24,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and the hulls decrease (see the next entry)
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one printed_insertion_keeps_the_curve knots_outside_the_domain_cut_corners
+  inserted_points_divide_the_edges
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
@@ -402,7 +403,7 @@ CLAIM(vanishing_weight_loses_the_new_point)
 :zh: α_i 的分段公式
 :printed: \tau_1\in(t_\mu,t_{\mu+1}];\quad\alpha_i=1,\ i\le\mu-k+1;\quad\alpha_i=\frac{\tau_1-t_i}{t_{i+k-1}-t_i},\ \mu-k+2\le i\le\mu;
   \quad\alpha_i=0,\ i\ge\mu+1
-:holds-by: printed_insertion_keeps_the_curve
+:holds-by: printed_insertion_keeps_the_curve inserted_points_divide_the_edges
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in the chapter's
@@ -583,7 +584,7 @@ of the same curve over the knots with the new one, with its new weights, and if 
 :zh: 归纳步
 :printed: for $T'=\{\tau_1,\tau_2,\dots,\tau_{m-1}\}$ and $T''=T'\oplus\{\tau_m\}$: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$, and
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
-:holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve
+:holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve inserted_points_divide_the_edges
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T''$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: cutting_corners

@@ -336,7 +336,7 @@ weights of the levels, which are means of the given ones, are positive.
 :title: Geometrically the algorithm cuts the corners of the polygon in k-1 levels
 :zh: 几何意义为对控制多边形的 k-1 层割角
 :printed: Geometrically algorithm 4.1.1, too, means $k-1$ levels of corner cutting of the control polygon
-:holds-by: every_level_divides_its_edges weights_of_levels_are_positive
+:holds-by: every_level_divides_its_edges weights_of_levels_are_positive divisors_contain_the_span
 :needs: negative_weight_divides_outside | definition 4.1.1: $w_i>0$ | the weights are positive: with others an edge may be
   divided outside
 :figure: deboor_triangle

@@ -431,11 +431,11 @@ for polygons of every length.
 :then: $c$ put between $a$ and $b$ does not change their number, and taking $a$ out does not raise it
 :result: cases = 81
 :method: Only signs matter, and only those of neighbours: all cases of $p,a,b,s\in\{-1,0,1\}$, and the given $\lambda$
-  give $c$ every sign it can have.  Where $p$ or $s$ is not there, nothing is taken out next to the end, since an
+  give $c$ every sign it can have.  The number is a sum over pairs of neighbours, so this is for polygons of every length.  Where $p$ or $s$ is not there, nothing is taken out next to the end, since an
   insertion keeps both ends.
+:degrees: all
 :scope: every sign of four neighbouring heights and of their mean
 :harmless: $0\le\lambda\le1$ | a point of an edge is such a mean
-:argued: polygons of every length | Only the signs of neighbours count.
 :control: a $\lambda$ greater than 1
 :::
 */
@@ -764,6 +764,7 @@ may be more than $k$; then some vertices are repeated and nothing else happens.
 :holds-by: inserted_parameters_become_vertices
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; as in the step before
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :argued: every curve | The points are common points of the line and of the polygon, being vertices.
 :figure: points_of_the_line_as_vertices
@@ -785,6 +786,7 @@ changes sides where the curve does.
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | it counts as one intersection
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; as in the step before
 :figure: what_must_be_counted
 :::
 

@@ -324,7 +324,7 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :zh: deBoor 与 Boehm 递推计算稳定而简单
 :printed: De Boor's recursion and Boehm's insertion of a knot are main tools for the evaluation, the conversion and the like of NURBS; their merit is
   that the computation is stable and simple
-:holds-by: recursion_subtracts_data_only weights_of_levels_are_positive
+:holds-by: recursion_subtracts_data_only weights_of_levels_are_positive divisors_contain_the_span
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive, and $t$ in the interval: with
   weights of both signs a weight of a level may be a difference, even $0$
 :argued: | That few roundings reach the result, and that no computed number is subtracted, is counted.  That the rounded

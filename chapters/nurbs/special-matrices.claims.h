@@ -391,7 +391,8 @@ CLAIM(uniform_matrix_is_the_matrix)
 :class: invalid-proof
 :refuted-by: uniform_chain_does_not_follow
 :corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$; the misprinted sign of (4.4.23) is gone in the chain
-:corrected-by: uniform_chain_gives_the_matrix
+:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
+:confirmed-by: uniform_chain_gives_the_matrix
 :figure: simple_knots_sign
 :::
 */
@@ -458,7 +459,6 @@ of the matrix.  The sign with which the chain begins is the right one, so it doe
 :method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it; the degree below is $k-1$.
 :degrees: 0..8
 :scope: r = 0 and r = k+2
-:argued: every r | The sums know $r$ by the differences $l-r$ and $i-r$ only, term by term: `uniform_terms_pass_into_one_another`.
 :control: the sign $(-1)^s$ left out of the third sum
 :::
 */
@@ -480,6 +480,33 @@ CLAIM(uniform_chain_gives_the_matrix)
                 }
             }
     }
+}
+
+/*
+The last sum knows nothing of $r$, and each term of the others is one of its terms, whatever $r$ is.
+
+:::{claim} last_sum_gives_the_uniform_matrix
+:title: The fourth sum, with the digit 1, is the entry of the matrix
+:zh: 第四式即矩阵元素
+:kind: decision
+:given: the orders $k=p+1$
+:then: for all $s$ and $j$ the fourth sum with the exponent $k-1-j$ is the entry of row $j$ and column $s$ of the kernel's matrix; $r$ is in neither
+:method: The sum by its letter, with the digit 1 where the letter $l$ stands for it; that the kernel's matrix is that of equidistant knots is
+  `uniform_matrix_is_the_matrix`, and that the other sums have the same terms `uniform_terms_pass_into_one_another`.
+:degrees: 0..8
+:control: the sign $(-1)^{s+1}$ put before the sum
+:::
+*/
+CLAIM(last_sum_gives_the_uniform_matrix)
+{
+    int k = T->degree + 1;
+    num A[CELLS];
+    G(bspline_matrix_uniform)(k - 1, A);
+    for (int j = 0; j < k; j++)
+        for (int s = 0; s < k; s++) {
+            num sum = G(uniform_line)(4, k, k - 1, s, j, 1);
+            agree(T, equal_q(fault(T, sum, G(signed_by)(s + 1, sum)), A[j * k + s]));
+        }
 }
 
 /*
@@ -514,7 +541,8 @@ CLAIM(uniform_chain_does_not_follow)
 :class: misprint
 :refuted-by: uniform_letter_one_fails
 :corrected: the exponent is $k-1-j$; everything else is right
-:corrected-by: uniform_chain_gives_the_matrix
+:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
+:confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_letter
 :::
 */
@@ -582,7 +610,8 @@ CLAIM(uniform_letter_one_fails)
 :refuted-by: uniform_letter_in_factorial_fails
 :corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
   digit 1
-:corrected-by: uniform_chain_gives_the_matrix
+:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
+:confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_letter
 
 With $l$ in its own upper limit the sum has no meaning; with the limit put right the other two are still wrong.
@@ -616,7 +645,8 @@ CLAIM(uniform_letter_in_factorial_fails)
 :class: misprint
 :refuted-by: uniform_letter_is_free_in_the_third_sum
 :corrected: the exponent is $k-1-j$
-:corrected-by: uniform_chain_gives_the_matrix
+:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
+:confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_letter
 
 By the letter the sum has no value: $l$, the variable of the second sum, is bound nowhere here.  In the example 1 is the one value
@@ -651,7 +681,8 @@ CLAIM(uniform_letter_is_free_in_the_third_sum)
 :class: misprint
 :refuted-by: uniform_letter_in_last_sum_fails
 :corrected: the exponent is $k-1-j$
-:corrected-by: uniform_chain_gives_the_matrix
+:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
+:confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_letter
 :::
 
@@ -693,7 +724,8 @@ The last $l$ is a new one: it is $r+1+s$ minus the old.  With the digit 1 in the
 :zh: 三次替换逐项成立
 :given: $k$, $r$, $s$ and $v$, variables; $i=r-k+1+s$, $l=r+1+v$ for the old $l$, $s-v$ for the new one
 :then: base, factorials and exponents of the term $l$ of the first sum are those of the term $l$ of the second, $v$ of the third and $s-v$ of the fourth, and the exponents of $-1$ differ by even
-  numbers; the terms $l=r+1,\dots,i+k$ are $l=r+1,\dots,r+1+s$, then $v=0,\dots,s$, then $s,\dots,0$
+  numbers; the terms $l=r+1,\dots,i+k$ are $l=r+1,\dots,r+1+s$, then $v=0,\dots,s$, then $s,\dots,0$; and in (4.4.23), with $t_l-t_\alpha=l-\alpha$, the
+  product over $\alpha\ne l$ is $(l-i)!\,(-1)^{i+k-l}(i+k-l)!$, whose exponent of $-1$ differs from $k+l-i$ by an even number
 :method: Identities in the four letters, factor by factor, the digit 1 where the letter $l$ stands for it.  The factor $(-1)^j$, the binomial coefficient, $k$ and the exponent $k-1-j$ stand in
   all four.
 :degrees: all
@@ -721,6 +753,7 @@ CLAIM(uniform_terms_pass_into_one_another)
     same(T, sub(sign[0], sign[1]), mul(two, sub(sub(sub(k, r), s), one)));
     same(T, sub(sign[1], sign[2]), mul(two, add(r, one)));
     same(T, sub(sign[2], sign[3]), mul(two, v));
+    same(T, sub(sub(add(k, l), i), sub(add(i, k), l)), mul(two, sub(l, i)));
     about(T, "the last term");
     same(T, add(i, k), add(add(r, one), s));
 }

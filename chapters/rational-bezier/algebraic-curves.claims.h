@@ -153,7 +153,7 @@ the equation.
 :printed: Theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$.
 :meant: theorem 3.4.2, whose $F$ has a degree | The points of the curve satisfy an equation of degree $n$, repeated factors counted.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
-  top_form_is_a_resultant_row_by_row
+  top_form_is_a_resultant_row_by_row bernstein_sum_of_powers_is_a_power
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
@@ -206,7 +206,7 @@ For the converse one curve suffices that no rational curve can follow.
 :zh: 反之未必成立
 :printed: But the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
   need not hold.
-:holds-by: smooth_cubic_has_two_separate_parts
+:holds-by: smooth_cubic_has_two_separate_parts rational_cubic_has_one_double_point
 :example: that it need not hold is shown by one curve.
 :cites: Lüroth's theorem: a curve with a rational parametrization has one that runs through it once | A rational cubic
   so has a parametrization of degree 3, hence a double point by `rational_cubic_has_one_double_point`; this one has

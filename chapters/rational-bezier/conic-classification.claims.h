@@ -16,7 +16,7 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 :title: Theorem 3.4.1 gives the implicit equation of the curve
 :zh: 用定理 3.4.1 将曲线隐式化
 :printed: By theorem 3.4.1 the curve (3.1.5) can be made implicit and its class be determined.
-:holds-by: implicit_form_is_the_resultant kind_in_any_coordinates
+:holds-by: implicit_form_is_the_resultant kind_in_any_coordinates directions_at_infinity
 :needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on
   a line; as in the frame of (3.1.5).
 :needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights

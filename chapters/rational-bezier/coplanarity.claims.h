@@ -18,6 +18,7 @@ hypothesis: no weight is $0$.
 :zh: 平面曲线的控制顶点共面
 :printed: The vertices of a plane rational Bézier curve are coplanar.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor weight_can_be_divided_out
+  bernstein_sum_of_powers_is_a_power
 :confirmed-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
 :needs: vertex_of_weight_zero_leaves_the_plane | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
   weights are positive; it is enough that no weight is $0$
@@ -264,12 +265,66 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
 :title: The plane may be taken as the xy-plane
 :zh: 可取曲线所在平面为 xy 平面
 :printed: Without loss of generality the curve (3.2.2) is in the $xy$-plane.
-:holds-by: mean_grows_by_one_term
+:holds-by: mean_grows_by_one_term motion_takes_a_plane_to_the_coordinate_plane
 :confirmed-by: plane_form_of_the_curve
 
-A motion takes the plane of the curve to the $xy$-plane.  It is an affine map: the images of the points with the same weights have the image of the curve, and points of
-a plane have images in the image of the plane.
+The motion is an affine map: the images of the points with the same weights have the image of the curve; and a point is in the plane exactly when the
+third coordinate of its image is 0.
 :::
+
+:::{claim} motion_takes_a_plane_to_the_coordinate_plane
+:title: A motion takes any plane to the xy-plane, and any line of the plane to the x-axis
+:zh: 存在运动将任一平面化为 xy 平面, 将任一直线化为 x 轴
+:types: field rational
+:given: a plane $n\cdot X+d=0$ with the unit normal $n=\frac{(2p,\,2q,\,1-p^2-q^2)}{1+p^2+q^2}$, $m=(p,q,1)$; a line $n\cdot X+d=0$ of the plane with $n=(s,c)=\frac{(2p,\,1-p^2)}{1+p^2}$; a
+  point $X$
+:let: $H=\frac2{m\cdot m}mm^T-I$, and in the plane $H=\begin{pmatrix}c&-s\\s&c\end{pmatrix}$; $e$ the last axis
+:then: $HH^T=I$, $\det H=1$, and the last coordinate of $HX+d\,e$ is $n\cdot X+d$
+:method: Identities in $p$, $q$, $d$ and $X$.  Every unit vector but $-e$ is such an $n$; with $-e$ the same plane or line has the normal $e$, for
+  which $p=q=0$.
+:scope: every plane of space and every line of the plane
+:over: p q d x: -
+:control: the sign of $d$
+:::
+*/
+CLAIM(motion_takes_a_plane_to_the_coordinate_plane)
+{
+    num one = from_int(1), two = from_int(2), zero = from_int(0), p = unknown(T, "p", 0), q = unknown(T, "q", 0);
+    num d = unknown(T, "d", 0), X[3], m[3] = {p, q, one}, H[3][3], pp = mul(p, p), qq = mul(q, q);
+    num size = add(one, add(pp, qq)), n[3] = {div(mul(two, p), size), div(mul(two, q), size), zero};
+    n[2] = div(sub(one, add(pp, qq)), size);
+    for (int dim = 3; dim >= 2; dim--) {
+        num value = d, image = fault(T, d, neg(d));
+        if (dim == 2) { /* the line */
+            n[0] = div(mul(two, p), add(one, pp));
+            n[1] = div(sub(one, pp), add(one, pp));
+        }
+        for (int i = 0; i < dim; i++)
+            X[i] = unknown(T, "x", i);
+        for (int i = 0; i < dim; i++)
+            for (int j = 0; j < dim; j++) {
+                num turned = i == j ? n[1] : i == 0 ? neg(n[0]) : n[0];
+                H[i][j] = dim == 2 ? turned : sub(div(mul(two, mul(m[i], m[j])), size), from_int(i == j));
+            }
+        about(T, dim == 3 ? "a motion of space" : "a motion of the plane");
+        for (int i = 0; i < dim; i++)
+            for (int j = 0; j < dim; j++) {
+                num product = zero;
+                for (int k = 0; k < dim; k++)
+                    product = add(product, mul(H[i][k], H[j][k]));
+                same(T, product, from_int(i == j));
+            }
+        same(T, dim == 3 ? G(det3)(H[0], H[1], H[2]) : sub(mul(H[0][0], H[1][1]), mul(H[0][1], H[1][0])), one);
+        for (int j = 0; j < dim; j++) {
+            value = add(value, mul(n[j], X[j]));
+            image = add(image, mul(H[dim - 1][j], X[j]));
+        }
+        about(T, "the last coordinate of the image");
+        same(T, image, value);
+    }
+}
+
+/*
 
 :::{statement} wang-ch3:prop-3.2.9-step-2
 :title: If z(t) vanishes, so does its numerator

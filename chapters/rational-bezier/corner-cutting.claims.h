@@ -153,7 +153,7 @@ have a pole for that.
 :title: Geometrically the theorem cuts corners, level after level
 :zh: 几何意义:递归割角
 :printed: Hence the geometric meaning of the theorem is again recursive corner cutting.
-:holds-by: cut_coefficients_are_convex triangle_of_powers_consists_of_powers
+:holds-by: cut_coefficients_are_convex triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: triangle_level_by_level
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive

@@ -14,7 +14,7 @@ arise so.
 :title: Equal weights give a Bézier curve
 :zh: 可退化性:权相等时为 Bézier 曲线
 :printed: When the weights are $\omega_i=\omega$, $i=0,1,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2).
-:holds-by: change_of_parameter_acts_on_one_factor mean_grows_by_one_term
+:holds-by: change_of_parameter_acts_on_one_factor mean_grows_by_one_term bernstein_sum_of_powers_is_a_power
 :confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
 :needs: weights_that_are_zero_have_no_curve | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega\ne0$

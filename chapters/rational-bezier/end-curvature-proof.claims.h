@@ -199,7 +199,7 @@ believed.
 :title: The first derivative at t = 0
 :zh: t=0 处一阶导矢
 :printed: \mathbf R'(0)=n\,\omega_1\mathbf a_1/\omega_0
-:holds-by: end_derivative_vectors_in_every_degree
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -207,7 +207,7 @@ believed.
 :title: The second derivative at t = 0
 :zh: t=0 处二阶导矢
 :printed: \mathbf R''(0)=n(n-1)\,\omega_2\mathbf a_2/\omega_0+f_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -215,7 +215,7 @@ believed.
 :title: The third derivative at t = 0
 :zh: t=0 处三阶导矢
 :printed: \mathbf R'''(0)=n(n-1)(n-2)\,\omega_3\mathbf a_3/\omega_0+g_2\mathbf a_2+g_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -223,7 +223,7 @@ believed.
 :title: What the coefficients f_1, g_1, g_2 depend on
 :zh: f_1、g_1、g_2 的依赖关系
 :printed: Here $f_1$, $g_2$, $g_1$ are determined by the weights and $n$.
-:holds-by: end_derivative_vectors_in_every_degree
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_derivative_vectors_at_both_ends
 
 They are, with $\omega'=n(\omega_1-\omega_0)$ and $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$, the derivatives of $\omega$ at $0$:
@@ -470,7 +470,7 @@ CLAIM(factor_of_the_curvature_is_positive)
 :zh: t=1 处同理
 :printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  factor_of_the_curvature_is_positive
+  factor_of_the_curvature_is_positive bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive for the curvature; as in (3.2.5).

@@ -133,6 +133,7 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :printed: The point of contact of the curve $\mathbf R(t)$, of degree $n\ge2$, and the curve $\mathbf R^{[n-r]}(t,c)$ of the family, $r=1,2,\dots,n-1$, $a\le c\le b$, is at
   $c=t$.
 :holds-by: members_are_flatter_powers triangle_of_powers_consists_of_powers cut_coefficients_are_convex
+  bernstein_sum_of_powers_is_a_power
 :confirmed-by: member_touches_curve
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are

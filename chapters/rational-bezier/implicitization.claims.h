@@ -25,7 +25,7 @@ recognises.
 :printed: F(x,y)=\begin{vmatrix}a_0&a_1&\cdots&a_n\\&\ddots&&&\ddots\\b_0&b_1&\cdots&b_n\\&\ddots&&&\ddots
   \end{vmatrix}_{(2n)\times(2n)}
 :definition: yes
-:checked-by: rows_of_the_determinant_are_shifted_equations
+:checked-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term
 :confirmed-by: implicit_value_is_the_printed_determinant
 
 There are $n$ rows of the $a$ and $n$ of the $b$, each shifted by one place against the one above it.  What is checked is that such a row is one of the two
@@ -37,7 +37,7 @@ equations (3.4.5) times a power of $u$.  The implicit equation that the theorem 
 :zh: 行列式元素 a_i, b_i
 :printed: a_i=\binom ni\omega_i(x_i-x),\quad b_i=\binom ni\omega_i(y_i-y),\quad i=0,1,\dots,n
 :definition: yes
-:checked-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:checked-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: implicit_value_is_the_printed_determinant
 
 What is checked is what they are for: with $t=(au+b)/(u+1)$ the sums $\sum a_iu^{n-i}$ and $\sum b_iu^{n-i}$ are $(1+u)^n\omega(t)$ times the differences of the
@@ -220,7 +220,7 @@ CLAIM(curve_in_the_new_parameter)
 :title: The two polynomial equations of a point of the curve
 :zh: 曲线上点所满足的两个方程
 :printed: That is, for a point $(x,y)$ of the curve: $\sum_{i=0}^na_iu^{n-i}=0$, $\sum_{i=0}^nb_iu^{n-i}=0$.
-:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
@@ -314,7 +314,7 @@ elsewhere gives a point off the arc, or no point at all.
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
 :corrected-by: parameter_change_and_its_inverse mean_grows_by_one_term positive_terms_make_a_convex_mean
-  change_of_parameter_acts_on_one_factor
+  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
@@ -555,7 +555,7 @@ determinant is identically 0.
 :printed: The rational Bézier curve of degree $n$ on the left of (3.3.1), $a\le t\le b$, can be turned into the implicit equation (3.4.1) when the
   $\mathbf R_i=(x_i,y_i)$, $i=0,1,\dots,n$, are coplanar.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
-  top_form_is_a_resultant_row_by_row
+  top_form_is_a_resultant_row_by_row bernstein_sum_of_powers_is_a_power
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
@@ -781,6 +781,7 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 :zh: 由结式理论 F 必为零
 :printed: By the theory of the resultant of polynomials the resultant $F(x,y)$ of (3.4.5) must be 0, at the points of the curve.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
+  bernstein_sum_of_powers_is_a_power
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; at $\mathbf R_0$ its first column is 0.
 :confirmed-by: equation_vanishes_on_the_curve
 

@@ -27,6 +27,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
   end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
   equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers fractional_change_runs_once
+  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants equal_invariants_give_same_curve
 :meant: property 3.2.10, which the theorem turns round, and the sentence before it, by which only the distribution of
   the parameter differs | The same shape is the same point set.
@@ -698,7 +699,8 @@ CLAIM(printed_torsion_denominator_is_wrong)
   $(a_1,a_2,a_3)\ne0$; hence $I_1=I_1^*$ and
   $\omega_0\omega_3/(\omega_1\omega_2)=\omega_0^*\omega_3^{*}/(\omega_1^*\omega_2^*)$.
 :holds-by: end_derivative_vectors_in_every_degree end_curvature_and_torsion_follow_in_every_degree
-  factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+  factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants bernstein_sum_of_powers_is_a_power
+  change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 
 In the two differences, of the curvatures and of the torsions, which are 0, the geometric factors are not 0, so that the factors of the weights are.  The
@@ -770,6 +772,7 @@ CLAIM(product_is_the_inverse_second_invariant)
 :printed: By the symmetry of the curve also $I_4=I_4^*$, $I_3=I_3^*$
 :holds-by: change_of_parameter_acts_on_one_factor end_derivative_vectors_in_every_degree
   end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+  bernstein_sum_of_powers_is_a_power
 :confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so their points are not on a line; in a plane
   one and the same quintic can have several $I_3$
@@ -784,6 +787,7 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
 :printed: Now the necessity is proved for $n=5$ only.
 :holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
   end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
 :argued: | Steps (1) and (2) of theorem 3.2.1: curves of one shape correspond to each other, start to start, so that their

@@ -220,6 +220,7 @@ vertex.
   $R_0R_2$ in the shoulder point $R_s$.  If $\frac{\|R_sM\|}{\|R_1R_s\|}=\omega$, the curve is an ellipse, a parabola or a
   hyperbola for $\omega<1$, $\omega=1$ or $\omega>1$.
 :holds-by: shoulder_ratio_is_the_root_of_the_invariant sign_of_the_discriminant kind_in_any_coordinates
+  directions_at_infinity
 :needs: flat_triangle_has_a_shoulder_point | the corollary, which names the triangle and its median | $R_0$, $R_1$, $R_2$ do not
   lie on a line.
 :needs: weight_zero_has_ratio_zero | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are

@@ -15,7 +15,7 @@ and gives them simple weights, by a change of the parameter.
 :zh: 特殊坐标系
 :printed: A special coordinate system is taken in which $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$; by the geometric
   invariance it suffices to determine the class of the curve there.
-:holds-by: special_coordinates_exist kind_in_any_coordinates
+:holds-by: special_coordinates_exist kind_in_any_coordinates directions_at_infinity
 :::
 
 :::{claim} special_coordinates_exist

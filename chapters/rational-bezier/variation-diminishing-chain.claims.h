@@ -22,11 +22,11 @@ rule fit: it speaks of powers and of positive $s$, while the curve is written in
 :title: The line may be taken as the axis
 :zh: 可取直线为 x 轴
 :printed: With $L$ as the $x$-axis a rectangular coordinate system is set up; by property 3.2.1 it suffices to prove the property there.
-:holds-by: mean_grows_by_one_term
+:holds-by: mean_grows_by_one_term motion_takes_a_plane_to_the_coordinate_plane
 :confirmed-by: line_form_of_the_curve
 
-The signed distances from the line are, up to one positive factor, the values of its form; and the form of the curve is made
-from those of the vertices with the same weights.  So the signs of the $y_i$ and of $y(t)$ do not depend on the system.
+A motion takes the line to the axis; with the same weights the images of the points have the image of the curve, and $y_i$ and $y(t)$ are the
+values of the form of the line, whatever the system was.
 :::
 
 :::{claim} line_form_of_the_curve
@@ -227,7 +227,7 @@ CLAIM(numerator_in_powers_of_the_ratio)
 :zh: 变换 s=t/(1-t) 保持根数
 :printed: Z_{0<t<1}\left[(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i\right]
   =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
-:holds-by: ratio_is_an_increasing_bijection change_of_parameter_acts_on_one_factor
+:holds-by: ratio_is_an_increasing_bijection change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: numerator_in_powers_of_the_ratio root_counts_survive_the_substitution
 :figure: roots_and_the_substitution
 

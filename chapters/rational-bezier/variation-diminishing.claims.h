@@ -21,7 +21,7 @@ computed, and a third time from the cutting of corners for every degree.
   at most the number $I(\mathbf B,L)$ of intersections of the B-net with $L$; here the number of intersections is how often $L$ is crossed.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term ratio_is_an_increasing_bijection
   change_of_parameter_acts_on_one_factor factor_of_a_positive_root_adds_a_sign_change
-  averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one
+  averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one bernstein_sum_of_powers_is_a_power
 :confirmed-by: elevation_cuts_corners powers_in_every_degree elevated_polygons_converge
   bernstein_collocation_is_totally_positive designed_curves_cross_no_more
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are positive
@@ -290,6 +290,7 @@ CLAIM(mixed_weights_cross_more)
 :printed: $Z[f(t)]$ denotes the number of roots of $f(t)$ in $(a,b)$, $V[a_i]$ the number of changes of sign in the sequence $a_i$
   when its zeros are removed.
 :checked-by: sign_changes_are_counted_one_by_one factor_of_a_positive_root_adds_a_sign_change
+  averages_between_neighbours_keep_sign_changes
 :confirmed-by: designed_curves_cross_no_more designed_curves_meet_no_more
 
 The symbol $Z$ has no place for the interval $(a,b)$ in the text at hand.  Different roots, or roots counted as often as their multiplicity: the chain is right with

@@ -214,7 +214,7 @@ coefficients are 0 but for one, so they do not change their sign.
 :then: $B_2$ vanishes at $t=\frac{4b}{9(21/4+b)}$, which is in $(0,\frac49)$ and not a root of the other factors
 :method: The value of the kernel at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
   $k=(0,0,1,0,\dots)$ there is a root and no change of sign, and the triangle $(0,0),(1,1),(2,0)$ with the points of
-  `curve_of_a_triangle_meets_a_line_three_times` has three common points with the line $y=0$.
+  the counterexample for the smallest printed $\beta$ has three common points with the line $y=0$.
 :types: field rational
 :degrees: 7..7
 :scope: every β < −21/4

@@ -82,10 +82,11 @@ CLAIM(curve_kernels_give_the_sum)
 :zh: 八次曲线之称
 :printed: the curve of (10) is called the β-Bézier curve of degree eight
 :definition: yes
-:checked-by: bezier_points_divide_the_edges
+:checked-by: horner_rule_computes_the_curve
+:confirmed-by: bezier_points_divide_the_edges
 :figure: curves_for_several_beta
 
-Its degree is at most 8; for $\beta=0$ it is at most 7.
+With the printed functions and with the corrected ones it is a Bézier curve of nine points.  Its degree is at most 8; for $\beta=0$ it is at most 7.
 :::
 
 :::{claim} bezier_points_divide_the_edges
@@ -179,8 +180,9 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :zh: 图 2
 :printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that this order is from right to left: the polygon is not given, so that nothing is there to be decided
-:reading: points_move_evenly_with_beta | the points of one $t$ stand on a straight line in equal distances, in the order of
-  $\beta$; on which side is a matter of the polygon, which the text does not give
+:reading: printed_points_move_evenly_with_beta | the points of one $t$ stand on a straight line in equal distances, in the order of
+  $\beta$, for the printed functions; on which side is a matter of the polygon, which the text does not give
+:reading: points_move_evenly_with_beta | the same for the corrected functions
 :figure: curves_for_several_beta
 
 The last two curves of the figure, $\beta=-6$ and $-7$, are outside the true range.
@@ -217,11 +219,34 @@ CLAIM(points_move_evenly_with_beta)
 }
 
 /*
+:::{claim} printed_points_move_evenly_with_beta
+:title: With the printed functions, too, the point of a parameter moves on a straight line, evenly with beta
+:zh: 按式 (1) 曲线上的点亦随 β 匀速直线移动
+:given: eight points of the plane, any $\beta$, $h$ and $t$; the curves $\hat q_\beta$ of the printed functions
+:then: $\hat q_{\beta+h}(t)-\hat q_\beta(t)=h\,(\hat q_1(t)-\hat q_0(t))$
+:method: The printed functions at $\beta+h$, $\beta$, 1 and 0, everything a variable.
+:degrees: 7..7
+:over: h: step of β
+:control: $\hat q_2$ in the place of $\hat q_1$
+:::
+*/
+CLAIM(printed_points_move_evenly_with_beta)
+{
+    num P[8 * dim], at[4][dim], h = unknown(T, "h", 0), t = parameter(T, "t"), first = G(any_beta)(T);
+    num beta[4] = {add(first, h), first, from_int(fault(T, 1, 2)), from_int(0)};
+    G(free_points)(T, 7, dim, P);
+    for (int k = 0; k < 4; k++)
+        G(shape_point_printed)(dim, P, beta[k], t, at[k]);
+    for (int c = 0; c < dim; c++)
+        same(T, sub(at[0][c], at[1][c]), mul(h, sub(at[2][c], at[3][c])));
+}
+
+/*
 :::{statement} deng-zhang-2022:abstract-adjustable
 :title: For a fixed polygon different beta give different curves
 :zh: 形状可调性
 :printed: with the vertices of the control polygon unchanged, different curves that approximate the polygon can be produced by adjusting the parameter
-:holds-by: points_move_evenly_with_beta polygons_that_do_not_move
+:holds-by: points_move_evenly_with_beta printed_points_move_evenly_with_beta polygons_that_do_not_move
 :hypothesis: edges_that_do_not_move | $P_0,\dots,P_3$ are not all equal or $P_4,\dots,P_7$ are not: with the corrected
   functions; with the printed ones not $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
 :figure: edges_that_do_not_move

@@ -39,7 +39,7 @@ give the tangents.
 :zh: 图 3 花瓣图形
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
-:reading: points_move_evenly_with_beta | for any polygon the points of one $t$ on the nine curves are on a straight line in equal
+:reading: printed_points_move_evenly_with_beta | for any polygon the points of one $t$ on the nine curves are on a straight line in equal
   distances; which polygon it is, is not said
 :figure: petals
 :::
@@ -527,8 +527,8 @@ compute.
 :::{claim} horner_rule_computes_the_curve
 :title: Horner's rule on the nine Bézier points gives the curve
 :zh: Horner 法则求曲线上的点
-:given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
-:then: `bezier_horner` with the points of `shape_bezier_points` gives $\sum P_iB_{i,n}(t)$
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$; for $n=7$ the printed functions as well as the corrected ones
+:then: `bezier_horner` with the $n+2$ Bézier points of the curve, which the matrix of the functions gives, is $\sum P_iB_{i,n}(t)$
 :method: Kernels against the formula, everything a variable.
 :degrees: 2..7 sampled 14
 :control: $t$ and $1-t$ exchanged
@@ -539,10 +539,14 @@ CLAIM(horner_rule_computes_the_curve)
     int n = T->degree;
     num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
     G(free_points)(T, n, dim, P);
-    G(shape_bezier_points)(n, dim, P, beta, Q);
-    G(bezier_horner)(n + 1, dim, Q, fault(T, t, sub(from_int(1), t)), at);
-    for (int c = 0; c < dim; c++)
-        same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
+    for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
+        G(bezier_points_of)(printed_ones, n, dim, P, beta, Q);
+        G(bezier_horner)(n + 1, dim, Q, fault(T, t, sub(from_int(1), t)), at);
+        about(T, printed_ones ? "the printed functions" : "the corrected functions");
+        for (int c = 0; c < dim; c++)
+            same(T, at[c],
+                 printed_ones ? G(printed_curve)(dim, P, c, beta, t) : G(corrected_curve)(n, dim, P, c, beta, t));
+    }
 }
 
 #if RATIONAL

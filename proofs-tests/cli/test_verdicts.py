@@ -19,6 +19,12 @@ for index in (Path(__file__).resolve().parents[2] / "chapters").glob("*/index.md
     for narrow, wide in re.findall(r"^:within: (.*?) \| (.*)$", index.read_text(encoding="utf-8"), re.M):
         WITHIN.setdefault(wide, []).append(narrow)
 BLOCKS = {s["id"]: s["has"] for s in load(REGISTER_FILE)["statements"]}
+CLAIM_BLOCKS = {c["name"]: c["has"] for c in load(REGISTER_FILE)["claims"]}
+
+
+def words_of(value):
+    """The text of an option, which may stand once or several times."""
+    return " ".join(value) if isinstance(value, list) else str(value)
 
 
 def decided(row):
@@ -128,6 +134,23 @@ class Scopes(unittest.TestCase):
                     with self.subTest(row["id"]):
                         self.assertGreater(len(finding["steps"]), 1)
                         self.assertTrue(all(step["evidence"] != "none" for step in finding["steps"]))
+
+
+class Lemmas(unittest.TestCase):
+    def test_what_a_method_leans_on_is_among_the_claims(self):
+        """A claim that the method of another one names, to reach what it says, decides together with it."""
+        leant = 0
+        for name, block in BLOCKS.items():
+            for role in ("holds-by", "corrected-by", "checked-by"):
+                claims = words_of(block.get(role, "")).split()
+                for claim in claims:
+                    has = CLAIM_BLOCKS[claim]
+                    for lemma in re.findall(r"`(\w+)`", words_of(has.get("method", "")) + words_of(has.get("argued", ""))):
+                        if lemma in CLAIM_BLOCKS and lemma != claim:
+                            with self.subTest(name, claim=claim):
+                                self.assertIn(lemma, claims)
+                            leant += 1
+        self.assertGreater(leant, 80)
 
 
 class Readings(unittest.TestCase):

@@ -1130,24 +1130,37 @@ static void test_a_narrower_phrase_is_left(void **state)
 static void test_claims_about_different_things_are_apart(void **state)
 {
     (void)state;
-    const char *const apart = "n = 1 to 3; each step for its own cases";
-    assert_finding("n", PROVED, apart, "", LINKS(BY("patterns"), BY("said")));
+    const char *const apart = "n = 1 to 3; each step for its own cases (0 < t < 1; every pattern of knots)";
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1)", "",
+                   LINKS(BY("patterns"), BY("said")));
     assert_finding("n", PROVED, apart, "", LINKS(BY("said"), BY("patterns")));
     assert_finding("n", PROVED, apart, "", LINKS(BY("said"), BY("patterns"), BY("inside")));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases", "",
+    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases (simple knots; 0 < t < 1)", "",
                    LINKS(BY("odd"), BY("patterns"), BY("said"))); /* the m of one step is not common */
-    assert_finding("n", DECIDED, "n = 1 to 6; each step for its own cases", "", LINKS(BY("weighted"), BY("stated")));
-    assert_finding("n", DECIDED, "each step for its own cases", "", LINKS(BY("stated"), BY("inside")));
+    assert_finding("n", DECIDED, "n = 1 to 6; each step for its own cases (simple knots; the stated curves)", "",
+                   LINKS(BY("weighted"), BY("stated")));
+    assert_finding("n", DECIDED, "each step for its own cases (the stated curves; 0 < t < 1)", "",
+                   LINKS(BY("stated"), BY("inside")));
+    assert_finding("n", DECIDED,
+                   "n = 2 to 3; each step for its own cases (the stated polygons; 0 < t < 1; simple knots)", "",
+                   LINKS(BY("designed"), BY("said"), BY("weighted"))); /* three can be read */
+    assert_finding("n", DECIDED, "n = 2 to 3; each step for its own cases", "",
+                   LINKS(BY("designed"), BY("said"), BY("weighted"), BY("arc"))); /* four are told at the steps */
     assert_finding("n", DECIDED, "the stated curves", "", LINKS(BY("stated")));
     assert_finding("n", PROVED, "n = 7 to 8; the stated arc; all weights, every t", "", LINKS(BY("arc"), BY("high")));
     assert_finding("n", DECIDED, "n = 2 to 3; the stated polygons", "", LINKS(BY("designed"), BY("stretched")));
-    assert_finding("n", DECIDED, "n = 2 to 3; each step for its own cases", "", LINKS(BY("designed"), BY("plain")));
-    assert_finding("n", DECIDED, "n = 7; each step for its own cases", "", LINKS(BY("seventh"), BY("high")));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where β ≠ 0, and P is not 0", "",
-                   LINKS(BY("patterns"), BY("said"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0"},
-                         {NEEDS, NULL, "here", "P is not 0", "P is not 0"})); /* hypotheses are asked of all steps */
-    assert_finding("n", SAMPLED, "n = 1 to 3; each step for its own cases; 24 random instances", "",
-                   LINKS(BY("patterns"), BY("said"), BY("instances")));
+    assert_finding("n", DECIDED, "n = 2 to 3; each step for its own cases (the stated polygons)", "",
+                   LINKS(BY("designed"), BY("plain")));
+    assert_finding("n", DECIDED, "n = 7; each step for its own cases (the stated polygon)", "",
+                   LINKS(BY("seventh"), BY("high")));
+    assert_finding(
+        "n", PROVED,
+        "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1), where β ≠ 0, and P is not 0", "",
+        LINKS(BY("patterns"), BY("said"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0"},
+              {NEEDS, NULL, "here", "P is not 0", "P is not 0"})); /* hypotheses are asked of all steps */
+    assert_finding("n", SAMPLED,
+                   "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1); 24 random instances",
+                   "", LINKS(BY("patterns"), BY("said"), BY("instances")));
 }
 
 /* Data are told as long as a reader knows what they are about: those of one claim however many, of several up to four. */
@@ -1198,8 +1211,10 @@ static void test_conditions_reach_the_verdict(void **state)
                              {NEEDS, NULL, "", "", "Q ≠ 0"}));
     assert_finding("n", DECIDED, "where P ≠ 0", "", LINKS(BY("bare")));
     assert_finding("n", DECIDED, "n = 1 to 4; where P ≠ 0", "every n", LINKS(BY("bare"), BY("stretched")));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where P ≠ 0, and 0 < t < 1", "",
-                   LINKS(BY("patterns"), BY("said"), BY("regular"))); /* they stand at the steps */
+    assert_finding(
+        "n", PROVED,
+        "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1), where P ≠ 0, and 0 < t < 1", "",
+        LINKS(BY("patterns"), BY("said"), BY("regular"))); /* they stand at the steps */
 }
 
 /* Of knots that are numbers above some order nobody says that they are all knots. */
@@ -1229,7 +1244,8 @@ static void test_data_within_hypotheses(void **state)
                          {NEEDS, NULL, "", "", "$\\beta>0$"}));
     assert_finding("n", PROVED, "n = 1 to 4; where the weights are positive", "every n",
                    LINKS(BY("stretched"), {NEEDS, NULL, "", "", "the weights are positive"}));
-    assert_finding("n", PROVED, "n = 1 to 3; each step for its own cases, where t > 0", "",
+    assert_finding("n", PROVED,
+                   "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1), where t > 0", "",
                    LINKS(BY("patterns"), BY("said"), {NEEDS, NULL, "", "", "t > 0"}));
     const statement_link refuted[] = {{REFUTED_BY, "against", NULL, "", NULL},
                                       {CORRECTED_BY, "plain", NULL, "", NULL},
