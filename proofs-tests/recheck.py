@@ -317,24 +317,24 @@ def convex_polygon(flat, closed):
     if closed and len(P) > 1 and P[0] == P[-1]:
         P.pop()
     if len(P) < 3 and not closed or len(P) == 1:
-        return True
+        return 1, 0
     if all(turn(P[0], P[1], p) == 0 for p in P):
         d = (P[1][0] - P[0][0], P[1][1] - P[0][1])
-        return not closed and all((q[0] - p[0]) * d[0] + (q[1] - p[1]) * d[1] > 0 for p, q in zip(P, P[1:]))
+        return not closed and all((q[0] - p[0]) * d[0] + (q[1] - p[1]) * d[1] > 0 for p, q in zip(P, P[1:])), 0
     if P[0] == P[-1] and not closed:
         P.pop()
-    # Closed by its chord it is convex if no edge goes back, all turns go one way, and it goes round once: seen from
+    # Closed by its chord it is convex, and turns that way, if no edge goes back, all turns go one way, and it goes round once: seen from
     # the first point, the others turn one way.
     n = len(P)
     straight = lambda a, b, c: (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) > 0
     corners = [(P[i], P[(i + 1) % n], P[(i + 2) % n]) for i in range(n)]
     turns = [turn(*c) for c in corners]
     if any(t == 0 and not straight(*c) for t, c in zip(turns, corners)):
-        return False
+        return 0, 0
     for sign in (1, -1):
         if all(sign * t >= 0 for t in turns) and all(sign * turn(P[0], P[i], P[i + 1]) >= 0 for i in range(1, n - 1)):
-            return len(set(P)) == n
-    return False
+            return (1, sign) if len(set(P)) == n else (0, 0)
+    return 0, 0
 def determinant(M):
     M, d = [[Fraction(x) for x in row] for row in M], Fraction(1)
     for k in range(len(M)):
@@ -472,7 +472,7 @@ def check_fact(f, v, program):
     elif kind in ("hull", "hull_vertices"):
         (check_hull if kind == "hull" else check_hull_vertices)(f, v)
     elif kind == "convex_polygon":
-        require(f["is"] == int(convex_polygon(get("points"), f["closed"])), "convexity of a polygon")
+        require((f["is"], f["orientation"]) == convex_polygon(get("points"), f["closed"]), "convexity of a polygon")
     elif kind in ("minors", "determinant"):
         A, columns = get("A"), f.get("columns", f["rows"])
         M = [A[i * columns : (i + 1) * columns] for i in range(f["rows"])]
@@ -520,7 +520,7 @@ def check_coefficient_signs(step):
 # ---- claims and statements --------------------------------------------------------------------------------
 def good(step):
     return step.get("equal", step.get("agree", step.get("good", True)))
-def check_case(case, proved):
+def check_case(case, proved, faulty):
     require(all(isinstance(x, list) and len(x) == 2 for x in case["inputs"]), "the inputs")
     steps, program = case["steps"], Program(case)
     v = program.run(Q, [Q.number(x[1]) for x in case["inputs"]])
@@ -536,7 +536,7 @@ def check_case(case, proved):
         else:
             require(isinstance(s["agree"], bool), "a step without meaning")
             supported &= facts > 0
-            require(recheck_formula.follows(s, last), "a condition that does not follow from its facts")
+            require(recheck_formula.follows(s, last, faulty), "a condition that does not follow from its facts")
         last = last + [s] if "fact" in s else []
     if not supported or all("fact" in s for s in steps):
         raise Cannot("a condition without facts")
@@ -581,7 +581,7 @@ def check_claim(c, listed):
     require(evidence in (("decided",) if kind != "identity" else EVIDENCE[1:4] + ["proved"]) and type(c["argued"]) is bool, "the evidence")
     if not c["cases"]:
         raise Cannot("no program")
-    holds = [check_case(case, evidence == "proved") for case in c["cases"]]
+    holds = [check_case(case, evidence == "proved", kind == "counterexample") for case in c["cases"]]
     require(all(holds) if outcome == "holds" else not any(holds), "the outcome does not follow")
 def derived(s, claims):
     """Verdict and evidence from the claims, by their roles."""

@@ -59,7 +59,7 @@ FACTS = {
     "operations": [{"out": lambda x: several(node)(x) and x, "additions": count, "multiplications": count, "shifts": count}],
     "hull": [{**HULL, "coefficients": several(node)}, {**HULL, "normal": several(node), "offset": several(node, 1)}],
     "hull_vertices": [{"points": several(node), "vertices": several(count)}],
-    "convex_polygon": [{"points": several(node), "closed": bit, "is": bit}],
+    "convex_polygon": [{"points": several(node), "closed": bit, "orientation": sign, "is": bit}],
     "minors": [{"rows": positive, "columns": positive, "A": several(node), "strict": bit, "is": bit}],
     "determinant": [{"rows": count, "A": several(node), "is": several(node, 1)}],
 }

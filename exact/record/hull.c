@@ -42,12 +42,15 @@ int cagd_testify_turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2])
 int cagd_testify_polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
 {
     cagd_trace_pause();
-    int answer = cagd_polygon_is_convex(n, points, closed, orientation);
+    int side = 0, answer = cagd_polygon_is_convex(n, points, closed, &side);
     cagd_trace_resume();
+    if (orientation != NULL)
+        *orientation = side;
     if (cagd_trace_noting()) {
         cagd_trace_fact("convex_polygon");
         cagd_trace_put_numbers("points", 2 * n + 2, points);
         cagd_trace_put("closed", closed != 0);
+        cagd_trace_put("orientation", side);
         cagd_trace_put("is", answer != 0);
         cagd_trace_fact_end();
     }

@@ -279,6 +279,20 @@ g(s,t) = s^2 t^3
         self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
 
+    def test_every_relation_and_every_part_counts(self):
+        """Relations that turn around what they say of, denominators of either sign, parts of which one is open, and poles that a case has."""
+        motzkin = "x^4 y^2 + x^2 y^4 + 1 - 3 x^2 y^2"
+        for printed, ranges, expected in (
+                ("0 < x^2", "n = 1", "fails"), ("x^2 > 0", "n = 1", "fails"), ("0 \\le x^2", "n = 1", "holds"), ("x^2 \\ge 0", "n = 1", "holds"),
+                ("x^2 + 1 \\ne 0", "n = 1", "holds"), ("x^2 \\ne 0", "n = 1", "fails"), ("x^2 < y^2 + 1", "0 \\le x \\le 1", "fails"),
+                ("x^2 < y^2 + 1", "0 \\le x < 1", "holds"), ("\\frac{1}{x-2} < 0", "0 \\le x \\le 1", "holds"), ("\\frac{1}{x-2} > 0", "0 \\le x \\le 1", "fails"),
+                ("\\frac{1}{x} > 0", "-1 \\le x \\le 1", "fails"), ("\\frac{x}{x^2+1} \\le \\frac12", "n = 1", "holds"),
+                ("\\frac{|x|}{x} \\le 1", "n = 1", "holds"), ("\\frac{|x|}{x} \\le 0", "n = 1", "fails"), (f"{motzkin} \\ge -1", "n = 1", "undecided"),
+                (f"{motzkin} \\ge -1 \\ge -2", "n = 1", "undecided"), (f"-2 \\le -1 \\le {motzkin}", "n = 1", "undecided"),
+                (f"{motzkin} \\ge -1, x = x", "n = 1", "undecided"), (f"x = x, {motzkin} \\ge -1", "n = 1", "undecided")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, ranges)["verdict"], expected)
+
     def test_bounds_of_a_name_that_is_another(self):
         for x, y in ((1, 2), (2, 1)):
             for name in "xy":
@@ -370,7 +384,7 @@ class Certificates(unittest.TestCase):
 
     def test_what_is_not_noted_has_none(self):
         for printed, ranges in (("x^2 + 1 > 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
-                                ("\\sum_{i=0}^n B_i^n(t) = 1", "n = 0.."), ("x > 0 \\Rightarrow x = x", "n = 1")):
+                                ("\\sum_{i=0}^n B_i^n(t) = 1", "n = 0.."), ("x > 0 \\Rightarrow x = x", "n = 1"), ("x + 1 = y + 1", "x = y")):
             with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
                 s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
                 self.assertEqual((s["verdict"], s["certificate"]), ("holds", None))

@@ -105,6 +105,9 @@ static void test_values(void **state)
     has_value("B_1^3{}'(1/2) + (B_1^3)'(1) + B_1^{3\\prime\\prime}(0)", -3 - 48, 4);
     has_value("\\frac{d^2}{dx^2} x^3", 4, 1);
     has_value("\\int_0^1 B_2^4(x) dx", 1, 5);
+    has_value("\\int_{-1}^3 (x^3 - x + 2) dx", 24, 1);
+    has_value("\\begin{cases} 1 & 0 < x < 1/2 \\\\ 2 & 0 < x < 1 < 2 \\\\ 3 & \\text{otherwise} \\end{cases}", 2, 1);
+    has_value("\\begin{cases} 1 & 0 < x < 1 < x \\\\ 2 & \\text{otherwise} \\end{cases}", 2, 1);
     has_value("2 − 3·x", 0, 1);
     field_close();
 }

@@ -15,6 +15,12 @@ double r_assembly(void)
 }
 /* = F(1, 3) */
 double r_a_barrier_is_no_assembly(void) { double x = 1.0 / 3; __asm__ volatile("" ::: "memory"); return x; }
+/* ! a division by zero */
+double r_infinity_by_zero(void)
+{
+    double x = INFINITY, y = 0;
+    return x / y; // here
+}
 /* ! bits of a number */
 double r_exponent(void)
 {
