@@ -47,8 +47,9 @@ static int says_enough(const json_t *one)
     {
         const json_t *sides = json_object_get(step, "same");
         sides = sides != NULL ? sides : json_object_get(step, "of");
+        size_t last = json_array_size(sides) - 1; /* the difference alone of an inequality that holds in a box */
         if (sides != NULL && told[json_integer_value(json_array_get(sides, 0))] &&
-            told[json_integer_value(json_array_get(sides, 1))])
+            told[json_integer_value(json_array_get(sides, last))])
             return 0;
     }
     return json_array_size(steps) > 0;

@@ -5,6 +5,7 @@
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
 #include "exact/expression/order.h"
+#include "exact/expression/positive.h"
 #include "exact/expression/suppose.h"
 #include "exact/number/recorder.h"
 #include "exact/record/trace.h"
@@ -406,13 +407,27 @@ static int is_empty(cagd_context *c)
 /* The node of a value. */
 static int node_of(cagd_value a) { return a.rational ? cagd_node_of_q(a.q) : cagd_node_of_f(a.f); }
 
+/* That a relation b holds in the box of the names; 0 where that is not noted. */
+static int note_inequality(const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
+{
+    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
+    int of[CAGD_MOST_UNKNOWNS], count = sides(c, side, of), noted = 0;
+    int less = relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL;
+    int strict = relation != CAGD_LESS_OR_EQUAL && relation != CAGD_GREATER_OR_EQUAL;
+    for (int turned = 0; turned <= (relation == CAGD_NOT_EQUAL) && !noted; turned++)
+        noted = cagd_note_sign_in_box(less != turned ? cagd_value_sub(b, a) : cagd_value_sub(a, b), strict, count, side);
+    if (noted)
+        cagd_trace_agree(1, strict ? "is_positive_in_box(difference)" : "is_nonnegative_in_box(difference)");
+    return noted;
+}
+
 /* What is compared, as a step of the certificate; an identity stands for itself where no name is a function of others. */
 static void note_step(struct run *r, const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
 {
-    r->unnoted |= relation != CAGD_EQUAL;
     for (int m = 0; m < c->count; m++)
         r->unnoted |= c->binding[m].solved;
-    if (!r->unnoted)
+    r->unnoted |= relation != CAGD_EQUAL && (c->limits > 0 || !note_inequality(c, relation, a, b));
+    if (!r->unnoted && relation == CAGD_EQUAL)
         cagd_trace_same(node_of(a), node_of(b), 1);
 }
 

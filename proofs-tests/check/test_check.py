@@ -368,8 +368,61 @@ class Certificates(unittest.TestCase):
                         self.assertEqual(self.recheck(folder)[0], 1)
                 path.write_text(kept)
 
+    INEQUALITIES = [("\\frac{B_i^n(t)}{1+x} \\ge 0", "n = 2..3, i = 0..n, 0 \\le t \\le 1, x \\ge 0"), ("x^2 - 3 x + 5/2 > 0", "n = 1"),
+                    ("x^2 + y^2 \\ge 2 x y", "n = 1"), ("x y < 1 + x", "n = 1, 0 \\le x, 0 < y < 1"), ("x \\ne -1", "n = 1, x > 0"),
+                    ("1/3 < 1/2", "n = 1"), ("x - x^3 < 2/5", "n = 1, 0 \\le x \\le 1"), ("x y + y > 0", "n = 1, x \\ge 0, 0 < y < 1")]
+
+    def write_inequalities(self, folder):
+        text = document("x = x").partition(":::{statement}")[0]
+        text += "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {ranges}\n:::\n" for k, (printed, ranges) in enumerate(self.INEQUALITIES))
+        return check(text, "--certificates", folder)
+
+    def test_inequalities_that_hold(self):
+        with tempfile.TemporaryDirectory() as folder:
+            r = self.write_inequalities(folder)
+            self.assertEqual(r.returncode, 0, r.stdout)
+            self.assertIn(f"Certificates of {len(self.INEQUALITIES)} of", r.stdout)
+            code, out = self.recheck(folder)
+            self.assertEqual(code, 0, out)
+
+    def test_inequalities_with_one_fault(self):
+        """A statement, and a change of its first fact after which it is not true, or not shown."""
+        def number(field, place, value):
+            def act(f, nodes):
+                nodes.append(["c", value])
+                f[field][place] = len(nodes) - 1
+            return act
+
+        def put(field, place, value):
+            return lambda f, nodes: f[field].__setitem__(place, value)
+
+        changes = [(0, number("constant", 0, "-1/7")), (0, number("low", 1, "-2")), (1, number("constant", 0, "2")),
+                   (1, put("signs", 0, -1)), (1, put("signs", 0, 0)), (1, put("powers", 0, 3)), (1, put("powers", 0, -1)),
+                   (1, lambda f, nodes: f["cuts"].append(-1)), (1, lambda f, nodes: f["cuts"].pop()), (1, lambda f, nodes: f.update(cuts=[-1])),
+                   (1, number("cuts", 4, "-1")), (1, lambda f, nodes: f.update(cuts=[])), (2, put("powers", 0, 1)),
+                   (2, lambda f, nodes: f.update(strict=1)), (3, put("high", 1, -1)), (4, number("low", 0, "-2")), (4, put("low", 0, -1)),
+                   (5, number("constant", 0, "1/7")), (6, number("high", 0, "-2")), (6, lambda f, nodes: f.update(strict=0)), (7, put("open", 2, 0)), (7, put("low", 0, -1)),
+                   (7, lambda f, nodes: f.update(variables=f["variables"][::-1])), (7, lambda f, nodes: f.update(**{"is": 0})), (7, put("factors", 0, 10**6)), (7, put("cuts", 0, 10**6))]
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            self.write_inequalities(str(folder))
+            listed = (folder / "manifest.json").read_text()
+            for number_of, (k, change) in enumerate(changes):
+                path = folder / f"claims/s{k}.json"
+                kept = path.read_text()
+                claim, manifest = json.loads(kept), json.loads(listed)
+                change(claim["cases"][0]["steps"][0], claim["cases"][0]["nodes"])
+                path.write_text(json.dumps(claim))
+                entry = next(c for c in manifest["claims"] if c["claim"] == f"s{k}")
+                entry["sha256"] = hashlib.sha256(path.read_bytes()).hexdigest()
+                entry["certificate"][0]["nodes"] = len(claim["cases"][0]["nodes"])
+                (folder / "manifest.json").write_text(json.dumps(manifest))
+                with self.subTest(change=number_of, statement=self.INEQUALITIES[k][0]):
+                    self.assertEqual(self.recheck(folder)[0], 1)
+                path.write_text(kept)
+
     def test_what_is_not_noted_has_none(self):
-        for printed, ranges in (("x^2 + 1 > 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
+        for printed, ranges in (("x^2 - x y + y^2 \\ge 0", "n = 1, 0 \\le x \\le 1, 0 \\le y \\le 1"), ("(\\frac{d}{dt} F(t))^2 \\ge 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
                                 ("\\sum_{i=0}^n B_i^n(t) = 1", "n = 0.."), ("x > 0 \\Rightarrow x = x", "n = 1")):
             with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
                 s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
