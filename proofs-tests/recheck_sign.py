@@ -76,7 +76,7 @@ def has_sign(p, strict, box, cuts, v):
     below[k], above[k] = (low, at, low_open, 0), (at, high, 0, high_open)
     return has_sign(p, strict, below, cuts, v) and has_sign(p, strict, above, cuts, v)
 
-def check(f, v, program, require, fraction_text):
+def check(f, v, program, require, fraction_text, _):
     nodes, x, m = program.case["nodes"], f["variables"], len(f["variables"])
     require(all(nodes[i][0] == "x" for i in x) and len(set(x)) == m, "the variables of a box")
     require(len(f["low"]) == len(f["high"]) == m and len(f["open"]) == 2 * m, "the bounds of a box")

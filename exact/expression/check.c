@@ -643,17 +643,26 @@ static int speaks_of(const cagd_scope *scope, const cagd_tree *condition, const 
     return 0;
 }
 
+/* Whether there is one whole number alone, on which no condition depends; then it begins at *low. */
+static int has_one_number(struct run *r, long *low)
+{
+    for (int k = 0; k < r->scope->condition_count; k++)
+        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+            return 0;
+    if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, low))
+        return 0;
+    *low += r->whole[0]->low_open;
+    return 1;
+}
+
 /* For the only whole number, whose first cases hold. */
 static int proved_for_every(struct run *r)
 {
     long low;
-    for (int k = 0; k < r->scope->condition_count; k++)
-        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
-            return 0;
-    if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, &low))
+    if (!has_one_number(r, &low))
         return 0;
-    r->out->for_every = cagd_holds_for_every(r->scope, r->statement, r->whole[0], low + r->whole[0]->low_open,
-                                             FIRST_CASES, &r->out->every);
+    r->out->for_every =
+        cagd_holds_for_every(r->scope, r->statement, r->whole[0], low, FIRST_CASES, &r->out->every);
     r->out->strength = r->out->for_every ? CAGD_BY_IDENTITY : r->out->strength;
     return r->out->for_every;
 }
@@ -716,14 +725,20 @@ static int certify_cases(const cagd_scope *scope, const cagd_tree *statement, do
     struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds};
     r.take = take, r.data = data;
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
-    if (f == NULL || r.wholes < 0 || has_no_end(&r))
+    long low;
+    if (f == NULL || r.wholes < 0)
         return 0;
     *f = (cagd_finding){0};
     field_open(CAGD_FIELD_MAX_VARIABLES);
     cagd_trace_open(MOST_NOTED);
     decide_cases(&r, 0);
-    cagd_trace_close();
     int good = region_faults == 0 && !r.unnoted && !f->out_of_time && !f->has_example && f->undecided == 0;
+    if (good && has_no_end(&r)) { /* one case more, which stands for all others */
+        cagd_trace_again();
+        good = has_one_number(&r, &low) && cagd_note_for_every(scope, statement, r.whole[0], low, FIRST_CASES) &&
+               give_case(&r);
+    }
+    cagd_trace_close();
     region_faults &= FAULT_MEMORY;
     return good;
 }

@@ -57,8 +57,8 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
  * example with its two sides.  The texts of one case; 0 ends it. */
 typedef int cagd_take_case(void *data, const char *inputs, const char *nodes, const char *steps);
 /* 1; 0 where a certificate does not say it all: inequalities whose box would be cut into too many parts, or whose names are tied to one
- * another; cases that were cut into parts, implications, what is said of every n, and values whose making is not noted on either
- * side, such as two derivatives.  The field is opened anew. */
+ * another; cases that were cut into parts, implications, and values whose making is not noted on either side, such as two
+ * derivatives.  The field is opened anew. */
 int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found, double seconds,
                  cagd_take_case *take, void *data);
 

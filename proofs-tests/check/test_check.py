@@ -404,26 +404,59 @@ class Certificates(unittest.TestCase):
                    (5, number("constant", 0, "1/7")), (6, number("high", 0, "-2")), (6, lambda f, nodes: f.update(strict=0)), (7, put("open", 2, 0)), (7, put("low", 0, -1)),
                    (7, lambda f, nodes: f.update(variables=f["variables"][::-1])), (7, lambda f, nodes: f.update(**{"is": 0})), (7, put("factors", 0, 10**6)), (7, put("cuts", 0, 10**6))]
         with tempfile.TemporaryDirectory() as folder:
-            folder = pathlib.Path(folder)
-            self.write_inequalities(str(folder))
-            listed = (folder / "manifest.json").read_text()
-            for number_of, (k, change) in enumerate(changes):
-                path = folder / f"claims/s{k}.json"
-                kept = path.read_text()
-                claim, manifest = json.loads(kept), json.loads(listed)
-                change(claim["cases"][0]["steps"][0], claim["cases"][0]["nodes"])
-                path.write_text(json.dumps(claim))
-                entry = next(c for c in manifest["claims"] if c["claim"] == f"s{k}")
-                entry["sha256"] = hashlib.sha256(path.read_bytes()).hexdigest()
-                entry["certificate"][0]["nodes"] = len(claim["cases"][0]["nodes"])
-                (folder / "manifest.json").write_text(json.dumps(manifest))
-                with self.subTest(change=number_of, statement=self.INEQUALITIES[k][0]):
-                    self.assertEqual(self.recheck(folder)[0], 1)
-                path.write_text(kept)
+            self.write_inequalities(folder)
+            self.refuse_all(pathlib.Path(folder), 0, changes)
+
+    def refuse_all(self, folder, case, changes):
+        """Each change of the first fact of a case of claim s0, s1, ... is wrong, when the manifest was made to fit."""
+        listed = (folder / "manifest.json").read_text()
+        for number, (k, change) in enumerate(changes):
+            path = folder / f"claims/s{k}.json"
+            kept = path.read_text()
+            claim, manifest = json.loads(kept), json.loads(listed)
+            change(claim["cases"][case]["steps"][0], claim["cases"][case]["nodes"])
+            self.assertNotEqual(claim, json.loads(kept))
+            path.write_text(json.dumps(claim))
+            entry = next(c for c in manifest["claims"] if c["claim"] == f"s{k}")
+            entry["sha256"] = hashlib.sha256(path.read_bytes()).hexdigest()
+            entry["certificate"][case]["nodes"] = len(claim["cases"][case]["nodes"])
+            (folder / "manifest.json").write_text(json.dumps(manifest))
+            with self.subTest(change=number, claim=k):
+                code, out = self.recheck(folder)
+                self.assertEqual(code, 1)
+                self.assertNotIn("malformed: Type", out)
+            path.write_text(kept)
+
+    def test_sums_for_every_number(self):
+        statements = (("\\sum_{i=0}^n \\frac{i}{n} B_i^n(t) = t", "n = 1.."), ("\\sum_{i=0}^n \\binom{n}{i}^2 = \\binom{2n}{n}", "n = 0.."),
+                      ("\\sum_{i=0}^n i (i-1) B_i^n(t) = n (n-1) t^2", "n = 0.."))
+
+        def text(field, change, place=None):
+            """What a node of the fact is, changed, as another node."""
+            def act(f, nodes):
+                at = f[field] if place is None else f[field][place]
+                nodes.append(["f", change.format(nodes[at][1])])
+                if place is None:
+                    f[field] = len(nodes) - 1
+                else:
+                    f[field][place] = len(nodes) - 1
+            return act
+        changes = [(k, change) for k in range(2) for change in (
+            text("R", "2*{}", 0), text("R", "vn*{}", 0), text("by_n", "vn", 0), text("by_n", "vn*vk", 1), text("by_k", "vk", 1), text("ratio", "2", 0), text("a", "vn-7", 0), text("a", "vn-7", 1),
+            text("first", "7"), text("rest", "5", 0), text("factors", "vn-9", 0), text("factors", "vk", 0), lambda f, nodes: f["powers"].__setitem__(0, f["powers"][0] + 1),
+            lambda f, nodes: f["counts"].__setitem__(0, f["counts"][0] + 1), lambda f, nodes: f["left"].__setitem__(1, f["n"]), lambda f, nodes: f["right"].__setitem__(2, 0),
+            lambda f, nodes: f.update({"from": f["from"] + 1}), lambda f, nodes: f.update(n=f["k"], k=f["n"]), lambda f, nodes: f["a"].pop(), lambda f, nodes: f.update({"is": 0}))]
+        with tempfile.TemporaryDirectory() as folder:
+            lets = document("x = x").partition(":::{statement}")[0]
+            r = check(lets + "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {ranges}\n:::\n" for k, (printed, ranges) in enumerate(statements)), "--certificates", folder)
+            self.assertIn("Certificates of 3 of 3", r.stdout)
+            code, out = self.recheck(folder)
+            self.assertEqual(code, 0, out)
+            self.refuse_all(pathlib.Path(folder), -1, changes)
 
     def test_what_is_not_noted_has_none(self):
         for printed, ranges in (("x^2 - x y + y^2 \\ge 0", "n = 1, 0 \\le x \\le 1, 0 \\le y \\le 1"), ("(\\frac{d}{dt} F(t))^2 \\ge 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
-                                ("\\sum_{i=0}^n B_i^n(t) = 1", "n = 0.."), ("x > 0 \\Rightarrow x = x", "n = 1")):
+                                ("x > 0 \\Rightarrow x = x", "n = 1")):
             with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
                 s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
                 self.assertEqual((s["verdict"], s["certificate"]), ("holds", None))
