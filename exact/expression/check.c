@@ -415,7 +415,8 @@ static int note_inequality(const cagd_context *c, cagd_relation relation, cagd_v
     int less = relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL;
     int strict = relation != CAGD_LESS_OR_EQUAL && relation != CAGD_GREATER_OR_EQUAL;
     for (int turned = 0; turned <= (relation == CAGD_NOT_EQUAL) && !noted; turned++)
-        noted = cagd_note_sign_in_box(less != turned ? cagd_value_sub(b, a) : cagd_value_sub(a, b), strict, count, side);
+        noted =
+            cagd_note_sign_in_box(less != turned ? cagd_value_sub(b, a) : cagd_value_sub(a, b), strict, count, side);
     if (noted)
         cagd_trace_agree(1, strict ? "is_positive_in_box(difference)" : "is_nonnegative_in_box(difference)");
     return noted;
@@ -661,8 +662,7 @@ static int proved_for_every(struct run *r)
     long low;
     if (!has_one_number(r, &low))
         return 0;
-    r->out->for_every =
-        cagd_holds_for_every(r->scope, r->statement, r->whole[0], low, FIRST_CASES, &r->out->every);
+    r->out->for_every = cagd_holds_for_every(r->scope, r->statement, r->whole[0], low, FIRST_CASES, &r->out->every);
     r->out->strength = r->out->for_every ? CAGD_BY_IDENTITY : r->out->strength;
     return r->out->for_every;
 }

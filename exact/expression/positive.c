@@ -23,8 +23,8 @@ static int take_factors(struct proof *f, num_f p, int e, int count, const cagd_s
     for (int k = 0; k < count; k++) {
         if (degree_f(p, side[k].variable) < 1)
             continue;
-        int found = cagd_factors_f(p, side[k].variable, MOST_FACTORS - f->count, f->factor + f->count,
-                                   f->power + f->count);
+        int found =
+            cagd_factors_f(p, side[k].variable, MOST_FACTORS - f->count, f->factor + f->count, f->power + f->count);
         if (found < 0)
             return 0;
         for (int i = 0; i < found; i++, f->count++) {

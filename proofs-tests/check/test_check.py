@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 HERE = pathlib.Path(__file__).resolve().parent
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
@@ -696,6 +697,30 @@ class Mistakes(unittest.TestCase):
     def test_all_mistakes_of_a_file_are_told(self):
         r = check(document("x = z") + ":::{statement} r\n:printed: x = 1 +\n:::\n")
         self.assertEqual(r.stderr.count("cagd: "), 2)
+
+
+class Pictures(unittest.TestCase):
+    def draw(self, *statements):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "c.svg"
+            text = document("x = x").partition(":::{statement}")[0]
+            text += "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {ranges}\n:::\n" for k, (printed, ranges) in enumerate(statements))
+            r = check(text, "--svg", str(path))
+            return r, xml.etree.ElementTree.fromstring(path.read_text()) if path.exists() else None
+
+    def test_a_counterexample_is_drawn_over_the_name_that_is_free(self):
+        r, picture = self.draw(("\\sum_{i=1}^n B_i^n(t) = 1", "n = 2..3, 0 \\le t \\le 1"), ("x^2 + 1 \\ge 2 x", "n = 1"), ("x^2 + y^2 \\ge 3 x y", "0 \\le y \\le 2"),
+                               ("n = 2", "n = 1..3"), ("\\frac{1}{x - 1} \\ge x", "n = 1"))
+        self.assertEqual(r.returncode, 1)
+        words = ["".join(t.itertext()) for t in picture.iter("{http://www.w3.org/2000/svg}text")]
+        self.assertEqual([w for w in words if "fails at" in w], ["s0, n = 2: fails at t = 0", "s2, x = 1: fails at y = 1", "s4: fails at x = 0"])
+        self.assertEqual(words.count("left side"), 1)
+
+    def test_without_one_there_is_no_picture(self):
+        for printed, ranges in (("x = x", "n = 1"), ("n = 2", "n = 1..3")):
+            r, picture = self.draw((printed, ranges))
+            self.assertIsNone(picture)
+            self.assertIn("no counterexample has a name over which it could be drawn", r.stderr)
 
 
 class Verdicts(unittest.TestCase):
