@@ -515,6 +515,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
     }
     r->out->bounded |= c->used_bounds;
     r->out->leaves_out_poles |= c->omits_poles;
+    r->out->one_sided |= c->one_sided;
     for (int k = 0; k < c->count; k++) {
         cagd_finding *f = r->out;
         int known = (!c->binding[k].unknown && !c->binding[k].solved) || c->binding[k].key[0] == '\0' ||

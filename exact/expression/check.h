@@ -46,6 +46,7 @@ typedef struct cagd_finding {
     int changes, noticed;   /* ways in which the statement was changed (change.h), and how many of them fail      */
     int says_nothing;       /* it holds however it is changed, or both sides are one formula                     */
     int leaves_out_poles;   /* said of where both sides are defined: there are values where one is not     */
+    int one_sided;          /* derivatives were taken at the end of where a function is defined, from inside */
     int missing_conditions; /* conditions that were supposed and not used: the answer holds without them */
 } cagd_finding;
 

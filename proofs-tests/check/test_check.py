@@ -240,6 +240,20 @@ g(s,t) = s^2 t^3
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
 
+    def test_derivatives_where_the_definitions_end(self):
+        """The one-sided one, and that is told; none where the value is not the limit, where there is no value, and outside."""
+        let = ("p(t) = t^2 + t, \\quad 0 \\le t \\le 1\ng(t) = t^2 + 1, \\quad 0 < t \\le 1\ng(t) = 5, \\quad t = 0\nh(t) = t, \\quad 0 < t < 1\n"
+               "k(t) = p'(t)\nc(t) = \\begin{cases} t^3 & 0 \\le t \\le 1 \\end{cases}\n")
+        for printed, expected in (("p'(0) = 1", "holds"), ("p'(1) = 3", "holds"), ("p'(0) = 0", "fails"), ("p''(1) = 2", "holds"), ("k'(0) = 2", "holds"),
+                                  ("c'(1) = 3", "holds"), ("c''(0) = 0", "holds"), ("\\frac{d}{dt} p(t)|_{t=1} = 3", "holds"), ("g'(0) = 0", "undecided"),
+                                  ("h'(0) = 1", "undecided"), ("h'(1) = 1", "undecided"), ("p'(2) = 5", "undecided"), ("p'(-1) = -1", "undecided")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 1", let)
+                self.assertEqual(s["verdict"], expected, s)
+                self.assertEqual(s.get("one_sided_derivatives"), True if expected != "undecided" else None)
+        self.assertNotIn("one_sided_derivatives", verdict("p'(1/2) = 2", "n = 1", let))
+        self.assertIn("the one-sided one", check(document("p'(0) = 1", "n = 1", let)).stdout)
+
     def test_the_names_of_a_counterexample(self):
         values = verdict("x_{10} = x_9", "n = 1")["counterexample"]["values"]
         self.assertEqual(sorted(v["name"] for v in values), ["x_9", "x_{10}"])
