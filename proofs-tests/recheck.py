@@ -29,7 +29,7 @@ Exit status: 0 all is rechecked, 1 something is wrong, 2 bad usage, 3 nothing is
 import functools, hashlib, json, math, pathlib, re, sys
 from fractions import Fraction
 from itertools import combinations, count, zip_longest
-import recheck_format, recheck_formula
+import recheck_format, recheck_formula, recheck_sign, recheck_sums
 
 PRIME = 2**127 - 1
 MOST_MINORS = 200000
@@ -481,8 +481,8 @@ def check_fact(f, v, program):
             require(f["is"] == int(all_minors(M, f["strict"])), "the signs of the minors")
         else:
             require(v[f["is"][0]] == determinant(M), "a determinant")
-    else:
-        raise Wrong(f"a fact of kind {kind}")
+    else: # recheck_format has refused all others
+        {"sign_in_box": recheck_sign, "sum_for_every_n": recheck_sums}[kind].check(f, v, program, require, fraction_text, Modular.quotient)
 
 # ---- signs read off coefficients --------------------------------------------------------------------------
 @functools.cache

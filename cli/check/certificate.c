@@ -29,7 +29,8 @@ static int is_told(const json_t *node, size_t k, const char told[])
 }
 
 /* Whether of each comparison one side is made of inputs and constants alone, so that the other is checked also where it is a derivative,
- * an integral or a value at a place, of which what came out is told and not how.  A number that is told says nothing. */
+ * an integral or a value at a place, of which what came out is told and not how; and of a sum for every n its first values.  A number
+ * that is told says nothing. */
 static int says_enough(const json_t *one)
 {
     const json_t *nodes = json_object_get(one, "nodes"), *steps = json_object_get(one, "steps"), *node, *step;
@@ -47,9 +48,13 @@ static int says_enough(const json_t *one)
     {
         const json_t *sides = json_object_get(step, "same");
         sides = sides != NULL ? sides : json_object_get(step, "of");
+        size_t last = json_array_size(sides) - 1; /* the difference alone of an inequality that holds in a box */
         if (sides != NULL && told[json_integer_value(json_array_get(sides, 0))] &&
-            told[json_integer_value(json_array_get(sides, 1))])
+            told[json_integer_value(json_array_get(sides, last))])
             return 0;
+        const json_t *rows = json_object_get(step, "left"), *row;
+        size_t m;
+        json_array_foreach(rows, m, row) if (told[json_integer_value(row)]) return 0;
     }
     return json_array_size(steps) > 0;
 }

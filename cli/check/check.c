@@ -1,6 +1,7 @@
 /* check.c -- cagd check: decides the formulas of a file. */
 #include "chapters/judge/memory_text.h"
 #include "cli/check/certificate.h"
+#include "cli/check/counterexample.h"
 #include "cli/check/sheet.h"
 #include "cli/check/verdict.h"
 #include "cli/commands.h"
@@ -15,6 +16,8 @@
 #include <stdlib.h>
 #include <time.h>
 
+enum { MOST_PANELS = 12 };
+
 static int is_as_expected(const struct formula *s, const cagd_finding *f)
 {
     return s->expected == EXPECT_NOTHING ? f->answer == CAGD_HOLDS : (int)s->expected == (int)f->answer;
@@ -27,6 +30,8 @@ struct report {
     const char *path;                /* of the file of formulas */
     struct certifying *certificates; /* or NULL */
     int certified, *code;
+    svg *picture; /* or NULL */
+    int panels;   /* in it */
 };
 
 /* "t = 1/10; b = -243/5000 < 0", or why nothing was decided: from the entry of the list. */
@@ -85,6 +90,8 @@ static int check_one(const struct document *d, const struct formula *s, struct r
         json_object_set_new(entry, "certificate", name != NULL ? json_string(name) : json_null());
     }
     put_entry(to, entry, s->name, start, good ? NULL : failure);
+    if (to->picture != NULL && found.answer == CAGD_FAILS && to->panels < MOST_PANELS)
+        to->panels += draw_counterexample(to->picture, s, &found, to->panels);
     return good;
 }
 
@@ -130,36 +137,39 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 }
 
 /* The sheets of the bases; whether all of it was decided. */
-static int check_sheets(const struct arguments *a, const struct document *d, int behind, const struct report *to,
-                        int *code)
+static int check_sheets(const struct document *d, int behind, const struct report *to)
 {
     json_t *list = to->list;
     int good = 1;
-    svg *picture = a->picture != NULL
-                       ? svg_new("basis", "The functions of a basis", "The functions for some values of the parameter.")
-                       : NULL;
     for (int k = 0; k < d->sheets; k++) {
         region_mark mark = region_open();
         if (list == NULL && (behind || k > 0))
             puts("\n");
         double start = cagd_seconds();
-        int all = check_sheet(d, &d->sheet[k], list, picture);
+        int all = check_sheet(d, &d->sheet[k], list, to->picture);
         if (to->junit != NULL)
             junit_add(to->junit, to->path, d->sheet[k].name, cagd_seconds() - start,
                       all ? NULL : "undecided, expected an answer to everything", "");
         good &= all;
         region_drop(mark);
     }
-    if (picture != NULL) {
-        const char *text = svg_text(picture);
-        if (text == NULL || write_text_file(a->picture, text) != 0) {
-            if (text == NULL)
-                fprintf(stderr, "cagd: the picture cannot be drawn: %s\n", svg_failed(picture));
-            *code = EXIT_INTERNAL;
-        }
-        svg_free(picture);
-    }
     return good;
+}
+
+/* The picture goes to its file, and is no more. */
+static void write_picture(const char *path, const struct document *d, struct report *to)
+{
+    const char *text = NULL;
+    if (to->panels > 0)
+        draw_legend_of_counterexamples(to->picture);
+    if (to->panels == 0 && d->sheets == 0)
+        fprintf(stderr, "cagd: %s: no counterexample has a name over which it could be drawn\n",
+                name_of_input(d->path));
+    else if ((text = svg_text(to->picture)) == NULL)
+        fprintf(stderr, "cagd: the picture cannot be drawn: %s\n", svg_failed(to->picture));
+    if ((to->panels > 0 || d->sheets > 0) && (text == NULL || write_text_file(path, text) != 0))
+        *to->code = EXIT_INTERNAL;
+    svg_free(to->picture);
 }
 
 /* What nobody asked for and could not be read: a list on the page, or what comes out for JSON. */
@@ -186,7 +196,7 @@ static int check(const cagd_register *reg, const struct arguments *a)
     int good = 1, code = EXIT_AS_EXPECTED;
     if (read_document(reg, a->asked.path, &d) != 0)
         return EXIT_USAGE;
-    if ((a->basis || a->picture != NULL) && d.sheets == 0) {
+    if (a->basis && d.sheets == 0) {
         fprintf(stderr, "cagd: %s: has no block :::{basis} NAME\n", name_of_input(a->asked.path));
         return EXIT_USAGE;
     }
@@ -194,9 +204,19 @@ static int check(const cagd_register *reg, const struct arguments *a)
     struct certifying certificates;
     if (a->certificates != NULL && certify_begin(&certificates, a->certificates, "check") != 0)
         return EXIT_INTERNAL;
-    struct report to = {
-        list, a->junit != NULL ? junit_new() : NULL, a->asked.path, a->certificates != NULL ? &certificates : NULL, 0,
-        &code};
+    struct report to = {list,
+                        a->junit != NULL ? junit_new() : NULL,
+                        a->asked.path,
+                        a->certificates != NULL ? &certificates : NULL,
+                        0,
+                        &code,
+                        NULL,
+                        0};
+    if (a->picture != NULL && d.sheets > 0)
+        to.picture = svg_new("basis", "The functions of a basis", "The functions for some values of the parameter.");
+    else if (a->picture != NULL)
+        to.picture = svg_new("counterexamples", "Counterexamples",
+                             "Both sides of each statement that fails, and a place where they are not as printed.");
     int count = a->basis ? 0 : d.count;
     for (int k = 0; k < count; k++) {
         const struct formula *s = &d.formula[k];
@@ -208,7 +228,9 @@ static int check(const cagd_register *reg, const struct arguments *a)
     }
     to.list = sheets;
     int uncertified = code;
-    good &= check_sheets(a, &d, count > 0, &to, &code);
+    good &= check_sheets(&d, count > 0, &to);
+    if (a->picture != NULL)
+        write_picture(a->picture, &d, &to);
     good &= d.left_outs == 0;
     json_t *left_out = tell_left_out(&d, a->asked.json);
     if (a->certificates != NULL && uncertified == EXIT_AS_EXPECTED && certify_end(&certificates) != 0)
@@ -264,7 +286,7 @@ static const struct topic topics[] = {
 
 static const struct argp_option options[] = {
     {"basis", 'b', 0, 0, "The sheets of the bases alone, without the statements", 0},
-    {"svg", 's', "FILE", 0, "Draw the functions of the bases", 0},
+    {"svg", 's', "FILE", 0, "Draw the counterexamples, and the functions of the bases", 0},
     {"junit", 'u', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
     {"certificates", 'c', "DIR", 0, "Write what was found as certificates that recheck.py takes", 0},
     {0}};

@@ -247,6 +247,8 @@ void print_finding_page(const struct document *d, const struct formula *s, const
         paragraph(append("", "Changed in one number, sign, index, range or relation it fails in %d of %d ways.",
                          f->noticed, f->changes),
                   1);
+    if (f->one_sided)
+        paragraph("At the end of where a function is defined its derivative is the one-sided one.", 1);
     if (f->has_example)
         print_example(d, f);
     if (f->for_every)
@@ -278,6 +280,8 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
     free(scope);
     if (f->answer == CAGD_UNDECIDED)
         json_object_set_new(j, "reason", json_string(reason_of(d, f)));
+    if (f->one_sided)
+        json_object_set_new(j, "one_sided_derivatives", json_true());
     if (f->changes > 0) {
         json_object_set_new(j, "changes", json_integer(f->changes));
         json_object_set_new(j, "changes_noticed", json_integer(f->noticed));

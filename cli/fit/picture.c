@@ -1,6 +1,7 @@
 /* picture.c -- the picture of a fit: points, curve, control polygon; below, the distances over the parameter. */
 #include "chapters/judge/memory_text.h"
 #include "cli/fit/fit.h"
+#include "cli/ticks.h"
 #include "figures/svg.h"
 
 #include <math.h>
@@ -31,22 +32,6 @@ static void include(struct scale *s, double x)
 {
     s->low = fmin(s->low, x);
     s->high = fmax(s->high, x);
-}
-
-/* 1, 2 or 5 times a power of ten: the smallest step of which at most `most` fit into the length. */
-static num_q nice_step(double length, int most)
-{
-    double wanted = length / most;
-    int e = (int)floor(log10(wanted));
-    for (;; e++)
-        for (int k = 0; k < 3; k++) {
-            static const long digit[] = {1, 2, 5};
-            num_q step = from_int_q(digit[k]), ten = from_int_q(10);
-            for (int i = 0; i < abs(e); i++)
-                step = e > 0 ? mul_q(step, ten) : div_q(step, ten);
-            if (to_double_q(step) >= wanted)
-                return step;
-        }
 }
 
 /* The power of ten by which numbers of this size are divided to be read without many zeros. */

@@ -5,6 +5,7 @@
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
 #include "exact/expression/order.h"
+#include "exact/expression/positive.h"
 #include "exact/expression/suppose.h"
 #include "exact/number/recorder.h"
 #include "exact/record/trace.h"
@@ -406,13 +407,28 @@ static int is_empty(cagd_context *c)
 /* The node of a value. */
 static int node_of(cagd_value a) { return a.rational ? cagd_node_of_q(a.q) : cagd_node_of_f(a.f); }
 
+/* That a relation b holds in the box of the names; 0 where that is not noted. */
+static int note_inequality(const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
+{
+    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
+    int of[CAGD_MOST_UNKNOWNS], count = sides(c, side, of), noted = 0;
+    int less = relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL;
+    int strict = relation != CAGD_LESS_OR_EQUAL && relation != CAGD_GREATER_OR_EQUAL;
+    for (int turned = 0; turned <= (relation == CAGD_NOT_EQUAL) && !noted; turned++)
+        noted =
+            cagd_note_sign_in_box(less != turned ? cagd_value_sub(b, a) : cagd_value_sub(a, b), strict, count, side);
+    if (noted)
+        cagd_trace_agree(1, strict ? "is_positive_in_box(difference)" : "is_nonnegative_in_box(difference)");
+    return noted;
+}
+
 /* What is compared, as a step of the certificate; an identity stands for itself where no name is a function of others. */
 static void note_step(struct run *r, const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
 {
-    r->unnoted |= relation != CAGD_EQUAL;
     for (int m = 0; m < c->count; m++)
         r->unnoted |= c->binding[m].solved;
-    if (!r->unnoted)
+    r->unnoted |= relation != CAGD_EQUAL && (c->limits > 0 || !note_inequality(c, relation, a, b));
+    if (!r->unnoted && relation == CAGD_EQUAL)
         cagd_trace_same(node_of(a), node_of(b), 1);
 }
 
@@ -499,6 +515,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
     }
     r->out->bounded |= c->used_bounds;
     r->out->leaves_out_poles |= c->omits_poles;
+    r->out->one_sided |= c->one_sided;
     for (int k = 0; k < c->count; k++) {
         cagd_finding *f = r->out;
         int known = (!c->binding[k].unknown && !c->binding[k].solved) || c->binding[k].key[0] == '\0' ||
@@ -628,17 +645,25 @@ static int speaks_of(const cagd_scope *scope, const cagd_tree *condition, const 
     return 0;
 }
 
+/* Whether there is one whole number alone, on which no condition depends; then it begins at *low. */
+static int has_one_number(struct run *r, long *low)
+{
+    for (int k = 0; k < r->scope->condition_count; k++)
+        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+            return 0;
+    if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, low))
+        return 0;
+    *low += r->whole[0]->low_open;
+    return 1;
+}
+
 /* For the only whole number, whose first cases hold. */
 static int proved_for_every(struct run *r)
 {
     long low;
-    for (int k = 0; k < r->scope->condition_count; k++)
-        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
-            return 0;
-    if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, &low))
+    if (!has_one_number(r, &low))
         return 0;
-    r->out->for_every = cagd_holds_for_every(r->scope, r->statement, r->whole[0], low + r->whole[0]->low_open,
-                                             FIRST_CASES, &r->out->every);
+    r->out->for_every = cagd_holds_for_every(r->scope, r->statement, r->whole[0], low, FIRST_CASES, &r->out->every);
     r->out->strength = r->out->for_every ? CAGD_BY_IDENTITY : r->out->strength;
     return r->out->for_every;
 }
@@ -701,14 +726,20 @@ static int certify_cases(const cagd_scope *scope, const cagd_tree *statement, do
     struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds};
     r.take = take, r.data = data;
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
-    if (f == NULL || r.wholes < 0 || has_no_end(&r))
+    long low;
+    if (f == NULL || r.wholes < 0)
         return 0;
     *f = (cagd_finding){0};
     field_open(CAGD_FIELD_MAX_VARIABLES);
     cagd_trace_open(MOST_NOTED);
     decide_cases(&r, 0);
-    cagd_trace_close();
     int good = region_faults == 0 && !r.unnoted && !f->out_of_time && !f->has_example && f->undecided == 0;
+    if (good && has_no_end(&r)) { /* one case more, which stands for all others */
+        cagd_trace_again();
+        good = has_one_number(&r, &low) && cagd_note_for_every(scope, statement, r.whole[0], low, FIRST_CASES) &&
+               give_case(&r);
+    }
+    cagd_trace_close();
     region_faults &= FAULT_MEMORY;
     return good;
 }

@@ -46,6 +46,7 @@ typedef struct cagd_finding {
     int changes, noticed;   /* ways in which the statement was changed (change.h), and how many of them fail      */
     int says_nothing;       /* it holds however it is changed, or both sides are one formula                     */
     int leaves_out_poles;   /* said of where both sides are defined: there are values where one is not     */
+    int one_sided;          /* derivatives were taken at the end of where a function is defined, from inside */
     int missing_conditions; /* conditions that were supposed and not used: the answer holds without them */
 } cagd_finding;
 
@@ -56,8 +57,9 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
 /* What was found, once more, with its operations noted as exact/record/trace.h has them: each case of equalities that hold, or the
  * example with its two sides.  The texts of one case; 0 ends it. */
 typedef int cagd_take_case(void *data, const char *inputs, const char *nodes, const char *steps);
-/* 1; 0 where a certificate does not say it all: inequalities that hold, cases that were cut into parts, implications, what is
- * said of every n, and values whose making is not noted on either side, such as two derivatives.  The field is opened anew. */
+/* 1; 0 where a certificate does not say it all: inequalities whose box would be cut into too many parts, or whose names are tied to one
+ * another; cases that were cut into parts, implications, and values whose making is not noted on either side, such as two
+ * derivatives.  The field is opened anew. */
 int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found, double seconds,
                  cagd_take_case *take, void *data);
 

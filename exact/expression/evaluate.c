@@ -215,9 +215,12 @@ static cagd_value apply(cagd_context *c, const cagd_tree *t, const cagd_value va
     const cagd_tree *body = cagd_body_of(c, t, value, room, &f);
     if (region_faults != 0)
         return cagd_value_int(0);
-    if (body == NULL)
-        return cagd_declared(c->scope, t->head) != NULL ? variable(c, t, caller)
-                                                        : fail(c, t, FAULT_UNDEFINED, "no definition fits");
+    if (body == NULL && cagd_declared(c->scope, t->head) != NULL)
+        return variable(c, t, caller);
+    if (body == NULL) {
+        c->fits_none = 1;
+        return fail(c, t, FAULT_UNDEFINED, "no definition fits");
+    }
     if (c->depth == MOST_CALLS)
         return fail(c, t, FAULT_UNABLE, "definitions that use one another without end");
     c->depth++;
@@ -294,7 +297,7 @@ void cagd_arguments_of(cagd_context *c, const cagd_tree *t, const cagd_definitio
         value[k] = evaluate(c, k < t->count ? t->at[k] : d->left->at[k], f);
 }
 
-static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, num_f x, const frame *f);
+static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, cagd_value x, const frame *f);
 
 /* The k-th derivative at a, from one side: of the name t by its first argument, value[] being all of them, or of the body by the letter of
  * t.  lower[j], j <= k, are those of lower order, and 0 is the value. */
@@ -305,7 +308,7 @@ static cagd_value derivative_from(cagd_context *c, const cagd_tree *t, const cag
     num_f x = fresh(c, a, side);
     cagd_value F = a;
     if (region_faults == 0 && body != NULL)
-        F = with_letter(c, body, t->head, x, f);
+        F = with_letter(c, body, t->head, (cagd_value){.f = x}, f);
     else if (region_faults == 0) {
         value[t->lower + t->upper] = (cagd_value){.f = x};
         F = apply(c, t, value, f);
@@ -316,24 +319,58 @@ static cagd_value derivative_from(cagd_context *c, const cagd_tree *t, const cag
     return region_faults != 0 ? F : derived(c, t, F, x, k, a);
 }
 
-/* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too. */
+/* Whether there was no value because no definition fits on that side; then that is forgotten. */
+static int ends_here(cagd_context *c)
+{
+    if (region_faults != FAULT_UNDEFINED || !c->fits_none || !c->met_joint)
+        return 0;
+    region_faults = 0;
+    c->trouble = NULL, c->where = NULL;
+    return 1;
+}
+
+/* Whether the value at a is there, and that one. */
+static int is_value_at(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[], cagd_value a,
+                       cagd_value limit, const frame *f)
+{
+    cagd_value there;
+    if (body != NULL) {
+        there = with_letter(c, body, t->head, a, f);
+    } else {
+        value[t->lower + t->upper] = a;
+        there = apply(c, t, value, f);
+    }
+    return region_faults == 0 && cagd_value_is_zero(cagd_value_sub(there, limit));
+}
+
+/* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too; where the definitions end, it
+ * is that of the side on which they fit, if the function has a value there, to which it tends. */
 static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[], long k,
                                 cagd_value a, const frame *f)
 {
     enum { MOST_AT_JOINTS = 20 };
     cagd_value above[MOST_AT_JOINTS + 1], below[MOST_AT_JOINTS + 1];
-    int before = c->met_joint;
-    c->met_joint = 0;
-    cagd_value r = derivative_from(c, t, body, value, k, a, 1, k >= 0 && k <= MOST_AT_JOINTS ? above : NULL, f);
+    int before = c->met_joint, fitted = c->fits_none, is_listed = k >= 0 && k <= MOST_AT_JOINTS;
+    c->met_joint = c->fits_none = 0;
+    cagd_value r = derivative_from(c, t, body, value, k, a, 1, is_listed ? above : NULL, f);
+    int ends_above = is_listed && ends_here(c), ends_below = 0;
     if (c->met_joint && region_faults == 0) {
         if (k > MOST_AT_JOINTS)
             return fail(c, t, FAULT_UNABLE, "a derivative of high order at a joint");
-        derivative_from(c, t, body, value, k, a, -1, below, f);
-        for (long j = 0; j <= k && region_faults == 0; j++)
+        c->fits_none = 0;
+        cagd_value other = derivative_from(c, t, body, value, k, a, -1, below, f);
+        ends_below = !ends_above && ends_here(c);
+        r = ends_above ? other : r;
+        for (long j = 0; j <= k && region_faults == 0 && !ends_above && !ends_below; j++)
             if (!cagd_value_is_zero(cagd_value_sub(above[j], below[j])))
                 fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
     }
-    c->met_joint |= before;
+    if (region_faults == 0 && (ends_above || ends_below)) {
+        if (!is_value_at(c, t, body, value, a, ends_above ? below[0] : above[0], f))
+            fail(c, t, FAULT_UNDEFINED, "no derivative where the definitions end");
+        c->one_sided = 1;
+    }
+    c->met_joint |= before, c->fits_none |= fitted;
     return r;
 }
 
@@ -359,9 +396,9 @@ static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
 }
 
 /* The value of t when the letter is x, inside what is evaluated and in the definitions that it uses. */
-static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, num_f x, const frame *f)
+static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, cagd_value x, const frame *f)
 {
-    frame inner = {letter, {.f = x}, f};
+    frame inner = {letter, x, f};
     for (const frame *g = f; g != NULL; g = g->next) /* a letter of this definition alone */
         if (strcmp(g->head, letter) == 0)
             return evaluate(c, t, &inner);
@@ -395,7 +432,7 @@ static cagd_value at_a_place(cagd_context *c, const cagd_tree *t, const frame *f
     cagd_value place = evaluate(c, t->at[1], f);
     int known = c->count;
     num_f x = fresh(c, place, 0);
-    cagd_value F = with_letter(c, t->at[0], t->head, x, f);
+    cagd_value F = with_letter(c, t->at[0], t->head, (cagd_value){.f = x}, f);
     forget(c, known);
     return region_faults != 0 ? F : derived(c, t, F, x, 0, place);
 }
@@ -407,7 +444,7 @@ static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
     num_f x = fresh(c, sum, 0);
     if (region_faults == 0)
         c->binding[c->count - 1].near = 0; /* it is anywhere between the ends */
-    num_f F = cagd_in_field(with_letter(c, t->at[2], t->head, x, f));
+    num_f F = cagd_in_field(with_letter(c, t->at[2], t->head, (cagd_value){.f = x}, f));
     forget(c, known);
     if (region_faults != 0)
         return sum;
@@ -893,6 +930,8 @@ static cagd_value cases(cagd_context *c, const cagd_tree *t, const frame *f)
         if (is)
             return evaluate(c, t->at[k], f);
     }
+    c->fits_none = 1;
+    c->fits_none = 1;
     return fail(c, t, FAULT_UNDEFINED, "none of the cases");
 }
 

@@ -89,6 +89,8 @@ typedef struct cagd_context {
     int memos;
     int met_joint;   /* a condition changed where a derivative was taken                                  */
     int omits_poles; /* a divisor can be 0, and nothing is said of that                               */
+    int fits_none;   /* no definition of a name fitted                                                */
+    int one_sided;   /* a derivative was taken where the definitions end, from the side on which they fit */
 } cagd_context;
 
 /* What letters stand for inside a definition or a sum; all other names are the same everywhere. */

@@ -1,5 +1,6 @@
 #include "exact/expression/every.h"
 
+#include "exact/record/trace.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -239,12 +240,19 @@ static const char *spelled(const struct search *s, num_f a, const char *n, const
     return out != NULL ? out : "";
 }
 
-int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
-                         int checked, cagd_every *out)
+/* What is found: n - by_n and k - begin of the statement are the n and k of the question. */
+struct proof {
+    const cagd_tree *sum, *whole, *other;
+    cagd_sum question;
+    cagd_telescoper T;
+    long begin, by_n, from;
+};
+
+static int find_proof(struct search *s, const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n,
+                      long low, int checked, struct proof *out)
 {
     static const long furthest = 1000;
-    struct search *s = region_bytes(sizeof *s);
-    if (s == NULL || statement->kind != CAGD_RELATION || statement->count != 2 || statement->relation[0] != CAGD_EQUAL)
+    if (statement->kind != CAGD_RELATION || statement->count != 2 || statement->relation[0] != CAGD_EQUAL)
         return 0;
     *s = (struct search){.c = {.scope = scope, .in_field = 1, .steps = 100 * CAGD_USUAL_STEPS}};
     s->n = variable_f("vn"), s->k = variable_f("vk");
@@ -286,22 +294,135 @@ int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, co
                          0,
                          1};
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-    cagd_telescoper T;
     for (long from = low > by_n ? low : by_n; from < low + checked; from++) {
         question.from = (int)(from - by_n);
         if (!at_number(s, whole, other, n->head, from, begin, &question.first, &question.start))
             continue;
-        enum cagd_sum_answer answer = cagd_sum_for_every_n(&question, s->n, s->k, MOST_ORDER, &T);
+        enum cagd_sum_answer answer = cagd_sum_for_every_n(&question, s->n, s->k, MOST_ORDER, &out->T);
         unsigned faults = region_faults;
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
         if (answer != CAGD_SUM_PROVED || faults != 0)
             continue;
-        *out = (cagd_every){.order = T.order, .from = from, .n = n->head, .k = sum->head};
-        /* The n and k of the statement again. */
-        for (int j = 0; j <= T.order; j++)
-            out->a[j] = spelled(s, shifted(T.a[j], s->n, -by_n), n->head, sum->head);
-        out->R = spelled(s, shifted(shifted(T.R, s->k, -begin), s->n, -by_n), n->head, sum->head);
-        return region_faults == 0;
+        out->sum = sum, out->whole = whole, out->other = other, out->question = question;
+        out->begin = begin, out->by_n = by_n, out->from = from;
+        return 1;
     }
     return 0;
+}
+
+int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
+                         int checked, cagd_every *out)
+{
+    struct search *s = region_bytes(sizeof *s);
+    struct proof p;
+    if (s == NULL || !find_proof(s, scope, statement, n, low, checked, &p))
+        return 0;
+    *out = (cagd_every){.order = p.T.order, .from = p.from, .n = n->head, .k = p.sum->head};
+    for (int j = 0; j <= p.T.order; j++) /* the n and k of the statement again */
+        out->a[j] = spelled(s, shifted(p.T.a[j], s->n, -p.by_n), n->head, p.sum->head);
+    out->R = spelled(s, shifted(shifted(p.T.R, s->k, -p.begin), s->n, -p.by_n), n->head, p.sum->head);
+    return region_faults == 0;
+}
+
+/* ---- as a certificate ---------------------------------------------------------------------------------- */
+
+enum { NEVER_ZERO = 5, MOST_NOTED_FACTORS = 64 };
+
+/* p = rest f_0^e_0 ..., the f being the factors that contain n or k; their number, or -1. */
+static int factors_in(const struct search *s, num_f p, int room, num_f *rest, num_f f[], int e[])
+{
+    num_f variable[] = {s->n, s->k};
+    int count = 0;
+    *rest = p;
+    for (int v = 0; v < 2; v++) {
+        int found = cagd_factors_f(*rest, variable[v], room - count, f + count, e + count);
+        if (found < 0)
+            return -1;
+        for (int i = 0; i < found; i++, count++)
+            *rest = div_f(*rest, power(f[count], e[count]));
+    }
+    return count;
+}
+
+/* The nodes of both sides at `rows` numbers, computed from the names. */
+static int note_rows(const struct search *s, const cagd_scope *scope, const struct proof *p, const char *n, int rows,
+                     int left[], int right[])
+{
+    cagd_context *c = region_bytes(sizeof *c);
+    if (c == NULL)
+        return 0;
+    *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
+    for (int m = 0; m < s->c.count; m++) {
+        char name[16];
+        snprintf(name, sizeof name, "v%d", m);
+        cagd_bind(c, s->c.binding[m].key, (cagd_value){.f = variable_f(name)});
+    }
+    for (int i = 0; i < rows && region_faults == 0; i++) {
+        cagd_binding_of(c, n)->value = cagd_value_constant(from_int_q(p->from + i));
+        const cagd_tree *const side[] = {p->whole, p->other};
+        for (int k = 0; k < 2; k++) {
+            cagd_value v = cagd_evaluate(c, side[k]);
+            (k == 0 ? left : right)[i] = v.rational ? cagd_node_of_q(v.q) : cagd_node_of_f(v.f);
+        }
+    }
+    return region_faults == 0;
+}
+
+int cagd_note_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
+                        int checked)
+{
+    struct search *s = region_bytes(sizeof *s);
+    struct proof p;
+    if (s == NULL || !cagd_trace_noting())
+        return 0;
+    cagd_trace_pause();
+    int found = find_proof(s, scope, statement, n, low, checked, &p), count = 0, counts[NEVER_ZERO];
+    const num_f fraction[] = {p.question.F.by_n, p.question.F.by_k, p.question.ratio, p.T.R};
+    num_f top[NEVER_ZERO], bottom[NEVER_ZERO], rest[NEVER_ZERO], factor[MOST_NOTED_FACTORS];
+    int powers[MOST_NOTED_FACTORS], node[MOST_NOTED_FACTORS];
+    for (int i = 0; found && i < NEVER_ZERO; i++) {
+        if (i + 1 < NEVER_ZERO)
+            top[i] = cagd_numerator_f(fraction[i]), bottom[i] = cagd_denominator_f(fraction[i]);
+        else
+            bottom[i] = p.T.a[p.T.order];
+        counts[i] = factors_in(s, bottom[i], MOST_NOTED_FACTORS - count, &rest[i], factor + count, powers + count);
+        found = counts[i] >= 0;
+        count += found ? counts[i] : 0;
+    }
+    cagd_trace_resume();
+    int a[CAGD_TELESCOPER_ORDER + 1], of_rest[NEVER_ZERO], left[CAGD_TELESCOPER_ORDER + 2],
+        right[CAGD_TELESCOPER_ORDER + 2];
+    if (!found || !note_rows(s, scope, &p, n->head, p.T.order + 2, left, right))
+        return 0;
+    int of_n = cagd_node_of_f(variable_f("vn")), of_k = cagd_node_of_f(variable_f("vk"));
+    for (int i = 0; i < count; i++)
+        node[i] = cagd_node_of_f(factor[i]);
+    for (int i = 0; i < NEVER_ZERO; i++)
+        of_rest[i] = cagd_node_of_f(rest[i]);
+    for (int j = 0; j <= p.T.order; j++)
+        a[j] = cagd_node_of_f(p.T.a[j]);
+    int first = cagd_node_of_f(p.question.first);
+    static const char *const name[] = {"by_n", "by_k", "ratio", "R"};
+    int pair[4][2];
+    for (int i = 0; i < 4; i++)
+        pair[i][0] = cagd_node_of_f(top[i]), pair[i][1] = cagd_node_of_f(bottom[i]);
+    if (region_faults != 0 || !cagd_trace_fact("sum_for_every_n"))
+        return 0;
+    cagd_trace_put("n", of_n);
+    cagd_trace_put("k", of_k);
+    for (int i = 0; i < 4; i++)
+        cagd_trace_put_list(name[i], 2, pair[i]);
+    cagd_trace_put_list("a", p.T.order + 1, a);
+    cagd_trace_put("first", first);
+    cagd_trace_put("from", p.question.from);
+    cagd_trace_put_list("left", p.T.order + 2, left);
+    cagd_trace_put_list("right", p.T.order + 2, right);
+    cagd_trace_put_list("rest", NEVER_ZERO, of_rest);
+    cagd_trace_put_list("counts", NEVER_ZERO, counts);
+    cagd_trace_put_list("factors", count, node);
+    cagd_trace_put_list("powers", count, powers);
+    cagd_trace_put("is", 1);
+    cagd_trace_fact_end();
+    cagd_trace_agree(1, "sum_for_every_n(n)");
+    return region_faults == 0;
 }

@@ -17,4 +17,11 @@ typedef struct cagd_every {
 /* Whether it holds for every n >= the lower end of the range of n, the first `checked` of them being known; 1 and *out, or 0. */
 int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
                          int checked, cagd_every *out);
+/* The same where a trace is open: the fact {"fact":"sum_for_every_n"}, with which others can check it, is noted, and 1; 0 and nothing
+ * noted where it is not proved.  In the letters of exact/decide/sums.h, after k and n were shifted so that k runs from 0 to n: the
+ * nodes "n" and "k"; of numerator and denominator "by_n", "by_k", "ratio", "R"; "a": a_0, ..., a_J; "first" = F(from,0); "from";
+ * "left" and "right": both sides of the statement at the numbers that stand for n = from, ..., from+J+1.  The denominators in this order and a_J
+ * are "rest" times so many ("counts") of the "factors" to the "powers", which are not 0 where they are needed. */
+int cagd_note_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
+                        int checked);
 #endif

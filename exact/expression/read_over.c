@@ -67,6 +67,26 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
     return body;
 }
 
+/* Of d/dt f(t)|_{t=a}, read as the derivative of f(a), the value at a of the derivative of f(t), which is meant; `t` is the derivative. */
+static const cagd_tree *value_behind(cagd_reader *r, cagd_tree *t, const char *head)
+{
+    const cagd_tree *at = t != NULL ? t->at[0] : NULL, *last = at;
+    if (at != NULL && at->kind == CAGD_PRODUCT)
+        last = at->at[at->count - 1];
+    if (at == NULL || last->kind != CAGD_AT || strcmp(last->head, head) != 0)
+        return t;
+    if (last != at)
+        return cagd_refuse_tree(
+            r, last,
+            "the value at a place of the derivative, or of its last factor: put what has it between "
+            "\\left. and \\right|");
+    t->at[0] = at->at[0];
+    cagd_tree *value = cagd_new_of(r, CAGD_AT, t->from, 2, (const cagd_tree *[]){t, at->at[1]});
+    if (value != NULL)
+        value->head = at->head;
+    return value;
+}
+
 /* d^k f / d t^k, the brace of the numerator being passed, if it has braces; the body f may follow the fraction. */
 static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
 {
@@ -99,14 +119,15 @@ static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
         return cagd_refuse_token(r, "the orders above and below are not the same");
     if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
         return NULL;
-    if (body == NULL)
+    int follows = body == NULL;
+    if (follows)
         body = cagd_read_product(r);
     if (order == NULL)
         order = cagd_tree_number(1, from, from);
     cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, order});
     if (t != NULL)
         t->head = head;
-    return t;
+    return follows ? value_behind(r, t, head) : t;
 }
 
 const cagd_tree *cagd_read_fraction(cagd_reader *r, int from)

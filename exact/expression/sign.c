@@ -465,8 +465,7 @@ static int sign_at(num_f p, int count, const cagd_side_of_box side[], const num_
     return region_faults == 0 && is_constant_f(p, &value) ? cagd_sign_q(value) : 1;
 }
 
-/* x = a + u, b - u, (a + b u)/(1 + u) for u > 0: the numerator of p. */
-static num_f over_positive_numbers(num_f p, int count, const cagd_side_of_box side[])
+num_f cagd_over_positive_numbers(num_f p, int count, const cagd_side_of_box side[])
 {
     for (int k = 0; k < count; k++) {
         num_f u = side[k].variable;
@@ -503,7 +502,7 @@ static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd
         open &= (!side[k].has_low || side[k].low_open) && (!side[k].has_high || side[k].high_open);
     }
     if (bounded) {
-        num_f q = over_positive_numbers(p, count, side);
+        num_f q = cagd_over_positive_numbers(p, count, side);
         int sign = region_faults == 0 ? cagd_coefficients_sign_f(q) : -2, corners = 1;
         for (int corner = 0; strict && !open && corner < 1 << count;
              corner++) { /* on every face one coefficient is positive */

@@ -24,6 +24,9 @@ typedef struct cagd_side_of_box {
 cagd_answer cagd_positive_in_box(cagd_num_f p, int strict, int count, const cagd_side_of_box side[], cagd_num_q point[],
                                  int *rational);
 
+/* p with x = a + u, b - u, (a + b u)/(1 + u) for each side, u > 0 being called x again; its numerator has the signs of p in the open box. */
+cagd_num_f cagd_over_positive_numbers(cagd_num_f p, int count, const cagd_side_of_box side[]);
+
 /* The simplest rational between a and b: a < x < b, the denominator being least, and then the numerator. */
 cagd_num_q cagd_simplest_between(cagd_num_q a, cagd_num_q b);
 /* A simple rational inside the side. */

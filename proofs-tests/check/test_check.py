@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 HERE = pathlib.Path(__file__).resolve().parent
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
@@ -239,6 +240,20 @@ g(s,t) = s^2 t^3
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
 
+    def test_derivatives_where_the_definitions_end(self):
+        """The one-sided one, and that is told; none where the value is not the limit, where there is no value, and outside."""
+        let = ("p(t) = t^2 + t, \\quad 0 \\le t \\le 1\ng(t) = t^2 + 1, \\quad 0 < t \\le 1\ng(t) = 5, \\quad t = 0\nh(t) = t, \\quad 0 < t < 1\n"
+               "k(t) = p'(t)\nc(t) = \\begin{cases} t^3 & 0 \\le t \\le 1 \\end{cases}\n")
+        for printed, expected in (("p'(0) = 1", "holds"), ("p'(1) = 3", "holds"), ("p'(0) = 0", "fails"), ("p''(1) = 2", "holds"), ("k'(0) = 2", "holds"),
+                                  ("c'(1) = 3", "holds"), ("c''(0) = 0", "holds"), ("\\frac{d}{dt} p(t)|_{t=1} = 3", "holds"), ("g'(0) = 0", "undecided"),
+                                  ("h'(0) = 1", "undecided"), ("h'(1) = 1", "undecided"), ("p'(2) = 5", "undecided"), ("p'(-1) = -1", "undecided")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 1", let)
+                self.assertEqual(s["verdict"], expected, s)
+                self.assertEqual(s.get("one_sided_derivatives"), True if expected != "undecided" else None)
+        self.assertNotIn("one_sided_derivatives", verdict("p'(1/2) = 2", "n = 1", let))
+        self.assertIn("the one-sided one", check(document("p'(0) = 1", "n = 1", let)).stdout)
+
     def test_the_names_of_a_counterexample(self):
         values = verdict("x_{10} = x_9", "n = 1")["counterexample"]["values"]
         self.assertEqual(sorted(v["name"] for v in values), ["x_9", "x_{10}"])
@@ -382,9 +397,95 @@ class Certificates(unittest.TestCase):
                         self.assertEqual(self.recheck(folder)[0], 1)
                 path.write_text(kept)
 
+    INEQUALITIES = [("\\frac{B_i^n(t)}{1+x} \\ge 0", "n = 2..3, i = 0..n, 0 \\le t \\le 1, x \\ge 0"), ("x^2 - 3 x + 5/2 > 0", "n = 1"),
+                    ("x^2 + y^2 \\ge 2 x y", "n = 1"), ("x y < 1 + x", "n = 1, 0 \\le x, 0 < y < 1"), ("x \\ne -1", "n = 1, x > 0"),
+                    ("1/3 < 1/2", "n = 1"), ("x - x^3 < 2/5", "n = 1, 0 \\le x \\le 1"), ("x y + y > 0", "n = 1, x \\ge 0, 0 < y < 1")]
+
+    def write_inequalities(self, folder):
+        text = document("x = x").partition(":::{statement}")[0]
+        text += "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {ranges}\n:::\n" for k, (printed, ranges) in enumerate(self.INEQUALITIES))
+        return check(text, "--certificates", folder)
+
+    def test_inequalities_that_hold(self):
+        with tempfile.TemporaryDirectory() as folder:
+            r = self.write_inequalities(folder)
+            self.assertEqual(r.returncode, 0, r.stdout)
+            self.assertIn(f"Certificates of {len(self.INEQUALITIES)} of", r.stdout)
+            code, out = self.recheck(folder)
+            self.assertEqual(code, 0, out)
+
+    def test_inequalities_with_one_fault(self):
+        """A statement, and a change of its first fact after which it is not true, or not shown."""
+        def number(field, place, value):
+            def act(f, nodes):
+                nodes.append(["c", value])
+                f[field][place] = len(nodes) - 1
+            return act
+
+        def put(field, place, value):
+            return lambda f, nodes: f[field].__setitem__(place, value)
+
+        changes = [(0, number("constant", 0, "-1/7")), (0, number("low", 1, "-2")), (1, number("constant", 0, "2")),
+                   (1, put("signs", 0, -1)), (1, put("signs", 0, 0)), (1, put("powers", 0, 3)), (1, put("powers", 0, -1)),
+                   (1, lambda f, nodes: f["cuts"].append(-1)), (1, lambda f, nodes: f["cuts"].pop()), (1, lambda f, nodes: f.update(cuts=[-1])),
+                   (1, number("cuts", 4, "-1")), (1, lambda f, nodes: f.update(cuts=[])), (2, put("powers", 0, 1)),
+                   (2, lambda f, nodes: f.update(strict=1)), (3, put("high", 1, -1)), (4, number("low", 0, "-2")), (4, put("low", 0, -1)),
+                   (5, number("constant", 0, "1/7")), (6, number("high", 0, "-2")), (6, lambda f, nodes: f.update(strict=0)), (7, put("open", 2, 0)), (7, put("low", 0, -1)),
+                   (7, lambda f, nodes: f.update(variables=f["variables"][::-1])), (7, lambda f, nodes: f.update(**{"is": 0})), (7, put("factors", 0, 10**6)), (7, put("cuts", 0, 10**6))]
+        with tempfile.TemporaryDirectory() as folder:
+            self.write_inequalities(folder)
+            self.refuse_all(pathlib.Path(folder), 0, changes)
+
+    def refuse_all(self, folder, case, changes):
+        """Each change of the first fact of a case of claim s0, s1, ... is wrong, when the manifest was made to fit."""
+        listed = (folder / "manifest.json").read_text()
+        for number, (k, change) in enumerate(changes):
+            path = folder / f"claims/s{k}.json"
+            kept = path.read_text()
+            claim, manifest = json.loads(kept), json.loads(listed)
+            change(claim["cases"][case]["steps"][0], claim["cases"][case]["nodes"])
+            self.assertNotEqual(claim, json.loads(kept))
+            path.write_text(json.dumps(claim))
+            entry = next(c for c in manifest["claims"] if c["claim"] == f"s{k}")
+            entry["sha256"] = hashlib.sha256(path.read_bytes()).hexdigest()
+            entry["certificate"][case]["nodes"] = len(claim["cases"][case]["nodes"])
+            (folder / "manifest.json").write_text(json.dumps(manifest))
+            with self.subTest(change=number, claim=k):
+                code, out = self.recheck(folder)
+                self.assertEqual(code, 1)
+                self.assertNotIn("malformed: Type", out)
+            path.write_text(kept)
+
+    def test_sums_for_every_number(self):
+        statements = (("\\sum_{i=0}^n \\frac{i}{n} B_i^n(t) = t", "n = 1.."), ("\\sum_{i=0}^n \\binom{n}{i}^2 = \\binom{2n}{n}", "n = 0.."),
+                      ("\\sum_{i=0}^n i (i-1) B_i^n(t) = n (n-1) t^2", "n = 0.."))
+
+        def text(field, change, place=None):
+            """What a node of the fact is, changed, as another node."""
+            def act(f, nodes):
+                at = f[field] if place is None else f[field][place]
+                nodes.append(["f", change.format(nodes[at][1])])
+                if place is None:
+                    f[field] = len(nodes) - 1
+                else:
+                    f[field][place] = len(nodes) - 1
+            return act
+        changes = [(k, change) for k in range(2) for change in (
+            text("R", "2*{}", 0), text("R", "vn*{}", 0), text("by_n", "vn", 0), text("by_n", "vn*vk", 1), text("by_k", "vk", 1), text("ratio", "2", 0), text("a", "vn-7", 0), text("a", "vn-7", 1),
+            text("first", "7"), text("rest", "5", 0), text("factors", "vn-9", 0), text("factors", "vk", 0), lambda f, nodes: f["powers"].__setitem__(0, f["powers"][0] + 1),
+            lambda f, nodes: f["counts"].__setitem__(0, f["counts"][0] + 1), lambda f, nodes: f["left"].__setitem__(1, f["n"]), lambda f, nodes: f["right"].__setitem__(2, 0),
+            lambda f, nodes: f.update({"from": f["from"] + 1}), lambda f, nodes: f.update(n=f["k"], k=f["n"]), lambda f, nodes: f["a"].pop(), lambda f, nodes: f.update({"is": 0}))]
+        with tempfile.TemporaryDirectory() as folder:
+            lets = document("x = x").partition(":::{statement}")[0]
+            r = check(lets + "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {ranges}\n:::\n" for k, (printed, ranges) in enumerate(statements)), "--certificates", folder)
+            self.assertIn("Certificates of 3 of 3", r.stdout)
+            code, out = self.recheck(folder)
+            self.assertEqual(code, 0, out)
+            self.refuse_all(pathlib.Path(folder), -1, changes)
+
     def test_what_is_not_noted_has_none(self):
-        for printed, ranges in (("x^2 + 1 > 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
-                                ("\\sum_{i=0}^n B_i^n(t) = 1", "n = 0.."), ("x > 0 \\Rightarrow x = x", "n = 1"), ("x + 1 = y + 1", "x = y")):
+        for printed, ranges in (("x^2 - x y + y^2 \\ge 0", "n = 1, 0 \\le x \\le 1, 0 \\le y \\le 1"), ("(\\frac{d}{dt} F(t))^2 \\ge 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
+                                ("x > 0 \\Rightarrow x = x", "n = 1"), ("x + 1 = y + 1", "x = y")):
             with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
                 s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
                 self.assertEqual((s["verdict"], s["certificate"]), ("holds", None))
@@ -624,6 +725,30 @@ class Mistakes(unittest.TestCase):
     def test_all_mistakes_of_a_file_are_told(self):
         r = check(document("x = z") + ":::{statement} r\n:printed: x = 1 +\n:::\n")
         self.assertEqual(r.stderr.count("cagd: "), 2)
+
+
+class Pictures(unittest.TestCase):
+    def draw(self, *statements):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "c.svg"
+            text = document("x = x").partition(":::{statement}")[0]
+            text += "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {ranges}\n:::\n" for k, (printed, ranges) in enumerate(statements))
+            r = check(text, "--svg", str(path))
+            return r, xml.etree.ElementTree.fromstring(path.read_text()) if path.exists() else None
+
+    def test_a_counterexample_is_drawn_over_the_name_that_is_free(self):
+        r, picture = self.draw(("\\sum_{i=1}^n B_i^n(t) = 1", "n = 2..3, 0 \\le t \\le 1"), ("x^2 + 1 \\ge 2 x", "n = 1"), ("x^2 + y^2 \\ge 3 x y", "0 \\le y \\le 2"),
+                               ("n = 2", "n = 1..3"), ("\\frac{1}{x - 1} \\ge x", "n = 1"))
+        self.assertEqual(r.returncode, 1)
+        words = ["".join(t.itertext()) for t in picture.iter("{http://www.w3.org/2000/svg}text")]
+        self.assertEqual([w for w in words if "fails at" in w], ["s0, n = 2: fails at t = 0", "s2, x = 1: fails at y = 1", "s4: fails at x = 0"])
+        self.assertEqual(words.count("left side"), 1)
+
+    def test_without_one_there_is_no_picture(self):
+        for printed, ranges in (("x = x", "n = 1"), ("n = 2", "n = 1..3")):
+            r, picture = self.draw((printed, ranges))
+            self.assertIsNone(picture)
+            self.assertIn("no counterexample has a name over which it could be drawn", r.stderr)
 
 
 class Verdicts(unittest.TestCase):
