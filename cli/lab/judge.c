@@ -412,7 +412,7 @@ static int is_built(struct lab_bench *b, size_t index, const json_t *wrong)
     if (source == NULL)
         return 0;
     snprintf(object, sizeof object, "wrong-%zu.so", index);
-    char *errors = lab_build(b->lab, &b->own, source, object, NULL);
+    char *errors = lab_build(b->lab, &b->own, &b->own, source, object, NULL);
     if (errors == NULL && lab_player_open(&b->wrong[index], &b->own, b->lab, object) == 0)
         b->built[index] = 1;
     free(errors);
@@ -681,7 +681,7 @@ static void judge_all(struct trial *t, json_t *rows)
         wrong += json_object_get(row, "case") != NULL;
         json_array_append_new(rows, row);
     }
-    json_t *report = lab_sanitize(t->lab, &t->place, t->jobs);
+    json_t *report = lab_sanitize(t->lab, &t->place, &t->bench->own, t->jobs);
     if (report != NULL) {
         snprintf(t->manners, sizeof t->manners, "%s", member(report, "text"));
         t->manners_line = (int)json_integer_value(json_object_get(report, "line"));
@@ -724,7 +724,7 @@ static void tell_refused(const struct lab *lab, json_t *rows, const char *verdic
 static char *prepare(struct trial *t, const char *source, json_t *result)
 {
     enum lab_reason reason = LAB_NO_REASON;
-    char *errors = lab_build(t->lab, &t->place, source, "student.so", &reason);
+    char *errors = lab_build(t->lab, &t->place, &t->bench->own, source, "student.so", &reason);
     if (reason != LAB_NO_REASON) {
         json_object_set_new(result, reason == LAB_REFUSED ? "refused" : "compiler", json_string(errors));
         json_object_set_new(result, "notes", json_array());
@@ -785,7 +785,9 @@ int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CA
         free(source);
         return -1;
     }
-    char *errors = lab_build(lab, &b->own, source, "reference.so", NULL);
+    char *errors = lab_build_driver(lab, &b->own);
+    if (errors == NULL)
+        errors = lab_build(lab, &b->own, &b->own, source, "reference.so", NULL);
     free(source);
     if (errors == NULL && lab_player_open(&b->right, &b->own, lab, "reference.so") == 0)
         return 0;
