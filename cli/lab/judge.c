@@ -11,8 +11,17 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-enum { MOST_POINTS = 400, FIRST_POINTS = 3, MOST_SHRINKING = 200, MOST_WAYS = 64, HINT_POINTS = 4, ROUNDED = 12 };
+enum {
+    MOST_POINTS = 400,
+    FIRST_POINTS = 3,
+    MOST_SHRINKING = 200,
+    MOST_WAYS = 64,
+    HINT_POINTS = 4,
+    ROUNDED = 12,
+    MOST_KNOWN = 20000
+};
 enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6 };
 
 /* What is known while one submission is judged. */
@@ -65,13 +74,39 @@ static json_t *lost(void)
                      "the process of the code ended, or said what no run says");
 }
 
+/* What the reference says to a job; it is asked once only. */
+static json_t *asked_reference(struct lab_bench *b, const json_t *job, int *is_asked)
+{
+    char *key = json_dumps(job, JSON_COMPACT);
+    json_t *known = key != NULL ? json_object_get(b->known, key) : NULL;
+    *is_asked = known == NULL;
+    free(key);
+    return json_incref(known);
+}
+
+static void keep_reference(struct lab_bench *b, const json_t *job, json_t *answer)
+{
+    char *key = json_dumps(job, JSON_COMPACT);
+    if (json_object_size(b->known) >= MOST_KNOWN)
+        json_object_clear(b->known);
+    if (key != NULL)
+        json_object_set(b->known, key, answer);
+    free(key);
+}
+
 static struct pair ask_both(struct trial *t, json_t *job)
 {
     struct pair p;
+    int is_asked;
     lab_ask(&t->student, job);
-    lab_ask(&t->bench->right, job);
+    p.want = asked_reference(t->bench, job, &is_asked);
+    if (is_asked)
+        lab_ask(&t->bench->right, job);
     p.got = lab_answer(&t->student);
-    p.want = lab_answer(&t->bench->right);
+    if (is_asked)
+        p.want = lab_answer(&t->bench->right);
+    if (is_asked && p.want != NULL)
+        keep_reference(t->bench, job, p.want);
     json_decref(job);
     if (p.got == NULL) {
         p.got = lost();
@@ -412,7 +447,10 @@ static int is_built(struct lab_bench *b, size_t index, const json_t *wrong)
     if (source == NULL)
         return 0;
     snprintf(object, sizeof object, "wrong-%zu.so", index);
-    char *errors = lab_build(b->lab, &b->own, &b->own, source, object, NULL);
+    const char *kept = json_string_value(json_object_get(b->kept, source));
+    if (kept != NULL)
+        snprintf(object, sizeof object, "%s", kept);
+    char *errors = kept != NULL ? NULL : lab_build(b->lab, &b->own, &b->own, source, object, NULL);
     if (errors == NULL && lab_player_open(&b->wrong[index], &b->own, b->lab, object) == 0)
         b->built[index] = 1;
     free(errors);
@@ -746,6 +784,17 @@ static char *prepare(struct trial *t, const char *source, json_t *result)
     return errors;
 }
 
+/* The object of an answer stays, for the case that it is one of the wrong solutions of the lab. */
+static void keep_object(struct trial *t, const char *source)
+{
+    char from[LAB_MOST_PATH + 32], to[LAB_MOST_PATH + 64], name[40];
+    snprintf(name, sizeof name, "kept-%zu.so", json_object_size(t->bench->kept));
+    snprintf(from, sizeof from, "%s/student.so", t->place.folder);
+    snprintf(to, sizeof to, "%s/%s", t->bench->own.folder, name);
+    if (!lab_is_python(t->lab, "student.so") && link(from, to) == 0)
+        json_object_set_new(t->bench->kept, source, json_string(name));
+}
+
 json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
 {
     struct trial t = {.bench = b, .lab = b->lab, .jobs = json_array()};
@@ -760,6 +809,8 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
         if (errors != NULL) {
             tell_refused(b->lab, rows, json_object_get(result, "refused") != NULL ? "refused" : "not compiled", errors);
         } else if (lab_player_open(&t.student, &t.place, b->lab, "student.so") == 0) {
+            if (b->kept != NULL)
+                keep_object(&t, source);
             judge_all(&t, rows);
             mark(result);
             if (json_equal(json_object_get(result, "points"), json_object_get(result, "of")))
@@ -777,7 +828,7 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
 int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE])
 {
     char path[LAB_MOST_PATH + 32];
-    *b = (struct lab_bench){.lab = lab, .points = 24};
+    *b = (struct lab_bench){.lab = lab, .points = 24, .known = json_object()};
     snprintf(path, sizeof path, "%s/reference.c", lab->folder);
     char *source = lab_file(path);
     if (source == NULL || lab_place_open(&b->own, 0) != 0) {
@@ -802,5 +853,7 @@ void lab_bench_close(struct lab_bench *b)
     lab_player_close(&b->right);
     for (size_t k = 0; k < sizeof b->wrong / sizeof *b->wrong; k++)
         lab_player_close(&b->wrong[k]);
+    json_decref(b->known);
+    json_decref(b->kept);
     lab_place_close(&b->own);
 }

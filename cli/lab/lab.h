@@ -146,6 +146,8 @@ struct lab_bench {
     const struct lab *lab;
     struct lab_place own;    /* the reference, and wrong solutions as they are needed */
     struct lab_player right; /* the reference */
+    json_t *known;           /* what it said to each job */
+    json_t *kept;            /* by their sources, objects of answers that were judged; NULL: none is kept */
     struct lab_player wrong[64];
     int built[64];
     int points; /* how many at least are tried */
