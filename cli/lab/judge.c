@@ -321,6 +321,16 @@ static void prove(struct trial *t, const struct lab_case *c, struct search *s, s
     forget(&at);
 }
 
+/* A variable that outlives the call and is put into, however many calls it takes until that matters. */
+static void note_state(struct trial *t, const json_t *outcome)
+{
+    const char *kept = member(outcome, "kept");
+    if (*kept == 0 || t->manners[0] != 0)
+        return;
+    snprintf(t->manners, sizeof t->manners, "remembers earlier calls: %.100s outlives them, and changes", kept);
+    t->manners_line = (int)json_integer_value(json_object_get(outcome, "kept_line"));
+}
+
 /* In rationals; 1 when the search is over.  Where the reference has no value nothing is asked. */
 static int try_point(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
                      struct cagd_code_point *p)
@@ -338,6 +348,7 @@ static int try_point(struct trial *t, const struct lab_case *c, struct search *s
         snprintf(t->manners, sizeof t->manners, "%s", why);
     if (json_integer_value(json_object_get(at.got, "printed")) > 0 && t->manners[0] == 0)
         snprintf(t->manners, sizeof t->manners, "prints");
+    note_state(t, at.got);
     if (f->wrong) {
         f->point = cagd_code_point_copy(p);
         f->at = at;
@@ -599,6 +610,7 @@ static void look_for_state(struct trial *t, const struct lab_case *c)
     if (finished(at.want) && t->manners[0] == 0 &&
         (!finished(at.got) || first_difference(at.got, at.want, "got", 0) >= 0))
         snprintf(t->manners, sizeof t->manners, "remembers earlier calls: the same call has another result");
+    note_state(t, at.got);
     forget(&at);
     json_decref(other);
     cagd_code_point_free(before);
