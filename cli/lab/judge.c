@@ -180,7 +180,7 @@ struct found {
 /* The points that are still to be tried, and the ways that were seen. */
 struct search {
     struct cagd_code_point *point[MOST_POINTS];
-    int count, tried;
+    int count, tried, lost; /* lost: there was no room for some */
     char way[MOST_WAYS][80];
     int ways;
 };
@@ -203,7 +203,7 @@ static void put_point(struct search *s, struct cagd_code_point *p)
     if (s->count < MOST_POINTS && !known)
         s->point[s->count++] = p;
     else
-        cagd_code_point_free(p);
+        s->lost |= !known, cagd_code_point_free(p);
 }
 
 /* The point with one value changed. */
@@ -214,25 +214,43 @@ static void put_beside(struct search *s, const struct cagd_code_point *p, int in
     put_point(s, other);
 }
 
-/* Points on the border of the condition and to both sides of it, near and far. */
+static int elements_of(const struct cagd_code_input *in) { return in->count > 0 ? in->count : 1; }
+
+/* Whether some other variable than element j of input i is in the expression. */
+static int has_others(const char *expression, const struct cagd_code_point *p, int i, int j)
+{
+    char name[64];
+    for (int k = 0; k < p->inputs; k++)
+        for (int e = 0; p->input[k].variable && e < elements_of(&p->input[k]); e++) {
+            snprintf(name, sizeof name, p->input[k].count > 0 ? "%s[%d]" : "%s", p->input[k].name, e);
+            if ((k != i || e != j) && strstr(expression, name) != NULL)
+                return 1;
+        }
+    return 0;
+}
+
+/* Points on the border of the condition and on all sides of it, near and far, for one variable after the other.  Where the difference has no
+ * zero in a variable, that variable goes to where it is nearest to 0 before the next one is looked at: so a border that closes around
+ * a small region is met.  Whether the border was found, or there is none: a difference of one variable that has no zero. */
 static int put_border(struct search *s, const struct cagd_code_point *p, const char *difference)
 {
     int any = 0;
+    struct cagd_code_point *at = cagd_code_point_copy(p);
     for (int i = 0; i < p->inputs; i++)
-        for (int j = 0; p->input[i].variable && j < (p->input[i].count > 0 ? p->input[i].count : 1); j++) {
+        for (int j = 0; p->input[i].variable && j < elements_of(&p->input[i]); j++) {
             cagd_region_mark mark = cagd_region_open();
-            cagd_num_q x = cagd_code_border(difference, p, i, j), far = cagd_from_int_q(1),
-                       near = cagd_from_ratio_q(1, 1l << 40);
-            if (x.at != NULL) {
-                any = 1;
-                put_beside(s, p, i, j, x);
-                put_beside(s, p, i, j, cagd_add_q(x, near));
-                put_beside(s, p, i, j, cagd_sub_q(x, near));
-                put_beside(s, p, i, j, cagd_add_q(x, far));
-                put_beside(s, p, i, j, cagd_sub_q(x, far));
-            }
+            struct cagd_code_border here = cagd_code_border(difference, p, i, j),
+                                    there = cagd_code_border(difference, at, i, j);
+            for (int k = 0; k < here.values; k++)
+                put_beside(s, p, i, j, here.at[k]);
+            for (int k = 0; k < there.values; k++)
+                put_beside(s, at, i, j, there.at[k]);
+            any |= here.zeros > 0 || there.zeros > 0 || (here.varies && !has_others(difference, p, i, j));
+            if (there.zeros == 0 && there.least.at != NULL)
+                cagd_code_point_set(at, i, j, cagd_to_string_q(there.least));
             cagd_region_drop(mark);
         }
+    cagd_code_point_free(at);
     return any;
 }
 
@@ -427,6 +445,7 @@ static void decide(struct trial *t, const struct lab_case *c, struct found *f)
     }
     for (; !over && s->tried < s->count; s->tried++)
         over = try_point(t, c, s, f, s->point[s->tried]);
+    f->undecided += s->lost;
     for (int k = 0; k < s->count; k++)
         cagd_code_point_free(s->point[k]);
     free(s);
