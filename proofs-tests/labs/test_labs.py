@@ -4,6 +4,7 @@
 """
 import csv
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -238,6 +239,28 @@ class Lecturer(InFolder):
         ran = run("test", self.folder / "mine")
         self.assertEqual(ran.returncode, 1)
         self.assertIn("twice: no wrong solution fails this requirement", ran.stdout)
+
+    def test_the_rubric(self):
+        ran = run("list", "de-casteljau")
+        self.assertIn("  left                  2        the control points of the part from 0 to t\n", ran.stdout)
+        [lab] = json.loads(run("list", "de-casteljau", "--json").stdout)["labs"]
+        self.assertEqual(sum(r["points"] for r in lab["requirements"]), lab["points"])
+        ran = run("list", "nothing")
+        self.assertEqual((ran.returncode, ran.stdout, len(ran.stderr.splitlines())), (2, "", 1))
+
+    @unittest.skipUnless(shutil.which("bwrap"), "no bubblewrap")
+    def test_the_script_of_gradescope(self):
+        root = self.folder / "autograder"
+        (root / "submission").mkdir(parents=True)
+        (root / "submission/de-casteljau.c").write_text(RIGHT.replace("right[n - r]", "right[r]"))
+        script = [LABS / "run_autograder", root]
+        ran = subprocess.run(script, env={**os.environ, "CAGD": CAGD, "CAGD_LAB": "de-casteljau"}, capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual(json.loads((root / "results/results.json").read_text())["score"], 8)
+        self.assertTrue((root / "results/page.html").exists())
+        ran = subprocess.run(script, env={**os.environ, "CAGD": CAGD, "CAGD_LAB": "nothing"}, capture_output=True, text=True)
+        self.assertEqual((ran.returncode, len(ran.stderr.splitlines())), (1, 1))
+        self.assertNotIn("score", json.loads((root / "results/results.json").read_text()))
 
     @unittest.skipUnless(shutil.which("bwrap"), "no bubblewrap")
     def test_a_class(self):
