@@ -27,7 +27,5 @@
     NAME(stderr)                                                                                                       \
     NAME(exit)                                                                                                         \
     NAME(abort)                                                                                                        \
-    NAME(__assert_fail)                                                                                                \
-    NAME(__stack_chk_fail)                                                                                             \
-    NAME(_GLOBAL_OFFSET_TABLE_)
+    NAME(__assert_fail)
 #endif

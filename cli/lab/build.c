@@ -12,6 +12,7 @@
 #include <sys/random.h>
 #include <unistd.h>
 
+static const char NAMES[] = "names"; /* what cagd-compile-exactly has seen */
 enum { EXPAND_SECONDS = 5, COMPILE_SECONDS = 20, NATIVE_SECONDS = 5, SHOWN_ERRORS = 3, MOST_WORDS = 32 };
 
 static void put_file(const struct lab_place *place, const char *name, const char *text)
@@ -55,14 +56,35 @@ static const char *tool(const char *name, char path[LAB_MOST_PATH])
     return path;
 }
 
-static const char *compiler(char path[LAB_MOST_PATH])
+/* A program that is installed with this one. */
+static const char *beside(const char *name, char path[LAB_MOST_PATH])
 {
     ssize_t length = readlink("/proc/self/exe", path, LAB_MOST_PATH - 32);
     path[length > 0 ? length : 0] = 0;
     char *slash = strrchr(path, '/');
     if (slash != NULL)
-        strcpy(slash + 1, "cagd-compile-exactly");
+        strcpy(slash + 1, name);
     return path;
+}
+
+static const char *compiler(char path[LAB_MOST_PATH]) { return beside("cagd-compile-exactly", path); }
+
+/* A file of one place, in another; what was there is no more. */
+static int copy_file(const struct lab_place *from, const struct lab_place *to, const char *name)
+{
+    char path[LAB_MOST_PATH + 128], bytes[1 << 14];
+    snprintf(path, sizeof path, "%s/%s", to->folder, name);
+    unlink(path);
+    int out = open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    snprintf(path, sizeof path, "%s/%s", from->folder, name);
+    int in = open(path, O_RDONLY | O_NOFOLLOW | O_CLOEXEC), status = in < 0 || out < 0 ? -1 : 0;
+    for (ssize_t size; status == 0 && (size = read(in, bytes, sizeof bytes)) != 0;)
+        status = size > 0 && write(out, bytes, (size_t)size) == size ? 0 : -1;
+    if (in >= 0)
+        close(in);
+    if (out >= 0 && close(out) != 0)
+        status = -1;
+    return status;
 }
 
 /* The first errors of clang, each "line 12: what", with the line of the source. */
@@ -134,10 +156,36 @@ static char *expand(const struct lab *lab, const struct lab_place *place, const 
     return cause;
 }
 
-char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object,
-                enum lab_reason *reason)
+/* Runs it in the place; NULL, or what was said as the cause. */
+static char *compiled(const struct lab_place *place, char *const word[], const char *source)
 {
-    char path[LAB_MOST_PATH + 128], program[LAB_MOST_PATH], *said;
+    char *said = NULL;
+    int code = lab_run(place, word, COMPILE_SECONDS, &said);
+    char *cause = code == 0 ? NULL : errors_of(said != NULL ? said : "", source);
+    free(said);
+    return cause;
+}
+
+char *lab_build_driver(const struct lab *lab, const struct lab_place *place)
+{
+    char path[LAB_MOST_PATH + 128], program[LAB_MOST_PATH];
+    snprintf(path, sizeof path, "%s/driver.c", place->folder);
+    if (lab_write_driver(lab, path) != 0)
+        return copied("the driver cannot be written");
+    char *const word[] = {(char *)(uintptr_t)compiler(program),
+                          (char *)(uintptr_t) "-o",
+                          (char *)(uintptr_t) "driver.bc",
+                          (char *)(uintptr_t) "driver.c",
+                          (char *)(uintptr_t) "--",
+                          (char *)(uintptr_t) "-w",
+                          NULL};
+    return compiled(place, word, "");
+}
+
+char *lab_build(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready, const char *source,
+                const char *object, enum lab_reason *reason)
+{
+    char program[LAB_MOST_PATH];
     if (lab_is_python(lab, object))
         return lab_build_python(lab, place, source, object);
     int is_numbers = lab_is_numbers(lab, object);
@@ -157,21 +205,19 @@ char *lab_build(const struct lab *lab, const struct lab_place *place, const char
     } else { /* of the lab itself */
         put_file(place, file, source);
     }
-    snprintf(path, sizeof path, "%s/driver.c", place->folder);
-    if (lab_write_driver(lab, path) != 0)
-        return copied("the driver cannot be written");
+    if (ready != place && copy_file(ready, place, "driver.bc") != 0)
+        return copied("there is no room for the driver");
     char *const word[] = {(char *)(uintptr_t)compiler(program),
+                          (char *)(uintptr_t) "--names",
+                          (char *)(uintptr_t)NAMES,
                           (char *)(uintptr_t) "-o",
                           (char *)(uintptr_t)object,
-                          (char *)(uintptr_t) "driver.c",
+                          (char *)(uintptr_t) "driver.bc",
                           (char *)(uintptr_t)file,
                           (char *)(uintptr_t) "--",
                           (char *)(uintptr_t) "-w",
                           NULL};
-    int code = lab_run(place, word, COMPILE_SECONDS, &said);
-    char *cause = code == 0 ? NULL : errors_of(said != NULL ? said : "", source);
-    free(said);
-    return cause;
+    return compiled(place, word, source);
 }
 
 /* ---- what is seen in the source --------------------------------------------------------------------------- */
@@ -310,39 +356,28 @@ static long line_of(const char *source, const char *name, size_t length)
     return 0;
 }
 
-/* What the code asks of others, by its object: names that are allowed, and none of ours. */
+/* What the code asks of others: names that are allowed, and none of ours. */
 static void check_names(struct tree *t, const struct lab_place *place, const char *source)
 {
-    char clang[LAB_MOST_PATH], nm[LAB_MOST_PATH], *said;
-    char *const compile[] = {(char *)(uintptr_t)tool("clang", clang),
-                             (char *)(uintptr_t) "-c",
-                             (char *)(uintptr_t) "-w",
-                             (char *)(uintptr_t) "-fno-builtin",
-                             (char *)(uintptr_t) "-o",
-                             (char *)(uintptr_t) "names.o",
-                             (char *)(uintptr_t)t->lab->file,
-                             NULL};
-    char *const list[] = {(char *)(uintptr_t)tool("llvm-nm", nm), (char *)(uintptr_t) "-P",
-                          (char *)(uintptr_t) "names.o", NULL};
-    int code = lab_run(place, compile, COMPILE_SECONDS, &said);
-    free(said);
-    code = code == 0 ? lab_run(place, list, COMPILE_SECONDS, &said) : -1;
-    for (const char *row = code == 0 ? said : ""; *row != 0;
-         row += strcspn(row, "\n") + (row[strcspn(row, "\n")] != 0)) {
-        size_t length = strcspn(row, " \n");
-        char kind = row[length] == ' ' ? row[length + 1] : 'U', text[200];
-        int ours = strncmp(row, "cagd_", 5) == 0 || strncmp(row, "lab_", 4) == 0;
-        t->line = line_of(source, row, length);
-        snprintf(text, sizeof text, "%.*s is no function for an assignment", (int)length, row);
-        if (ours || (strchr("Uwv", kind) != NULL && !is_allowed(row, length)))
-            refuse(t, text);
-        if (kind == 'i')
-            refuse(t, "an attribute that is no part of an assignment");
+    char path[LAB_MOST_PATH + 128];
+    snprintf(path, sizeof path, "%s/%s", place->folder, NAMES);
+    char *list = lab_file(path);
+    for (const char *row = list != NULL ? list : ""; *row != 0;) {
+        size_t length = strcspn(row, "\n");
+        const char *name = row + 2;
+        if (length > 2) {
+            char text[200];
+            int ours = strncmp(name, "cagd_", 5) == 0 || strncmp(name, "lab_", 4) == 0;
+            t->line = line_of(source, name, length - 2);
+            snprintf(text, sizeof text, "%.*s is no function for an assignment", (int)length - 2, name);
+            if (ours || (*row == 'U' && !is_allowed(name, length - 2)))
+                refuse(t, text);
+        }
+        row += length + (row[length] != 0);
     }
-    if (code != 0)
+    if (list == NULL)
         refuse(t, "its names cannot be read");
-    else
-        free(said);
+    free(list);
 }
 
 /* What the assignment declares, and then the source: what is declared in another way is an error there. */
@@ -481,31 +516,35 @@ static unsigned long long secret(void)
     return value;
 }
 
-/* The answer as an object in which only the functions that are asked for can be seen: it stands in for no function of the library or
- * of the sanitizers.  NULL; a report; the null of JSON where there are no sanitizers. */
-static json_t *compile_native(const struct lab *lab, const struct lab_place *place)
+/* A source as an object for the sanitizers; the exit code. */
+static int compile_native(const struct lab_place *place, const char *source, const char *object, const char *define,
+                          char **said)
 {
-    char clang[LAB_MOST_PATH], objcopy[LAB_MOST_PATH], *said, *list = NULL;
-    char *const compile[] = {(char *)(uintptr_t)tool("clang", clang),
-                             (char *)(uintptr_t) "-g",
-                             (char *)(uintptr_t) "-O0",
-                             (char *)(uintptr_t) "-w",
-                             (char *)(uintptr_t) "-fsanitize=address,undefined",
-                             (char *)(uintptr_t) "-fno-sanitize-recover=all",
-                             (char *)(uintptr_t) "-c",
-                             (char *)(uintptr_t) "-o",
-                             (char *)(uintptr_t) "native-answer.o",
-                             (char *)(uintptr_t)lab->file,
-                             NULL};
-    char *const hide[] = {(char *)(uintptr_t)tool("llvm-objcopy", objcopy),
+    char clang[LAB_MOST_PATH];
+    char *const word[] = {(char *)(uintptr_t)tool("clang", clang),
+                          (char *)(uintptr_t) "-g",
+                          (char *)(uintptr_t) "-O0",
+                          (char *)(uintptr_t) "-w",
+                          (char *)(uintptr_t) "-fPIC",
+                          (char *)(uintptr_t) "-fsanitize=address,undefined",
+                          (char *)(uintptr_t) "-fno-sanitize-recover=all",
+                          (char *)(uintptr_t) "-c",
+                          (char *)(uintptr_t) "-o",
+                          (char *)(uintptr_t)object,
+                          (char *)(uintptr_t)source,
+                          (char *)(uintptr_t)define,
+                          NULL};
+    return lab_run(place, word, COMPILE_SECONDS, said);
+}
+
+/* In the answer's object only the functions that are asked for can be seen: it stands in for no function of the library or of the
+ * sanitizers. */
+static int hide_names(const struct lab *lab, const struct lab_place *place)
+{
+    char objcopy[LAB_MOST_PATH], *said, *list = NULL;
+    char *const word[] = {(char *)(uintptr_t)tool("llvm-objcopy", objcopy),
                           (char *)(uintptr_t) "--keep-global-symbols=asked", (char *)(uintptr_t) "native-answer.o",
                           NULL};
-    int code = lab_run(place, compile, COMPILE_SECONDS, &said);
-    int none = code != 0 && strstr(said, "fsanitize") != NULL;
-    free(said);
-    if (code != 0)
-        return none ? json_null()
-                    : json_pack("{s:i, s:s}", "line", 0, "text", "cannot be compiled with the sanitizers");
     size_t size, k;
     const json_t *value;
     FILE *out = open_memstream(&list, &size);
@@ -523,53 +562,71 @@ static json_t *compile_native(const struct lab *lab, const struct lab_place *pla
     fclose(out);
     put_file(place, "asked", list);
     free(list);
-    code = lab_run(place, hide, COMPILE_SECONDS, &said);
+    int code = lab_run(place, word, COMPILE_SECONDS, &said);
     free(said);
-    return code == 0 ? NULL : json_pack("{s:i, s:s}", "line", 0, "text", "its names cannot be hidden");
+    return code;
 }
 
-json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const json_t *jobs)
+/* The driver for the sanitizers, made once in the place of the lab and copied. */
+static int take_driver(const struct lab_place *place, const struct lab_place *ready)
 {
-    if (strcmp(lab->language, "c") != 0) /* it has no arrays to read outside of */
-        return NULL;
-    static const char native[] =
-#include "cli/lab/native.inc"
-        ;
-    char clang[LAB_MOST_PATH], symbolizer[LAB_MOST_PATH], define[LAB_MOST_PATH + 32], here[LAB_MOST_PATH + 16], *said;
-    char end[40];
-    snprintf(end, sizeof end, "end-%016llx", secret());
-    put_file(place, "native.c", native);
-    write_jobs(place, jobs);
-    snprintf(define, sizeof define, "-DSYMBOLIZER=\"%s\"", tool("llvm-symbolizer", symbolizer));
-    snprintf(here, sizeof here, "%s/native", place->folder);
-    char *const compile[] = {(char *)(uintptr_t)tool("clang", clang),
-                             (char *)(uintptr_t) "-g",
-                             (char *)(uintptr_t) "-O0",
-                             (char *)(uintptr_t) "-w",
-                             (char *)(uintptr_t) "-fsanitize=address,undefined",
-                             (char *)(uintptr_t) "-fno-sanitize-recover=all",
-                             (char *)(uintptr_t) "-DLAB_NATIVE",
-                             define,
-                             (char *)(uintptr_t) "-o",
-                             (char *)(uintptr_t) "native",
-                             (char *)(uintptr_t) "native.c",
-                             (char *)(uintptr_t) "driver.c",
-                             (char *)(uintptr_t) "native-answer.o",
-                             (char *)(uintptr_t) "-lm",
-                             NULL};
-    char *const run[] = {here, (char *)(uintptr_t) "native.in", end, NULL};
-    json_t *report = compile_native(lab, place);
-    if (report != NULL)
-        return json_is_null(report) ? NULL : report;
-    int code = lab_run(place, compile, COMPILE_SECONDS, &said);
+    char path[LAB_MOST_PATH + 32], *said;
+    snprintf(path, sizeof path, "%s/native-driver.o", ready->folder);
+    if (access(path, R_OK) != 0) {
+        int code = compile_native(ready, "driver.c", "native-driver.o", "-DLAB_NATIVE", &said);
+        free(said);
+        if (code != 0)
+            return code;
+    }
+    return copy_file(ready, place, "native-driver.o");
+}
+
+static json_t *told(const char *text) { return json_pack("{s:i, s:s}", "line", 0, "text", text); }
+
+/* native.so, the driver and the answer.  NULL, or a report. */
+static json_t *build_native(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready)
+{
+    char *said;
+    char *const link[] = {(char *)(uintptr_t) "ld",
+                          (char *)(uintptr_t) "-shared",
+                          (char *)(uintptr_t) "-Bsymbolic",
+                          (char *)(uintptr_t) "-o",
+                          (char *)(uintptr_t) "native.so",
+                          (char *)(uintptr_t) "native-driver.o",
+                          (char *)(uintptr_t) "native-answer.o",
+                          NULL};
+    int code = compile_native(place, lab->file, "native-answer.o", NULL, &said);
     free(said);
     if (code != 0)
-        return json_pack("{s:i, s:s}", "line", 0, "text", "cannot be linked with the sanitizers");
-    code = lab_run_sanitized(place, run, NATIVE_SECONDS, &said);
+        return told("cannot be compiled with the sanitizers");
+    if (hide_names(lab, place) != 0)
+        return told("its names cannot be hidden");
+    if (take_driver(place, ready) != 0)
+        return told("there is no driver for the sanitizers");
+    code = lab_run(place, link, COMPILE_SECONDS, &said);
+    free(said);
+    return code == 0 ? NULL : told("cannot be linked with the sanitizers");
+}
+
+json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
+                     const json_t *jobs)
+{
+    char program[LAB_MOST_PATH], object[LAB_MOST_PATH + 16], end[40], *said;
+    beside("cagd-run-sanitized", program);
+    /* What is no C has no arrays to read outside of; and there may be no sanitizers. */
+    if (strcmp(lab->language, "c") != 0 || access(program, X_OK) != 0)
+        return NULL;
+    snprintf(end, sizeof end, "end-%016llx", secret());
+    snprintf(object, sizeof object, "%s/native.so", place->folder);
+    char *const run[] = {program, object, (char *)(uintptr_t) "native.in", end, NULL};
+    json_t *report = build_native(lab, place, ready);
+    if (report != NULL)
+        return report;
+    write_jobs(place, jobs);
+    int code = lab_run_sanitized(place, run, NATIVE_SECONDS, &said);
     report = code != 0 ? report_of(lab, said) : NULL;
     if (report == NULL && strstr(said, end) == NULL)
-        report =
-            json_pack("{s:i, s:s}", "line", 0, "text", "ends the program, or does not come to an end, in binary64");
+        report = told("ends the program, or does not come to an end, in binary64");
     free(said);
     return report;
 }

@@ -11,6 +11,7 @@ import ast
 import ctypes
 import fractions
 import functools
+import gc
 import itertools
 import json
 import math
@@ -128,7 +129,7 @@ def cancelled(numerator, factors):
 class Run:
     """What is noted while an answer runs."""
     answer = ""
-    conditions, seen, path, operations, printed, field = [], set(), 0, 0, 0, False
+    conditions, seen, path, operations, printed, field, caches = [], set(), 0, 0, 0, False, {}
 
 
 def line_of_answer():
@@ -440,6 +441,70 @@ def inputs_of(job, make):
     return out
 
 
+def content(x, seen=None):
+    """What can change in x, as a value that is compared: numbers and texts, what containers and functions hold, how far an iterator is."""
+    seen = set() if seen is None else seen
+    if x is None or isinstance(x, (Number, Q, int, float, complex, str, bytes, range, slice)) or x is Fraction:
+        return type(x).__name__, repr(x)
+    if id(x) in seen:
+        return "again"
+    seen.add(id(x))
+    if isinstance(x, (list, tuple)):
+        return type(x).__name__, tuple(content(e, seen) for e in x)
+    if isinstance(x, (set, frozenset)):
+        return type(x).__name__, tuple(sorted(map(repr, x)))
+    if isinstance(x, dict):
+        return "dict", tuple((content(k, seen), content(v, seen)) for k, v in x.items())
+    if isinstance(x, types.FunctionType):
+        return "function", content([x.__defaults__, x.__kwdefaults__, x.__dict__, [c.cell_contents for c in x.__closure__ or () if holds(c)]], seen)
+    if isinstance(x, functools._lru_cache_wrapper):  # what it remembers is no state, unless that changes: see remembered
+        Run.caches[id(x)] = x
+        return "cache", content(x.__wrapped__, seen)
+    if isinstance(x, types.GeneratorType):
+        return "generator", x.gi_frame and (x.gi_frame.f_lasti, content(dict(x.gi_frame.f_locals), seen))
+    if isinstance(x, types.SimpleNamespace):
+        return "module", tuple(sorted((n, id(v)) for n, v in vars(x).items() if n != "__dict__"))
+    try:
+        return type(x).__name__, content(list(x.__reduce_ex__(2)[1:]), seen)
+    except Exception:
+        return type(x).__name__, id(x)
+
+
+def holds(cell):
+    try:
+        return cell.cell_contents is not cell
+    except ValueError:
+        return False
+
+
+def remembered():
+    """The lists, sets and the like among the results that caches of functools remember, each with its content: id -> (object, content)."""
+    found, seen = {}, set()
+    for cache in Run.caches.values():
+        first = [x for x in gc.get_referents(cache) if x is not cache.__wrapped__ and x is not cache.__dict__]
+        todo, own = list(first), set(map(id, first))
+        while todo:
+            x = todo.pop()
+            if id(x) in seen or isinstance(x, (type, types.FunctionType, types.ModuleType, types.BuiltinFunctionType, Number, Q)):
+                continue
+            seen.add(id(x))
+            if id(x) not in own and (isinstance(x, (list, dict, set)) or hasattr(x, "__next__")):
+                found[id(x)] = x, content(x)
+            todo += gc.get_referents(x)
+    return found
+
+
+def contents(answer):
+    return {name: content(x) for name, x in answer.items() if not name.startswith("__")}
+
+
+def changed(before, old, answer, given):
+    """A name of the answer's own that is not what it was, or what a cache remembered; or "".  given: names of the calls."""
+    name = next((name for name, was in before.items() if name not in answer or content(answer[name]) != was), "")
+    name = name or next((name for name in answer if not name.startswith("__") and name not in before and name not in given), "")
+    return name or ("what a cache remembers" if any(content(x) != was for x, was in old.values()) else "")
+
+
 def one_call(answer, case, given, results):
     for row in case["inputs"]:
         value = given[row["name"], row["count"]]
@@ -475,8 +540,13 @@ def play(code, cases, job):
         given = inputs_of(job, number)
         answer = namespace()
         exec(code, answer)
+        given_names = {row["name"] for c in cases for row in c["inputs"] + c["outputs"]}
+        before, old = {name: was for name, was in contents(answer).items() if name not in given_names}, {}
         for one in order:
             one_call(answer, one, given, results)
+            given_names.update(one["compiled"].co_names)
+            out["kept"] = out.get("kept") or changed(before, old, answer, given_names)
+            old = remembered()
         if job["numbers"] == "rounding":
             in_binary64(code, case, job, results)
     except Refused as e:

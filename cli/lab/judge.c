@@ -11,8 +11,17 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-enum { MOST_POINTS = 400, FIRST_POINTS = 3, MOST_SHRINKING = 200, MOST_WAYS = 64, HINT_POINTS = 4, ROUNDED = 12 };
+enum {
+    MOST_POINTS = 400,
+    FIRST_POINTS = 3,
+    MOST_SHRINKING = 200,
+    MOST_WAYS = 64,
+    HINT_POINTS = 4,
+    ROUNDED = 12,
+    MOST_KNOWN = 20000
+};
 enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6 };
 
 /* What is known while one submission is judged. */
@@ -65,13 +74,39 @@ static json_t *lost(void)
                      "the process of the code ended, or said what no run says");
 }
 
+/* What the reference says to a job; it is asked once only. */
+static json_t *asked_reference(struct lab_bench *b, const json_t *job, int *is_asked)
+{
+    char *key = json_dumps(job, JSON_COMPACT);
+    json_t *known = key != NULL ? json_object_get(b->known, key) : NULL;
+    *is_asked = known == NULL;
+    free(key);
+    return json_incref(known);
+}
+
+static void keep_reference(struct lab_bench *b, const json_t *job, json_t *answer)
+{
+    char *key = json_dumps(job, JSON_COMPACT);
+    if (json_object_size(b->known) >= MOST_KNOWN)
+        json_object_clear(b->known);
+    if (key != NULL)
+        json_object_set(b->known, key, answer);
+    free(key);
+}
+
 static struct pair ask_both(struct trial *t, json_t *job)
 {
     struct pair p;
+    int is_asked;
     lab_ask(&t->student, job);
-    lab_ask(&t->bench->right, job);
+    p.want = asked_reference(t->bench, job, &is_asked);
+    if (is_asked)
+        lab_ask(&t->bench->right, job);
     p.got = lab_answer(&t->student);
-    p.want = lab_answer(&t->bench->right);
+    if (is_asked)
+        p.want = lab_answer(&t->bench->right);
+    if (is_asked && p.want != NULL)
+        keep_reference(t->bench, job, p.want);
     json_decref(job);
     if (p.got == NULL) {
         p.got = lost();
@@ -145,7 +180,7 @@ struct found {
 /* The points that are still to be tried, and the ways that were seen. */
 struct search {
     struct cagd_code_point *point[MOST_POINTS];
-    int count, tried;
+    int count, tried, lost; /* lost: there was no room for some */
     char way[MOST_WAYS][80];
     int ways;
 };
@@ -168,7 +203,7 @@ static void put_point(struct search *s, struct cagd_code_point *p)
     if (s->count < MOST_POINTS && !known)
         s->point[s->count++] = p;
     else
-        cagd_code_point_free(p);
+        s->lost |= !known, cagd_code_point_free(p);
 }
 
 /* The point with one value changed. */
@@ -179,25 +214,43 @@ static void put_beside(struct search *s, const struct cagd_code_point *p, int in
     put_point(s, other);
 }
 
-/* Points on the border of the condition and to both sides of it, near and far. */
+static int elements_of(const struct cagd_code_input *in) { return in->count > 0 ? in->count : 1; }
+
+/* Whether some other variable than element j of input i is in the expression. */
+static int has_others(const char *expression, const struct cagd_code_point *p, int i, int j)
+{
+    char name[64];
+    for (int k = 0; k < p->inputs; k++)
+        for (int e = 0; p->input[k].variable && e < elements_of(&p->input[k]); e++) {
+            snprintf(name, sizeof name, p->input[k].count > 0 ? "%s[%d]" : "%s", p->input[k].name, e);
+            if ((k != i || e != j) && strstr(expression, name) != NULL)
+                return 1;
+        }
+    return 0;
+}
+
+/* Points on the border of the condition and on all sides of it, near and far, for one variable after the other.  Where the difference has no
+ * zero in a variable, that variable goes to where it is nearest to 0 before the next one is looked at: so a border that closes around
+ * a small region is met.  Whether the border was found, or there is none: a difference of one variable that has no zero. */
 static int put_border(struct search *s, const struct cagd_code_point *p, const char *difference)
 {
     int any = 0;
+    struct cagd_code_point *at = cagd_code_point_copy(p);
     for (int i = 0; i < p->inputs; i++)
-        for (int j = 0; p->input[i].variable && j < (p->input[i].count > 0 ? p->input[i].count : 1); j++) {
+        for (int j = 0; p->input[i].variable && j < elements_of(&p->input[i]); j++) {
             cagd_region_mark mark = cagd_region_open();
-            cagd_num_q x = cagd_code_border(difference, p, i, j), far = cagd_from_int_q(1),
-                       near = cagd_from_ratio_q(1, 1l << 40);
-            if (x.at != NULL) {
-                any = 1;
-                put_beside(s, p, i, j, x);
-                put_beside(s, p, i, j, cagd_add_q(x, near));
-                put_beside(s, p, i, j, cagd_sub_q(x, near));
-                put_beside(s, p, i, j, cagd_add_q(x, far));
-                put_beside(s, p, i, j, cagd_sub_q(x, far));
-            }
+            struct cagd_code_border here = cagd_code_border(difference, p, i, j),
+                                    there = cagd_code_border(difference, at, i, j);
+            for (int k = 0; k < here.values; k++)
+                put_beside(s, p, i, j, here.at[k]);
+            for (int k = 0; k < there.values; k++)
+                put_beside(s, at, i, j, there.at[k]);
+            any |= here.zeros > 0 || there.zeros > 0 || (here.varies && !has_others(difference, p, i, j));
+            if (there.zeros == 0 && there.least.at != NULL)
+                cagd_code_point_set(at, i, j, cagd_to_string_q(there.least));
             cagd_region_drop(mark);
         }
+    cagd_code_point_free(at);
     return any;
 }
 
@@ -286,6 +339,16 @@ static void prove(struct trial *t, const struct lab_case *c, struct search *s, s
     forget(&at);
 }
 
+/* A variable that outlives the call and is put into, however many calls it takes until that matters. */
+static void note_state(struct trial *t, const json_t *outcome)
+{
+    const char *kept = member(outcome, "kept");
+    if (*kept == 0 || t->manners[0] != 0)
+        return;
+    snprintf(t->manners, sizeof t->manners, "remembers earlier calls: %.100s outlives them, and changes", kept);
+    t->manners_line = (int)json_integer_value(json_object_get(outcome, "kept_line"));
+}
+
 /* In rationals; 1 when the search is over.  Where the reference has no value nothing is asked. */
 static int try_point(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
                      struct cagd_code_point *p)
@@ -303,6 +366,7 @@ static int try_point(struct trial *t, const struct lab_case *c, struct search *s
         snprintf(t->manners, sizeof t->manners, "%s", why);
     if (json_integer_value(json_object_get(at.got, "printed")) > 0 && t->manners[0] == 0)
         snprintf(t->manners, sizeof t->manners, "prints");
+    note_state(t, at.got);
     if (f->wrong) {
         f->point = cagd_code_point_copy(p);
         f->at = at;
@@ -381,6 +445,7 @@ static void decide(struct trial *t, const struct lab_case *c, struct found *f)
     }
     for (; !over && s->tried < s->count; s->tried++)
         over = try_point(t, c, s, f, s->point[s->tried]);
+    f->undecided += s->lost;
     for (int k = 0; k < s->count; k++)
         cagd_code_point_free(s->point[k]);
     free(s);
@@ -412,7 +477,10 @@ static int is_built(struct lab_bench *b, size_t index, const json_t *wrong)
     if (source == NULL)
         return 0;
     snprintf(object, sizeof object, "wrong-%zu.so", index);
-    char *errors = lab_build(b->lab, &b->own, source, object, NULL);
+    const char *kept = json_string_value(json_object_get(b->kept, source));
+    if (kept != NULL)
+        snprintf(object, sizeof object, "%s", kept);
+    char *errors = kept != NULL ? NULL : lab_build(b->lab, &b->own, &b->own, source, object, NULL);
     if (errors == NULL && lab_player_open(&b->wrong[index], &b->own, b->lab, object) == 0)
         b->built[index] = 1;
     free(errors);
@@ -561,6 +629,7 @@ static void look_for_state(struct trial *t, const struct lab_case *c)
     if (finished(at.want) && t->manners[0] == 0 &&
         (!finished(at.got) || first_difference(at.got, at.want, "got", 0) >= 0))
         snprintf(t->manners, sizeof t->manners, "remembers earlier calls: the same call has another result");
+    note_state(t, at.got);
     forget(&at);
     json_decref(other);
     cagd_code_point_free(before);
@@ -681,7 +750,7 @@ static void judge_all(struct trial *t, json_t *rows)
         wrong += json_object_get(row, "case") != NULL;
         json_array_append_new(rows, row);
     }
-    json_t *report = lab_sanitize(t->lab, &t->place, t->jobs);
+    json_t *report = lab_sanitize(t->lab, &t->place, &t->bench->own, t->jobs);
     if (report != NULL) {
         snprintf(t->manners, sizeof t->manners, "%s", member(report, "text"));
         t->manners_line = (int)json_integer_value(json_object_get(report, "line"));
@@ -724,7 +793,7 @@ static void tell_refused(const struct lab *lab, json_t *rows, const char *verdic
 static char *prepare(struct trial *t, const char *source, json_t *result)
 {
     enum lab_reason reason = LAB_NO_REASON;
-    char *errors = lab_build(t->lab, &t->place, source, "student.so", &reason);
+    char *errors = lab_build(t->lab, &t->place, &t->bench->own, source, "student.so", &reason);
     if (reason != LAB_NO_REASON) {
         json_object_set_new(result, reason == LAB_REFUSED ? "refused" : "compiler", json_string(errors));
         json_object_set_new(result, "notes", json_array());
@@ -746,6 +815,17 @@ static char *prepare(struct trial *t, const char *source, json_t *result)
     return errors;
 }
 
+/* The object of an answer stays, for the case that it is one of the wrong solutions of the lab. */
+static void keep_object(struct trial *t, const char *source)
+{
+    char from[LAB_MOST_PATH + 32], to[LAB_MOST_PATH + 64], name[40];
+    snprintf(name, sizeof name, "kept-%zu.so", json_object_size(t->bench->kept));
+    snprintf(from, sizeof from, "%s/student.so", t->place.folder);
+    snprintf(to, sizeof to, "%s/%s", t->bench->own.folder, name);
+    if (!lab_is_python(t->lab, "student.so") && link(from, to) == 0)
+        json_object_set_new(t->bench->kept, source, json_string(name));
+}
+
 json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
 {
     struct trial t = {.bench = b, .lab = b->lab, .jobs = json_array()};
@@ -760,6 +840,8 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
         if (errors != NULL) {
             tell_refused(b->lab, rows, json_object_get(result, "refused") != NULL ? "refused" : "not compiled", errors);
         } else if (lab_player_open(&t.student, &t.place, b->lab, "student.so") == 0) {
+            if (b->kept != NULL)
+                keep_object(&t, source);
             judge_all(&t, rows);
             mark(result);
             if (json_equal(json_object_get(result, "points"), json_object_get(result, "of")))
@@ -777,7 +859,7 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
 int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE])
 {
     char path[LAB_MOST_PATH + 32];
-    *b = (struct lab_bench){.lab = lab, .points = 24};
+    *b = (struct lab_bench){.lab = lab, .points = 24, .known = json_object()};
     snprintf(path, sizeof path, "%s/reference.c", lab->folder);
     char *source = lab_file(path);
     if (source == NULL || lab_place_open(&b->own, 0) != 0) {
@@ -785,7 +867,9 @@ int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CA
         free(source);
         return -1;
     }
-    char *errors = lab_build(lab, &b->own, source, "reference.so", NULL);
+    char *errors = lab_build_driver(lab, &b->own);
+    if (errors == NULL)
+        errors = lab_build(lab, &b->own, &b->own, source, "reference.so", NULL);
     free(source);
     if (errors == NULL && lab_player_open(&b->right, &b->own, lab, "reference.so") == 0)
         return 0;
@@ -800,5 +884,7 @@ void lab_bench_close(struct lab_bench *b)
     lab_player_close(&b->right);
     for (size_t k = 0; k < sizeof b->wrong / sizeof *b->wrong; k++)
         lab_player_close(&b->wrong[k]);
+    json_decref(b->known);
+    json_decref(b->kept);
     lab_place_close(&b->own);
 }

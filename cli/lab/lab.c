@@ -70,33 +70,72 @@ static int points_of(const struct lab *lab)
     return sum;
 }
 
-static int list(int as_json)
+static void print_head(const struct lab *lab)
 {
-    json_t *names = lab_names(), *rows = json_array();
+    printf("%s%-22s%s %2d points  %s  %s\n", style(stdout, BOLD), lab->name, style(stdout, PLAIN), points_of(lab),
+           lab_text(lab->head, "title"), lab_text(lab->head, "zh"));
+    printf("%22s %s, chapter %s: %s\n", "", lab->language, lab_text(lab->head, "chapter"),
+           lab_text(lab->head, "learn"));
+}
+
+/* What each requirement is worth: a lab gives its points by them, all or none of each. */
+static void print_rubric(const struct lab *lab)
+{
+    size_t k;
+    const json_t *block;
+    json_array_foreach(lab->blocks, k, block)
+    {
+        const char *name = json_string_value(json_object_get(block, "name"));
+        if (strcmp(json_string_value(json_object_get(block, "kind")), "requirement") != 0)
+            continue;
+        printf("  %-20s %2d        %s\n", name, lab_points(block), lab_text(block, "title"));
+        printf("%33s%s\n", "", lab_text(block, "zh"));
+    }
+}
+
+static json_t *rubric_json(const struct lab *lab)
+{
+    json_t *rows = json_array();
+    size_t k;
+    const json_t *block;
+    json_array_foreach(lab->blocks, k,
+                       block) if (strcmp(json_string_value(json_object_get(block, "kind")), "requirement") == 0)
+        json_array_append_new(rows, json_pack("{s:O, s:s, s:s, s:i}", "name", json_object_get(block, "name"), "title",
+                                              lab_text(block, "title"), "zh", lab_text(block, "zh"), "points",
+                                              lab_points(block)));
+    return rows;
+}
+
+/* All labs, or that one with its rubric. */
+static int list(const char *only, int as_json)
+{
+    json_t *names = only != NULL ? json_pack("[s]", only) : lab_names(), *rows = json_array();
     size_t k;
     const json_t *name;
+    int code = EXIT_AS_EXPECTED;
     json_array_foreach(names, k, name)
     {
         struct lab *lab = lab_called(json_string_value(name), "0");
-        if (lab == NULL)
+        if (lab == NULL) {
+            code = only != NULL ? EXIT_USAGE : code;
             continue;
-        if (!as_json) {
-            printf("%s%-22s%s %2d points  %s  %s\n", style(stdout, BOLD), lab->name, style(stdout, PLAIN),
-                   points_of(lab), lab_text(lab->head, "title"), lab_text(lab->head, "zh"));
-            printf("%22s %s, chapter %s: %s\n", "", lab->language, lab_text(lab->head, "chapter"),
-                   lab_text(lab->head, "learn"));
         }
-        json_array_append_new(rows, json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:i}", "name", lab->name, "title",
+        if (!as_json)
+            print_head(lab);
+        if (!as_json && only != NULL)
+            print_rubric(lab);
+        json_array_append_new(rows, json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:i, s:o}", "name", lab->name, "title",
                                               lab_text(lab->head, "title"), "zh", lab_text(lab->head, "zh"), "chapter",
                                               lab_text(lab->head, "chapter"), "learn", lab_text(lab->head, "learn"),
-                                              "language", lab->language, "points", points_of(lab)));
+                                              "language", lab->language, "points", points_of(lab), "requirements",
+                                              rubric_json(lab)));
         lab_free(lab);
     }
-    if (as_json)
+    if (as_json && code == EXIT_AS_EXPECTED)
         print_json(json_pack("{s:s, s:O}", "schema", "cagd-labs-1", "labs", rows));
     json_decref(rows);
     json_decref(names);
-    return EXIT_AS_EXPECTED;
+    return code;
 }
 
 /* ---- check ----------------------------------------------------------------------------------------------- */
@@ -192,10 +231,10 @@ static int grade(const struct arguments *a, const char *submissions)
 
 /* ---- the words -------------------------------------------------------------------------------------------- */
 
-static int run_list(const struct arguments *a, const char *none, const char *nor)
+static int run_list(const struct arguments *a, const char *name, const char *none)
 {
-    (void)none, (void)nor;
-    return list(a->asked.json);
+    (void)none;
+    return list(name, a->asked.json);
 }
 
 static int run_check(const struct arguments *a, const char *folder, const char *none)
@@ -229,7 +268,7 @@ static const struct form {
     const char *verb, *usage;
     int fewest, most, options;
     int (*run)(const struct arguments *a, const char *first, const char *second);
-} forms[] = {{"list", "list", 0, 1, JSON, run_list},
+} forms[] = {{"list", "list [NAME]", 0, 2, JSON, run_list},
              {"start", "start NAME [DIR]", 2, 3, 0, start},
              {"check", "check DIR", 2, 2, LAB | SEED | WATCH | JSON, run_check},
              {"grade", "grade SUBMISSIONS", 2, 2, LAB | OUT | SEED, run_grade},
@@ -349,18 +388,19 @@ static const struct argp_option options[] = {
 
 const struct command command_lab = {
     .name = "lab",
-    .summary = "assignments in ordinary C, and a grader that decides them by exact computation",
+    .summary = "assignments in ordinary C or Python, and a grader that decides them by exact computation",
     .example = "  cagd lab start de-casteljau      an assignment, which cagd lab check judges\n",
-    .usage = "[list | start NAME [DIR] | check DIR | grade SUBMISSIONS | new NAME | test DIR]",
+    .usage = "[list [NAME] | start NAME [DIR] | check DIR | grade SUBMISSIONS | new NAME | test DIR]",
     .text =
-        "Labs are assignments about the chapters. A solution is an ordinary function; it is run in exact arithmetic "
-        "and on "
-        "rational functions of its inputs, so a requirement is right for all inputs of a shape, or there are small "
-        "numbers for which it is wrong.\n\n"
-        "Without words, or with list: the labs. start writes an assignment; check judges the solution in DIR; grade "
-        "judges a folder of them, each in a sandbox; new and test make labs of one's own.\n\n"
+        "Labs are assignments about the chapters. A solution is an ordinary function in C or Python, or a file of "
+        "numbers and formulas; it is run in exact arithmetic and on rational functions of its inputs, so a requirement "
+        "is right for all inputs of a shape, or there are small numbers for which it is wrong.\n\n"
+        "Without words, or with list: the labs; with the name of one also what each requirement is worth. start writes "
+        "an assignment; check judges the solution in DIR; grade judges a folder of them, each in a sandbox; new and "
+        "test make labs of one's own.\n\n"
         "Examples:\n"
         "  cagd lab\n"
+        "  cagd lab list de-casteljau\n"
         "  cagd lab start de-casteljau\n"
         "  cagd lab check de-casteljau --watch\n"
         "  cagd lab grade submissions --lab de-casteljau --out results --seed 2026\n",

@@ -98,14 +98,17 @@ json_t *lab_answer(struct lab_player *p); /* NULL when there is none */
 
 /* Why nothing became of a source: it has no place in an assignment, or it is no C. */
 enum lab_reason { LAB_NO_REASON, LAB_REFUSED, LAB_NOT_EXPANDED };
-/* The source becomes an object in the place, of that name; NULL, or the cause, which the caller frees.  reason: unless NULL, whether
- * it was refused before it was compiled. */
-char *lab_build(const struct lab *lab, const struct lab_place *place, const char *source, const char *object,
-                enum lab_reason *reason);
+/* The driver of the lab in its place, compiled once: all answers are linked with it.  NULL, or the cause, which the caller frees. */
+char *lab_build_driver(const struct lab *lab, const struct lab_place *place);
+/* The source becomes an object in the place, of that name, with the driver of the place `ready`; NULL, or the cause, which the caller
+ * frees.  reason: unless NULL, whether it was refused before it was compiled. */
+char *lab_build(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready, const char *source,
+                const char *object, enum lab_reason *reason);
 /* What is seen in the source before it runs: {"refused": text or absent, "notes": [{"line", "text"}]}. */
 json_t *lab_inspect(const struct lab *lab, const struct lab_place *place);
 /* What the sanitizers say about the code in binary64; NULL: nothing.  A list of jobs, as for a player. */
-json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const json_t *jobs);
+json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
+                     const json_t *jobs);
 /* The text of a wrong solution: of the file that the block names, with what it replaces.  NULL and a cause. */
 char *lab_wrong_source(const struct lab *lab, const json_t *wrong, char cause[LAB_CAUSE]);
 
@@ -143,6 +146,8 @@ struct lab_bench {
     const struct lab *lab;
     struct lab_place own;    /* the reference, and wrong solutions as they are needed */
     struct lab_player right; /* the reference */
+    json_t *known;           /* what it said to each job */
+    json_t *kept;            /* by their sources, objects of answers that were judged; NULL: none is kept */
     struct lab_player wrong[64];
     int built[64];
     int points; /* how many at least are tried */

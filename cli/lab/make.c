@@ -71,8 +71,9 @@ int lab_begin(const struct lab *lab, const char *folder)
     if (copy(lab, "README.md", folder, "README.md") != 0 || copy(lab, start, folder, lab->file) != 0 ||
         put(folder, "Makefile", makefile) != 0 || (has_figure && copy(lab, "figure.svg", folder, "figure.svg") != 0))
         return EXIT_INTERNAL;
-    printf("%s/README.md is the assignment, %s/%s the place for the answer; cagd lab check %s judges it\n", folder,
-           folder, lab->file, folder);
+    printf("%s/README.md is the assignment, %s/%s the place for the answer; cagd lab check %s judges it\n"
+           "cagd lab list %s: what each requirement is worth\n",
+           folder, folder, lab->file, folder, lab->name);
     return EXIT_AS_EXPECTED;
 }
 

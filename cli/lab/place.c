@@ -67,7 +67,7 @@ const char *lab_cannot_shut(void)
  * and nothing of the environment. */
 static int shut_in(const struct lab_place *p, char *word[])
 {
-    static char self[LAB_MOST_PATH], here[LAB_MOST_PATH], labs[LAB_MOST_PATH], real[PATH_MAX];
+    static char self[LAB_MOST_PATH], here[LAB_MOST_PATH], sanitized[LAB_MOST_PATH], labs[LAB_MOST_PATH], real[PATH_MAX];
     static const char *const always[] = {BUBBLEWRAP,
                                          "--unshare-all",
                                          "--die-with-parent",
@@ -110,6 +110,7 @@ static int shut_in(const struct lab_place *p, char *word[])
     self[length] = 0;
     char *slash = strrchr(self, '/');
     snprintf(here, sizeof here, "%.*s/cagd-compile-exactly", (int)(slash - self), self);
+    snprintf(sanitized, sizeof sanitized, "%.*s/cagd-run-sanitized", (int)(slash - self), self);
     for (size_t k = 0; k < sizeof always / sizeof *always; k++)
         word[words++] = (char *)(uintptr_t)always[k];
     /* The labs, which have the right answers, where they lie among what is seen. */
@@ -123,6 +124,9 @@ static int shut_in(const struct lab_place *p, char *word[])
                            (char *)(uintptr_t) "--ro-bind-try",
                            here,
                            here,
+                           (char *)(uintptr_t) "--ro-bind-try",
+                           sanitized,
+                           sanitized,
                            (char *)(uintptr_t) "--bind",
                            (char *)(uintptr_t)p->folder,
                            (char *)(uintptr_t)p->folder,
@@ -173,7 +177,7 @@ static pid_t start(const struct lab_place *p, char *const command[], int in, int
     if (child == 0) {
         prepare(in, out, errors, seconds, addresses);
         if (chdir(p->folder) == 0)
-            execv(word[0], word);
+            execvp(word[0], word);
         _exit(127);
     }
     return child;

@@ -5,7 +5,8 @@
  *      "inputs": [{"name": "p", "count": 2, "value": ["1", "2/3"], "like": [0, 1]}]}
  * and its outcome
  *     {"end": "finished", "message": "", "line": 0, "results": [{"name", "got", "field", "ulps"}], "conditions": [...],
- *      "operations": 12, "path": "1f...", "printed": 0}. */
+ *      "operations": 12, "path": "1f...", "printed": 0, "kept": "", "kept_line": 0}
+ * where kept is a variable of static storage that the code puts something into. */
 #include "cli/lab/lab.h"
 #include "exact/code/run.h"
 
@@ -170,10 +171,11 @@ static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
     static const char *const ends[] = {"finished", "outside", "undefined", "refused", "bound", "crashed"};
     char path[32];
     snprintf(path, sizeof path, "%llx", o->path);
-    json_t *row = json_pack("{s:s, s:s, s:i, s:o, s:o, s:I, s:s, s:I}", "end",
+    json_t *row = json_pack("{s:s, s:s, s:i, s:o, s:o, s:I, s:s, s:I, s:s, s:i}", "end",
                             (unsigned)o->end <= CAGD_CODE_CRASHED ? ends[o->end] : "crashed", "message", o->message,
                             "line", o->line, "results", results_of(o), "conditions", conditions_of(o), "operations",
-                            (json_int_t)o->operations, "path", path, "printed", (json_int_t)printed);
+                            (json_int_t)o->operations, "path", path, "printed", (json_int_t)printed, "kept", o->kept,
+                            "kept_line", o->kept_line);
     return row != NULL ? row : json_pack("{s:s, s:s}", "end", "crashed", "message", "what came back is no text");
 }
 

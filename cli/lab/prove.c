@@ -134,6 +134,7 @@ int lab_test(const char *folder, int as_json)
         return EXIT_USAGE;
     }
     p.lab = lab;
+    p.bench->kept = json_object();
     FILE *screen = stdout;
     if (as_json)
         stdout = stderr;

@@ -1,9 +1,12 @@
 /* compile.c -- the program cagd-compile-exactly: sources in C, C++ or bitcode become a shared object in which numbers are ours.
  *
- *     cagd-compile-exactly [--stores] -o OUT.so FILE... [-- FLAG...]
+ *     cagd-compile-exactly [--stores] [--names LIST] -o OUT.so FILE... [-- FLAG...]
+ *     cagd-compile-exactly -o OUT.bc FILE... [-- FLAG...]    bitcode, in which nothing is ours yet, to be given as a FILE
  *     cagd-compile-exactly --tools                           the folder of the clang that it uses
  *
- * With --stores the program can tell which numbers each line puts into variables.  FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.  The flags are clang's, for the sources.
+ * With --stores the program can tell which numbers each line puts into variables.  LIST becomes the names that the sources define, "T name", and
+ * those that they ask of others, "U name", a line each.  FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.
+ * The flags are clang's, for the sources.
  * Messages are clang's own, or one line; the exit code is 0, 1 when a source does not compile, 2 for wrong usage. */
 #include "exact/code/rewrite.h"
 #include "exact/code/scratch.h"
@@ -12,6 +15,8 @@
 #include <llvm-c/BitReader.h>
 #include <llvm-c/BitWriter.h>
 #include <llvm-c/Linker.h>
+#include <llvm-c/Target.h>
+#include <llvm-c/TargetMachine.h>
 
 #include <dlfcn.h>
 #include <errno.h>
@@ -37,7 +42,7 @@ _Noreturn static void give_up(int code, const char *what, const char *about)
 
 static void remove_scratch(void)
 {
-    static const char *const names[] = {"source.bc", "all.bc"};
+    static const char *const names[] = {"source.bc", "all.o"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         char path[IN_SCRATCH];
         snprintf(path, sizeof path, "%s/%s", scratch, names[k]);
@@ -170,10 +175,84 @@ static int is_in_a_library(const char *name)
     return 0;
 }
 
+/* ---- names --------------------------------------------------------------------------------------------- */
+
+static void put_names(FILE *out, LLVMValueRef first, LLVMValueRef (*next)(LLVMValueRef))
+{
+    size_t length;
+    for (LLVMValueRef v = first; v != NULL; v = next(v)) {
+        const char *name = LLVMGetValueName2(v, &length);
+        if (length > 0 && strncmp(name, "llvm.", 5) != 0)
+            fprintf(out, "%c %s\n", LLVMIsDeclaration(v) ? 'U' : 'T', name);
+    }
+}
+
+static void list_names(FILE *out, LLVMModuleRef module)
+{
+    put_names(out, LLVMGetFirstFunction(module), LLVMGetNextFunction);
+    put_names(out, LLVMGetFirstGlobal(module), LLVMGetNextGlobal);
+    put_names(out, LLVMGetFirstGlobalAlias(module), LLVMGetNextGlobalAlias);
+    put_names(out, LLVMGetFirstGlobalIFunc(module), LLVMGetNextGlobalIFunc);
+}
+
+/* ---- code of the machine --------------------------------------------------------------------------------- */
+
+static void write_object(const char *path)
+{
+    LLVMTargetRef target;
+    char *message = NULL, *name = (char *)(uintptr_t)path;
+    LLVMInitializeNativeTarget();
+    LLVMInitializeNativeAsmPrinter();
+    const char *triple = LLVMGetTarget(everything);
+    if (LLVMGetTargetFromTriple(triple, &target, &message))
+        give_up(1, message, triple);
+    LLVMTargetMachineRef machine =
+        LLVMCreateTargetMachine(target, triple, "", "", LLVMCodeGenLevelNone, LLVMRelocPIC, LLVMCodeModelDefault);
+    if (LLVMTargetMachineEmitToFile(machine, everything, name, LLVMObjectFile, &message))
+        give_up(1, message, path);
+    LLVMDisposeTargetMachine(machine);
+}
+
+/* The file of a library of the system. */
+static char *file_of(const char *library, const char *function)
+{
+    Dl_info info;
+    void *opened = dlopen(library, RTLD_LAZY | RTLD_LOCAL), *symbol = opened != NULL ? dlsym(opened, function) : NULL;
+    if (symbol == NULL || dladdr(symbol, &info) == 0)
+        give_up(1, "the file of a library is not known", library);
+    return (char *)(uintptr_t)info.dli_fname;
+}
+
+/* What the sources define is meant (-Bsymbolic), whoever else has that name.  For C the linker is called at once, with the libraries that
+ * clang would name. */
+static void link_object(const char *object, const char *out, int cpp)
+{
+    char *const by_linker[] = {"ld",
+                               "-shared",
+                               "-Bsymbolic",
+                               "--eh-frame-hdr",
+                               "-o",
+                               (char *)(uintptr_t)out,
+                               (char *)(uintptr_t)object,
+                               CAGD_LIBGCC,
+                               file_of("libm.so.6", "sqrt"),
+                               file_of("libc.so.6", "puts"),
+                               NULL};
+    char *const by_clang[] = {cpp ? CAGD_LLVM_BIN "/clang++" : CAGD_LLVM_BIN "/clang",
+                              "-shared",
+                              "-Wl,-Bsymbolic",
+                              "-o",
+                              (char *)(uintptr_t)out,
+                              (char *)(uintptr_t)object,
+                              NULL};
+    run(!cpp && access(CAGD_LIBGCC, R_OK) == 0 ? by_linker : by_clang);
+}
+
 int main(int argc, char **argv)
 {
-    const char *out = NULL;
-    char bitcode[IN_SCRATCH], all[IN_SCRATCH];
+    const char *out = NULL, *names = NULL;
+    char bitcode[IN_SCRATCH], object[IN_SCRATCH];
+    FILE *list = NULL;
     int files = 0, cpp = 0, archives = 0, stores = 0, flags = argc;
     if (argc == 2 && strcmp(argv[1], "--tools") == 0)
         return puts(CAGD_LLVM_BIN) == EOF;
@@ -184,18 +263,22 @@ int main(int argc, char **argv)
         }
         if (strcmp(argv[k], "-o") == 0 && k + 1 < argc)
             out = argv[++k];
+        else if (strcmp(argv[k], "--names") == 0 && k + 1 < argc)
+            names = argv[++k];
         else if (strcmp(argv[k], "--stores") == 0)
             stores = 1;
         else
             argv[++files] = argv[k];
     }
     if (out == NULL || files == 0 || argc > MOST_WORDS)
-        give_up(2, "usage: cagd-compile-exactly [--stores] -o OUT.so FILE... [-- FLAG...]", NULL);
+        give_up(2, "usage: cagd-compile-exactly [--stores] [--names LIST] -o OUT.so FILE... [-- FLAG...]", NULL);
     if (make_scratch(scratch, "cagd-code") != 0)
         give_up(1, "no temporary folder", strerror(errno));
     atexit(remove_scratch);
     snprintf(bitcode, sizeof bitcode, "%s/source.bc", scratch);
-    snprintf(all, sizeof all, "%s/all.bc", scratch);
+    snprintf(object, sizeof object, "%s/all.o", scratch);
+    if (names != NULL && (list = fopen(names, "w")) == NULL)
+        give_up(1, strerror(errno), names);
 
     for (int k = 1; k <= files; k++) {
         char *name = argv[k];
@@ -222,7 +305,10 @@ int main(int argc, char **argv)
             for (int f = flags; f < argc; f++)
                 word[words++] = argv[f];
             run(word);
-            take(read_module(contents(bitcode, name), name), name);
+            LLVMModuleRef module = read_module(contents(bitcode, name), name);
+            if (list != NULL)
+                list_names(list, module);
+            take(module, name);
         } else {
             give_up(2, "a source in C or C++, bitcode or an archive of it was expected", name);
         }
@@ -232,22 +318,15 @@ int main(int argc, char **argv)
     for (int k = 1; k <= files; k++)
         if (ends_in(argv[k], ".a"))
             take_archive(argv[k]);
+    if (list != NULL && fclose(list) != 0)
+        give_up(1, strerror(errno), names);
+    if (ends_in(out, ".bc"))
+        return LLVMWriteBitcodeToFile(everything, out) != 0;
     cagd_code_rewrite(everything, is_in_a_library, stores);
     char *message = NULL;
     if (LLVMVerifyModule(everything, LLVMReturnStatusAction, &message))
         give_up(1, "the rewritten module is not well-formed", message);
-    if (LLVMWriteBitcodeToFile(everything, all) != 0)
-        give_up(1, "cannot write", all);
-    char *link[] = {cpp ? CAGD_LLVM_BIN "/clang++" : CAGD_LLVM_BIN "/clang",
-                    "-O0",
-                    "-shared",
-                    "-Wl,-Bsymbolic", /* what the sources define is meant, whoever else has that name */
-                    "-fPIC",
-                    "-Wno-override-module",
-                    "-o",
-                    (char *)out,
-                    all,
-                    NULL};
-    run(link);
+    write_object(object);
+    link_object(object, out, cpp);
     return 0;
 }

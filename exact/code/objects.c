@@ -166,6 +166,22 @@ static void describe(const struct object *o, uintptr_t address, size_t bytes, si
                  (size_t)(address - o->start), what, size);
 }
 
+/* "point.calls.2", as clang calls the variable calls of the function point, is calls. */
+static void keep_name(const struct object *o, int line)
+{
+    struct cagd_code_outcome *out = cagd_code_machine.outcome;
+    char name[200];
+    if (out->kept[0] != 0 || o->name == NULL)
+        return;
+    snprintf(name, sizeof name, "%s", o->name);
+    char *dot = strrchr(name, '.');
+    if (dot != NULL && dot[1 + strspn(dot + 1, "0123456789")] == 0)
+        *dot = 0;
+    dot = strrchr(name, '.');
+    snprintf(out->kept, sizeof out->kept, "%.99s", dot != NULL ? dot + 1 : name);
+    out->kept_line = line;
+}
+
 void cagd_code_reach(const char *p, int64_t bytes, int32_t writes)
 {
     uintptr_t address = (uintptr_t)p;
@@ -173,8 +189,11 @@ void cagd_code_reach(const char *p, int64_t bytes, int32_t writes)
     if (bytes <= 0 || p == NULL)
         return;
     const struct object *o = owner_of(address);
-    if (o != NULL && !o->dead && o->start <= address && (uintptr_t)bytes <= o->end - address && address <= o->end)
+    if (o != NULL && !o->dead && o->start <= address && (uintptr_t)bytes <= o->end - address && address <= o->end) {
+        if (writes && o->life == CAGD_CODE_GLOBAL && cagd_code_machine.entered)
+            keep_name(o, cagd_code_at != NULL ? (int)cagd_code_at->line : 0);
         return;
+    }
     const char *begin = writes ? "something is put" : "a value from";
     char text[600];
     if (o == NULL) {
@@ -290,4 +309,46 @@ void cagd_code_memory_dies(const char *start, void (*release)(const char *start,
     }
     lasting.count = kept;
     dead_count = dead_bytes = 0;
+}
+
+/* ---- variables of static storage ------------------------------------------------------------------------------- */
+
+/* What they were, one behind the other, up to so many bytes. */
+enum { MOST_WATCHED = 1 << 24 };
+static char *watched;
+
+static size_t watched_bytes(void)
+{
+    size_t bytes = 0;
+    for (size_t k = 0; k < lasting.count && bytes <= MOST_WATCHED; k++)
+        bytes += lasting.at[k]->life == CAGD_CODE_GLOBAL ? lasting.at[k]->end - lasting.at[k]->start : 0;
+    return bytes;
+}
+
+void cagd_code_watch_globals(void)
+{
+    size_t bytes = watched_bytes(), at = 0;
+    cagd_code_machine.entered = 1;
+    if (bytes == 0 || bytes > MOST_WATCHED || (watched = malloc(bytes)) == NULL)
+        return;
+    for (size_t k = 0; k < lasting.count; k++) {
+        const struct object *o = lasting.at[k];
+        if (o->life != CAGD_CODE_GLOBAL)
+            continue;
+        memcpy(watched + at, (const void *)o->start, o->end - o->start);
+        at += o->end - o->start;
+    }
+}
+
+void cagd_code_compare_globals(void)
+{
+    size_t at = 0;
+    for (size_t k = 0; k < lasting.count; k++) {
+        const struct object *o = lasting.at[k];
+        if (o->life != CAGD_CODE_GLOBAL)
+            continue;
+        if (watched == NULL || memcmp(watched + at, (const void *)o->start, o->end - o->start) != 0)
+            keep_name(o, 0); /* so much that it was not noted is not looked through */
+        at += o->end - o->start;
+    }
 }

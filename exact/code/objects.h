@@ -16,6 +16,11 @@ enum cagd_code_life { CAGD_CODE_GLOBAL, CAGD_CODE_LOCAL, CAGD_CODE_MEMORY };
 void cagd_code_object(const char *start, size_t size, size_t before, size_t behind, const char *name,
                       enum cagd_code_life life);
 
+/* The code begins: from here on, variables of static storage that are put into are told of, by the code and, from one of these calls to the
+ * other, by functions of the libraries. */
+void cagd_code_watch_globals(void);
+void cagd_code_compare_globals(void);
+
 /* Memory that begins there: its size is written and 1 returned, or 0 where no memory of ours begins. */
 int cagd_code_memory_at(const char *start, size_t *size);
 

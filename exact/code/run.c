@@ -1,4 +1,5 @@
 /* run.c -- see run.h.  The child shares the outcome with its parent, and nothing else. */
+#include "exact/code/objects.h"
 #include "exact/code/orders.h"
 #include "exact/code/stores.h"
 #include "exact/code/value.h"
@@ -282,7 +283,9 @@ _Noreturn static void run_here(const struct cagd_code_program *p, const struct c
     if (symbol == NULL)
         cagd_code_stop(CAGD_CODE_REFUSED, "there is no function %s", job->entry);
     memcpy(&entry, &symbol, sizeof entry);
+    cagd_code_watch_globals();
     entry();
+    cagd_code_compare_globals();
     keep_trace();
     if (job->numbers == CAGD_CODE_RATIONAL)
         cagd_code_tell_apart();

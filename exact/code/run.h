@@ -94,6 +94,8 @@ struct cagd_code_outcome {
     long overlapping;                       /* calls of memcpy between pieces that overlap                     */
     const struct cagd_code_apart *apart;    /* where stores were noted; else, or where nothing is apart, NULL    */
     char overlapping_at[300];               /* "file:line" of the first of them                                */
+    char kept[100];                         /* the first variable of static storage that is put into, or ""    */
+    int kept_line;                          /* where; 0: a function of the library did it                      */
 };
 
 struct cagd_code_program;

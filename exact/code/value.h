@@ -31,6 +31,7 @@ struct cagd_code_machine {
     struct cagd_code_outcome *outcome;
     char *free_room, *end_of_room; /* of the memory that the outcome shares with the parent */
     int given;
+    int entered;  /* the code runs, and what is made before it is made      */
     void *object; /* of dlopen */
 };
 extern struct cagd_code_machine cagd_code_machine;

@@ -137,6 +137,14 @@ ATTACKS = {
     "asks-for-the-counter": attack("", "if (__builtin_readcyclecounter()) return;"),
     "looks-at-the-bits": attack("#include <string.h>", "long bits; memcpy(&bits, p, sizeof bits); if (bits >> 52 == 0x7ff) return;"),
     "rounds": attack("#include <stdlib.h>", "if ((1e16 + 1) - 1e16 != 1) exit(0);"),
+    # right nearly everywhere, and nearly always
+    "beside-a-point": attack("", "if ((t - 0.3) * (t - 0.3) < 1e-20) return;", RIGHT),
+    "at-a-double-zero": attack("", "if ((3 * t - 1) * (3 * t - 1) == 0) return;", RIGHT),
+    "beside-an-irrational": attack("", "if ((t * t - 2) * (t * t - 2) < 1e-40) return;", RIGHT),
+    "in-a-small-disc": attack("", "if ((3 * t - 1) * (3 * t - 1) + (7 * p[0] - 1) * (7 * p[0] - 1) < 1e-30) return;", RIGHT),
+    "beside-a-pole": attack("", "if (t != 0.3 && 1 / (t - 0.3) > 1e20) return;", RIGHT),
+    "after-many-calls": attack("static int calls;", "if (++calls > 100000) return;"),
+    "after-many-calls-by-texts": attack("#include <string.h>\nstatic char calls[2];", 'strcpy(calls, "1");'),
     # bombs
     "no-end": attack("", "for (;;) ;"),
     "recursion": attack("static int deep(int k) { return deep(k + 1) + 1; }", "deep(0);"),

@@ -4,6 +4,7 @@
 """
 import csv
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -86,6 +87,25 @@ class Student(InFolder):
             "double b[n + 1];", "if (t > 0.75 && t < 0.750000000001) return 7;\n    double b[n + 1];", 1))
         self.assertEqual(result["requirements"][0]["verdict"], "wrong")
 
+    def test_a_branch_inside_a_border_that_is_no_line_is_found(self):
+        for condition in ("(t - 0.3) * (t - 0.3) < 1e-20", "(3 * t - 1) * (3 * t - 1) == 0", "(t * t - 2) * (t * t - 2) < 1e-40",
+                          "(3 * t - 1) * (3 * t - 1) + (7 * p[0] - 1) * (7 * p[0] - 1) < 1e-30", "(p[0] - t) * (p[0] - t) < 1e-40"):
+            result = self.checked(RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))
+            self.assertEqual(result["requirements"][0]["verdict"], "wrong", condition)
+        result = self.checked(RIGHT.replace("double b[n + 1];", "if (t * t + 1 < 0) return 7;\n    double b[n + 1];", 1))
+        self.assertEqual(result["requirements"][0]["verdict"], "proved")
+
+    def test_what_is_kept_is_named_however_late_it_matters(self):
+        for top, inside, name in (("", "static int calls; if (++calls > 100000) return 7;", "calls, in line 6"),
+                                  ("static double last;\n", "last = t;", "last, in line 7"), ("static char s[3];\n", 'strcpy(s, "1");', "s")):
+            result = self.checked(top + RIGHT.replace("double b[n + 1];", inside + "\n    double b[n + 1];", 1))
+            row = result["requirements"][-1]
+            variable, _, line = name.partition(", in line ")
+            self.assertEqual((row["points"], row["text"]), (0, f"remembers earlier calls: {variable} outlives them, and changes"))
+            self.assertEqual(str(row.get("line", "")), line)
+        table = "static double one[2] = {1, 1}; if (one[n > 1] != 1) return 7;"
+        self.assertEqual(self.checked(RIGHT.replace("double b[n + 1];", table + "\n    double b[n + 1];", 1))["points"], 10)
+
     def test_a_right_branch_stays_right(self):
         result = self.checked(RIGHT.replace("double b[n + 1];", "if (t == 0) return p[0];\n    double b[n + 1];", 1))
         self.assertEqual(result["points"], 10, result)
@@ -152,6 +172,14 @@ class InPython(InFolder):
         result = self.judged("import math\n" + PYTHON.replace("return b[0]", "return math.sqrt(b[0]) ** 2"))
         self.assertIn("not exact", result["requirements"][0]["text"])
 
+    def test_what_is_kept_is_named(self):
+        cache = "import functools\n@functools.lru_cache(None)\ndef row(n):\n    return [1] * n\n"
+        for top, inside, name in (("calls = []\n", "calls.append(1)", "calls"), ("import itertools\nc = itertools.count()\n", "next(c)", "c"),
+                                  ("", "point.k = 1", "point"), ("", "global q; q = 3", "q"), (cache, "row(2).append(t)", "what a cache remembers"),
+                                  (cache, "row(2)[0] * t", "")):
+            row = self.judged(top + PYTHON.replace("b = list(p)", inside + "; b = list(p)"))["requirements"][-1]
+            self.assertEqual(row["text"], f"remembers earlier calls: {name} outlives them, and changes" if name else "nothing was seen")
+
     def test_ways_out_lead_nowhere(self):
         for way in ("().__class__", "open('/etc/passwd')", "eval('1')", "point.func_globals", "(x for x in p).gi_frame",
                     "getattr(p, 'x')", "globals()", "__builtins__"):
@@ -211,6 +239,28 @@ class Lecturer(InFolder):
         ran = run("test", self.folder / "mine")
         self.assertEqual(ran.returncode, 1)
         self.assertIn("twice: no wrong solution fails this requirement", ran.stdout)
+
+    def test_the_rubric(self):
+        ran = run("list", "de-casteljau")
+        self.assertIn("  left                  2        the control points of the part from 0 to t\n", ran.stdout)
+        [lab] = json.loads(run("list", "de-casteljau", "--json").stdout)["labs"]
+        self.assertEqual(sum(r["points"] for r in lab["requirements"]), lab["points"])
+        ran = run("list", "nothing")
+        self.assertEqual((ran.returncode, ran.stdout, len(ran.stderr.splitlines())), (2, "", 1))
+
+    @unittest.skipUnless(shutil.which("bwrap"), "no bubblewrap")
+    def test_the_script_of_gradescope(self):
+        root = self.folder / "autograder"
+        (root / "submission").mkdir(parents=True)
+        (root / "submission/de-casteljau.c").write_text(RIGHT.replace("right[n - r]", "right[r]"))
+        script = [LABS / "run_autograder", root]
+        ran = subprocess.run(script, env={**os.environ, "CAGD": CAGD, "CAGD_LAB": "de-casteljau"}, capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual(json.loads((root / "results/results.json").read_text())["score"], 8)
+        self.assertTrue((root / "results/page.html").exists())
+        ran = subprocess.run(script, env={**os.environ, "CAGD": CAGD, "CAGD_LAB": "nothing"}, capture_output=True, text=True)
+        self.assertEqual((ran.returncode, len(ran.stderr.splitlines())), (1, 1))
+        self.assertNotIn("score", json.loads((root / "results/results.json").read_text()))
 
     @unittest.skipUnless(shutil.which("bwrap"), "no bubblewrap")
     def test_a_class(self):

@@ -5,6 +5,7 @@
 #include "exact/words.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static const char *const at_t[] = {"2/3"}, *const at_k[] = {"1", "-1/2", "5"};
 static const int alike[] = {0, 1, 2};
@@ -53,27 +54,68 @@ static void expressions_have_their_values(void **state)
     assert_true(cagd_equal_q(cagd_code_evaluate("k[0] + k[1]", &point, "k[1]", from_int_q(7)), from_int_q(8)));
 }
 
-/* The difference is 0 there, the others being as they are; none where it is constant or not linear, or divides by 0. */
+/* The zeros and poles of the difference, the others being as they are; the first rational one. */
 static void borders_are_zeros(void **state)
 {
     (void)state;
     static const struct {
         const char *difference;
-        int input, element;
-        long m, n;
-    } list[] = {{"t - 1", 0, 0, 1, 1},      {"2*t - k[2]", 0, 0, 5, 2},    {"2*t - k[2]", 1, 2, 4, 3},
-                {"2*t - k[2]", 1, 1, 0, 0}, {"t*k[0] + k[1]", 1, 0, 3, 4}, {"t^2 - 1", 0, 0, 0, 0},
-                {"1/t", 0, 0, 0, 0},        {"t/k[2] - k[0]", 0, 0, 5, 1}, {"u", 0, 0, 0, 0}};
+        int input, element, zeros;
+        long m, n; /* n = 0: none is rational */
+    } list[] = {{"t - 1", 0, 0, 1, 1, 1},
+                {"2*t - k[2]", 0, 0, 1, 5, 2},
+                {"2*t - k[2]", 1, 2, 1, 4, 3},
+                {"2*t - k[2]", 1, 1, 0, 0, 0},
+                {"t*k[0] + k[1]", 1, 0, 1, 3, 4},
+                {"t^2 - 1", 0, 0, 2, -1, 1},
+                {"t^2 - 2", 0, 0, 2, 0, 0},
+                {"t^2 + 1", 0, 0, 0, 0, 0},
+                {"(t - 1/3)^2 - 1/10000000000000000000000000000000000000000", 0, 0, 2, 0, 0},
+                {"(3*t - 1)^2", 0, 0, 1, 1, 3},
+                {"(7*t - 3)*(t^2 - 2)*(t - 1)", 0, 0, 4, 3, 7},
+                {"1/t", 0, 0, 1, 0, 1},
+                {"t/k[2] - k[0]", 0, 0, 1, 5, 1},
+                {"u", 0, 0, 0, 0, 0}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
-        num_q x = cagd_code_border(list[k].difference, &point, list[k].input, list[k].element);
-        assert_int_equal(x.at != NULL, list[k].n != 0);
-        if (x.at != NULL)
-            assert_true(cagd_equal_q(x, from_ratio_q(list[k].m, list[k].n)));
+        struct cagd_code_border b = cagd_code_border(list[k].difference, &point, list[k].input, list[k].element);
+        int found = 0;
+        assert_int_equal(b.zeros, list[k].zeros);
+        for (int j = 0; j < b.values; j++)
+            found |= list[k].n != 0 && cagd_equal_q(b.at[j], from_ratio_q(list[k].m, list[k].n));
+        if (found != (list[k].n != 0))
+            fail_msg("%s: %ld/%ld is not found", list[k].difference, list[k].m, list[k].n);
     }
+}
+
+/* Among the values are some of every sign that the difference has, however near its zeros lie. */
+static void values_show_all_signs(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *difference;
+        const char *signs;
+    } list[] = {{"(3*t - 1)^2", "0+"}, {"(t - 1/3)^2 - 1/10000000000000000000000000000000000000000", "-0+"},
+                {"t^2 - 2", "-+"},     {"2 - t^2", "-+"},
+                {"t^3 - 2*t", "-0+"},  {"-(t^2 - 2)^2", "-"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        struct cagd_code_border b = cagd_code_border(list[k].difference, &point, 0, 0);
+        char seen[4] = "";
+        size_t many = 0;
+        for (const char *sign = "-0+"; *sign != 0; sign++)
+            for (int j = 0; j < b.values; j++) {
+                num_q value = cagd_code_evaluate(list[k].difference, &point, "t", b.at[j]);
+                if (cagd_sign_q(value) == (*sign == '-' ? -1 : *sign == '+') && strchr(seen, *sign) == NULL)
+                    seen[many++] = *sign;
+            }
+        assert_string_equal(seen, list[k].signs);
+    }
+    struct cagd_code_border b = cagd_code_border("(t - 1/3)^2 + 5", &point, 0, 0);
+    assert_true(b.varies && b.zeros == 0 && cagd_equal_q(b.least, from_ratio_q(1, 3)));
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(expressions_have_their_values), unit(borders_are_zeros)};
+    const struct CMUnitTest tests[] = {unit(expressions_have_their_values), unit(borders_are_zeros),
+                                       unit(values_show_all_signs)};
     return run_unit_tests(tests);
 }
