@@ -166,7 +166,7 @@ the equation.
 :figure: arc_of_a_line
 
 Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.  That $F$ is
-irreducible when the parametrisation is proper is cited.
+irreducible when the parametrisation is proper, is proved in [sendra-winkler-perez-diaz-2008].
 :::
 
 :::{claim} doubled_parameter_halves_the_degree

@@ -18,12 +18,12 @@ entries of degree one; the source takes another way, by operations on columns, a
 :printed: $F(x,y)$ in (3.4.1) is a polynomial in two variables of degree at most $n$.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
-  variables_stay_in_the_first_columns
+  variables_stay_in_the_first_columns top_form_is_a_resultant_row_by_row top_form_is_a_resultant
 :figure: implicit_degree
 
 The claim is the proof of the source, with the recursion corrected: after its column operations $x$ and $y$ stand in $n$ columns only, in degree one, and a product of one
 entry from every column has degree at most $n$.  It divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  A second proof is by Bézout's
-matrix.  Sharper, and decided by `top_form_is_a_resultant`: the degree
+matrix.  Sharper, by `top_form_is_a_resultant_row_by_row` and the words there: the degree
 is exactly $n$, or $F$ is 0 everywhere.
 :::
 
