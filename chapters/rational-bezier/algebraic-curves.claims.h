@@ -207,12 +207,13 @@ For the converse one curve suffices that no rational curve can follow.
 :printed: But the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
   need not hold.
 :holds-by: smooth_cubic_has_two_separate_parts rational_cubic_has_one_double_point
-:example: that it need not hold is shown by one curve.
 :cites: Lüroth's theorem: a curve with a rational parametrization has one that runs through it once | A rational cubic
   so has a parametrization of degree 3, hence a double point by `rational_cubic_has_one_double_point`; this one has
   none.  That no arc of it is rational, therefore, and the two parts show it a second time, as a rational curve is
   connected in the projective plane.
 :figure: smooth_cubic
+
+That it need not hold is shown by one curve.
 :::
 */
 

@@ -310,8 +310,8 @@ elsewhere gives a point off the arc, or no point at all.
 :meant: (3.4.5), which is printed without a range, and the conclusion drawn by the theory of resultants, for which any common root counts | A
   common root of the two polynomials, real or complex.
 :class: missing-hypothesis
-:reading: equations_of_a_point | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | The parameter
-  $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$, and $W(u)>0$ there; the point of $t=a$ is that of $a_0=b_0=0$.
+:reading: mean_grows_by_one_term | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By the claim
+  $\sum a_iu^{n-i}=W(u)(X(u)-x)$; the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$, and $W(u)>0$ there; the point of $t=a$ is that of $a_0=b_0=0$.
 :reading: common_root_of_a_point_off_the_arc | a common root, as it is printed, real or complex
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root

@@ -283,10 +283,9 @@ CLAIM(rational_quadratic_of_the_arc)
 :zh: 三角形内二次曲线上的每一点都在曲线上
 :given: positive weights; a point $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ inside the triangle with $a>0$ and
   $b=\frac{\omega_0\omega_2}{4\omega_1^2a}$
-:harmless: $a>0$ | every point with $x>0$, $y>0$, $x+y<1$ has such $a$ and $b$, with $ab=\frac{xy}{(x+y-1)^2}$
 :let: $\lambda=\frac{\omega_0\omega_2}{4\omega_1^2+\omega_0\omega_2}$, $t=\frac{\omega_0}{\omega_0+2\omega_1a}$
-:then: $\frac{xy}{(x+y-1)^2}=ab=\frac\lambda{1-\lambda}$, so that these are the points inside of (3.1.4) with the minus sign and this
-  $\lambda$; $0<t<1$, and $R(t)$ is the point
+:then: $\frac{xy}{(x+y-1)^2}=ab=\frac\lambda{1-\lambda}$, and every point with $x>0$, $y>0$, $x+y<1$ has such $a$ and $b$, so
+  that these are the points inside of (3.1.4) with the minus sign and this $\lambda$; $0<t<1$, and $R(t)$ is the point
 :method: Identities in $a$ and the weights, in the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$; $t$ and $1-t$ have positive
   coefficients.
 :over: a: -
