@@ -21,6 +21,9 @@ the printed definition the words and the formula disagree.
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
 :corrected-by: highest_terms_go_along_with_an_affine_map
 :confirmed-by: total_degree_survives_affine_maps
+:reading: highest_terms_go_along_with_an_affine_map | by the words, an equation of degree $n$, in the usual sense: then it is right, and the sum only says
+  that the terms are among these
+:reading: hyperbola_has_the_printed_form_for_degree_one | by the sum, an equation of this form
 :meant: the words, equation of degree $n$, and theorem 3.4.2 | The total degree.
 :figure: degree_of_a_hyperbola
 

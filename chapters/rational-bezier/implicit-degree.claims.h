@@ -132,7 +132,7 @@ then as the resulting determinant.  Words and recursion do not agree.
 :checked-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: column_operations_give_the_corrected_recursion
 
-In the text at hand the line is printed twice, the second time with the recursion (3.4.7).
+Here $f$ stands for the $a$ or the $b$ of (3.4.2).  In the text at hand the line is printed twice, the second time with the recursion (3.4.7).
 :::
 
 A row of the matrix is best read as a polynomial in a letter $z$ that marks the columns.  An operation is then the same for all rows, and needs no $n$.
@@ -248,7 +248,8 @@ CLAIM(column_operations_give_the_corrected_recursion)
 :title: The recursion of the column operations
 :zh: 列变换的递推式
 :printed: f_i^{[r]}=f_i^{[r-1]}-\Omega_i\,f_{r-1}^{[r-1]},\ \Omega_i=\binom ni\frac{\omega_i}{\omega_0},\
-  i=r,\dots,r+n-1; \qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n
+  i=r,\dots,r+n-1; \qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n;
+  \qquad r=1,2,\dots,n
 :class: misprint
 :refuted-by: printed_recursion_is_not_the_operations
 :corrected: f_i^{[r]}=f_i^{[r-1]}-\Omega_{i-r+1}\,f_{r-1}^{[r-1]},\ i=r,\dots,r+n-1;\qquad f_i^{[r]}=f_i^{[r-1]},\

@@ -531,11 +531,13 @@ while the sentence is about every curve of the family.
   a tangent parallel to a side
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
+:reading: product_of_ratios_is_positive_inside | only the curves of points of the triangle are spoken of, with the minus sign, as two sentences before: then
+  it is right
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
 :reading: product_of_lengths_is_not_printed | $g_1$, $g_2$ are ratios of lengths: constant and positive, but not
   $4\lambda/(1-\lambda)$ for $\lambda>1$ and for $\lambda<0$.
-:meant: the norms in the definition of $(g_1,g_2)$ | The second: ratios of lengths.  The formula that is printed is
+:meant: the norms in the definition of $(g_1,g_2)$ | The ratios are those of lengths.  The formula that is printed is
   that of ratios with signs, $X_A/(1-X_A)$; with either the sentence fails.
 :figure: ratio_product_extra
 

@@ -80,7 +80,7 @@ CLAIM(curve_kernels_give_the_sum)
 :::{statement} deng-zhang-2022:sec-3-degree
 :title: It is called a curve of degree eight
 :zh: 八次曲线之称
-:printed: the curve of (10) is called the β-Bézier curve of degree eight
+:printed: the curve of (10) is called the Bézier curve of degree eight with the shape parameter $\beta$, in short the β-Bézier curve of degree eight
 :definition: yes
 :checked-by: horner_rule_computes_the_curve
 :confirmed-by: bezier_points_divide_the_edges beta_zero_gives_the_bezier_curve

@@ -53,13 +53,15 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :::{statement} deng-zhang-2022:def-5.1
 :title: The tensor product surface
 :zh: 双八次 β-Bezier 曲面，式 (22)
-:printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}B_{i,7}(u)B_{j,7}(v)$ for $8\times8$ control points, $u,v\in[0,1]$, $-7\le\beta\le1$
+:printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}B_{i,7}(u)B_{j,7}(v)$ for $8\times8$ control points $P_{ij}\in\mathbb R^d$, $d=2,3$, $u,v\in[0,1]$, $-7\le\beta\le1$,
+  is called the β-Bézier surface of degree eight in both directions on $[0,1]\times[0,1]$
 :definition: yes
 :checked-by: printed_surface_is_a_curve_of_curves
 :confirmed-by: surface_kernel_gives_the_double_sum
 :figure: shape_surface
 
-One parameter serves both directions; the kernel has one for each.  The points are in $\mathbb R^d$, $d=2,3$.
+One parameter serves both directions; the kernel has one for each.  A coordinate of the surface comes from
+that coordinate of the points alone.
 :::
 */
 
