@@ -344,6 +344,7 @@ claims carries no values at all and counts the operations of the very kernel tha
 :zh: 乘法次数由六次减为三次
 :printed: So the number of multiplications in computing is reduced from the former 6 to 3.
 :holds-by: multiplications_are_six_and_three
+:confirmed-by: multiplications_with_kept_powers
 :meant: the count of 6, which only powers multiplied out one by one have | The powers of $At^3+Bt^2+Ct+D$ are multiplied out one by one, and one
   coordinate is counted.
 :reading: multiplications_are_six_and_three | powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot
