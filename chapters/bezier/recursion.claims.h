@@ -19,8 +19,9 @@ enum { dim = 2 };
 :zh: 折线逼近曲线
 :printed: To draw the curve by its definition, enough values of $t$ are chosen, and the points of the curve joined by segments; with more points
   the polyline and the curve can come arbitrarily near to each other.
-:holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord
-:confirmed-by: second_differences_of_a_piece
+:holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord bernstein_recurrence
+  recurrence_keeps_sum_sign_ends_and_symmetry bernstein_raised_by_one_degree
+:confirmed-by: second_differences_of_a_piece linear_precision
 :argued: | The distance of a piece from its chord is at most a number that does not depend on the piece times the square of
   the step, and so tends to 0 with the step.
 :meant: the word "can" (可以) | More and more points can be chosen so that the polyline comes near: with steps that tend to 0.

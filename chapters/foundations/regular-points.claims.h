@@ -332,7 +332,8 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
   $(0,-1)$ with $u$
 :method: Identities in $u$.
-:over: u
+:scope: the stated curve
+:over: u: -
 :control: the same direction on both sides
 :::
 */
@@ -496,7 +497,8 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :instead: q = 9
 :then: $\phi'(t)=k\,(w^2-p)$; so $\phi'=0$ exactly for $w=\pm\sqrt p$; at these $\phi(t)=\frac{p-w}q$, the other one of the two
 :method: Identities in $w$: $\phi-\frac{p-w}q=\frac{w(w^2-p)}{q^2}$.
-:over: w
+:scope: the stated curve
+:over: w: -
 :control: another denominator of $t$
 :::
 */

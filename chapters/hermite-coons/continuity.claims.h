@@ -183,13 +183,11 @@ is no way in either direction: the figure does not know how fast it is run throu
 :meant: the words "of the function" (该函数的图形), and "are continuous" | From the class to the figure, for graphs.
 :reading: curvature_of_a_graph | from the class to the figure, for graphs
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs
-:reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: the tangent may turn
-  back
+:reading: tangent_turns_back_at_a_smooth_parameter | from the class to the figure, for curves with a parameter: where $P'=0$, which graphs never have, the
+  tangent may turn back
 :reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter
 :figure: upright_cube_root
 
-A curve with a parameter needs $P'\ne0$, which graphs always have: without it the tangent may turn back,
-`tangent_turns_back_at_a_smooth_parameter`.
 A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
 $f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
 $(1+f'^2)^{3/2}$.
@@ -438,6 +436,7 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :class: false
 :corrected: $Q'=\lambda P'$ and $Q''=\lambda^2P''+\beta P'$ with $\lambda>0$ and any $\beta$, $P'\ne0$
 :corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
+  second_derivative_splits_along_the_first
 :figure: proportional_derivatives
 :striking: 44
 
