@@ -121,7 +121,7 @@ CLAIM(equal_limits_do_not_make_a_continuous_function)
   are 0 below the order $k$, and $k!\,r(x_0)$ in the order $k$, those of $hs$ are 0 below the order $k+1$, and $(k+1)!\,r(x_0)$ there: so it is for
   $(x-x_0)^{k+1}r(x)$, by induction over $k$, and $p$ and $p+(x-x_0)^{k+1}r$ have the same derivatives at $x_0$ up to the order $k$.  By Taylor's
   formula every polynomial with these equalities is of this form.
-:scope: every order k
+:scope: every order
 :over: s#: derivatives; j: -; x#: x₀
 :control: the factor $j$ in the place of $j+1$
 :::
