@@ -79,7 +79,6 @@ CLAIM(second_differences_of_a_piece)
 :given: the degree $n$, the length $M$ of the longest second difference of the points, $\varepsilon>0$, and $N$ steps of one length with
   $N^2=\frac{n^2M}{8\varepsilon}+p$, $p>0$
 :harmless: $\varepsilon>0$ | the distance that one likes
-:harmless: $p>0$ | it says how many steps are enough
 :then: $\varepsilon-\frac{n^2}8\cdot\frac M{N^2}=\frac{p\,\varepsilon}{N^2}>0$, where the second number is a bound of the distance
 :method: An identity, everything a variable.  Over a step of the length $\frac1N$ the second differences are means of those of the points, divided by $N^2$,
   `differences_over_a_part_are_means`, and the piece is at most $\frac{n^2}8$ times the longest of them away from its chord,

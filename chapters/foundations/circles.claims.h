@@ -434,8 +434,8 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 #if RATIONAL
 /*
 :::{claim} turn_of_small_steps_gains_a_fifth
-:title: A turn with the step 1/16 takes between 100 and 101 steps, and ends with a radius larger by more than a fifth
-:zh: 步长 1/16 时一周约百步,半径增大逾五分之一
+:title: A turn takes a hundred small steps and a part of one more, and ends with a radius larger by more than a fifth
+:zh: 一周约百步,半径增大逾五分之一
 :kind: decision
 :given: $P_0$, $\varepsilon$, half a turn of $k$ steps and a whole one of $n$, each with a part of one step more; bounds $b$ of the radius
 :data: P_0 = (1,0); ε = 1/16; k = 50; n = 100; b = 6/5 5/4

@@ -565,7 +565,6 @@ CLAIM(curvature_vector_forces_the_condition)
 :zh: 平面曲线的曲率矢量为带号曲率乘法矢
 :given: $P'\ne0$ and $P''$ of a curve in the $xy$-plane
 :where: neither derivative is 0 at the joint
-:harmless: $P'\ne0$ | of either curve
 :then: $\frac{(P'\times P'')\times P'}{|P'|^4}$ is $\frac{x'y''-x''y'}{|P'|^4}\,(-y',x')$: the curvature with its sign, $\frac{x'y''-x''y'}{|P'|^3}$, times the
   unit tangent turned to the left by a right angle; so with one unit tangent the one is continuous exactly where the other is
 :method: The vector products in space with the third coordinates 0, everything a variable.

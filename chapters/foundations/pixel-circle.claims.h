@@ -109,7 +109,6 @@ CLAIM(distance_of_the_first_two_points)
 :title: For large radii the distance is nearly one pixel
 :zh: 半径很大时距离趋于一个象素
 :given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $r=\frac1{\sin\theta}$
-:harmless: $0<\theta<\frac\pi2$ | the scope tells it
 :then: $\frac1{r^2}-a^2=\frac{a^2(1-a^2)(3+a^2)}{(1+a^2)^2}>0$; so the square of the distance, $1+a^2$, is between 1 and $1+\frac1{r^2}$
 :method: An identity in $a$, and the signs of coefficients for $a=\frac\alpha{1+\alpha}$, $\alpha>0$.
 :scope: 0 < θ < π/2

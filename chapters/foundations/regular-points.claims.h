@@ -282,6 +282,7 @@ the direction, the velocity divided by its length, and this quotient is undefine
 :corrected: $\dot P$ is continuous, as polynomials are, and zero at the cusp; the unit tangent $\dot P/|\dot P|$ has no limit there: it jumps
   from $(0,1)$ to $(0,-1)$.
 :corrected-by: unit_tangent_jumps_at_the_cusp
+:example: the sentence is about the cusp of this one curve.
 :figure: cusp_and_its_derivative
 :striking: 42
 :::

@@ -650,6 +650,7 @@ the same degree over $[0,1]$.
 :types: field rational
 :given: two ranges, $[a,a+h]$ of $t$ and $[c,c+g]$ of another parameter, $h,g>0$; $0\le s\le1$
 :harmless: $h,g>0$ | a range of two different numbers, in order
+:harmless: $0\le s\le1$ | these are the parameters of the part
 :let: $t=a+hs$
 :then: $a\le t\le a+h$; $s=\frac{t-a}h$; $t=a$ for $s=0$ and $t=a+h$ for $s=1$; and the same of the other parameter
 :method: Signs of coefficients for $s=\frac x{1+x}$, $x>0$, and identities.  No function of the curve or surface is in it: $P(a+hs)$ is its part from $a$ to $a+h$ over
