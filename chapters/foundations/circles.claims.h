@@ -20,8 +20,8 @@ sections of their own.
 :::{statement} hu-1987:1-3-1
 :title: One step of a rotation
 :zh: 逆时针旋转一步
-:printed: $x_{n+1}=r\cos(\theta+\Delta\theta)=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
-  $y_{n+1}=r\sin(\theta+\Delta\theta)=y_n\cos\Delta\theta+x_n\sin\Delta\theta$
+:printed: $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta\cos\Delta\theta-r\sin\theta\sin\Delta\theta=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
+  $y_{n+1}=r\sin(\theta+\Delta\theta)=r\sin\theta\cos\Delta\theta+r\cos\theta\sin\Delta\theta=y_n\cos\Delta\theta+x_n\sin\Delta\theta$
 :holds-by: rotation_matrix_adds_the_angle
 :figure: three_generators
 :::

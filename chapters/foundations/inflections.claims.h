@@ -90,6 +90,30 @@ CLAIM(second_derivative_is_not_constant)
 }
 
 /*
+:::{claim} curvature_divides_by_zero_at_a_cusp
+:title: At a cusp the formula of the curvature divides by zero
+:zh: 尖点处曲率公式的分母为零
+:kind: counterexample
+:given: a cubic with a cusp, with the coefficients $c$, and its parameter $t$
+:data: c = (0,0) (0,0) (1,0) (0,1); t = 0
+:instead: t = 1
+:then: the speed, whose third power is the denominator, is 0
+:result: P'(t) = (0,0)
+:method: The derivative by the kernel; that its length is not 0 is refuted.
+:control: another parameter
+:::
+*/
+CLAIM(curvature_divides_by_zero_at_a_cusp)
+{
+    num c[8], D[4];
+    given_points(T, "c", 4, 2, c);
+    G(power_derivatives)(3, dim, c, given(T, "t"), 1, D);
+    found_points(T, "P'(t)", 1, 2, D + 2);
+    about(T, "whether the speed is not 0");
+    refute(T, is_zero_q(G(norm_squared)(2, D + 2)));
+}
+
+/*
 :::{statement} hu-1987:1-4-curvature
 :title: The formula of the curvature
 :zh: 曲率公式
@@ -101,6 +125,7 @@ CLAIM(second_derivative_is_not_constant)
 :meant: the letter, and the formula of the torsion below it, which has lost dots as well | $s$ is the length of the arc, with a dot lost over it.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else
 :reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say
+:hypothesis: curvature_divides_by_zero_at_a_cusp | $\dot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: curvature_and_the_speed
 
 One more dot is lost.  Without it the letter is the length of the arc.

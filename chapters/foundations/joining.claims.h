@@ -492,8 +492,11 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
   sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the curvature with its sign.
 :corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector second_derivative_splits_along_the_first
   signed_curvature_is_that_of_the_vector
-:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; without it the condition does
-  not suffice.
+:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+  I}(1)\ne0$; as where there is a unit tangent vector: without it the condition does not suffice.
+:meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
+:reading: equal_curvatures_to_different_sides | the curvature is $K$
+:reading: curvature_vector_forces_the_condition | it is the vector of curvature, or in the plane the curvature with its sign
 :needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient of lengths.
 :figure: same_curvature_other_side
 :striking: 43

@@ -22,7 +22,8 @@ the second way: the determinant becomes 1, the points no longer drift, and the s
 :::{statement} hu-1987:1-3-second-matrix
 :title: The matrix of the second way
 :zh: 第二种方法的矩阵
-:printed: $P_{n+1}=P_nT$ with $T=\begin{pmatrix}1&\varepsilon\\-\varepsilon&1-\varepsilon^2\end{pmatrix}$
+:printed: $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+(1-\varepsilon^2)y_n$, in matrices $P_{n+1}=P_nT$ with the $2\times2$ matrix
+  $T=\begin{pmatrix}1&\varepsilon\\-\varepsilon&1-\varepsilon^2\end{pmatrix}$
 :holds-by: second_step_uses_the_new_abscissa
 :figure: ellipse_of_the_second_way
 :::

@@ -300,8 +300,6 @@ That is why a second kind of continuity is defined, by the one parameter that be
 :zh: 几何连续性 G^k 的定义
 :printed: Two segments are continuous of order $k$ geometrically, $G^k$, when their parametrizations by arc length are $C^k$ at the joint.
 :definition: yes
-
-Derivatives by the arc length are found from those by another parameter where $P'\ne0$.
 :::
 
 :::{statement} slides-ch4:1-g0

@@ -352,6 +352,7 @@ CLAIM(cubic_coefficients_by_monomials)
 :class: misprint
 :corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: square_without_its_prime
 
 The primes are lost in the text we have, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
