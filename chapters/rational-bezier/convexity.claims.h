@@ -348,8 +348,6 @@ static poly turning(int n, const num_q R[], const num_q w[])
     return sum;
 }
 
-static enum cagd_sign_pattern sign_inside(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), OPEN); }
-
 /* Polygons that are convex and counterclockwise when closed. */
 static const struct {
     int n;
@@ -402,7 +400,7 @@ CLAIM(designed_convex_polygons_have_convex_curves)
             R[2 * n + 1] = fault(T, R[2 * n + 1], sub(neg(one), R[2 * n + 1]));
             agree(T, fault(T, polygon_is_convex(n, R, 1, NULL), 1));
             poly p = turning(n, R, w);
-            agree(T, sign_inside(p) == SIGN_POSITIVE);
+            agree(T, sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_POSITIVE);
             agree(T, poly_is_zero(p) || sturm_count(p, from_int(0), one) == is_zero_q(poly_value(p, one)));
             region_drop(mark);
         }
@@ -442,7 +440,7 @@ CLAIM(turns_of_one_sign_are_not_enough)
     found_points(T, "x'y'' - y'x'' at t", 3, 1, value);
     found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a polygon that turns left and does not meet itself has a curve that turns left");
-    refute(T, turns_left && simple && sign_inside(p) != SIGN_POSITIVE);
+    refute(T, turns_left && simple && sign_on(p, from_int(0), from_int(1), OPEN) != SIGN_POSITIVE);
 }
 
 /*
@@ -473,7 +471,7 @@ CLAIM(curve_of_a_polygon_that_turns_back_has_inflections)
     found(T, "det(P,P',P'') at t", poly_value(p, given(T, "t")));
     found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "the curve of a polygon on the boundary of a triangle turns to one side");
-    refute(T, sign_inside(p) == SIGN_MIXED);
+    refute(T, sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_MIXED);
 }
 
 /*
@@ -504,7 +502,7 @@ CLAIM(mixed_weights_lose_convexity)
     found_text(T, "det(P,P',P'')", poly_to_string(p, "t"));
     found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a curve without poles whose polygon is convex turns to one side");
-    refute(T, regular && polygon_is_convex(n, R, 1, NULL) && sign_inside(p) == SIGN_MIXED);
+    refute(T, regular && polygon_is_convex(n, R, 1, NULL) && sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_MIXED);
 }
 #endif
 
@@ -666,7 +664,7 @@ CLAIM(curve_may_be_convex_alone)
     poly p = turning(n, R, w);
     found_text(T, "x(t)", poly_to_string(poly_from_bernstein(n, x), "t"));
     found_text(T, "x'y'' - y'x''", poly_to_string(p, "t"));
-    agree(T, sign_inside(p) == SIGN_NEGATIVE);
+    agree(T, sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_NEGATIVE);
     agree(T, turn_2d(R, R + 2, R + 4) < 0 && turn_2d(R + 2, R + 4, R + 6) > 0);
     agree(T, !polygon_is_convex(n, R, 1, NULL));
 }

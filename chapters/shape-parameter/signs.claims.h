@@ -88,7 +88,7 @@ CLAIM(nonnegative_exactly_in_the_range)
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
         for (int i = 0; i <= 7; i++)
-            agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+            agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
         agree(T, is_zero_q(poly_value(near[2], low)) && sign_q(poly_coefficient(near[2], 1)) > 0);
         agree(T, is_zero_q(poly_value(far[0], high)) && sign_q(poly_coefficient(far[0], 1)) < 0);
     }
@@ -209,11 +209,11 @@ CLAIM(each_function_rises_then_falls)
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
         for (int i = 1; i <= 6; i++) {
-            agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+            agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
             agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
         }
         poly first = poly_sub(far[0], poly_scale(near[0], from_int(8)));
-        agree(T, G(never_negative)(poly_neg(first), wide[0], wide[1]) && G(never_negative)(far[0], wide[0], wide[1]));
+        agree(T, is_nonnegative_on(poly_neg(first), wide[0], wide[1]) && is_nonnegative_on(far[0], wide[0], wide[1]));
         agree(T, sign_on(poly_sub(far[0], first), wide[0], wide[1], CLOSED) == SIGN_POSITIVE);
     }
 }
@@ -253,7 +253,7 @@ CLAIM(third_function_falls_then_rises_below_the_range)
         agree(T, sign_on(far[2], low, high, CLOSED) == SIGN_POSITIVE);
         for (int i = 1; i <= 6; i++)
             if (i != 2 && i != 5) {
-                agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+                agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
                 agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
             }
     }
