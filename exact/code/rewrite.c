@@ -18,6 +18,7 @@ static const char PARAMETER[] = ".addr"; /* behind the name of the variable into
 struct rewriting {
     int (*is_in_a_library)(const char *name);
     int notes_stores;
+    int is_alone; /* nothing of a library is called that may remember earlier calls */
     LLVMModuleRef module;
     LLVMContextRef context;
     LLVMBuilderRef build;
@@ -924,8 +925,10 @@ static void settle_declaration(struct rewriting *r, LLVMValueRef function)
     int known = r->is_in_a_library(name), refused = takes_numbers(type);
     for (size_t k = 0; k < sizeof never / sizeof *never; k++)
         refused = refused || strcmp(name, never[k]) == 0;
-    if (known && !refused)
+    if (known && !refused) {
+        r->is_alone = 0;
         return;
+    }
     snprintf(renamed, sizeof renamed, "the function %s%s", name, known ? "" : ", which is not in the sources");
     LLVMSetLinkage(function, LLVMInternalLinkage);
     LLVMPositionBuilderAtEnd(r->build, LLVMAppendBasicBlockInContext(r->context, function, ""));
@@ -964,7 +967,8 @@ void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *
     struct rewriting r = {.module = module,
                           .context = LLVMGetModuleContext(module),
                           .is_in_a_library = is_in_a_library,
-                          .notes_stores = notes_stores};
+                          .notes_stores = notes_stores,
+                          .is_alone = 1};
     r.build = LLVMCreateBuilderInContext(r.context);
     r.i1 = LLVMInt1TypeInContext(r.context);
     r.i8 = LLVMInt8TypeInContext(r.context);
@@ -982,8 +986,10 @@ void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *
     LLVMValueRef begin = first_constructor(&r);
     LLVMValueRef *globals = listed(LLVMGetFirstGlobal(module), LLVMGetNextGlobal);
     LLVMValueRef *functions = listed(LLVMGetFirstFunction(module), LLVMGetNextFunction);
-    for (size_t k = 0; globals[k] != NULL; k++)
+    for (size_t k = 0; globals[k] != NULL; k++) {
+        r.is_alone = r.is_alone && (globals[k] == r.at || !LLVMIsDeclaration(globals[k]));
         widen_global(&r, globals[k], begin);
+    }
     for (size_t k = 0; functions[k] != NULL; k++)
         if (LLVMIsDeclaration(functions[k]))
             settle_declaration(&r, functions[k]);
@@ -991,6 +997,8 @@ void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *
         rewrite_function(&r, functions[k]);
     free(globals);
     free(functions);
+    if (r.is_alone)
+        LLVMSetInitializer(LLVMAddGlobal(module, r.i8, "cagd_code_is_alone"), whole(r.i8, 1));
     LLVMStripModuleDebugInfo(module);
     LLVMDisposeBuilder(r.build);
 }
