@@ -15,6 +15,8 @@ void cagd_code_tell_into(struct cagd_code_outcome *o, size_t bytes, const struct
 /* The process has its bounds, the code is there, and its constructors have run.  Returns what the job names; does not return where that
  * fails. */
 void (*cagd_code_begin(const struct cagd_code_program *p, const struct cagd_code_job *job))(void);
+/* From now on the process is ended when it waits for long. */
+void cagd_code_bound_waiting(const struct cagd_code_job *job);
 /* The code has returned: what it left behind is looked at, and the outcome is finished. */
 void cagd_code_finish(const struct cagd_code_job *job);
 #endif

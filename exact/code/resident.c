@@ -72,7 +72,7 @@ static void bound_time(const struct cagd_code_job *job)
     getrlimit(RLIMIT_CPU, &limit);
     limit.rlim_cur = (rlim_t)(used.ru_utime.tv_sec + used.ru_stime.tv_sec + job->most_seconds);
     setrlimit(RLIMIT_CPU, &limit);
-    alarm((unsigned)job->most_seconds * 4);
+    cagd_code_bound_waiting(job);
 }
 
 _Noreturn static void live(const struct cagd_code_resident *r, const struct cagd_code_program *p,

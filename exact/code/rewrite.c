@@ -221,7 +221,14 @@ static void replace(struct rewriting *r, LLVMValueRef instruction, const struct 
     LLVMInstructionEraseFromParent(instruction);
 }
 
-/* Refused where one of the types that take part is not carried; the instruction stays, and is not reached. */
+/* Behind a refusal the instruction is not reached; the machine might ask for functions of its own to do it. */
+static void drop_unreached(LLVMValueRef instruction)
+{
+    LLVMReplaceAllUsesWith(instruction, LLVMGetUndef(LLVMTypeOf(instruction)));
+    LLVMInstructionEraseFromParent(instruction);
+}
+
+/* Refused where one of the types that take part is not carried. */
 static int refused_by_type(struct rewriting *r, LLVMTypeRef type)
 {
     LLVMTypeRef t = lane(type);
@@ -245,7 +252,9 @@ static void rewrite_operation(struct rewriting *r, LLVMValueRef instruction, con
         x[k] = LLVMGetOperand(instruction, k);
         refused = refused || refused_by_type(r, LLVMTypeOf(x[k]));
     }
-    if (!refused)
+    if (refused)
+        drop_unreached(instruction);
+    else
         replace(r, instruction, &o, x);
 }
 
@@ -686,6 +695,13 @@ static void rewrite_call(struct rewriting *r, LLVMValueRef call)
     if (strncmp(name, "cagd_code_", 10) == 0 && strncmp(name, "cagd_code_lib_", 14) != 0)
         return;
     stand_before(r, call);
+    for (unsigned k = 0; k < LLVMGetNumArgOperands(call); k++) { /* "%Lf" */
+        LLVMTypeRef type = LLVMTypeOf(LLVMGetOperand(call, k));
+        if (is_floating(type) && !is_carried(type)) {
+            refuse(r, name_of_type(type));
+            return;
+        }
+    }
     /* A function of variable arguments that nobody here knows gets numbers that it would not understand. */
     if (strncmp(name, "cagd_code_", 10) != 0 && LLVMIsFunctionVarArg(LLVMGlobalGetValueType(function)))
         for (unsigned k = 0; k < LLVMGetNumArgOperands(call); k++)

@@ -106,6 +106,12 @@ class Language(unittest.TestCase):
     def test_further(self):
         self.exact("further.c", flags=["-std=c17"])
 
+    def test_rarer(self):
+        self.exact("rarer.c", flags=["-std=gnu17"])
+
+    def test_rarer_cpp(self):
+        self.exact("rarer.cc", flags=["-std=c++17"])
+
     def test_further_cpp(self):
         self.exact("further.cc", flags=["-std=c++17"])
 
