@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* MARGIN: the least, and what margins and alignments are multiples of. */
-enum { MARGIN = 32, MARGIN_BYTE = 0xFE, MOST_OPERANDS = 8 };
+enum { MARGIN = 32, MARGIN_BYTE = 0xFE, NEVER_FILLED = 0xAA, MOST_OPERANDS = 8 };
 
 static const char PARAMETER[] = ".addr"; /* behind the name of the variable into which clang puts a parameter */
 
@@ -282,9 +282,9 @@ static LLVMValueRef as_bytes(struct rewriting *r, LLVMValueRef at)
     return LLVMBuildPointerCast(r->build, at, r->text, "");
 }
 
-static void fill(struct rewriting *r, LLVMValueRef at, LLVMValueRef bytes)
+static void fill(struct rewriting *r, LLVMValueRef at, unsigned byte, LLVMValueRef bytes)
 {
-    LLVMBuildMemSet(r->build, as_bytes(r, at), whole(r->i8, MARGIN_BYTE), bytes, 1);
+    LLVMBuildMemSet(r->build, as_bytes(r, at), whole(r->i8, byte), bytes, 1);
 }
 
 /* Whether the address of a variable goes anywhere: it is more than read and written by name. */
@@ -315,8 +315,10 @@ static void widen_local(struct rewriting *r, LLVMValueRef local)
         LLVMValueRef all = LLVMBuildAlloca(r->build, wide, "");
         LLVMSetAlignment(all, alignment > MARGIN ? alignment : MARGIN);
         if (holds_numbers(type)) {
-            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 0, ""), whole(r->i64, margin));
-            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 2, ""), whole(r->i64, margin));
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 0, ""), MARGIN_BYTE, whole(r->i64, margin));
+            /* clang fills what has no constructor, and so neither all objects of C++ nor its temporaries */
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 1, ""), NEVER_FILLED, whole(r->i64, bytes_of(r, type)));
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 2, ""), MARGIN_BYTE, whole(r->i64, margin));
         }
         inside = LLVMBuildStructGEP2(r->build, wide, all, 1, "");
         bytes = whole(r->i64, bytes_of(r, type));
@@ -329,8 +331,8 @@ static void widen_local(struct rewriting *r, LLVMValueRef local)
         LLVMSetAlignment(all, alignment > MARGIN ? alignment : MARGIN);
         margin = (unsigned)((margin + size - 1) / size * size);
         inside = LLVMBuildGEP2(r->build, type, all, &extra, 1, "");
-        fill(r, all, whole(r->i64, margin));
-        fill(r, LLVMBuildGEP2(r->build, type, inside, &count, 1, ""), whole(r->i64, margin));
+        fill(r, all, MARGIN_BYTE, whole(r->i64, margin));
+        fill(r, LLVMBuildGEP2(r->build, type, inside, &count, 1, ""), MARGIN_BYTE, whole(r->i64, margin));
         bytes = LLVMBuildMul(r->build, LLVMBuildIntCast2(r->build, count, r->i64, 0, ""), whole(r->i64, size), "");
     }
     LLVMValueRef argument[4] = {as_bytes(r, inside), bytes, whole(r->i64, margin), string(r, name)};

@@ -53,7 +53,14 @@ enum class Kind : char { one, two };
 static double visit_it(const std::variant<int, double, std::string> &v) { return std::visit([](auto &&x) -> double { using T = std::decay_t<decltype(x)>; if constexpr (std::is_same_v<T, std::string>) return x.size(); else return x; }, v); }
 static double unwinding(double &s) { Guard g{s}; throw 1.0 / 3; }
 static long double operator""_mm(long double x) { return x / 1000; }
+struct Unfinished { double a[4]; bool full; Unfinished() : full(false) {} Unfinished(double x) : full(true) { for (double &y : a) y = x; } };
+static double deep(double x) { double a[60]; for (double &y : a) y = x; return a[7] + a[50]; }
+static double unfinished(const Unfinished &u, int k) { if (u.full) return 1; return u.a[k]; }
 extern "C" {
+/* = F(1, 3) */
+double y_padding_beside_a_bool(void) { double s = deep(1.0 / 3); for (int i = 0; i < 3; i++) { if (Unfinished(1.0 / 3).full) s = 1.0 / 3; s += deep(1.0 / 7) * 0; s += unfinished(Unfinished(1), 2) - 1; if (Unfinished().full) s = 0; } return s; }
+/* ! never computed */
+double y_constructor_that_leaves_members(void) { double s = deep(1.0 / 3); return unfinished(Unfinished(), 2) + s; }
 /* = F(1, 12) */
 double y_template_reference(void) { return Scaled<quarter>::of(1.0 / 3); }
 /* = F(2, 3) */
