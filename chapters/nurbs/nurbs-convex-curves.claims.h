@@ -343,9 +343,8 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
             agree(T, fault(T, 1, !polygon_is_convex(n - 1, r + 2, 1, NULL) || k == 2));
             for (int j = k; j <= n; j++)
                 if (compare_q(t[j], t[j + 1]) < 0) {
-                    enum cagd_sign_pattern sign =
-                        sign_of_span(turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL));
-                    agree(T, sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE || sign == SIGN_ZERO);
+                    poly turn = turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL);
+                    agree(T, is_nonnegative_on(turn, from_int(0), from_int(1)));
                 }
             enum { POINTS = 13 };
             num P[2 * POINTS];
