@@ -206,7 +206,7 @@ CLAIM(control_point_of_space_is_not_enough)
   order 2 is $r_1r_2\cdots r_n$ whatever the order of the curve that it controls.
 :figure: polygon_begun_elsewhere
 
-Each of the $n$ points acts on the curve, the first one, too, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
+The first point acts on the curve where its support meets the domain, as every other, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
 :::
 */
 

@@ -278,7 +278,6 @@ CLAIM(recursion_is_quadratic)
 :then: $4\,c\,\frac{(m+1)m}2-c\,\frac{(2m+1)\,2m}2=c\,m>0$, and $2m=2\cdot m$: the first are less than four times, the second twice as many
 :method: Identities in $m$ and $c$.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by $a^m$ from order $m+1$ to order $2m+1$, which is more than $4$ for
   great $m$.
-:harmless: $m\ge1$ | for $m=0$ there is one order
 :harmless: $c>0$ | it is a number of operations
 :degrees: all
 :over: m c: -
