@@ -422,6 +422,8 @@ CLAIM(inserted_points_divide_the_edges)
 :needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
+:reading: both_conventions_of_the_span_are_right | at a knot of multiplicity $k$ or more: the printed cases repeat another of two points than intervals closed on the left, by
+  which (4.1.6) is read here
 :figure: where_hypotheses_are_needed
 
 The points are those of (4.1.6) for one knot, the new weights are the denominators.  (2.9.1) is not in the text at hand; in homogeneous coordinates this is the insertion of a knot into a B-spline curve.
