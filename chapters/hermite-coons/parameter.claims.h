@@ -582,7 +582,7 @@ A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$.
 :zh: 参数方程的几何变换可合成为一个矩阵
 :given: the values $x,y,z$ of the parametric equations of a curve or surface, any numbers; two maps, $P\mapsto PT+m$ and $P\mapsto PS+k$, any matrices $T$, $S$ of
   three rows and any $m$, $k$
-:then: $[x\;y\;z\;1]\begin{bmatrix}T&0\\m&1\end{bmatrix}\begin{bmatrix}S&0\\k&1\end{bmatrix}=[(PT+m)S+k\;\;1]$: three equations again, in the same parameters
+:then: $(PT+m)S+k=P\,(TS)+(mS+k)$: three equations again, in the same parameters, by one matrix and one vector
 :method: Both sides entry by entry, everything a variable.  Translations, scalings and rotations are such maps; what functions $x$, $y$, $z$ are, and of how many
   parameters, is not used.
 :scope: every parametric curve and surface
