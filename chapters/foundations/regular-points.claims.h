@@ -130,6 +130,40 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
     same(T, add(mul(t, mul(k, before)), p), mul(add(k, from_int(1)), p));
 }
 
+/*
+:::{claim} polynomial_without_constant_is_small_near_zero
+:title: A polynomial without a constant is as small as one likes near zero, in every degree
+:zh: 无常数项的多项式在零附近任意小(任意次数)
+:given: $0<h<1$; a sum of some terms $c_kh^k$, $k\ge1$, of a size of at most $E$, the sum $S$ of the sizes of their coefficients, $hS-E=g\ge0$; one more
+  coefficient, of the size $a$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
+:harmless: $0<h<1$ | near zero, on either side
+:harmless: $hS-E=g\ge0$ | the induction keeps it
+:harmless: $0<p<1$ | $k>1$
+:harmless: $\varepsilon>0$, $0<y<1$ | as small as one likes
+:then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_kh^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
+  $\varepsilon\,(1-y)$
+:method: One step with everything a variable; then induction over the terms.
+:degrees: all
+:over: h g S a p e y: -
+:control: $h\,(S-a)$ in the place of $h\,(S+a)$
+:::
+*/
+CLAIM(polynomial_without_constant_is_small_near_zero)
+{
+    num h = inside(T, "h"), g = positive(T, "g", 0), S = positive(T, "S", 0), a = positive(T, "a", 0), one = from_int(1);
+    num E = sub(mul(h, S), g), sum = add(S, fault(T, a, neg(a)));
+    for (int first = 0; first < 2; first++) {
+        num p = first ? one : inside(T, "p"), left = add(g, mul(mul(a, h), sub(one, p)));
+        about(T, first ? "the first term" : "a further term");
+        same(T, sub(mul(h, sum), add(E, mul(mul(a, h), p))), left);
+        nonnegative(T, left);
+    }
+    num epsilon = positive(T, "e", 0), y = inside(T, "y"), rest = mul(epsilon, sub(one, y));
+    about(T, "as small as one likes");
+    same(T, sub(epsilon, mul(div(mul(y, epsilon), S), S)), rest);
+    nonnegative(T, rest);
+}
+
 #if FIELD
 /*
 :::{claim} chord_turns_into_the_derivative
@@ -455,7 +489,8 @@ CLAIM(natural_line_is_regular)
 :given: the printed $\phi$, with the coefficients $c$, on $[0,1]$
 :data: c = 0 6 -15 10
 :instead: c = 0 7 -15 10
-:then: $0\le\phi\le1$, and both ends are reached: by continuity the same segment; moreover $\phi(1-t)=1-\phi(t)$
+:then: $0\le\phi\le1$, and both ends are reached: every $x$ of $[0,1]$ is a value, as $\phi-x$ is not positive at 0 and not negative at 1, and so
+  has a zero between; moreover $\phi(1-t)=1-\phi(t)$
 :result: φ(0), φ(1) = 0 1
 :method: Signs of $\phi$ and $1-\phi$ on the interval by root counts; the symmetry as polynomials.
 :scope: 0 ≤ t ≤ 1
