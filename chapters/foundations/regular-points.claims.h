@@ -92,12 +92,10 @@ direction; each of the two parameters has its one tangent, the point has two.
 :title: At a regular point there is one tangent
 :zh: 正则点处切线唯一
 :printed: At regular points of a curve a unique tangent can be determined.
-:holds-by: quotient_of_a_power_tends_to_its_derivative
+:holds-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero direction_is_near_where_the_vector_is
 :confirmed-by: chord_turns_into_the_derivative
-:meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve.
-:argued: | A polynomial in $h$ tends with $h$ to its value for $h=0$: so the directions of the chords, on either side, tend to that of $\dot P(t_0)$ where it is not 0.
-:reading: quotient_of_a_power_tends_to_its_derivative | A regular point is a parameter, as in the definition: it has one tangent. | A polynomial in $h$ tends with
-  $h$ to its value for $h=0$.
+:meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve, and its tangent the limit of the chords.
+:reading: direction_is_near_where_the_vector_is | A regular point is a parameter, as in the definition: it has one tangent.
 :reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
   though both parameters are regular.
 :figure: regular_double_point
@@ -162,6 +160,47 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
     about(T, "as small as one likes");
     same(T, sub(epsilon, mul(div(mul(y, epsilon), S), S)), rest);
     nonnegative(T, rest);
+}
+
+/*
+:::{claim} direction_is_near_where_the_vector_is
+:title: A vector that differs little from another one has nearly its direction
+:zh: 矢量相近则方向相近
+:given: a vector $d\ne0$ of space, and another one, $q=d+e$, any $e$
+:where: $\dot P\ne0$
+:harmless: $d\ne0$ | it is the derivative
+:then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
+  $\frac{|e|}{|q|}$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
+:method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ is a polynomial in $h$ without a constant by
+  `quotient_of_a_power_tends_to_its_derivative`, and as small as one likes by `polynomial_without_constant_is_small_near_zero`, for $h$ on
+  either side of 0: so the directions of the chords tend to that of $d$, and to no other.
+:scope: polynomial curves
+:over: u# v#: -
+:control: the vector product taken in the other order
+:::
+*/
+CLAIM(direction_is_near_where_the_vector_is)
+{
+    enum { space = 3 };
+    num d[space], e[space], q[space], of_q[space], of_e[space];
+    for (int j = 0; j < space; j++) {
+        d[j] = unknown(T, "u", j);
+        e[j] = unknown(T, "v", j);
+        q[j] = add(d[j], e[j]);
+    }
+    G(cross3)(q, d, of_q);
+    if (T->faulty)
+        G(cross3)(d, e, of_e);
+    else
+        G(cross3)(e, d, of_e);
+    about(T, "the vector products");
+    for (int j = 0; j < space; j++)
+        same(T, of_q[j], of_e[j]);
+    num along = G(dot)(space, e, d), squares = mul(G(norm_squared)(space, e), G(norm_squared)(space, d));
+    about(T, "the square of the vector product");
+    same(T, sub(squares, G(norm_squared)(space, of_e)), mul(along, along));
+    about(T, "the scalar product");
+    same(T, G(dot)(space, q, d), add(G(norm_squared)(space, d), along));
 }
 
 #if FIELD
