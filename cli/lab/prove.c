@@ -50,6 +50,16 @@ static void tell(struct proof *p, const char *name, const char *kind, double sec
                                              seconds, "wrong", what, "result", result));
 }
 
+/* How the reference failed where it was asked something; "": it did not. */
+static const char *failure_of_reference(const json_t *result)
+{
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(result, "requirements"), k,
+                       row) if (*member(row, "reference") != 0) return member(row, "reference");
+    return "";
+}
+
 static void try_right(struct proof *p, const char *name)
 {
     char path[LAB_MOST_PATH + 300], failed[400], what[LAB_CAUSE] = "";
@@ -61,6 +71,8 @@ static void try_right(struct proof *p, const char *name)
     failed_in(result, failed, &hint);
     if (text == NULL || failed[0] != 0)
         snprintf(what, sizeof what, "a right solution fails: %s", failed);
+    else if (*failure_of_reference(result) != 0)
+        snprintf(what, sizeof what, "the reference fails within the inputs: %s", failure_of_reference(result));
     tell(p, name, "right", cagd_seconds() - begun, what, result);
     json_decref(result);
     free(text);
