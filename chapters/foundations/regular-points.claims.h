@@ -148,7 +148,8 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 */
 CLAIM(polynomial_without_constant_is_small_near_zero)
 {
-    num h = inside(T, "h"), g = positive(T, "g", 0), S = positive(T, "S", 0), a = positive(T, "a", 0), one = from_int(1);
+    num h = inside(T, "h"), g = positive(T, "g", 0), S = positive(T, "S", 0), a = positive(T, "a", 0),
+        one = from_int(1);
     num E = sub(mul(h, S), g), sum = add(S, fault(T, a, neg(a)));
     for (int first = 0; first < 2; first++) {
         num p = first ? one : inside(T, "p"), left = add(g, mul(mul(a, h), sub(one, p)));
