@@ -86,6 +86,22 @@ static void test_a_recurrence_of_order_two(void **state)
     field_close();
 }
 
+/* sum over k of (-1)^k (n choose k) (3k + 1) (3k + 2) ... (3k + n) / n! = (-3)^n, whose telescoper has the order 3. */
+static void test_a_sum_by_order_three(void **state)
+{
+    (void)state;
+    open_field();
+    num_f above = add_f(mul_f(whole(3), k), n), up = whole(1), down = whole(1);
+    for (int j = 1; j <= 3; j++) {
+        up = mul_f(up, add_f(above, whole(j)));
+        down = mul_f(down, add_f(mul_f(whole(3), k), whole(j)));
+    }
+    cagd_term F = {div_f(add_f(above, whole(1)), sub_f(add_f(n, whole(1)), k)),
+                   div_f(mul_f(sub_f(k, n), up), mul_f(add_f(k, whole(1)), down))};
+    proved(F, whole(1), whole(1), whole(-3), 3);
+    field_close();
+}
+
 /* Gosper's case, order 0: sum of differences. */
 static void test_an_indefinite_sum(void **state)
 {
@@ -359,6 +375,7 @@ int main(void)
     const struct CMUnitTest tests[] = {unit(test_terms),
                                        unit(test_known_sums),
                                        unit(test_a_recurrence_of_order_two),
+                                       unit(test_a_sum_by_order_three),
                                        unit(test_an_indefinite_sum),
                                        unit(test_late_differences),
                                        unit(test_factors),
