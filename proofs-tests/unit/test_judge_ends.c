@@ -288,7 +288,7 @@ static void decisions_have_no_degrees_to_sample(void **state)
                      .kind = DECISION,
                      .degree_low = 1,
                      .degree_high = 3,
-                     .degree_sampled = 9,
+                     .degree_sampled = 1,
                      .body = {[RATIONAL_TYPE] = degree_q}};
     claim_result *r = judge_one(&c);
     assert_true(r->as_expected);
