@@ -92,6 +92,35 @@ static void every_degree_has_an_instance(void **state)
     free_results(r, 1);
 }
 
+/* The degree is shown once, and the order is one more. */
+static void the_degree_is_shown_once(void **state)
+{
+    (void)state;
+    for (int order = 0; order < 2; order++)
+        for (int shown_before = 0; shown_before < 2; shown_before++) {
+            const claim c = {
+                .name = "shown", .scope = "", .letter = order ? "k" : "n", .degree_low = 1, .degree_high = 5};
+            trial T = {.claim = &c, .degree = 3};
+            if (shown_before)
+                show_text(&T, c.letter, "%d", 7);
+            show_degree(&c, &T);
+            assert_int_equal(T.exhibits, 1);
+            assert_string_equal(T.shown[0].name, c.letter);
+            assert_string_equal(T.shown[0].value, shown_before ? "7" : order ? "4" : "3");
+            forget_exhibits(T.shown, T.exhibits);
+        }
+}
+
+static void a_whole_number_is_a_variable_of_the_field(void **state)
+{
+    (void)state;
+    static const claim c = {.name = "whole", .scope = ""};
+    trial T = {.claim = &c};
+    field_open(2);
+    assert_true(equal_f(whole_f(&T, "m", 0, 5), variable_f("m")));
+    field_close();
+}
+
 /* ---- data ---------------------------------------------------------------------------------------------- */
 
 enum { ENTRIES = 34 };
@@ -150,6 +179,7 @@ static const claim from_one = {.name = "from_one", .scope = "", .all_degrees = 1
                    four_orders = {.name = "four_orders", .scope = "", .letter = "k"},
                    tenth_weight = {.name = "tenth_weight", .scope = "", .over = "x10: weight; x#: lengths"},
                    these_knots = {.name = "these_knots", .scope = "these knots", .over = "t#: knots"},
+                   spaced = {.name = "spaced", .scope = "", .over = "x# : lengths ; y#: weights"},
                    the_knots = {.name = "the_knots", .scope = "the knots", .over = "t#: knots"},
                    low = {.name = "low", .scope = ""}, high = {.name = "high", .scope = ""},
                    few = {.name = "few", .scope = ""}, many = {.name = "many", .scope = ""},
@@ -171,6 +201,11 @@ static const claim_result results[] = {
      .evidence = PROVED,
      .computed = PROVED,
      .by = {[FIELD_TYPE] = {.ran = 1, .variables = knot_name, .positive = no_names}}},
+    {.claim = &spaced,
+     .as_expected = 1,
+     .evidence = PROVED,
+     .computed = PROVED,
+     .by = {[FIELD_TYPE] = {.ran = 1, .variables = two_names, .positive = no_names}}},
     {.claim = &the_knots,
      .as_expected = 1,
      .evidence = PROVED,
@@ -244,6 +279,7 @@ static void names_are_whole_words(void **state)
     assert_scope("tenth_weight", "n", "all lengths, every positive weight");
     assert_scope("these_knots", "n", "these knots; all knots");
     assert_scope("the_knots", "n", "the knots");
+    assert_scope("spaced", "n", "all lengths");
 }
 
 /* What a phrase says of a Greek letter is not said once more of the variable that TeX writes out. */
@@ -397,6 +433,28 @@ static void the_search_for_a_witness_leaves_the_faults(void **state)
     region_faults = 0;
 }
 
+/* More inputs than the search remembers. */
+static void more_inputs_than_are_kept_q(trial *T)
+{
+    num_q sum = from_int_q(0);
+    for (int k = 0; k < 4100; k++)
+        sum = add_q(sum, unknown_q(T, "x", k));
+    same_q(T, sum, add_q(sum, from_int_q(1)));
+}
+static void a_search_among_more_inputs_than_are_kept(void **state)
+{
+    (void)state;
+    const claim c = {.name = "many inputs", .scope = "", .body = {[RATIONAL_TYPE] = more_inputs_than_are_kept_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_string_equal(shown[0].name, "x0 to x4095");
+    forget_exhibits(shown, count);
+    claim_result *r = judge_one(&c);
+    assert_string_equal(r->by[RATIONAL_TYPE].shown[0].name, "x0 to x4095");
+    free_results(r, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(in_a_crowded_field_nothing_is_refuted),
@@ -415,6 +473,9 @@ int main(void)
                                        unit(a_result_has_a_sign),
                                        unit(what_is_recorded_is_counted),
                                        unit(links_are_a_list),
+                                       unit(the_degree_is_shown_once),
+                                       unit(a_whole_number_is_a_variable_of_the_field),
+                                       unit(a_search_among_more_inputs_than_are_kept),
                                        unit(of_two_cases_the_long_one_is_left_out),
                                        unit(the_search_for_a_witness_leaves_the_faults)};
     return run_unit_tests(tests);
