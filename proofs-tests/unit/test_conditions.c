@@ -100,6 +100,27 @@ static void what_follows_is_implied(void **state)
         }
 }
 
+/* More texts than are compared: then nothing follows by chains. */
+static void more_texts_than_are_compared(void **state)
+{
+    (void)state;
+    enum { MANY = 300 };
+    static char room[MANY][4][16];
+    static condition c[MANY];
+    for (int k = 0; k < MANY; k++) {
+        char text[32];
+        snprintf(text, sizeof text, "a%d <= b%d", k, k);
+        c[k] = condition_of(text, room[k]);
+        c[k].polynomial = "";
+        if (k > 0)
+            c[k - 1].next = &c[k];
+    }
+    struct cagd_code_outcome o = {.conditions = c};
+    cagd_code_simplify(&o);
+    for (int k = 0; k < MANY; k++)
+        assert_false(c[k].implied);
+}
+
 /* x != y is x < y where x <= y is known, with the smaller one to the left and the difference that belongs to it. */
 static void unequal_becomes_less(void **state)
 {
@@ -223,8 +244,11 @@ static void runs_go_the_same_way_or_branch_off(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        unit(what_follows_is_implied), unit(unequal_becomes_less), unit(denominators_that_are_not_zero_are_not_told),
-        unit(patterns_are_those_of_all_inputs), unit(runs_go_the_same_way_or_branch_off)};
+    const struct CMUnitTest tests[] = {unit(what_follows_is_implied),
+                                       unit(more_texts_than_are_compared),
+                                       unit(unequal_becomes_less),
+                                       unit(denominators_that_are_not_zero_are_not_told),
+                                       unit(patterns_are_those_of_all_inputs),
+                                       unit(runs_go_the_same_way_or_branch_off)};
     return run_unit_tests(tests);
 }
