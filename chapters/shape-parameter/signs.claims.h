@@ -27,6 +27,7 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :class: false
 :corrected: all eight functions, printed or corrected, are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
 :corrected-by: nonnegative_exactly_in_the_range
+:confirmed-by: range_of_every_degree
 :figure: negative_function
 :striking: 8
 
@@ -117,11 +118,11 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
   third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
 :meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
 :reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$: then
-  one for every $\beta$ in $-7\le\beta\le1$
+  one, below $-\frac{21}4$ by this claim as in the true range by the correction
 :figure: negative_function
 
 That there is at least one local maximum is true of every continuous function on $[0,1]$.
-$B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ the maximum of $B_0$ is inside.
+$B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$.
 :::
 
 :::{statement} deng-zhang-2022:property-2.5-proof
