@@ -905,12 +905,21 @@ static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
     return result;
 }
 
+/* The greater or the smaller one of the values before and the next, the `count`-th. */
+static cagd_value better_of(cagd_context *c, const cagd_tree *t, cagd_value before, cagd_value next, int count)
+{
+    if (region_faults != 0 || count == 1)
+        return next;
+    int is = cagd_compare_values(c, next, t->kind == CAGD_MAXIMUM_OVER ? CAGD_GREATER : CAGD_LESS, before);
+    return is < 0 ? fail(c, t, FAULT_UNABLE, "which is larger depends on variables") : is ? next : before;
+}
+
 static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     long low, high;
     cagd_value first = evaluate(c, t->at[0], f), last = evaluate(c, t->at[1], f);
-    int is_sum = t->kind == CAGD_SUM_OVER;
-    cagd_value r = cagd_value_int(is_sum ? 0 : 1);
+    cagd_value r = cagd_value_int(t->kind == CAGD_PRODUCT_OVER ? 1 : 0);
+    int is_extremum = t->kind == CAGD_MAXIMUM_OVER || t->kind == CAGD_MINIMUM_OVER, count = 0;
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high))
@@ -927,8 +936,13 @@ static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
         if (!counted)
             continue;
         cagd_value term = evaluate(c, t->at[2], &inner);
-        r = is_sum ? cagd_value_add(r, term) : cagd_value_mul(r, term);
+        count++;
+        r = is_extremum                ? better_of(c, t, r, term, count)
+            : t->kind == CAGD_SUM_OVER ? cagd_value_add(r, term)
+                                       : cagd_value_mul(r, term);
     }
+    if (is_extremum && count == 0 && region_faults == 0)
+        return fail(c, t, FAULT_UNDEFINED, "the greatest or smallest of nothing");
     return r;
 }
 
@@ -1027,6 +1041,8 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return rounded(c, t, f);
     case CAGD_SUM_OVER:
     case CAGD_PRODUCT_OVER:
+    case CAGD_MAXIMUM_OVER:
+    case CAGD_MINIMUM_OVER:
         return over(c, t, f);
     case CAGD_DERIVATIVE:
         return derivative(c, t, f);

@@ -184,15 +184,24 @@ static const cagd_tree *extremum(cagd_reader *r, cagd_tree_kind kind, int from)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
+    cagd_tree_kind over = kind == CAGD_MAXIMUM ? CAGD_MAXIMUM_OVER : CAGD_MINIMUM_OVER;
+    if (cagd_next_is(r, "_"))
+        return cagd_read_over(r, over, from);
     const char *close = cagd_pass(r, "(") ? ")" : cagd_pass(r, "\\{") ? "\\}" : NULL;
     if (close == NULL)
-        return cagd_refuse_token(r, "expected a list such as (a, b), not %s", cagd_name_of_next(r));
+        return cagd_refuse_token(r, "expected a list such as (a, b), or a range such as _{0 \\le i \\le n}, not %s",
+                                 cagd_name_of_next(r));
     do {
+        const cagd_token *dots = r->token;
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "a list of more than %d", CAGD_MOST_CHILDREN);
-        list[count] = cagd_read_sum(r);
-        if (list[count++] == NULL)
+        int start = count, filled = count > 0 && cagd_pass(r, "\\dots") && cagd_pass(r, ",");
+        const cagd_tree *next = cagd_read_sum(r);
+        if (next != NULL && filled)
+            next = cagd_fill_dots(r, over, dots, list, count, next, 0, &start);
+        if (next == NULL)
             return NULL;
+        list[start] = next, count = start + 1;
     } while (cagd_pass(r, ","));
     return cagd_expect(r, close, "the list") ? cagd_new_of(r, kind, from, count, list) : NULL;
 }

@@ -498,18 +498,29 @@ static int has_bare_function(const cagd_reader *r, const cagd_tree *t)
     return 0;
 }
 
+/* What is in the bracket that comes next: 1 where it has functions without arguments, which makes it a factor; -1 where it does not end. */
+static int bracket_has_function(const cagd_reader *r)
+{
+    int depth = 0, deepest = 0, has = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        char head[MOST_HEAD];
+        if (t->kind == CAGD_TOKEN_LETTER && snprintf(head, sizeof head, "%s_", t->word) < MOST_HEAD)
+            has |= known_arguments(r, t->word) > 0 || known_arguments(r, head) > 0;
+        depth += (strcmp(t->word, "(") == 0) - (strcmp(t->word, ")") == 0);
+        deepest = depth > deepest ? depth : deepest;
+        if (depth == 0)
+            return has && deepest == 1;
+    }
+    return -1;
+}
+
 int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t)
 {
-    const cagd_token *inside = r->token;
-    if (!cagd_next_is(r, "("))
-        return 0;
-    do {
-        inside++;
-        if (inside->kind != CAGD_TOKEN_LETTER && inside->kind != CAGD_TOKEN_NUMBER)
-            return 0;
-        inside++;
-    } while (strcmp(inside->word, ",") == 0 || strcmp(inside->word, ";") == 0);
-    if (strcmp(inside->word, ")") != 0 || !has_bare_function(r, t))
+    if (t->kind != CAGD_NAME && cagd_next_is(r, "'") && has_bare_function(r, t)) {
+        cagd_refuse_token(r, "a prime stands behind one function: write it behind each, or \\frac{d}{dt} before");
+        return 1;
+    }
+    if (!cagd_next_is(r, "(") || !has_bare_function(r, t) || bracket_has_function(r) != 0)
         return 0;
     cagd_refuse_token(r, "arguments of what stands before, or a factor? write them behind the name, or \\cdot between");
     return 1;

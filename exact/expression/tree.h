@@ -26,6 +26,8 @@ typedef enum cagd_tree_kind {
     CAGD_MINIMUM,   /* [a, b, ...] */
     CAGD_SUM_OVER,  /* [low, high, body, conditions ...] over the index `head`                                    */
     CAGD_PRODUCT_OVER,
+    CAGD_MAXIMUM_OVER,
+    CAGD_MINIMUM_OVER,
     CAGD_DERIVATIVE,     /* [a]: `order` times by the variable `head`                                                 */
     CAGD_INTEGRAL,       /* [low, high, a] by the variable `head`                                                     */
     CAGD_AT,             /* [a, b]: a with b in the place of the variable `head`                                      */

@@ -294,6 +294,32 @@ g(s,t) = s^2 t^3
         self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
 
+    def test_what_is_taken_over_several_indices(self):
+        for printed, ranges, expected in (
+                ("\\sum_{i+j=n} x^i y^j = \\sum_{i=0}^n x^i y^{n-i}", "n = 0..3", "holds"), ("\\sum_{i+j=n} x^i y^j = \\sum_{i=0}^n x^i y^i", "n = 0..3", "fails"),
+                ("\\sum_{i+j+k=n} \\frac{n!}{i! j! k!} x^i y^j u^k = (x+y+u)^n", "n = 0..3", "holds"), ("\\sum_{i+j+k=n} 1 = \\binom{n+2}{2}", "n = -2..4", "holds"),
+                ("\\sum_{i+j \\le n} 1 = \\binom{n+2}{2}", "n = 0..4", "holds"), ("\\sum_{i+j < n} 1 = \\binom{n+1}{2}", "n = 0..4", "holds"), ("\\sum_{i+j<n} 1 = \\binom{n+2}{2}", "n = 0..4", "fails"),
+                ("\\sum_{i+j=n, i,j \\ge 1} 1 = n - 1", "n = 1..4", "holds"), ("\\sum_{\\substack{i+j+k=n \\\\ i,j,k \\ge 1}} 1 = \\binom{n-1}{2}", "n = 1..5", "holds"),
+                ("\\sum_{i+j=n, i,j \\ge 1} 1 = n", "n = 1..4", "fails"), ("\\sum_{1 \\le i, j \\le n} 1 = n^2", "n = 0..3", "holds"), ("\\sum_{0 \\le i < j < k \\le n} 1 = \\binom{n+1}{3}", "n = 0..5", "holds"),
+                ("\\sum_{i=1,\\dots,n} i = \\frac{n(n+1)}{2}", "n = 0..4", "holds"), ("\\prod_{i+j=n} x = x^{n+1}", "n = 0..3", "holds"),
+                ("\\max_{0 \\le i \\le n} x_i \\ge x_1", "n = 1..3", "holds"), ("\\max_{0 \\le i \\le n} x_i \\ge x_{n+1}", "n = 1..3", "fails"), ("\\min_{i=0}^n x_i \\le x_n", "n = 0..3", "holds"),
+                ("\\max(x_1, \\dots, x_n) \\ge \\min\\{x_1, x_2, \\dots, x_n\\}", "n = 2..3", "holds"), ("\\max(x, x_1, x_2, \\dots, x_n) \\ge x", "n = 2..3", "holds"),
+                ("\\max(x, x_1, x_2, \\dots, x_n) > x", "n = 2..3", "fails"), ("\\max_{i=1}^{n} x_i = x_1", "n = 0", "undecided"), ("\\max_{0 \\le i \\le n, i \\ne 1} x_i \\ge x_1", "n = 1..2", "fails"),
+                ("\\max_{0 \\le i \\le n} i (n-i) = 4", "n = 4", "holds")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, ranges)["verdict"], expected)
+
+    def test_intervals_behind_a_formula(self):
+        for behind in ("x \\in [0,1], y \\in [0,1]", "x, y \\in [0,1]", "(x,y) \\in [0,1] \\times [0,1]", "(x, y) \\in [0,1]^2", "x \\in [0,1] \\text{ and } y \\in [0,1]"):
+            with self.subTest(behind=behind):
+                self.assertEqual(verdict(f"x y \\ge 0, \\quad {behind}", "n = 1")["verdict"], "holds")
+                self.assertEqual(verdict(f"x y \\ge 0 \\text{{ for }} {behind.replace('0,1', '-1,1', 1)}", "n = 1")["verdict"], "fails")
+                self.assertEqual(verdict(f"x y < 1 \\text{{ for }} {behind}", "n = 1")["verdict"], "fails")
+        self.assertEqual(verdict("x y < 1, \\quad (x,y) \\in [0,1) \\times (0,1]", "n = 1")["verdict"], "holds")
+
+    def test_a_bracket_with_functions_is_a_factor(self):
+        self.assertEqual(verdict("(F + 1)(F - 1) = F^2 - 1", "n = 1")["verdict"], "holds")
+
     def test_every_relation_and_every_part_counts(self):
         """Relations that turn around what they say of, denominators of either sign, parts of which one is open, and poles that a case has."""
         motzkin = "x^4 y^2 + x^2 y^4 + u^6 - 3 x^2 y^2 u^2"
