@@ -446,6 +446,8 @@ static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
         c->binding[c->count - 1].near = 0; /* it is anywhere between the ends */
     num_f F = cagd_in_field(with_letter(c, t->at[2], t->head, (cagd_value){.f = x}, f));
     forget(c, known);
+    if (region_faults == FAULT_UNABLE) /* whatever it was: for one value of the letter it would be known */
+        c->trouble = "an integral of what has pieces, or of no polynomial", c->where = t;
     if (region_faults != 0)
         return sum;
     if (cagd_denominator_degree_f(F, x) > 0)
@@ -856,7 +858,7 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
     cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
     if (region_faults != 0) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-        return fail(c, t, FAULT_UNABLE, "a root that is no rational number or function");
+        return fail(c, t, FAULT_UNABLE, "a root that is no rational number or function: write a name, r with r^2 = 2 in :for:");
     }
     int positive = a.rational || n % 2 == 1 ? 1 : cagd_compare_values(c, r, CAGD_GREATER_OR_EQUAL, cagd_value_int(0));
     if (positive < 0)
@@ -923,7 +925,9 @@ static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high))
-        return fail(c, t, FAULT_UNABLE, "a sum runs between whole numbers");
+        return fail(
+            c, t, FAULT_UNABLE,
+            "a sum runs between whole numbers: n \\ge 1 says nothing of that, n = 1.. or n \\in \\mathbb{N} does");
     if (high - low > MOST_TERMS)
         return fail(c, t, FAULT_UNABLE, "a sum of too many terms");
     for (long k = low; k <= high && region_faults == 0; k++) {

@@ -159,11 +159,42 @@ static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const cha
     return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_new_of(r, kind, from, 1, &a) : NULL;
 }
 
+/* (x)_+^p behind the bracket with x, a truncated power: x^p where x is not negative, and else 0. */
+static const cagd_tree *truncated(cagd_reader *r, const cagd_tree *x, int from)
+{
+    const cagd_tree *p = cagd_tree_number(1, from, from), *zero = cagd_tree_number(0, from, from);
+    r->token += 2;
+    if (cagd_pass(r, "^"))
+        p = cagd_read_argument(r, 1);
+    const cagd_tree *power = cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){x, p});
+    static const cagd_relation relation[] = {CAGD_GREATER_OR_EQUAL};
+    cagd_tree *where = cagd_new_of(r, CAGD_RELATION, from, 2, (const cagd_tree *[]){x, zero});
+    if (where != NULL)
+        where->relation = relation;
+    return cagd_new_of(r, CAGD_CASES, from, 3, (const cagd_tree *[]){power, where, zero});
+}
+
+/* Whether \quad or \; stands between tokens from `first` to the next one, outside of brackets. */
+static int has_wide_space(const cagd_reader *r, const cagd_token *first)
+{
+    int depth = 0;
+    for (const cagd_token *t = first; t + 1 < r->token; t++) {
+        depth += (strchr("([{", t->word[0]) != NULL) - (strchr(")]}", t->word[0]) != NULL);
+        for (int k = t->to; depth == 0 && k + 1 < t[1].from; k++)
+            if (r->text[k] == '\\' && (r->text[k + 1] == 'q' || r->text[k + 1] == ';'))
+                return 1;
+    }
+    return 0;
+}
+
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
     int from = r->token[-1].from;
+    const cagd_token *first = r->token;
     const cagd_tree *a = cagd_read_sum(r);
+    if (a != NULL && close[0] == ']' && !(a->kind == CAGD_PRODUCT && a->juxtaposed) && has_wide_space(r, first))
+        return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
     if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over"))) {
@@ -177,6 +208,8 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     if (a == NULL || !cagd_expect(r, close, "the bracket") ||
         (!cagd_is_bare_function(r, a) && cagd_refuse_argument(r, a)))
         return NULL;
+    if (close[0] == ')' && cagd_next_is(r, "_") && strcmp(r->token[1].word, "+") == 0)
+        return truncated(r, a, from);
     return cagd_read_primed_group(r, a);
 }
 
