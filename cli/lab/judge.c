@@ -3,25 +3,16 @@
  * Both are run in processes of their own and tell what they computed; only here the two are compared.  A requirement is wrong
  * when there are numbers for which its exact results are not those of the reference: never because something was not understood.
  * It is right for all inputs when on every way that was found, through both codes together, the results are the same elements of
- * the field; the ways are looked for on both sides of the border of every comparison. */
+ * the field; other ways, and inputs for which the code divides by 0, are looked for as ways.c says. */
 #include "cli/lab/lab.h"
 #include "cli/point_json.h"
-#include "exact/code/border.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum {
-    MOST_POINTS = 400,
-    FIRST_POINTS = 3,
-    MOST_SHRINKING = 200,
-    MOST_WAYS = 64,
-    HINT_POINTS = 4,
-    ROUNDED = 12,
-    MOST_KNOWN = 20000
-};
+enum { FIRST_POINTS = 3, MOST_SHRINKING = 200, HINT_POINTS = 4, ROUNDED = 12, MOST_KNOWN = 20000 };
 enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6 };
 
 /* What is known while one submission is judged. */
@@ -33,7 +24,6 @@ struct trial {
     json_t *jobs;      /* what the sanitizers are shown                                  */
     char manners[300]; /* what the code does besides computing; empty: nothing was seen  */
     int manners_line;
-    int compared; /* whether it compares numbers                                    */
 };
 
 /* ---- one run of both -------------------------------------------------------------------------------------- */
@@ -172,116 +162,11 @@ static int difference_of(struct trial *t, const struct lab_case *c, const struct
 struct found {
     int wrong, stopped; /* a difference; the code ended                                */
     struct cagd_code_point *point;
-    struct pair at; /* what was said there                                         */
-    int points, ways, proved, conditions, undecided, empty; /* empty: no case may stay without a point */
-    char why[300];
+    struct pair at;                  /* what was said there                                         */
+    int points, ways, proved, empty; /* empty: no case may stay without a point */
+    struct lab_open open;            /* what is not known of other ways                             */
+    char why[300], hole[300];        /* why it is not proved; how the reference failed                 */
 };
-
-/* The points that are still to be tried, and the ways that were seen. */
-struct search {
-    struct cagd_code_point *point[MOST_POINTS];
-    int count, tried, lost; /* lost: there was no room for some */
-    char way[MOST_WAYS][80];
-    int ways;
-};
-
-static int same_point(const struct cagd_code_point *a, const struct cagd_code_point *b)
-{
-    for (int i = 0; i < a->inputs; i++)
-        for (int j = 0; j < (a->input[i].count > 0 ? a->input[i].count : 1); j++)
-            if (strcmp(a->input[i].value[j], b->input[i].value[j]) != 0 || a->input[i].like[j] != b->input[i].like[j])
-                return 0;
-    return 1;
-}
-
-/* Once: a comparison that is made again has the same border. */
-static void put_point(struct search *s, struct cagd_code_point *p)
-{
-    int known = 0;
-    for (int k = 0; k < s->count && !known; k++)
-        known = same_point(s->point[k], p);
-    if (s->count < MOST_POINTS && !known)
-        s->point[s->count++] = p;
-    else
-        s->lost |= !known, cagd_code_point_free(p);
-}
-
-/* The point with one value changed. */
-static void put_beside(struct search *s, const struct cagd_code_point *p, int input, int element, cagd_num_q value)
-{
-    struct cagd_code_point *other = cagd_code_point_copy(p);
-    cagd_code_point_set(other, input, element, cagd_to_string_q(value));
-    put_point(s, other);
-}
-
-static int elements_of(const struct cagd_code_input *in) { return in->count > 0 ? in->count : 1; }
-
-/* Whether some other variable than element j of input i is in the expression. */
-static int has_others(const char *expression, const struct cagd_code_point *p, int i, int j)
-{
-    char name[64];
-    for (int k = 0; k < p->inputs; k++)
-        for (int e = 0; p->input[k].variable && e < elements_of(&p->input[k]); e++) {
-            snprintf(name, sizeof name, p->input[k].count > 0 ? "%s[%d]" : "%s", p->input[k].name, e);
-            if ((k != i || e != j) && strstr(expression, name) != NULL)
-                return 1;
-        }
-    return 0;
-}
-
-/* Points on the border of the condition and on all sides of it, near and far, for one variable after the other.  Where the difference has no
- * zero in a variable, that variable goes to where it is nearest to 0 before the next one is looked at: so a border that closes around
- * a small region is met.  Whether the border was found, or there is none: a difference of one variable that has no zero. */
-static int put_border(struct search *s, const struct cagd_code_point *p, const char *difference)
-{
-    int any = 0;
-    struct cagd_code_point *at = cagd_code_point_copy(p);
-    for (int i = 0; i < p->inputs; i++)
-        for (int j = 0; p->input[i].variable && j < elements_of(&p->input[i]); j++) {
-            cagd_region_mark mark = cagd_region_open();
-            struct cagd_code_border here = cagd_code_border(difference, p, i, j),
-                                    there = cagd_code_border(difference, at, i, j);
-            for (int k = 0; k < here.values; k++)
-                put_beside(s, p, i, j, here.at[k]);
-            for (int k = 0; k < there.values; k++)
-                put_beside(s, at, i, j, there.at[k]);
-            any |= here.zeros > 0 || there.zeros > 0 || (here.varies && !has_others(difference, p, i, j));
-            if (there.zeros == 0 && there.least.at != NULL)
-                cagd_code_point_set(at, i, j, cagd_to_string_q(there.least));
-            cagd_region_drop(mark);
-        }
-    cagd_code_point_free(at);
-    return any;
-}
-
-static void put_borders(struct search *s, struct found *f, const struct cagd_code_point *p, const json_t *outcome)
-{
-    size_t k;
-    const json_t *row;
-    json_array_foreach(json_object_get(outcome, "conditions"), k, row)
-    {
-        f->conditions++;
-        if (!put_border(s, p, member(row, "difference")))
-            f->undecided++;
-    }
-}
-
-/* Whether the way through both codes is new; equal neighbours belong to it. */
-static int is_new_way(struct search *s, const struct pair *at, const struct cagd_code_point *p)
-{
-    unsigned long hash = 0;
-    char way[80];
-    for (int i = 0; i < p->inputs; i++)
-        for (int j = 0; j < p->input[i].count; j++)
-            hash = hash * 31 + (unsigned long)(p->input[i].like != NULL ? p->input[i].like[j] : j);
-    snprintf(way, sizeof way, "%.20s %.20s %lx", member(at->got, "path"), member(at->want, "path"), hash);
-    for (int k = 0; k < s->ways; k++)
-        if (strcmp(s->way[k], way) == 0)
-            return 0;
-    if (s->ways < MOST_WAYS)
-        strcpy(s->way[s->ways++], way);
-    return s->ways < MOST_WAYS;
-}
 
 /* Whether the only name in the expression is this one. */
 static int is_about(const char *expression, const char *name)
@@ -314,7 +199,7 @@ static struct cagd_code_point *with_fixed(const struct cagd_code_point *p, const
 }
 
 /* The way in the field. */
-static void prove(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
+static void prove(struct trial *t, const struct lab_case *c, struct lab_ways *w, struct found *f,
                   const struct cagd_code_point *p)
 {
     struct pair at = ask_both(t, job_of(c, p, "field", "lab_entry"));
@@ -330,9 +215,7 @@ static void prove(struct trial *t, const struct lab_case *c, struct search *s, s
             cagd_code_point_free(fixed);
         }
         f->proved += same;
-        t->compared += json_array_size(json_object_get(at.got, "conditions")) > 0;
-        put_borders(s, f, p, at.got);
-        put_borders(s, f, p, at.want);
+        lab_ways_add(w, at.got, at.want, p);
     } else if (f->why[0] == 0) {
         snprintf(f->why, sizeof f->why, "%.250s", member(finished(at.got) ? at.want : at.got, "message"));
     }
@@ -349,12 +232,21 @@ static void note_state(struct trial *t, const json_t *outcome)
     t->manners_line = (int)json_integer_value(json_object_get(outcome, "kept_line"));
 }
 
+/* The reference may have no value, where it divides by 0 or the inputs are not those of the lab; otherwise it is at fault. */
+static void note_hole(struct found *f, const json_t *want)
+{
+    const char *end = member(want, "end");
+    if (f->hole[0] == 0 && strcmp(end, "outside") != 0 && strcmp(end, "undefined") != 0)
+        snprintf(f->hole, sizeof f->hole, "%.250s", member(want, "message"));
+}
+
 /* In rationals; 1 when the search is over.  Where the reference has no value nothing is asked. */
-static int try_point(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
+static int try_point(struct trial *t, const struct lab_case *c, struct lab_ways *w, struct found *f,
                      struct cagd_code_point *p)
 {
     struct pair at = ask_both(t, job_of(c, p, "rational", "lab_entry"));
     if (!finished(at.want)) {
+        note_hole(f, at.want);
         forget(&at);
         return 0;
     }
@@ -372,10 +264,8 @@ static int try_point(struct trial *t, const struct lab_case *c, struct search *s
         f->at = at;
         return 1;
     }
-    int more = s->ways < MOST_WAYS, before = s->ways;
-    if (is_new_way(s, &at, p))
-        prove(t, c, s, f, p);
-    f->undecided += more && before < MOST_WAYS && s->ways == MOST_WAYS; /* there may be other ways */
+    if (lab_ways_is_new(w, at.got, at.want, p))
+        prove(t, c, w, f, p);
     forget(&at);
     return 0;
 }
@@ -429,26 +319,22 @@ static void shrink(struct trial *t, const struct lab_case *c, struct found *f)
 
 static void decide(struct trial *t, const struct lab_case *c, struct found *f)
 {
-    struct search *s = calloc(1, sizeof *s);
-    if (s == NULL)
-        abort();
+    struct lab_ways *w = lab_ways_new(c->h);
     long patterns = cagd_code_patterns(c->h), wanted = FIRST_POINTS > 2 * patterns ? FIRST_POINTS : 2 * patterns;
     int over = 0, fixed = cagd_code_variables(c->h) == 0;
     for (long k = 0, found = 0; !over && k < 10 * wanted && found < (fixed ? 1 : wanted); k++) {
         struct cagd_code_point *p = cagd_code_point_new(c->h, k, 0);
         int before = f->points;
-        over = try_point(t, c, s, f, p);
+        over = try_point(t, c, w, f, p);
         found += f->points > before;
         cagd_code_point_free(p);
         if (!over && f->points > 0 && f->proved < f->ways && wanted < t->bench->points)
             wanted = t->bench->points; /* what is not proved is tried more often */
     }
-    for (; !over && s->tried < s->count; s->tried++)
-        over = try_point(t, c, s, f, s->point[s->tried]);
-    f->undecided += s->lost;
-    for (int k = 0; k < s->count; k++)
-        cagd_code_point_free(s->point[k]);
-    free(s);
+    for (struct cagd_code_point *p; !over && (p = lab_ways_next(w)) != NULL; cagd_code_point_free(p))
+        over = try_point(t, c, w, f, p);
+    f->open = lab_ways_open(w);
+    lab_ways_free(w);
     if (f->wrong)
         shrink(t, c, f);
 }
@@ -595,13 +481,18 @@ static void tell_wrong(struct trial *t, const struct lab_case *c, const struct f
 static void tell_right(const struct lab_case *first, const struct lab_case *last, const struct found *sum, json_t *row)
 {
     char text[LAB_CAUSE], range[140] = "";
-    int proved = sum->ways > 0 && sum->proved == sum->ways && sum->undecided == 0;
+    const struct lab_open *open = &sum->open;
+    int proved = sum->ways > 0 && sum->proved == sum->ways && open->undecided == 0;
     if (first != last)
         snprintf(range, sizeof range, ", %s to %s", first->label, last->label);
     if (cagd_code_variables(first->h) == 0 && first == last && sum->points > 0)
         snprintf(text, sizeof text, "right, decided exactly");
-    else if (proved && sum->conditions == 0)
+    else if (proved && open->conditions == 0 && open->denominators == 0)
         snprintf(text, sizeof text, "right for all inputs%s", range);
+    else if (proved && open->conditions == 0)
+        snprintf(text, sizeof text, "right for all inputs%s, where it has a value: no division by 0 was found", range);
+    else if (proved && open->branches == 0 && open->denominators == 0)
+        snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that there are", range, sum->ways);
     else if (proved)
         snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that %d points took", range,
                  sum->ways, sum->points);
@@ -613,6 +504,8 @@ static void tell_right(const struct lab_case *first, const struct lab_case *last
     json_object_set_new(row, "text", json_string(text));
     if (!proved && sum->why[0] != 0)
         json_object_set_new(row, "because", json_string(sum->why));
+    if (sum->hole[0] != 0)
+        json_object_set_new(row, "reference", json_string(sum->hole));
 }
 
 /* The same call again, and behind other calls: nothing may be kept. */
@@ -650,10 +543,13 @@ static int judge_requirement(struct trial *t, int k, json_t *row)
         last = &lab->at[k];
         decide(t, last, &f);
         sum.points += f.points, sum.ways += f.ways, sum.proved += f.proved;
-        sum.conditions += f.conditions, sum.undecided += f.undecided;
+        sum.open.conditions += f.open.conditions, sum.open.undecided += f.open.undecided;
+        sum.open.branches += f.open.branches, sum.open.denominators += f.open.denominators;
         sum.empty += f.points == 0;
         if (sum.why[0] == 0)
             memcpy(sum.why, f.why, sizeof sum.why);
+        if (sum.hole[0] == 0)
+            memcpy(sum.hole, f.hole, sizeof sum.hole);
         if (f.wrong) {
             tell_wrong(t, last, &f, row);
             cagd_code_point_free(f.point);

@@ -139,6 +139,27 @@ char *lab_numbers_as_c(const char *source, char **cause, long *digits);
 /* As lab_inspect. */
 json_t *lab_inspect_numbers(const char *source);
 
+/* ---- ways.c -------------------------------------------------------------------------------------------- */
+
+/* The ways that two codes, an answer and the reference, take together through their comparisons, for inputs of one harness. */
+struct lab_ways;
+struct lab_ways *lab_ways_new(const struct cagd_code_harness *h);
+void lab_ways_free(struct lab_ways *w);
+/* Whether the outcomes, of any numbers, are those of a way that was not met before. */
+int lab_ways_is_new(struct lab_ways *w, const json_t *got, const json_t *want, const struct cagd_code_point *p);
+/* The outcomes in the field at the point: a way, with what was compared and divided by on it. */
+void lab_ways_add(struct lab_ways *w, const json_t *got, const json_t *want, const struct cagd_code_point *p);
+/* A point to be tried, which may take a way that is not known, or at which the answer may divide by 0; the caller's.  NULL: none is left. */
+struct cagd_code_point *lab_ways_next(struct lab_ways *w);
+/* What is known when no point is left.  Of the conditions on all ways: */
+struct lab_open {
+    int conditions;   /* comparisons that depend on the inputs                                             */
+    int branches;     /* those whose other branch was not met, and is not proved to be taken by no inputs  */
+    int undecided;    /* those of them whose border was not found either; or there were too many           */
+    int denominators; /* what is divided by, and not proved to be never 0                                  */
+};
+struct lab_open lab_ways_open(const struct lab_ways *w);
+
 /* ---- judge.c ------------------------------------------------------------------------------------------- */
 
 /* What is kept from one submission to the next. */

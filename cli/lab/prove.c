@@ -1,6 +1,7 @@
 /* prove.c -- whether a lab is well made: right solutions pass, wrong ones get their verdict, every requirement catches one. */
 #include "cli/commands.h"
 #include "cli/lab/lab.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "core/clock.h"
 
@@ -49,6 +50,16 @@ static void tell(struct proof *p, const char *name, const char *kind, double sec
                                              seconds, "wrong", what, "result", result));
 }
 
+/* How the reference failed where it was asked something; "": it did not. */
+static const char *failure_of_reference(const json_t *result)
+{
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(result, "requirements"), k,
+                       row) if (*member(row, "reference") != 0) return member(row, "reference");
+    return "";
+}
+
 static void try_right(struct proof *p, const char *name)
 {
     char path[LAB_MOST_PATH + 300], failed[400], what[LAB_CAUSE] = "";
@@ -60,6 +71,8 @@ static void try_right(struct proof *p, const char *name)
     failed_in(result, failed, &hint);
     if (text == NULL || failed[0] != 0)
         snprintf(what, sizeof what, "a right solution fails: %s", failed);
+    else if (*failure_of_reference(result) != 0)
+        snprintf(what, sizeof what, "the reference fails within the inputs: %s", failure_of_reference(result));
     tell(p, name, "right", cagd_seconds() - begun, what, result);
     json_decref(result);
     free(text);
@@ -127,7 +140,7 @@ int lab_test(const char *folder, int as_json)
     struct proof p = {.bench = calloc(1, sizeof *p.bench), .rows = json_array()};
     struct lab *lab = lab_read(folder, "0", cause);
     if (lab == NULL || p.bench == NULL || lab_bench_open(p.bench, lab, cause) != 0) {
-        fprintf(stderr, "cagd: %s: %s\n", folder, cause);
+        refuse_line("%s: %s", folder, cause);
         lab_free(lab);
         free(p.bench);
         json_decref(p.rows);
