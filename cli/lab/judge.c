@@ -605,6 +605,33 @@ static json_t *measure(struct trial *t)
                      ours, "reference_operations", theirs);
 }
 
+/* Where rounding turns a comparison, so that the result is another one exactly, in no way the fault of the last digits: told, as exact
+ * arithmetic does not see it. */
+static void look_for_turns(struct trial *t, json_t *notes)
+{
+    enum { POINTS = 3 };
+    for (int k = 0; k < t->lab->cases; k++) {
+        const struct lab_case *c = &t->lab->at[k];
+        if (k + 1 < t->lab->cases && t->lab->at[k + 1].requirement == c->requirement)
+            continue;
+        for (long j = 0; j < POINTS; j++) {
+            struct cagd_code_point *p = cagd_code_point_new(c->h, j, 1);
+            struct pair at = ask_both(t, job_of(c, p, "rounding", "lab_entry"));
+            int turned = finished(at.got) && finished(at.want) && json_is_integer(json_object_get(at.got, "turned")) &&
+                         first_difference(at.got, at.want, "got", 0) >= 0;
+            json_int_t line = json_integer_value(json_object_get(at.got, "turned"));
+            forget(&at);
+            cagd_code_point_free(p);
+            if (turned) {
+                json_array_append_new(notes, json_pack("{s:I, s:s}", "line", line, "text",
+                                                       "in binary64 this comparison goes another way than exactly, and "
+                                                       "the result is another one"));
+                return;
+            }
+        }
+    }
+}
+
 /* ---- a submission -------------------------------------------------------------------------------------------- */
 
 static json_t *blank(const json_t *requirement)
@@ -647,6 +674,8 @@ static void judge_all(struct trial *t, json_t *rows)
         json_array_append_new(rows, row);
     }
     json_t *report = lab_sanitize(t->lab, &t->place, &t->bench->own, t->jobs);
+    if (report == NULL && wrong == 0 && t->manners[0] == 0)
+        report = lab_look_for_values(t->lab, &t->place, &t->bench->own, t->jobs);
     if (report != NULL) {
         snprintf(t->manners, sizeof t->manners, "%s", member(report, "text"));
         t->manners_line = (int)json_integer_value(json_object_get(report, "line"));
@@ -697,6 +726,11 @@ static char *prepare(struct trial *t, const char *source, json_t *result)
     }
     json_t *seen = lab_inspect(t->lab, &t->place);
     const char *compiler = member(seen, "compiler"), *refused = member(seen, "refused");
+    const json_t *unset = json_object_get(seen, "unset");
+    if (unset != NULL) {
+        snprintf(t->manners, sizeof t->manners, "uses %.100s, which has no value yet", member(unset, "name"));
+        t->manners_line = (int)json_integer_value(json_object_get(unset, "line"));
+    }
     json_object_set(result, "notes", json_object_get(seen, "notes"));
     if (*compiler != 0 || (*refused == 0 && errors != NULL)) {
         free(errors == NULL || *compiler != 0 ? errors : NULL);
@@ -740,8 +774,10 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
                 keep_object(&t, source);
             judge_all(&t, rows);
             mark(result);
-            if (json_equal(json_object_get(result, "points"), json_object_get(result, "of")))
+            if (json_equal(json_object_get(result, "points"), json_object_get(result, "of"))) {
                 json_object_set_new(result, "measured", measure(&t));
+                look_for_turns(&t, json_object_get(result, "notes"));
+            }
             lab_player_close(&t.student);
         }
         free(errors);
