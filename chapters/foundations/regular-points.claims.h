@@ -282,6 +282,7 @@ the direction, the velocity divided by its length, and this quotient is undefine
 :corrected: $\dot P$ is continuous, as polynomials are, and zero at the cusp; the unit tangent $\dot P/|\dot P|$ has no limit there: it jumps
   from $(0,1)$ to $(0,-1)$.
 :corrected-by: unit_tangent_jumps_at_the_cusp
+:example: the sentence is about the cusp of this one curve.
 :figure: cusp_and_its_derivative
 :striking: 42
 :::
@@ -332,7 +333,8 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
   $(0,-1)$ with $u$
 :method: Identities in $u$.
-:over: u
+:scope: the stated curve
+:over: u: -
 :control: the same direction on both sides
 :::
 */
@@ -496,7 +498,8 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :instead: q = 9
 :then: $\phi'(t)=k\,(w^2-p)$; so $\phi'=0$ exactly for $w=\pm\sqrt p$; at these $\phi(t)=\frac{p-w}q$, the other one of the two
 :method: Identities in $w$: $\phi-\frac{p-w}q=\frac{w(w^2-p)}{q^2}$.
-:over: w
+:scope: the stated curve
+:over: w: -
 :control: another denominator of $t$
 :::
 */

@@ -152,10 +152,11 @@ an equation without a parameter.
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
 :reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has
   none
+:confirmed-by: nodal_cubic_has_an_equation
 :reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
 :figure: graphs_and_axes
 
-An equation $f(x,y)=0$ a curve that crosses itself may have, as here, and the slides do not say that it has not: `nodal_cubic_has_an_equation`.
+An equation $f(x,y)=0$ this curve has, and the slides do not say that it has not.
 :::
 */
 
@@ -164,13 +165,13 @@ An equation $f(x,y)=0$ a curve that crosses itself may have, as here, and the sl
 :::{claim} nodal_cubic_has_an_equation
 :title: The cubic that crosses itself has an equation
 :zh: 自交三次曲线的隐式方程
-:kind: counterexample
+:kind: decision
 :data: c = (-1,0) (0,-1) (1,0) (0,1); e = 1
 :instead: e = -1
 :result: y^2 - x^2 (x + e) = "0"
 :given: the cubic $P(t)=\sum_kc_kt^k$, and the equation $y^2=x^2(x+e)$
 :then: $y^2-x^2(x+e)$ is 0 along the curve, for every $t$
-:method: The difference as a polynomial in $t$; that it is not 0 is refuted.
+:method: The difference as a polynomial in $t$.
 :control: $e$ with the other sign
 :::
 */
@@ -184,8 +185,8 @@ CLAIM(nodal_cubic_has_an_equation)
     poly X = poly_from_q(4, x), Y = poly_from_q(4, y), factor = poly_add(X, poly_constant(e));
     poly difference = poly_sub(poly_mul(Y, Y), poly_mul(poly_mul(X, X), factor));
     found_text(T, "y^2 - x^2 (x + e)", poly_to_string(difference, "t"));
-    about(T, "whether the difference is not 0");
-    refute(T, poly_is_zero(difference));
+    about(T, "whether the difference is 0");
+    agree(T, poly_is_zero(difference));
 }
 
 /*
@@ -303,10 +304,13 @@ of its cylinders, and for a circle that is tilted against all three axes and any
   $z=g(x)$ are that, or those of another coordinate
 :hypothesis: no_two_projections_give_the_circle | the curve is all that the cylinders over two of its projections have in
   common; for some curves no choice of two will do
+:hypothesis: two_cylinders_hold_more_than_the_curve | the curve is all that the cylinders over two of its projections have in
+  common: for others two projections will do and two others will not
+:confirmed-by: two_cylinders_are_two_ellipses two_cylinders_of_the_circle_hold_an_ellipse
 :figure: two_cylinders
 
-The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse,
-`two_cylinders_hold_more_than_the_curve`: the ellipses of $z=y$ and of $z=-y$, `two_cylinders_are_two_ellipses`.  Two of the cylinders of the
+The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse:
+the ellipses of $z=y$ and of $z=-y$, `two_cylinders_are_two_ellipses`.  Two of the cylinders of the
 circle $x^2+y^2+z^2=2$, $x+y+z=0$ have in common the circle and an ellipse of a plane in which two coordinates are equal,
 `two_cylinders_of_the_circle_hold_an_ellipse`.
 The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
@@ -550,7 +554,8 @@ CLAIM(segment_in_its_parameter)
   and surfaces.
 :holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one
 :confirmed-by: bezier_curve_moves_with_its_points
-:argued: surfaces | In both claims a function, or a power, is any number; so it may be a function of two parameters, or a product $u^iw^k$.
+:argued: other functions, and surfaces | In both claims a function, or a power, is any number; so it may be any function of the parameter, or of two, such as a
+  product $u^iw^k$.
 
 A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$, and thereby to the points or coefficients from which it is computed.
 :::
@@ -632,7 +637,7 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :zh: 用参数范围界定曲线或曲面的一部分
 :printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
 :holds-by: range_of_parameters_marks_a_part
-:confirmed-by: triangle_of_powers_consists_of_powers interval_kernel_gives_the_part surface_part_is_the_piece
+:confirmed-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power interval_kernel_gives_the_part surface_part_is_the_piece
 :meant: the formula $a\le t\le b$ beside it | Simply is: by the two numbers $a$ and $b$ alone, for each parameter.
 
 For a surface this is one range for each of the two parameters, when the part is a rectangle of them.  The part of a Bézier curve or surface is one of
@@ -645,6 +650,7 @@ the same degree over $[0,1]$.
 :types: field rational
 :given: two ranges, $[a,a+h]$ of $t$ and $[c,c+g]$ of another parameter, $h,g>0$; $0\le s\le1$
 :harmless: $h,g>0$ | a range of two different numbers, in order
+:harmless: $0\le s\le1$ | these are the parameters of the part
 :let: $t=a+hs$
 :then: $a\le t\le a+h$; $s=\frac{t-a}h$; $t=a$ for $s=0$ and $t=a+h$ for $s=1$; and the same of the other parameter
 :method: Signs of coefficients for $s=\frac x{1+x}$, $x>0$, and identities.  No function of the curve or surface is in it: $P(a+hs)$ is its part from $a$ to $a+h$ over
@@ -681,6 +687,7 @@ CLAIM(range_of_parameters_marks_a_part)
 :reading: surface_part_is_the_piece | a surface is cut so as well
 :reading: derivatives_go_down_through_the_differences | of any order the derivatives at the ends are differences of the points next to them, so that points can be chosen for a smooth joint
 :reading: what is convenient and what easy: an opinion, which no computation decides
+:confirmed-by: bernstein_sum_of_powers_is_a_power bernstein_derivative differences_lower_the_newton_functions
 
 A curve is cut into pieces over $[0,1]$ of the same degree.  At the joint of two pieces of degree $n$ the
 derivatives of order $r$ are $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$ and $\frac{n!}{(n-r)!}\Delta^rQ_0$; for $Q_i=\sum_j\binom ij\Delta^jP_{n-j}$, $i=0,\dots,k$, the differences of
@@ -707,9 +714,8 @@ other: for a curve whose shape follows a control polygon, and for a curve that i
 :checked-by: parabola_through_the_points_is_nearer nearest_line_meets_no_datum
 :example: two senses of nearest, and for each one set of points.
 
-In which sense is left open.  By the distance from the points a Bézier curve, approximating by the words before, is no approximation, since a
-curve of the same degree through the points is nearer; the least sum of squares among simpler curves is a problem with one
-solution, and has no control polygon.
+In which sense is left open.  By the distance from the points a Bézier curve, approximating by the words before, need not be an approximation: in the first
+example a curve of the same degree passes through the points.  By the least sum of squares one line is nearest in the second.
 :::
 */
 

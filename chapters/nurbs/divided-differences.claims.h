@@ -28,8 +28,8 @@ numbers than those of the field beyond $k=4$ through random ones.  The degree th
 :confirmed-by: osculation_is_divisibility
 :figure: osculating_polynomial
 
-With $m-1$ as the last order the number of conditions is the number of nodes.  For polynomials it says that $p-q$ is
-divisible by the product of all $t-t_i$.
+With $m-1$ as the last order the number of conditions is the number of nodes.  A $p-q$ that is a multiple of the product of all $t-t_i$ fulfils them, and at no
+node one more, unless the other factor is 0 there (`osculation_is_divisibility`).
 :::
 
 :::{statement} wang-ch4:formula-4.4.4

@@ -2,10 +2,13 @@
 #include "cli/lab/lab.h"
 
 #include "cli/lab/allowed.h"
+#include "cli/output.h"
+#include "cli/refuse.h"
 #include "exact/code/names.h"
 #include "exact/number/rational.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +26,8 @@ static void put_file(const struct lab_place *place, const char *name, const char
     int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
     if (out == NULL || fputs(text, out) < 0 || fclose(out) != 0)
-        perror(path);
+        refuse_line("%s: cannot be written: %s; %slet TMPDIR name another folder", path, strerror(errno),
+                    output_advice(errno));
 }
 
 static char *copied(const char *text)

@@ -6,6 +6,7 @@
 #include "cli/junit.h"
 #include "cli/lab/lab.h"
 #include "cli/output.h"
+#include "cli/refuse.h"
 #include "cli/xml.h"
 
 #include <dirent.h>
@@ -262,7 +263,7 @@ static int find(struct class *c)
 {
     DIR *d = opendir(c->submissions);
     if (d == NULL) {
-        fprintf(stderr, "cagd: %s: %s; expected the folder of the submissions\n", c->submissions, strerror(errno));
+        refuse_line("%s: %s; expected the folder of the submissions", c->submissions, strerror(errno));
         return -1;
     }
     int found = 0;
@@ -271,7 +272,7 @@ static int find(struct class *c)
             abort();
     closedir(d);
     if (found > MOST) {
-        fprintf(stderr, "cagd: %s: %d submissions; expected at most %d in one run\n", c->submissions, found, MOST);
+        refuse_line("%s: %d submissions; expected at most %d in one run", c->submissions, found, MOST);
         return -1;
     }
     qsort(c->name, (size_t)c->count, sizeof *c->name, by_name);
@@ -294,8 +295,8 @@ static int check_students(const struct class *c)
         student_of(c, c->name[k], student);
         snprintf(path, sizeof path, "%s/%s", c->out, student);
         if (holds_submissions(c, path)) {
-            fprintf(stderr, "cagd: --out %s: the results of '%s' would go to the submissions; choose another folder\n",
-                    c->out, student);
+            refuse_line("--out %s: the results of '%s' would go to the submissions; choose another folder", c->out,
+                        student);
             return -1;
         }
     }

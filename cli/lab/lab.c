@@ -1,6 +1,7 @@
 /* lab.c -- cagd lab: assignments, and a grader that decides by exact computation. */
 #include "cli/lab/lab.h"
 #include "cli/commands.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 
@@ -31,9 +32,9 @@ static struct lab *lab_called(const char *name, const char *seed)
         path[0] = 0;
     struct lab *lab = lab_read(path, seed, cause);
     if (lab == NULL && access(path, F_OK) != 0)
-        fprintf(stderr, "cagd: there is no lab '%s'; cagd lab lists them\n", name);
+        refuse_line("there is no lab '%s'; cagd lab lists them", name);
     else if (lab == NULL)
-        fprintf(stderr, "cagd: %s: %s; cagd lab lists the labs\n", name, cause);
+        refuse_line("%s: %s; cagd lab lists the labs", name, cause);
     return lab;
 }
 
@@ -53,7 +54,7 @@ static struct lab *lab_of(const char *folder, const char *seed)
             lab = lab_called(json_string_value(name), seed);
     }
     if (lab == NULL)
-        fprintf(stderr, "cagd: %s: there is no file of a lab, such as de-casteljau.c; --lab names the lab\n", folder);
+        refuse_line("%s: there is no file of a lab, such as de-casteljau.c; --lab names the lab", folder);
     json_decref(names);
     return lab;
 }
@@ -147,10 +148,10 @@ static int check_once(struct lab_bench *bench, const char *folder, int as_json)
     snprintf(path, sizeof path, "%s/%s", folder, bench->lab->file);
     char *answer = lab_file(path);
     if (answer == NULL) {
-        fprintf(stderr, "cagd: %s: %s; expected the file of an answer\n", path,
-                errno == ELOOP    ? "is a symbolic link"
-                : errno == EINVAL ? "is no file of text, or too large a one"
-                                  : strerror(errno));
+        refuse_line("%s: %s; expected the file of an answer", path,
+                    errno == ELOOP    ? "is a symbolic link"
+                    : errno == EINVAL ? "is no file of text, or too large a one"
+                                      : strerror(errno));
         return EXIT_USAGE;
     }
     json_t *result = lab_judge(bench, answer, 0);
@@ -194,7 +195,7 @@ static int check(const struct arguments *a, const char *folder)
     }
     int code = EXIT_USAGE;
     if (lab_bench_open(bench, lab, cause) != 0) {
-        fprintf(stderr, "cagd: %s: %s\n", lab->name, cause);
+        refuse_line("%s: %s", lab->name, cause);
     } else {
         if (a->watch)
             watch(bench, folder);
@@ -219,9 +220,9 @@ static int grade(const struct arguments *a, const char *submissions)
     const char *why = lab_cannot_shut();
     struct lab *lab = NULL;
     if (a->out == NULL || a->lab == NULL)
-        fprintf(stderr, "cagd: lab grade: expected 'cagd lab grade SUBMISSIONS --lab NAME --out DIR'\n");
+        refuse_line("lab grade: expected 'cagd lab grade SUBMISSIONS --lab NAME --out DIR'");
     else if (why != NULL)
-        fprintf(stderr, "cagd: submissions are graded in a sandbox only, and there is none: %s\n", why);
+        refuse_line("submissions are graded in a sandbox only, and there is none: %s", why);
     else
         lab = lab_called(a->lab, a->seed);
     int code = lab != NULL ? lab_grade(lab, submissions, a->out, a->asked.jobs, a->seed) : EXIT_USAGE;
@@ -282,7 +283,7 @@ static const struct form *form_of(const struct arguments *a)
     for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
         if (strcmp(verb, forms[k].verb) == 0)
             return &forms[k];
-    fprintf(stderr, "cagd: lab: there is no '%s'; expected list, start, check, grade, new or test\n", verb);
+    refuse_line("lab: there is no '%s'; expected list, start, check, grade, new or test", verb);
     return NULL;
 }
 
@@ -316,21 +317,20 @@ static int takes(const struct form *f, const struct arguments *a)
                    {"watch", WATCH, a->watch},
                    {"json", JSON, a->asked.json}};
     if (words < f->fewest || words > f->most) {
-        fprintf(stderr, "cagd: lab: expected 'cagd lab %s'; cagd help lab has examples\n", f->usage);
+        refuse_line("lab: expected 'cagd lab %s'; cagd help lab has examples", f->usage);
         return 0;
     }
     for (size_t k = 0; k < sizeof options / sizeof *options; k++)
         if (options[k].given && !(f->options & options[k].option)) {
-            fprintf(stderr, "cagd: lab %s: does nothing with --%s; leave it out\n", f->verb, options[k].name);
+            refuse_line("lab %s: does nothing with --%s; leave it out", f->verb, options[k].name);
             return 0;
         }
     if (a->watch && a->asked.json) {
-        fprintf(stderr, "cagd: lab check: --watch shows pages, not --json; leave one of them out\n");
+        refuse_line("lab check: --watch shows pages, not --json; leave one of them out");
         return 0;
     }
     if (f->run == run_grade && a->out != NULL && is_inside(a->asked.patterns.at[1], a->out)) {
-        fprintf(stderr, "cagd: --out %s: is in '%s', which is read; choose another folder\n", a->out,
-                a->asked.patterns.at[1]);
+        refuse_line("--out %s: is in '%s', which is read; choose another folder", a->out, a->asked.patterns.at[1]);
         return 0;
     }
     return 1;

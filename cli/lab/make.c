@@ -16,13 +16,13 @@ static int is_free(const char *folder, const char *const *names)
     char path[LAB_MOST_PATH + 128];
     struct stat is;
     if (*folder == '\0' || strcmp(folder, "-") == 0) {
-        fprintf(stderr, "cagd: '%s': is no name of a folder; give one\n", folder);
+        refuse_line("'%s': is no name of a folder; give one", folder);
         return -1;
     }
     for (; *names != NULL; names++) {
         snprintf(path, sizeof path, "%s/%s", folder, *names);
         if (lstat(path, &is) == 0) {
-            fprintf(stderr, "cagd: %s: is there already, and is not written over; name another folder\n", path);
+            refuse_line("%s: is there already, and is not written over; name another folder", path);
             return -1;
         }
     }
@@ -44,7 +44,7 @@ static int copy(const struct lab *lab, const char *from, const char *folder, con
     char *text = lab_file(path);
     int status = -1;
     if (text == NULL)
-        fprintf(stderr, "cagd: %s: %s\n", path, strerror(errno));
+        refuse_line("%s: %s", path, strerror(errno));
     else
         status = put(folder, to, text);
     free(text);
@@ -97,7 +97,7 @@ int lab_new(const char *name)
     const char *const names[] = {"lab.md", "README.md", "reference.c", "start.c", "right", NULL};
     char path[LAB_MOST_PATH], *text = NULL;
     if (*name == '\0' || strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-") != strlen(name) || strlen(name) > 40) {
-        fprintf(stderr, "cagd: '%s': a name of at most 40 small letters, digits and - was expected\n", name);
+        refuse_line("'%s': a name of at most 40 small letters, digits and - was expected", name);
         return EXIT_USAGE;
     }
     snprintf(path, sizeof path, "%s/right", name);

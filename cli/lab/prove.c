@@ -2,6 +2,7 @@
  * requirement catches one. */
 #include "cli/commands.h"
 #include "cli/lab/lab.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "core/clock.h"
 
@@ -164,7 +165,7 @@ int lab_test(const char *folder, int as_json)
     struct proof p = {.bench = calloc(1, sizeof *p.bench), .rows = json_array()};
     struct lab *lab = lab_read(folder, "0", cause);
     if (lab == NULL || p.bench == NULL || lab_bench_open(p.bench, lab, cause) != 0) {
-        fprintf(stderr, "cagd: %s: %s\n", folder, cause);
+        refuse_line("%s: %s", folder, cause);
         lab_free(lab);
         free(p.bench);
         json_decref(p.rows);

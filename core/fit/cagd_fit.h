@@ -309,8 +309,9 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
  * curve knots are taken out as long as that helps.  Where the number of control points is given and the spline over even knots is not
- * good, or has loops, as many are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises
- * n chi_squared/(n - 1.4 k)^2 (generalised cross-validation).  Source: wahba-1990; kim-gu-2004. */
+ * good, or has loops, it is led to from a smoothed one, whose smoothing term is taken back by and by; if that is no better, as many knots
+ * are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises n chi_squared/(n - 1.4 k)^2
+ * (generalised cross-validation).  Source: wahba-1990; kim-gu-2004. */
 CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *options,
                                      const cagd_fit_choices *choices, cagd_fit_result **result, int *where);
 

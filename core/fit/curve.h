@@ -48,6 +48,9 @@ int fit_curve_piece(const fit_curve *curve, double t);
 /* D: the point and the first two derivatives at t, 3 rows of dim coordinates. */
 void fit_curve_derivatives(const fit_curve *curve, double t, double D[]);
 
+/* P: the point at t, the same as in D. */
+void fit_curve_point(const fit_curve *curve, double t, double P[]);
+
 /* R[m] = N_i w_i / sum N w at t, i = span-p+m, m = 0, ..., p: what the point moves with point i; and dR/dt. */
 void fit_curve_shares(const fit_curve *curve, int piece, double t, double R[], double slopes[]);
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS = 64 }; /* taken in at once */
+enum { ROWS = 128 }; /* taken in at once */
 
 /* Columns one after the other, each with the new rows first and the places of the triangle behind. */
 typedef struct triangle {

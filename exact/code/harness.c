@@ -417,6 +417,9 @@ int cagd_code_is_cpp(const struct cagd_code_harness *h)
             if (n > m && strcmp(h->source.text[k] + n - m, ends[e]) == 0)
                 return 1;
         }
+    for (int k = 0; k < h->flag.count; k++) /* of a library: what is called is not to be seen from its name */
+        if (strncmp(h->flag.text[k], "-std=", 5) == 0 && strstr(h->flag.text[k], "++") != NULL)
+            return 1;
     return 0;
 }
 

@@ -778,6 +778,17 @@ static cagd_value circular(cagd_context *c, const cagd_tree *t, const frame *f)
     return t->kind == CAGD_COSINE ? sum.cosine : sum.sine;
 }
 
+/* 0 where there is no room for it. */
+static int note_divisor(cagd_context *c, cagd_value b)
+{
+    if (c->divisor == NULL || b.rational)
+        return 1;
+    if (c->divisors == c->most_divisors)
+        return 0;
+    c->divisor[c->divisors++] = b.f;
+    return 1;
+}
+
 /* ---- powers and the like ------------------------------------------------------------------------------- */
 
 static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
@@ -796,6 +807,8 @@ static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
         return fail(c, t->at[1], FAULT_UNABLE, "an exponent is a whole number, at most 1000");
     if (e < 0 && cagd_value_is_zero(base))
         return fail(c, t, FAULT_UNDEFINED, "a division by 0");
+    if (e < 0 && !note_divisor(c, base))
+        return fail(c, t, FAULT_UNABLE, "too many divisors");
     for (long m = e < 0 ? -e : e; m > 0; m /= 2) {
         if (m % 2 == 1)
             r = cagd_value_mul(r, base);
@@ -944,6 +957,8 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
         return a;
     if (c->scope->zero_over_zero && !b.rational && !cagd_divides(c, b))
         return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
+    if (!note_divisor(c, b))
+        return fail(c, t, FAULT_UNABLE, "too many divisors");
     return cagd_value_is_zero(b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
 }
 

@@ -296,15 +296,15 @@ g(s,t) = s^2 t^3
 
     def test_every_relation_and_every_part_counts(self):
         """Relations that turn around what they say of, denominators of either sign, parts of which one is open, and poles that a case has."""
-        motzkin = "x^4 y^2 + x^2 y^4 + 1 - 3 x^2 y^2"
+        choi_lam = "x^4 y^2 + y^4 u^2 + u^4 x^2 - 3 x^2 y^2 u^2"  # it is nonnegative, and no sum of squares
         for printed, ranges, expected in (
                 ("0 < x^2", "n = 1", "fails"), ("x^2 > 0", "n = 1", "fails"), ("0 \\le x^2", "n = 1", "holds"), ("x^2 \\ge 0", "n = 1", "holds"),
                 ("x^2 + 1 \\ne 0", "n = 1", "holds"), ("x^2 \\ne 0", "n = 1", "fails"), ("x^2 < y^2 + 1", "0 \\le x \\le 1", "fails"),
                 ("x^2 < y^2 + 1", "0 \\le x < 1", "holds"), ("\\frac{1}{x-2} < 0", "0 \\le x \\le 1", "holds"), ("\\frac{1}{x-2} > 0", "0 \\le x \\le 1", "fails"),
                 ("\\frac{1}{x} > 0", "-1 \\le x \\le 1", "fails"), ("\\frac{x}{x^2+1} \\le \\frac12", "n = 1", "holds"),
-                ("\\frac{|x|}{x} \\le 1", "n = 1", "holds"), ("\\frac{|x|}{x} \\le 0", "n = 1", "fails"), (f"{motzkin} \\ge -1", "n = 1", "undecided"),
-                (f"{motzkin} \\ge -1 \\ge -2", "n = 1", "undecided"), (f"-2 \\le -1 \\le {motzkin}", "n = 1", "undecided"),
-                (f"{motzkin} \\ge -1, x = x", "n = 1", "undecided"), (f"x = x, {motzkin} \\ge -1", "n = 1", "undecided")):
+                ("\\frac{|x|}{x} \\le 1", "n = 1", "holds"), ("\\frac{|x|}{x} \\le 0", "n = 1", "fails"), (f"{choi_lam} \\ge -1", "n = 1", "undecided"),
+                (f"{choi_lam} \\ge -1 \\ge -2", "n = 1", "undecided"), (f"-2 \\le -1 \\le {choi_lam}", "n = 1", "undecided"),
+                (f"{choi_lam} \\ge -1, x = x", "n = 1", "undecided"), (f"x = x, {choi_lam} \\ge -1", "n = 1", "undecided")):
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, ranges)["verdict"], expected)
 
@@ -485,7 +485,7 @@ class Certificates(unittest.TestCase):
 
     def test_what_is_not_noted_has_none(self):
         for printed, ranges in (("x^2 - x y + y^2 \\ge 0", "n = 1, 0 \\le x \\le 1, 0 \\le y \\le 1"), ("(\\frac{d}{dt} F(t))^2 \\ge 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
-                                ("x > 0 \\Rightarrow x = x", "n = 1"), ("x + 1 = y + 1", "x = y")):
+                                ("x > 0 \\Rightarrow x = x", "n = 1"), ("x + 1 = y + 1", "x - y = 0")):
             with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
                 s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
                 self.assertEqual((s["verdict"], s["certificate"]), ("holds", None))
@@ -793,6 +793,30 @@ class Verdicts(unittest.TestCase):
         for printed in (f"\\sum_{{k=0}}^n \\binom{{n}}{{k}} = 2^n + n {late}", f"\\sum_{{k=0}}^n \\binom{{n}}{{k}} (1 + n {late}) = 2^n",
                         "\\sum_{k=0}^{n} \\binom{n}{k}^3 = 2^n", f"\\sum_{{k=0}}^n \\binom{{n}}{{k}} = 2^n (1 + n {late})"):
             self.assertIn(verdict(printed, "n = 0..")["verdict"], {"undecided", "fails"})
+
+    def test_a_value_that_is_given_is_in_the_scope(self):
+        self.assertIn("x = 1/2", verdict("x y = y x", "x = 1/2")["scope"].replace("\\frac12", "1/2"))
+        self.assertNotIn("x", verdict("y = 2 u", "x = 1/2, y = 2 u")["scope"].replace("x = 1/2", ""))
+
+    def test_closed_forms_for_every_number(self):
+        for printed, ranges in (("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.."), ("\\sum_{i=0}^n i = \\frac{n(n+1)}{2} = \\binom{n+1}{2}", "n = 0.."),
+                                ("\\sum_{i=1}^n \\frac{1}{i(i+1)} = \\frac{n}{n+1}", "n = 0.."),
+                                ("\\sum_{i=1}^n i x^i = \\frac{x (1 - (n+1) x^n + n x^{n+1})}{(1-x)^2}", "n = 1.."),
+                                ("\\sum_{i=0}^{n-1} x^{n-1-i} y^i = \\frac{x^n - y^n}{x - y}", "n = 1.."), ("\\sum_{i=1}^n i \\, i! = (n+1)! - 1", "n = 1.."),
+                                ("\\sum_{i=0}^n (-1)^i = \\frac{1 + (-1)^n}{2}", "n = 0.."), ("6^n = 2^n 3^n", "n = 0.."), ("(2n+2)! = (2n+2)(2n+1)(2n)!", "n = 0..")):
+            s = verdict(printed, ranges)
+            self.assertEqual((s["verdict"], s["evidence"]), ("holds", "proved"), s)
+            self.assertIn("every n", s["scope"])
+            self.assertEqual(len(s["closed_form"]["sums"]), printed.count("\\sum"))
+        late = "n (n-1)(n-2)(n-3)(n-4)(n-5)(n-6)(n-7)(n-8)"
+        for printed in (f"\\sum_{{i=0}}^n x^i = \\frac{{x^{{n+1}} - 1}}{{x - 1}} + {late}", f"\\sum_{{i=0}}^n i = \\frac{{n(n+1)}}{{2}} + {late}", f"(n+1)! = (n+1) n! + {late}",
+                        "\\sum_{i=0}^n x^i \\ge \\frac{x^{n+1} - 1}{x - 1}", "(-1)^n = 1", "(-1)^{3n} = (-1)^{2n+1}", "\\sum_{i=0}^n x^i = \\frac{x^n - 1}{x - 1}"):
+            self.assertIn(verdict(printed, "n = 0..")["verdict"], {"undecided", "fails"})
+
+    def test_what_is_not_defined_for_some_number_is_not_proved(self):
+        for printed in ("\\sum_{i=0}^n \\binom{n}{i} \\frac{n-20}{n-20} = 2^n", "\\sum_{i=0}^n \\binom{n}{i} \\frac{i-20}{i-20} = 2^n",
+                        "\\sum_{i=0}^n \\binom{n}{i} = 2^n (n-20) (n-20)^{-1}", "\\sum_{i=0}^n i = \\frac{n(n+1)(n-20)}{2(n-20)}", "\\frac{n! - 7! n! / 7!}{n! - 20!} = 0"):
+            self.assertEqual(verdict(printed, "n = 0..")["verdict"], "undecided", printed)
 
     def test_a_telescoper_is_an_identity_of_rational_functions(self):
         t = verdict("\\sum_{k=0}^n \\binom{n}{k}^2 = \\binom{2n}{n}", "n = 0..")["telescoper"]
