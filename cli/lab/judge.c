@@ -24,6 +24,8 @@ struct trial {
     json_t *jobs;      /* what the sanitizers are shown                                  */
     char manners[300]; /* what the code does besides computing; empty: nothing was seen  */
     int manners_line;
+    char unset[150]; /* what is seen of values that were never computed, before anything runs; or empty */
+    int unset_line;
 };
 
 /* ---- one run of both -------------------------------------------------------------------------------------- */
@@ -674,8 +676,9 @@ static void judge_all(struct trial *t, json_t *rows)
         json_array_append_new(rows, row);
     }
     json_t *report = lab_sanitize(t->lab, &t->place, &t->bench->own, t->jobs);
-    if (report == NULL && wrong == 0 && t->manners[0] == 0)
-        report = lab_look_for_values(t->lab, &t->place, &t->bench->own, t->jobs);
+    if (report == NULL && wrong == 0 && t->manners[0] == 0) /* otherwise it was said where it mattered */
+        report = t->unset[0] != 0 ? json_pack("{s:i, s:s}", "line", t->unset_line, "text", t->unset)
+                                  : lab_look_for_values(t->lab, &t->place, &t->bench->own, t->jobs);
     if (report != NULL) {
         snprintf(t->manners, sizeof t->manners, "%s", member(report, "text"));
         t->manners_line = (int)json_integer_value(json_object_get(report, "line"));
@@ -728,8 +731,8 @@ static char *prepare(struct trial *t, const char *source, json_t *result)
     const char *compiler = member(seen, "compiler"), *refused = member(seen, "refused");
     const json_t *unset = json_object_get(seen, "unset");
     if (unset != NULL) {
-        snprintf(t->manners, sizeof t->manners, "uses %.100s, which has no value yet", member(unset, "name"));
-        t->manners_line = (int)json_integer_value(json_object_get(unset, "line"));
+        snprintf(t->unset, sizeof t->unset, "uses %.100s, which has no value yet", member(unset, "name"));
+        t->unset_line = (int)json_integer_value(json_object_get(unset, "line"));
     }
     json_object_set(result, "notes", json_object_get(seen, "notes"));
     if (*compiler != 0 || (*refused == 0 && errors != NULL)) {

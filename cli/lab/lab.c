@@ -396,13 +396,15 @@ const struct command command_lab = {
         "numbers and formulas; it is run in exact arithmetic and on rational functions of its inputs, so a requirement "
         "is right for all inputs of a shape, or there are small numbers for which it is wrong.\n\n"
         "Without words, or with list: the labs; with the name of one also what each requirement is worth. start writes "
-        "an assignment; check judges the solution in DIR; grade judges a folder of them, each in a sandbox; new and "
-        "test make labs of one's own.\n\n"
+        "an assignment into a folder, by default of its name, with a file to begin with: NAME.c, NAME.py or NAME.txt; "
+        "check judges that file in DIR; grade judges a folder of them, each in a sandbox; new and test make labs of "
+        "one's own.\n\n"
         "Examples:\n"
         "  cagd lab\n"
         "  cagd lab list de-casteljau\n"
         "  cagd lab start de-casteljau\n"
         "  cagd lab check de-casteljau --watch\n"
+        "  cagd lab start de-casteljau-python\n"
         "  cagd lab grade submissions --lab de-casteljau --out results --seed 2026\n",
     .arguments = WORDS,
     .shared = TAKES_JSON | TAKES_JOBS,
