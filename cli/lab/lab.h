@@ -176,11 +176,18 @@ struct lab_bench {
     struct lab_player wrong[64];
     int built[64];
     int points; /* how many at least are tried */
+    int draws;  /* whether results have what a picture needs */
 };
 int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE]);
 void lab_bench_close(struct lab_bench *b);
 /* The result for the source text: see cli/schemas/cagd-lab-1.schema.json.  shut: as in lab_place. */
 json_t *lab_judge(struct lab_bench *b, const char *source, int shut);
+
+/* ---- picture.c ------------------------------------------------------------------------------------------- */
+
+/* Of each requirement with another result a panel, what was got over what was expected; NULL where there is none, or it cannot be drawn.
+ * name: of the picture, as svg_new has it.  The caller frees it. */
+char *lab_picture(const char *name, const json_t *result);
 
 /* ---- page.c, grade.c, make.c ------------------------------------------------------------------------------ */
 

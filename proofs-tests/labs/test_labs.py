@@ -98,6 +98,19 @@ class Student(InFolder):
         table = "static double one[2] = {1, 1}; if (one[n > 1] != 1) return 7;"
         self.assertEqual(self.checked(RIGHT.replace("double b[n + 1];", table + "\n    double b[n + 1];", 1))["points"], 10)
 
+    def test_a_picture_of_what_is_wrong(self):
+        picture = self.folder / "difference.svg"
+        wrong = RIGHT.replace("(1 - t) * b[i] + t * b[i + 1]", "t * b[i] + (1 - t) * b[i + 1]").replace("right[n - r]", "right[0]")
+        graph = self.checked(wrong, "--svg", picture)["requirements"][0]["graph"]
+        self.assertEqual((graph["of"], graph["over"], graph["at"][0], graph["at"][-1]), ("R", "t", "0", "1"))
+        self.assertIn(graph["here"], graph["at"])
+        self.assertNotEqual(graph["got"], graph["expected"])
+        self.assertEqual(xml.dom.minidom.parse(str(picture)).documentElement.tagName, "svg")
+        picture.unlink()
+        (self.folder / "de-casteljau.c").write_text(RIGHT)
+        ran = run("check", self.folder, "--svg", picture)
+        self.assertEqual((ran.returncode, len(ran.stderr.splitlines()), picture.exists()), (0, 1, False))
+
     def test_a_value_that_was_never_computed_is_bad_manners(self):
         for top, inside, says in (("", "int calls; if (calls == 77) return 7; calls = 77;", "uses calls, which has no value yet"),
                                   ("", "int k[3]; if (k[1] == 77) return 7; k[1] = 77;", "decides by a value that was never computed"),
