@@ -1,6 +1,7 @@
 /* lab.c -- cagd lab: assignments, and a grader that decides by exact computation. */
 #include "cli/lab/lab.h"
 #include "cli/commands.h"
+#include "cli/layout.h"
 #include "cli/output.h"
 #include "cli/refuse.h"
 #include "cli/report.h"
@@ -72,12 +73,16 @@ static int points_of(const struct lab *lab)
     return sum;
 }
 
+enum { MOST_WIDTH = 100, LIST_INDENT = 6, RUBRIC_INDENT = 33 };
+
 static void print_head(const struct lab *lab)
 {
-    printf("%s%-22s%s %2d points  %s  %s\n", style(stdout, BOLD), lab->name, style(stdout, PLAIN), points_of(lab),
-           lab_text(lab->head, "title"), lab_text(lab->head, "zh"));
-    printf("%22s %s, chapter %s: %s\n", "", lab->language, lab_text(lab->head, "chapter"),
-           lab_text(lab->head, "learn"));
+    int used = printf("%s%-22s%s %2d points  ", style(stdout, BOLD), lab->name, style(stdout, PLAIN), points_of(lab)) -
+               (int)strlen(style(stdout, BOLD)) - (int)strlen(style(stdout, PLAIN));
+    put_behind(stdout, lab_text(lab->head, "title"), used, used, page_width(MOST_WIDTH));
+    put_paragraph(stdout, lab_text(lab->head, "zh"), used, page_width(MOST_WIDTH));
+    used = printf("%*s%s, chapter %s: ", LIST_INDENT, "", lab->language, lab_text(lab->head, "chapter"));
+    put_behind(stdout, lab_text(lab->head, "learn"), used, LIST_INDENT, page_width(MOST_WIDTH));
 }
 
 /* What each requirement is worth: a lab gives its points by them, all or none of each. */
@@ -90,8 +95,9 @@ static void print_rubric(const struct lab *lab)
         const char *name = json_string_value(json_object_get(block, "name"));
         if (strcmp(json_string_value(json_object_get(block, "kind")), "requirement") != 0)
             continue;
-        printf("  %-20s %2d        %s\n", name, lab_points(block), lab_text(block, "title"));
-        printf("%33s%s\n", "", lab_text(block, "zh"));
+        int used = printf("  %-20s %2d        ", name, lab_points(block));
+        put_behind(stdout, lab_text(block, "title"), used, RUBRIC_INDENT, page_width(MOST_WIDTH));
+        put_paragraph(stdout, lab_text(block, "zh"), RUBRIC_INDENT, page_width(MOST_WIDTH));
     }
 }
 
