@@ -373,6 +373,27 @@ g(s,t) = s^2 t^3
                 self.assertEqual(s["verdict"], "holds", (x, y, name))
         self.assertEqual(verdict("|(x^2 - y)^2| = (x^2-y)^2", "n = 1")["verdict"], "holds")
 
+    def test_an_upper_index_is_no_power(self):
+        """Where it is declared as an index."""
+        let = "c_i^r \\in \\mathbb{R}\nd_i \\in \\mathbb{R}\n"
+        for printed, expected in (("c_1^2 \\ge 0", "fails"), ("d_1^2 \\ge 0", "holds"), ("c_1^2 = c_1^1 c_1^1", "fails"), ("d_1^2 = d_1 d_1", "holds"),
+                                  ("c_1^2 + c_1^2 = 2 c_1^2", "holds"), ("c_1^2 = c_1^3", "fails")):
+            self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
+
+    def test_every_prime_and_every_condition_counts(self):
+        """Three primes are no two; of conditions that are no bounds each excludes what does not meet it."""
+        for printed, expected in (("G'''(t) = 6", "holds"), ("G'''(t) = 6 t", "fails"), ("G''(t) = 6 t", "holds")):
+            self.assertEqual(verdict(printed, "n = 1", "G(t) = t^3\n")["verdict"], expected, printed)
+        for conditions in ("x^2 + y^2 \\le 1, x^2 y \\ge 2", "x^2 y \\ge 2, x^2 + y^2 \\le 1"):
+            self.assertNotEqual(verdict("x = y", conditions)["verdict"], "fails", conditions)
+        self.assertEqual(verdict("x = y", "x^2 + y^2 \\le 1, x^2 y \\ge 1/1000")["verdict"], "fails")
+
+    def test_vectors_of_different_lengths_are_not_added(self):
+        let = "P \\in \\mathbb{R}^2\nQ \\in \\mathbb{R}^3\n"
+        for printed in ("P + Q = P", "P + Q = Q", "Q + P = P", "Q + P = Q", "P - Q = Q", "Q - P = P"):
+            self.assertEqual(check(document(printed, "n = 1", let)).returncode, 2, printed)
+        self.assertEqual(check(document("P + P = 2 P", "n = 1", let)).returncode, 0)
+
     def test_the_sign_of_a_sine(self):
         """No identity tells x from -x: the value at the counterexample does, sin x for u = tan(x/4) being 4u(1-u^2)/(1+u^2)^2."""
         s = verdict("\\sin x = 0", "n = 1")["counterexample"]

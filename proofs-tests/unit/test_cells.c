@@ -48,6 +48,26 @@ static void begin_cell(const char *names, const struct limit limit[])
         assert_true(cagd_limit_cell(&cell, form(limit[k].form), limit[k].strict));
 }
 
+/* What is not decided is not positive: x^4 y^2 + y^4 u^2 + u^4 x^2 - 3 x^2 y^2 u^2 is nonnegative, and no sum of squares. */
+static void what_is_not_decided_is_not_positive(void **state)
+{
+    (void)state;
+    static const char choi_lam[] = "x^4 y^2 + y^4 u^2 + u^4 x^2 - 3 x^2 y^2 u^2";
+    num_q value[CAGD_MOST_UNKNOWNS];
+    int rational;
+    begin("x, y, u \\in \\mathbb{R}");
+    num_f p = form(choi_lam), negative = form("-1 - x^2 - y^2 - u^2");
+    assert_int_equal(cagd_positive_in_cell(&cell, p, 0, value, &rational), CAGD_UNDECIDED);
+    assert_false(cagd_is_positive_in_cell(&cell, p, 0));
+    assert_false(cagd_is_positive_in_cell(&cell, negative, 0));
+    field_close();
+    static const struct limit ordered[MOST] = {{"x", 1}, {"y - x", 1}};
+    begin_cell("xy", ordered);
+    assert_true(cagd_is_positive_in_cell(&cell, form("x y + y"), 1));
+    assert_false(cagd_is_positive_in_cell(&cell, form("x - y"), 0));
+    field_close();
+}
+
 /* A point of a cell meets all its limits; an empty cell has none. */
 static void points_of_cells(void **state)
 {
@@ -199,6 +219,9 @@ static void sums_for_every_number(void **state)
         /* false from n = 1 on; with the base for a constant it would be the next one */
         {"\\sum_{k=0}^n (-1)^k \\binom{n}{k} \\frac{2^k k! (2k+1)^k}{(2k+1)!} = \\frac{4^n}{(2n+1) \\binom{2n}{n}}", 0},
         {"\\sum_{k=0}^n (-1)^k \\binom{n}{k} \\frac{1}{2k+1} = \\frac{4^n}{(2n+1) \\binom{2n}{n}}", 1},
+        {"\\sum_{k=0}^n (n+1-k) \\binom{n}{k} = (n+2) 2^{n-1}", 1},
+        {"\\sum_{k=0}^n (2k+3) (k+1)^{-2} (k+2)^{-2} = (n+1) (n+3) (n+2)^{-2}", 1},
+        {"\\sum_{k=0}^n (2k+3) (k+1)^{-2} (k+2)^{-2} = (n+1) (n+3) (n+2)^{-1}", 0},
         {"\\sum_{k=0}^n \\binom{n}{k} n^k = 2^n", 0}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         cagd_reading_error error;
@@ -215,7 +238,9 @@ static void sums_for_every_number(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(points_of_cells), unit(bounds_of_a_name),  unit(more_is_known),
-                                       unit(ordered_names),   unit(roots_at_infinity), unit(sums_for_every_number)};
+    const struct CMUnitTest tests[] = {unit(points_of_cells),      unit(what_is_not_decided_is_not_positive),
+                                       unit(bounds_of_a_name),     unit(more_is_known),
+                                       unit(ordered_names),        unit(roots_at_infinity),
+                                       unit(sums_for_every_number)};
     return run_unit_tests(tests);
 }

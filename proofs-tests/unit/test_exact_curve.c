@@ -229,14 +229,39 @@ static void curvature_and_torsion_in_space(void **state)
     }
 }
 
+/* A knot inside a polynomial of degree p is inserted p times, and removed from each multiplicity again. */
+static void knots_of_every_multiplicity_are_removed(void **state)
+{
+    (void)state;
+    enum { DEGREES = 7 };
+    for (int p = 1; p < DEGREES; p++) {
+        num_q knots[2 * DEGREES + 2], points[2 * DEGREES];
+        for (int i = 0; i <= 2 * p + 1; i++)
+            knots[i] = from_int_q(i > p);
+        for (int i = 0; i < 2 * (p + 1); i++)
+            points[i] = from_ratio_q((i * i * 37 + i * 11 + 5) % 23 - 11, i + 2);
+        cagd_spline_q chain[DEGREES + 1] = {{.degree = p, .count = p + 1, .dim = 2, .knots = knots, .points = points}},
+                                      back;
+        int where;
+        for (int m = 0; m < p; m++)
+            assert_int_equal(cagd_spline_insert_q(&chain[m], from_ratio_q(2, 5), &chain[m + 1], &where), CAGD_OK);
+        for (int m = p; m > 0; m--) {
+            assert_int_equal(cagd_spline_remove_q(&chain[m], from_ratio_q(2, 5), &back, &where), CAGD_OK);
+            assert_int_equal(back.count, chain[m - 1].count);
+            for (int i = 0; i < 2 * back.count; i++)
+                assert_true(cagd_equal_q(back.points[i], chain[m - 1].points[i]));
+            for (int i = 0; i <= back.count + p; i++)
+                assert_true(cagd_equal_q(back.knots[i], chain[m - 1].knots[i]));
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(inserted_knots_are_removed_again),
-        unit(raised_degrees_are_lowered_again),
-        unit(parts_and_segments_are_the_curve),
-        unit(a_circle_has_one_curvature_and_no_pole),
-        unit(what_is_refused),
+        unit(knots_of_every_multiplicity_are_removed), unit(inserted_knots_are_removed_again),
+        unit(raised_degrees_are_lowered_again),        unit(parts_and_segments_are_the_curve),
+        unit(a_circle_has_one_curvature_and_no_pole),  unit(what_is_refused),
         unit(curvature_and_torsion_in_space),
     };
     return run_unit_tests(tests);

@@ -91,6 +91,10 @@ double l_sprintf_width(void) { char b[40]; sprintf(b, "[%8.3f][%-6g]", 1.0 / 7, 
 /* = 1 */
 double l_printf_of_integers(void) { char b[60]; snprintf(b, sizeof b, "%ld %llu %zu %x %%", -5l, 7ull, (size_t)9, 255u); return strcmp(b, "-5 7 9 ff %") == 0; }
 /* = 1 */
+double l_printf_of_zeros(void) { char b[40]; snprintf(b, sizeof b, "%05d %04x %03ld", 42, 255u, -7l); return strcmp(b, "00042 00ff -07") == 0; }
+/* = 5 + 100 * 3 + 10000 * 7 */
+double l_printf_counts(void) { char b[40]; FILE *f = tmpfile(); int n = fprintf(f, "%d%s", 12, "abc"); fclose(f); return n + 100 * snprintf(b, sizeof b, "%g", 1.0 / 3) + 10000 * snprintf(b, 3, "%s", "seventh"); }
+/* = 1 */
 double l_printf_star(void) { char b[40]; snprintf(b, sizeof b, "%*d %s", 5, 3, "y"); return strcmp(b, "    3 y") == 0; }
 /* = 1 */
 double l_printf_infinity(void) { char b[40]; snprintf(b, sizeof b, "%g", -INFINITY); return strcmp(b, "-inf") == 0; }
