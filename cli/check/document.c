@@ -3,6 +3,7 @@
 #include "chapters/judge/register.h"
 #include "cli/check/paper.h"
 #include "cli/input.h"
+#include "cli/refuse.h"
 #include "cli/terminal.h"
 #include "exact/expression/evaluate.h"
 #include "exact/expression/standard.h"
@@ -23,14 +24,19 @@ const char *const expected_name[] = {"holds", "fails", "undecided"};
 
 static int is_character(const char *s) { return ((unsigned char)*s & 0xC0) != 0x80; }
 
-static void count_lines(const char *text, int at, int *line, int *column)
+void count_lines(const struct document *d, const char *text, int at, int *line, int *column)
 {
-    *line = *column = 1;
-    for (int k = 0; k < at; k++) {
-        *column += is_character(text + k);
-        if (text[k] == '\n')
-            ++*line, *column = 1;
+    struct place p = *d->last_place;
+    if (p.text != text || p.at > at)
+        p = (struct place){text, 0, 1, 1};
+    for (; p.at < at; p.at++) {
+        p.column += is_character(text + p.at);
+        if (text[p.at] == '\n')
+            p.line++, p.column = 1;
     }
+    *line = p.line, *column = p.column;
+    if (text != d->text || at <= d->size) /* what is behind the file's own text changes */
+        *d->last_place = p;
 }
 
 /* The chunk that the byte is of; NULL where it stands where it comes from. */
@@ -53,7 +59,7 @@ static int source_end(const struct chunk *c, int from, int to)
 const char *place_of(const struct document *d, int at, int *line, int *column)
 {
     const struct chunk *c = chunk_at(d, at);
-    count_lines(c != NULL ? c->source : d->text, c != NULL ? source_of(c, at) : at, line, column);
+    count_lines(d, c != NULL ? c->source : d->text, c != NULL ? source_of(c, at) : at, line, column);
     return c != NULL ? c->path : d->path;
 }
 
@@ -78,11 +84,12 @@ static void show_place(const char *text, int size, int from, int to)
     fputc('\n', stderr);
 }
 
-static void tell_in(const char *path, const char *text, int size, int from, int to, const char *message)
+static void tell_in(const struct document *d, const char *path, const char *text, int size, int from, int to,
+                    const char *message)
 {
     int line, column;
-    count_lines(text, from, &line, &column);
-    fprintf(stderr, "cagd: %s:%d:%d: %s\n", name_of_input(path), line, column, message);
+    count_lines(d, text, from, &line, &column);
+    refuse_line("%s:%d:%d: %s", name_of_input(path), line, column, message);
     show_place(text, size, from, to);
 }
 
@@ -91,14 +98,14 @@ static void tell(struct document *d, int from, int to, const char *message)
     const struct chunk *c = chunk_at(d, from < to || from == 0 ? from : from - 1);
     if (c != NULL) { /* the end of a formula is behind its last byte */
         int at = from < to ? source_of(c, from) : source_of(c, from > c->at ? from - 1 : from) + 1;
-        tell_in(c->path, c->source, c->size, at, from < to ? source_end(c, from, to) : at + 1, message);
+        tell_in(d, c->path, c->source, c->size, at, from < to ? source_end(c, from, to) : at + 1, message);
     } else if (from >= d->size && d->size > 0) { /* of the ledger */
         int line, column;
-        count_lines(d->text, from, &line, &column);
-        fprintf(stderr, "cagd: %s: %s, column %d: %s\n", name_of_input(d->path), d->entry, column, message);
+        count_lines(d, d->text, from, &line, &column);
+        refuse_line("%s: %s, column %d: %s", name_of_input(d->path), d->entry, column, message);
         show_place(d->text, d->used, from, to);
     } else {
-        tell_in(d->path, d->text, d->used, from, to, message);
+        tell_in(d, d->path, d->text, d->used, from, to, message);
     }
 }
 
@@ -128,7 +135,7 @@ void complain_in(struct document *d, const char *path, const char *text, int siz
     va_list list;
     va_start(list, format);
     if (compose(d, message, format, list))
-        tell_in(path, text, size, from, to, message);
+        tell_in(d, path, text, size, from, to, message);
     va_end(list);
 }
 
@@ -619,7 +626,7 @@ static void read_blocks(struct document *d)
 
 static int refuse_file(const char *path, const char *why)
 {
-    fprintf(stderr, "cagd: %s: %s\n", name_of_input(path), why);
+    refuse_line("%s: %s", name_of_input(path), why);
     return -1;
 }
 
@@ -656,8 +663,10 @@ int read_document(const cagd_register *reg, const char *path, struct document *d
     d->sheet = cagd_region_array(MOST_SHEETS + 1, 1, sizeof *d->sheet);
     d->chunk = cagd_region_array(MOST_CHUNKS, 1, sizeof *d->chunk);
     d->left_out = cagd_region_array(MOST_STATEMENTS, 1, sizeof *d->left_out);
-    if (d->formula == NULL || d->sheet == NULL || d->chunk == NULL || d->left_out == NULL)
+    d->last_place = region_bytes(sizeof *d->last_place);
+    if (d->last_place == NULL || d->formula == NULL || d->sheet == NULL || d->chunk == NULL || d->left_out == NULL)
         abort();
+    *d->last_place = (struct place){0};
     d->text = d->room = text, d->size = d->used = size;
     if (is_paper(path, text, size))
         put_paper(d);
@@ -670,6 +679,6 @@ int read_document(const cagd_register *reg, const char *path, struct document *d
                                   : d->left_outs > 0 ? "has no formula that could be read"
                                                      : "has no formula with a \\label, or with a comment % cagd: ...");
     if (d->complaints > MOST_COMPLAINTS)
-        fprintf(stderr, "cagd: %s: and %d more\n", name_of_input(path), d->complaints - MOST_COMPLAINTS);
+        refuse_line("%s: and %d more", name_of_input(path), d->complaints - MOST_COMPLAINTS);
     return d->complaints;
 }

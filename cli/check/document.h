@@ -34,6 +34,12 @@ struct left_out {
     int line, column;
 };
 
+/* The last place whose line was asked for: the next one is mostly behind it. */
+struct place {
+    const char *text;
+    int at, line, column;
+};
+
 struct formula {
     const char *name, *printed;    /* as it is written, TeX                             */
     const struct statement *entry; /* of the ledger, whose print it is; or NULL         */
@@ -80,6 +86,7 @@ struct document {
     char *room; /* the text, and behind it formulas of the ledger */
     int size, used, complaints;
     const char *entry; /* of the ledger, that is being read */
+    struct place *last_place;
     struct chunk *chunk;
     int chunks;
     const struct paper *papers; /* the LaTeX sources that were read */
@@ -97,6 +104,9 @@ int read_document(const struct cagd_register *reg, const char *path, struct docu
 
 /* Line and column of a byte, from 1, in the file that it comes from, which comes out; columns count characters. */
 const char *place_of(const struct document *d, int at, int *line, int *column);
+
+/* The same of byte `at` of any text. */
+void count_lines(const struct document *d, const char *text, int at, int *line, int *column);
 
 /* The line on stderr, the line of the file if it is not too long, and a caret under what is meant; counted. */
 void complain(struct document *d, int from, int to, const char *format, ...) __attribute__((format(printf, 4, 5)));

@@ -165,21 +165,15 @@ static void put_lines(struct blocks *b, const cagd_latex_item *f)
     }
 }
 
-static int line_in(const char *text, int at)
-{
-    int line = 1;
-    for (int k = 0; k < at; k++)
-        line += text[k] == '\n';
-    return line;
-}
-
 /* The name in the comment, or of the label, or else the line. */
 static void put_name(struct blocks *b, const cagd_latex_item *f)
 {
     int value;
+    int at_line, column;
     char line[32];
     const cagd_latex_note *note = note_of(b->paper, f, "statement", &value);
-    snprintf(line, sizeof line, "line-%d", line_in(b->paper->text, f->at));
+    count_lines(b->d, b->paper->text, f->at, &at_line, &column);
+    snprintf(line, sizeof line, "line-%d", at_line);
     if (note != NULL && value < note->to)
         put_bytes(b, value, note->to);
     else

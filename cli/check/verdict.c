@@ -66,6 +66,15 @@ static int is_about_names(const cagd_finding *f, const cagd_tree *t)
     return is;
 }
 
+/* Whether it is a value that the ranges of the statement give: the other statements do not know it. */
+static int is_given_here(const struct document *d, const cagd_definition *value)
+{
+    for (const cagd_definition *other = d->scope.definitions; other != NULL; other = other->next)
+        if (other->left == value->left)
+            return 0;
+    return 1;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -112,6 +121,9 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         if (!declared)
             text = append(text, "%sall $%s$", comma, f->name[k]), comma = ", ";
     }
+    for (const cagd_definition *value = s->scope.definitions; value != NULL; value = value->next)
+        if (is_given_here(d, value) && cagd_depends_on(&s->scope, s->tree, value->left->head))
+            text = append(text, "%s$%s = %s$", comma, source(d, value->left), source(d, value->body)), comma = ", ";
     for (int k = 0; k < s->scope.condition_count; k++) {
         if (!is_about_names(f, s->scope.conditions[k]))
             continue;
@@ -195,6 +207,21 @@ static void print_example(const struct document *d, const cagd_finding *f)
 static void print_every(const cagd_every *e)
 {
     heading("Proof");
+    if (e->closed) {
+        paragraph(append("",
+                         "Both sides have closed forms, in which $%s$ and what has it as exponent or in a factorial "
+                         "are variables.",
+                         e->n),
+                  1);
+        for (int i = 0; i < e->sums; i++)
+            paragraph(
+                append("",
+                       "The terms F of the sum over $%s$ are differences: %s F(%s) = G(%s+1) - G(%s), G = R F, R = %s",
+                       e->sum[i].k, strcmp(e->sum[i].a, "1") == 0 ? "" : e->sum[i].a, e->sum[i].k, e->sum[i].k,
+                       e->sum[i].k, e->sum[i].R),
+                1);
+        return;
+    }
     paragraph(append("", "By creative telescoping, for $F(%s,%s)$ the terms of the sum and $G = R F$:", e->n, e->k), 1);
     const char *sum = "";
     for (int j = 0; j <= e->order; j++)
@@ -287,7 +314,15 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_object_set_new(j, "changes_noticed", json_integer(f->noticed));
         json_object_set_new(j, "says_nothing", json_boolean(f->says_nothing));
     }
-    if (f->for_every) {
+    if (f->for_every && f->every.closed) {
+        json_t *sums = json_array();
+        for (int k = 0; k < f->every.sums; k++)
+            json_array_append_new(sums, json_pack("{s:s, s:s, s:s}", "k", f->every.sum[k].k, "a", f->every.sum[k].a,
+                                                  "R", f->every.sum[k].R));
+        json_object_set_new(
+            j, "closed_form",
+            json_pack("{s:s, s:I, s:o}", "n", f->every.n, "from", (json_int_t)f->every.from, "sums", sums));
+    } else if (f->for_every) {
         json_t *a = json_array();
         for (int k = 0; k <= f->every.order; k++)
             json_array_append_new(a, json_string(f->every.a[k]));

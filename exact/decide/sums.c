@@ -310,9 +310,8 @@ static int is_never_the_zero_function(num_f p, num_f n, num_f k, int from)
     return 0;
 }
 
-/* Whether the polynomial p is nowhere 0 for whole n >= k >= 0, n >= from, as a function of the other variables: every factor that
- * contains n or k has one sign; a factor without them is a function that is not 0. */
-static int never_zero(num_f p, num_f n, num_f k, const cagd_sum *s)
+/* Every factor that contains n or k has one sign, or is nowhere the zero function; one without them is a function that is not 0. */
+static int no_factor_vanishes(num_f p, num_f n, num_f k, int from, int generic)
 {
     num_f factor[MOST_FACTORS], variable[] = {n, k};
     int power[MOST_FACTORS];
@@ -323,10 +322,17 @@ static int never_zero(num_f p, num_f n, num_f k, const cagd_sum *s)
         if (count < 0)
             return 0;
         for (int i = 0; i < count; i++)
-            if (!(s->generic ? is_never_the_zero_function : has_one_sign)(factor[i], n, k, s->from))
+            if (!(generic ? is_never_the_zero_function : has_one_sign)(factor[i], n, k, from))
                 return 0;
     }
     return 1;
+}
+
+int cagd_is_never_zero(num_f p, num_f n, num_f k, int from) { return no_factor_vanishes(p, n, k, from, 1); }
+
+static int never_zero(num_f p, num_f n, num_f k, const cagd_sum *s)
+{
+    return no_factor_vanishes(p, n, k, s->from, s->generic);
 }
 
 /* F(n+j, n+i)/F(n,n) for i <= j. */

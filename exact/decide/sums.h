@@ -43,6 +43,10 @@ int cagd_telescope(cagd_term F, cagd_num_f n, cagd_num_f k, int most, cagd_teles
 /* Whether the identity above is one of rational functions: all that has to be believed of T. */
 int cagd_telescoper_holds(cagd_term F, cagd_num_f n, cagd_num_f k, const cagd_telescoper *T);
 
+/* Whether the polynomial p is, for no whole n >= k >= 0 with n >= from >= 0, the function 0 of the variables besides n and k; 0 also
+ * where that cannot be told. */
+int cagd_is_never_zero(cagd_num_f p, cagd_num_f n, cagd_num_f k, int from);
+
 /* A sum over k = 0, ..., n of a term that is 0 for other k: F(n,n+1)/F(n,n) = 0 and F(n,-1)/F(n,0) = 0.  It is S(n) with
  * S(n+1)/S(n) = ratio for every n >= from when both satisfy one recurrence of the telescoper and agree for n = from, ..., from+J-1.
  * Steps that cannot be decided make the answer UNDECIDED; so does a factor that vanishes somewhere for 0 <= k <= n.  Variables

@@ -87,10 +87,12 @@ typedef struct cagd_context {
     int supposed;         /* of so many names the conditions for every index are among the limits */
     cagd_memo memo[CAGD_MOST_MEMOS];
     int memos;
-    int met_joint;   /* a condition changed where a derivative was taken                                  */
-    int omits_poles; /* a divisor can be 0, and nothing is said of that                               */
-    int fits_none;   /* no definition of a name fitted                                                */
-    int one_sided;   /* a derivative was taken where the definitions end, from the side on which they fit */
+    int met_joint;       /* a condition changed where a derivative was taken                                  */
+    int omits_poles;     /* a divisor can be 0, and nothing is said of that                               */
+    int fits_none;       /* no definition of a name fitted                                                */
+    cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
+    int divisors, most_divisors;
+    int one_sided; /* a derivative was taken where the definitions end, from the side on which they fit */
 } cagd_context;
 
 /* What letters stand for inside a definition or a sum; all other names are the same everywhere. */

@@ -1,166 +1,21 @@
 #include "exact/expression/every.h"
 
+#include "exact/expression/closed.h"
 #include "exact/record/trace.h"
 #include "exact/words.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_DEPTH = 60, MOST_POWER = 60, MOST_ORDER = 2 };
-
-/* A product of powers of trees, as it is taken apart: ratios of neighbours, and the product of the factors that are rational
- * functions of n and k. */
-struct product {
-    cagd_term ratio;
-    num_f rational;
-};
-
-struct search {
-    cagd_context c;
-    num_f n, k;
-    int depth;
-};
-
-static num_f power(num_f a, int e)
-{
-    num_f r = from_int_f(1);
-    for (int i = 0; i < (e < 0 ? -e : e); i++)
-        r = mul_f(r, a);
-    return e < 0 ? div_f(from_int_f(1), r) : r;
-}
+enum { MOST_ORDER = 2, FURTHEST = 1000 };
 
 static num_f shifted(num_f a, num_f x, long by) { return substitute_f(a, x, add_f(x, from_int_f(by))); }
-
-/* The value as a rational function of n and k; 0 where it is none. */
-static int value_of(struct search *s, const cagd_tree *t, const cagd_frame *f, num_f *out)
-{
-    cagd_value v = cagd_evaluate_in(&s->c, t, f);
-    if (region_faults == 0) {
-        *out = cagd_in_field(v);
-        return 1;
-    }
-    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-    s->c.trouble = NULL;
-    return 0;
-}
-
-/* p n + q k + c with small whole p and q, and c free of n and k. */
-static int linear(struct search *s, num_f v, int *p, int *q, num_f *c)
-{
-    num_f variable[] = {s->n, s->k};
-    int *slope[] = {p, q};
-    *c = v;
-    for (int i = 0; i < 2; i++) {
-        num_q d;
-        if (!is_constant_f(derivative_f(v, variable[i]), &d) || !cagd_is_whole_q(d) ||
-            !mpz_fits_sint_p(mpq_numref(d.at)))
-            return 0;
-        *slope[i] = (int)mpz_get_si(mpq_numref(d.at));
-        if (*slope[i] > MOST_POWER || *slope[i] < -MOST_POWER)
-            return 0;
-        *c = sub_f(*c, mul_f(from_int_f(*slope[i]), variable[i]));
-    }
-    return 1;
-}
-
-/* The product times t^e. */
-static int take(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out);
-
-static int take_factorial(struct search *s, num_f a, int e, struct product *out)
-{
-    int p, q;
-    num_f c;
-    if (!linear(s, a, &p, &q, &c))
-        return 0;
-    out->ratio = cagd_term_times_factorial(out->ratio, s->n, s->k, p, q, c, e);
-    return 1;
-}
-
-static int take_power(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out)
-{
-    num_f exponent, base, c;
-    num_q whole;
-    int p, q;
-    if (!value_of(s, t->at[1], f, &exponent))
-        return 0;
-    if (is_constant_f(exponent, &whole))
-        return cagd_is_whole_q(whole) && mpz_cmpabs_ui(mpq_numref(whole.at), MOST_POWER) < 0 &&
-               take(s, t->at[0], f, e * (int)mpz_get_si(mpq_numref(whole.at)), out);
-    if (!value_of(s, t->at[0], f, &base) || !linear(s, exponent, &p, &q, &c) || !is_constant_f(c, &whole) ||
-        !cagd_is_whole_q(whole) || cagd_is_zero_f(base) || degree_f(base, s->n) > 0 || degree_f(base, s->k) > 0 ||
-        denominator_degree_f(base, s->n) > 0 || denominator_degree_f(base, s->k) > 0)
-        return 0;
-    out->ratio = cagd_term_times_power(out->ratio, base, e * p, e * q);
-    return 1;
-}
-
-static int take_name(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out)
-{
-    const cagd_definition *d = cagd_defined(s->c.scope, t->head);
-    cagd_frame room[CAGD_MOST_CHILDREN];
-    cagd_value value[CAGD_MOST_CHILDREN];
-    const cagd_frame *inner = NULL;
-    if (d == NULL || t->order > 0 || t->times != NULL)
-        return 0;
-    cagd_arguments_of(&s->c, t, d, f, value);
-    const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, &inner) : NULL;
-    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-    return body != NULL && take(s, body, inner, e, out);
-}
-
-static int take(struct search *s, const cagd_tree *t, const cagd_frame *f, int e, struct product *out)
-{
-    num_f v, a, b;
-    if (s->depth == MOST_DEPTH || e > MOST_POWER || e < -MOST_POWER)
-        return 0;
-    if (value_of(s, t, f, &v)) {
-        if (cagd_is_zero_f(v))
-            return 0;
-        num_f r = power(v, e);
-        out->rational = mul_f(out->rational, r);
-        out->ratio = cagd_term_times_rational(out->ratio, s->n, s->k, r);
-        return region_faults == 0;
-    }
-    int good = 0;
-    s->depth++;
-    switch (t->kind) {
-    case CAGD_PRODUCT:
-        good = 1;
-        for (int i = 0; i < t->count && good; i++)
-            good = take(s, t->at[i], f, e, out);
-        break;
-    case CAGD_NEGATIVE:
-        out->rational = e % 2 ? neg_f(out->rational) : out->rational;
-        good = take(s, t->at[0], f, e, out);
-        break;
-    case CAGD_QUOTIENT:
-        good = take(s, t->at[0], f, e, out) && take(s, t->at[1], f, -e, out);
-        break;
-    case CAGD_POWER:
-        good = take_power(s, t, f, e, out);
-        break;
-    case CAGD_FACTORIAL:
-        good = value_of(s, t->at[0], f, &a) && take_factorial(s, a, e, out);
-        break;
-    case CAGD_BINOMIAL:
-        good = value_of(s, t->at[0], f, &a) && value_of(s, t->at[1], f, &b) && take_factorial(s, a, e, out) &&
-               take_factorial(s, b, -e, out) && take_factorial(s, sub_f(a, b), -e, out);
-        break;
-    case CAGD_NAME:
-        good = take_name(s, t, f, e, out);
-        break;
-    default:
-        break;
-    }
-    s->depth--;
-    return good && region_faults == 0;
-}
 
 /* ---- the sum ------------------------------------------------------------------------------------------- */
 
 /* The sum that t is, perhaps by a definition, with a factor before it: its tree and frame; the factor goes to `out`. */
-static const cagd_tree *find_sum(struct search *s, const cagd_tree *t, const cagd_frame *f, cagd_frame room[],
-                                 const cagd_frame **inner, struct product *out)
+static const cagd_tree *find_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_frame room[],
+                                 const cagd_frame **inner, cagd_product *out)
 {
     *inner = f;
     if (t->kind == CAGD_SUM_OVER)
@@ -178,28 +33,28 @@ static const cagd_tree *find_sum(struct search *s, const cagd_tree *t, const cag
     if (t->kind != CAGD_PRODUCT || t->at[t->count - 1]->kind != CAGD_SUM_OVER)
         return NULL;
     for (int i = 0; i + 1 < t->count; i++)
-        if (!take(s, t->at[i], f, 1, out))
+        if (!cagd_take(s, t->at[i], f, 1, out))
             return NULL;
     return t->at[t->count - 1]->count == 3 ? t->at[t->count - 1] : NULL;
 }
 
 /* For the number n: the first term of the sum that `whole` is, its factor with it, and the value of the other side. */
-static int at_number(struct search *s, const cagd_tree *whole, const cagd_tree *other, const char *n, long number,
+static int at_number(cagd_search *s, const cagd_tree *whole, const cagd_tree *other, const char *n, long number,
                      long begin, num_f *first, num_f *start)
 {
     cagd_frame room[CAGD_MOST_CHILDREN];
     const cagd_frame *f;
-    struct product unused = {cagd_term_one(), from_int_f(1)};
+    cagd_product unused = {cagd_term_one(), from_int_f(1)};
     num_f x;
     cagd_binding_of(&s->c, n)->value = cagd_value_int(number);
     const cagd_tree *sum = find_sum(s, whole, NULL, room, &f, &unused);
-    int good = sum != NULL && value_of(s, other, NULL, start);
+    int good = sum != NULL && cagd_value_in(s, other, NULL, start);
     if (good) {
         cagd_frame inner = {sum->head, cagd_value_int(begin), f};
-        good = value_of(s, sum->at[2], &inner, first);
+        good = cagd_value_in(s, sum->at[2], &inner, first);
     }
     for (int i = 0; good && whole->kind == CAGD_PRODUCT && i + 1 < whole->count; i++) {
-        good = value_of(s, whole->at[i], NULL, &x);
+        good = cagd_value_in(s, whole->at[i], NULL, &x);
         *first = good ? mul_f(*first, x) : *first;
     }
     cagd_binding_of(&s->c, n)->value = (cagd_value){.f = s->n};
@@ -207,7 +62,7 @@ static int at_number(struct search *s, const cagd_tree *whole, const cagd_tree *
 }
 
 /* In the letters of the statement. */
-static const char *spelled(const struct search *s, num_f a, const char *n, const char *k)
+static const char *spelled(const cagd_search *s, num_f a, const char *n, const char *k)
 {
     const char *text = cagd_to_string_f(a);
     size_t room = 8 * strlen(text) + 64, used = 0;
@@ -248,16 +103,13 @@ struct proof {
     long begin, by_n, from;
 };
 
-static int find_proof(struct search *s, const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n,
+static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n,
                       long low, int checked, struct proof *out)
 {
-    static const long furthest = 1000;
     if (statement->kind != CAGD_RELATION || statement->count != 2 || statement->relation[0] != CAGD_EQUAL)
         return 0;
-    *s = (struct search){.c = {.scope = scope, .in_field = 1, .steps = 100 * CAGD_USUAL_STEPS}};
-    s->n = variable_f("vn"), s->k = variable_f("vk");
-    cagd_bind(&s->c, n->head, (cagd_value){.f = s->n});
-    struct product F = {cagd_term_one(), from_int_f(1)}, S = F;
+    cagd_search_begin(s, scope, n->head, low < FURTHEST && low > -FURTHEST ? (int)low : FURTHEST);
+    cagd_product F = {cagd_term_one(), from_int_f(1)}, S = F;
     cagd_frame room[CAGD_MOST_CHILDREN];
     const cagd_frame *f = NULL;
     const cagd_tree *sum = NULL, *other = NULL, *whole = NULL;
@@ -268,20 +120,23 @@ static int find_proof(struct search *s, const cagd_scope *scope, const cagd_tree
     }
     num_f first, last;
     num_q first_k, last_k;
-    if (sum == NULL || !value_of(s, sum->at[0], f, &first) || !value_of(s, sum->at[1], f, &last) ||
+    if (sum == NULL || !cagd_value_in(s, sum->at[0], f, &first) || !cagd_value_in(s, sum->at[1], f, &last) ||
         !is_constant_f(first, &first_k) || !is_constant_f(sub_f(last, s->n), &last_k) || !cagd_is_whole_q(first_k) ||
         !cagd_is_whole_q(last_k))
         return 0;
     cagd_frame inner = {sum->head, {.f = s->k}, f};
-    if (!take(s, sum->at[2], &inner, 1, &F) || !take(s, other, NULL, 1, &S))
+    if (!cagd_take(s, sum->at[2], &inner, 1, &F) || !cagd_take(s, other, NULL, 1, &S))
         return 0;
     /* k runs from `begin` to n + end; where the term vanishes at an end, that end is left out. */
-    if (mpz_cmpabs_ui(mpq_numref(first_k.at), 1000) > 0 || mpz_cmpabs_ui(mpq_numref(last_k.at), 1000) > 0)
+    if (mpz_cmpabs_ui(mpq_numref(first_k.at), FURTHEST) > 0 || mpz_cmpabs_ui(mpq_numref(last_k.at), FURTHEST) > 0)
         return 0;
     long begin = mpz_get_si(mpq_numref(first_k.at)), end = mpz_get_si(mpq_numref(last_k.at));
-    while (begin < furthest && cagd_is_zero_f(substitute_f(F.rational, s->k, from_int_f(begin))) && region_faults == 0)
+    if (!cagd_divisors_are_not_zero(s, begin, end))
+        return 0;
+    s->c.divisor = NULL;
+    while (begin < FURTHEST && cagd_is_zero_f(substitute_f(F.rational, s->k, from_int_f(begin))) && region_faults == 0)
         begin++;
-    while (end > -furthest && cagd_is_zero_f(substitute_f(F.rational, s->k, add_f(s->n, from_int_f(end)))) &&
+    while (end > -FURTHEST && cagd_is_zero_f(substitute_f(F.rational, s->k, add_f(s->n, from_int_f(end)))) &&
            region_faults == 0)
         end--;
     /* The n of the sum is n + end - begin, its k is k - begin. */
@@ -310,13 +165,37 @@ static int find_proof(struct search *s, const cagd_scope *scope, const cagd_tree
     return 0;
 }
 
+/* Both sides, and all of a chain, have closed forms that are equal. */
+static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd_tree *statement,
+                             const cagd_variable *n, long low, cagd_every *out)
+{
+    if (statement->kind != CAGD_RELATION || low > FURTHEST || low < -FURTHEST)
+        return 0;
+    cagd_search_begin(s, scope, n->head, (int)low);
+    num_f before, value;
+    for (int i = 0; i < statement->count; i++, before = value)
+        if (!cagd_closed(s, statement->at[i], NULL, &value) ||
+            (i > 0 && (statement->relation[i - 1] != CAGD_EQUAL || !cagd_equal_closed(s, before, value))))
+            return 0;
+    *out = (cagd_every){.closed = 1, .from = low, .n = n->head, .k = "", .R = "", .sums = s->closed_sums};
+    for (int i = 0; i < out->sums; i++) {
+        const cagd_closed_sum *sum = &s->closed[i];
+        out->sum[i].k = sum->k;
+        out->sum[i].a = spelled(s, sum->a, n->head, sum->k);
+        out->sum[i].R = spelled(s, sum->R, n->head, sum->k);
+    }
+    return region_faults == 0;
+}
+
 int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
                          int checked, cagd_every *out)
 {
-    struct search *s = region_bytes(sizeof *s);
+    cagd_search *s = region_bytes(sizeof *s);
     struct proof p;
-    if (s == NULL || !find_proof(s, scope, statement, n, low, checked, &p))
+    if (s == NULL)
         return 0;
+    if (!find_proof(s, scope, statement, n, low, checked, &p))
+        return have_closed_forms(s, scope, statement, n, low, out);
     *out = (cagd_every){.order = p.T.order, .from = p.from, .n = n->head, .k = p.sum->head};
     for (int j = 0; j <= p.T.order; j++) /* the n and k of the statement again */
         out->a[j] = spelled(s, shifted(p.T.a[j], s->n, -p.by_n), n->head, p.sum->head);
@@ -329,7 +208,7 @@ int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, co
 enum { NEVER_ZERO = 5, MOST_NOTED_FACTORS = 64 };
 
 /* p = rest f_0^e_0 ..., the f being the factors that contain n or k; their number, or -1. */
-static int factors_in(const struct search *s, num_f p, int room, num_f *rest, num_f f[], int e[])
+static int factors_in(const cagd_search *s, num_f p, int room, num_f *rest, num_f f[], int e[])
 {
     num_f variable[] = {s->n, s->k};
     int count = 0;
@@ -339,13 +218,13 @@ static int factors_in(const struct search *s, num_f p, int room, num_f *rest, nu
         if (found < 0)
             return -1;
         for (int i = 0; i < found; i++, count++)
-            *rest = div_f(*rest, power(f[count], e[count]));
+            *rest = div_f(*rest, cagd_power_f(f[count], e[count]));
     }
     return count;
 }
 
 /* The nodes of both sides at `rows` numbers, computed from the names. */
-static int note_rows(const struct search *s, const cagd_scope *scope, const struct proof *p, const char *n, int rows,
+static int note_rows(const cagd_search *s, const cagd_scope *scope, const struct proof *p, const char *n, int rows,
                      int left[], int right[])
 {
     cagd_context *c = region_bytes(sizeof *c);
@@ -371,7 +250,7 @@ static int note_rows(const struct search *s, const cagd_scope *scope, const stru
 int cagd_note_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
                         int checked)
 {
-    struct search *s = region_bytes(sizeof *s);
+    cagd_search *s = region_bytes(sizeof *s);
     struct proof p;
     if (s == NULL || !cagd_trace_noting())
         return 0;

@@ -5,7 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
-enum { LONGEST_NAME = 40, MOST_NESTED = 64, LONGEST_LABEL = 120 };
+enum { LONGEST_NAME = 40, MOST_NESTED = 64, LONGEST_LABEL = 120, LONGEST_GROUP = 1000, LONGEST_SKIP = 40 };
 
 /* The rows of an environment are formulas of their own, or one formula. */
 enum rows { NO_FORMULA, ONE, EACH };
@@ -94,13 +94,15 @@ static int behind_blanks(const cagd_latex_text *t, int k)
     return k;
 }
 
-/* {text} behind blanks at k: its bytes to a..b, and what is behind it; k where there is none, or none that ends before `stop`. */
+/* {text} behind blanks at k: its bytes to a..b, and what is behind it; k where there is none, or none that ends before `stop`, or one that is
+ * longer than what is meant for the page, a label or a skip. */
 static int group(const cagd_latex_text *t, int k, int stop, char open, char close, int *a, int *b)
 {
     int at = behind_blanks(t, k), depth = 0;
     *a = *b = at;
     if (at >= stop || t->bytes[at] != open)
         return k;
+    stop = stop - at > LONGEST_GROUP ? at + LONGEST_GROUP : stop;
     for (int m = at; m < stop; m = behind_word(t, m)) {
         depth += (t->bytes[m] == open) - (t->bytes[m] == close);
         if (depth == 0) {
@@ -390,7 +392,9 @@ static int behind_break(const cagd_latex_text *t, int k, int stop)
     int a, b;
     k += 2;
     k += k < stop && t->bytes[k] == '*';
-    return k < stop && t->bytes[k] == '[' ? group(t, k, stop, '[', ']', &a, &b) : k;
+    return k < stop && t->bytes[k] == '['
+               ? group(t, k, stop < k + LONGEST_SKIP ? stop : k + LONGEST_SKIP, '[', ']', &a, &b)
+               : k;
 }
 
 /* A comment in a row: of the row that just ended, if it stands on the line of its end. */

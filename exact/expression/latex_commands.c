@@ -11,7 +11,9 @@ enum {
     MOST_DEPTH = 40,
     MOST_CALLS = 5000,
     MOST_OF_ONE = 1 << 17,
-    MOST_WORK = 1 << 28
+    MOST_WORK = 1 << 26,
+    EACH_CALL = 20, /* work besides the bytes */
+    LONGEST_COMMAND = 200
 };
 
 /* A piece of text: of the source, whose bytes come from where they stand, or of an expansion, where from[] says it. */
@@ -25,6 +27,7 @@ struct slice {
 struct command {
     const char *name;
     int parameters, has_optional, starred; /* starred: a star or an option behind the name is passed over */
+    int endless;                           /* a call of it did not end: no other is tried                 */
     struct slice optional, body;
     struct command *next;
 };
@@ -36,7 +39,8 @@ struct expansion {
     int calls, limit; /* of the outermost command: what it called, and how large the text may get */
     int at;           /* where it was called in the source                                       */
     int overflow, in_body;
-    long work; /* bytes that were looked through for the ends of groups: what is made to take long ends */
+    long
+        work; /* bytes that were looked through for the ends of groups, or substituted: what is made to take long ends */
 };
 
 static int from_of(const struct slice *t, int k) { return t->from != NULL ? t->from[k] : t->offset + k; }
@@ -51,7 +55,7 @@ static struct slice part_of(const struct slice *t, int a, int b)
 void cagd_latex_put(cagd_latex_text *out, char byte, int from)
 {
     if (out->size == out->room) {
-        int room = out->room > 0 ? 2 * out->room : 1 << 10;
+        int room = out->room > 0 ? 2 * out->room : 1 << 6;
         char *bytes = region_bytes((size_t)room);
         int *places = cagd_region_array(room, 1, sizeof *places);
         if (bytes == NULL || places == NULL)
@@ -205,9 +209,9 @@ static struct command **shelf_of(struct expansion *x, const char *name, int n)
     return &x->shelf[h % SHELVES];
 }
 
-static const struct command *command_of(struct expansion *x, const struct slice *t, int a, int b)
+static struct command *command_of(struct expansion *x, const struct slice *t, int a, int b)
 {
-    for (const struct command *c = *shelf_of(x, t->s + a, b - a); c != NULL; c = c->next)
+    for (struct command *c = *shelf_of(x, t->s + a, b - a); c != NULL; c = c->next)
         if (is_word(t, a, b, c->name))
             return c;
     return NULL;
@@ -269,7 +273,7 @@ static int def(struct expansion *x, const struct slice *t, int k)
     struct command c = {0};
     if ((k = name_at(t, k, &a, &b)) < 0)
         return -1;
-    while (k < t->n && t->s[k] != '{') {
+    while (k < t->n && t->s[k] != '{' && ++x->work < MOST_WORK) {
         if (t->s[k] == '#' && k + 1 < t->n && t->s[k + 1] == '1' + c.parameters && c.parameters < MOST_PARAMETERS)
             c.parameters++, k += 2;
         else
@@ -364,7 +368,7 @@ static int definition(struct expansion *x, const struct slice *t, int a, int b)
 static int ends_in_command(const cagd_latex_text *t)
 {
     int k = t->size;
-    while (k > 0 && is_letter(t->bytes[k - 1]))
+    while (k > 0 && t->size - k <= LONGEST_COMMAND && is_letter(t->bytes[k - 1]))
         k--;
     return k > 0 && k < t->size && t->bytes[k - 1] == '\\';
 }
@@ -413,7 +417,10 @@ static int call(struct expansion *x, const struct slice *t, const struct command
         else if ((k = argument_at(x, t, k, &argument[m])) < 0)
             return -1;
     }
-    if (++x->calls > MOST_CALLS || depth == MOST_DEPTH || x->out->size > x->limit) {
+    x->work += c->body.n + EACH_CALL;
+    for (int m = 0; m < c->parameters; m++)
+        x->work += argument[m].n;
+    if (++x->calls > MOST_CALLS || depth == MOST_DEPTH || x->out->size > x->limit || x->work >= MOST_WORK) {
         x->overflow = 1;
         return -1;
     }
@@ -423,15 +430,17 @@ static int call(struct expansion *x, const struct slice *t, const struct command
 }
 
 /* The call of the source at a..b.  One that does not end is taken back and left as it stands. */
-static int outermost(struct expansion *x, const struct slice *t, const struct command *c, int a, int b)
+static int outermost(struct expansion *x, const struct slice *t, struct command *c, int a, int b)
 {
-    int size = x->out->size;
-    x->calls = x->overflow = 0;
+    int size = x->out->size, k = -1;
+    x->calls = 0, x->overflow = c->endless;
     x->at = from_of(t, a);
     x->limit = size + MOST_OF_ONE;
-    int k = call(x, t, c, a, b, 0);
+    if (!c->endless)
+        k = call(x, t, c, a, b, 0);
     if (k < 0 && x->overflow) {
         x->out->size = size;
+        c->endless = 1;
         cagd_latex_refuse(x->troubles, from_of(t, a), from_of(t, b - 1) + 1,
                           "the expansion of this command does not end");
         if (x->troubles->troubles > 0)
@@ -490,7 +499,7 @@ static int expand_command(struct expansion *x, const struct slice *t, int a, int
         x->in_body = 1;
     if (depth == 0 && is_word(t, a, b, "\\end") && t->n - b >= 10 && memcmp(t->s + b, "{document}", 10) == 0)
         return t->n;
-    const struct command *c = x->in_body ? command_of(x, t, a, b) : NULL;
+    struct command *c = x->in_body ? command_of(x, t, a, b) : NULL;
     end = c == NULL ? -1 : depth == 0 ? outermost(x, t, c, a, b) : call(x, t, c, a, b, depth);
     if (end >= 0)
         return end;
@@ -502,7 +511,8 @@ static int expand_command(struct expansion *x, const struct slice *t, int a, int
 static void expand(struct expansion *x, const struct slice *t, int depth)
 {
     int apart = 1; /* a letter must not become one of a command before it */
-    for (int k = 0, next; k < t->n && !x->overflow && x->out->size < CAGD_LATEX_LARGEST && region_faults == 0;
+    for (int k = 0, next;
+         k < t->n && !x->overflow && x->out->size < CAGD_LATEX_LARGEST && x->work < MOST_WORK && region_faults == 0;
          k = next) {
         next = behind_token(t, k);
         if (t->s[k] == '%' && is_note(t, k)) {
@@ -538,7 +548,7 @@ void cagd_expand_latex(const char *source, int size, cagd_latex_text *out, cagd_
         x->in_body = memcmp(source + k, "\\begin{document}", 16) != 0;
     expand(x, &all, 0);
     if (x->work >= MOST_WORK)
-        cagd_latex_refuse(troubles, 0, 1, "it takes too long to find the ends of its groups");
+        cagd_latex_refuse(troubles, 0, 1, "it takes too long to expand its commands");
     if (out->size >= CAGD_LATEX_LARGEST)
         cagd_latex_refuse(troubles, 0, 1, "with its commands expanded it is larger than 8 MB");
 }

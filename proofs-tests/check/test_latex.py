@@ -225,7 +225,9 @@ class Mistakes(unittest.TestCase):
 
     def test_what_is_large_gets_few_lines(self):
         for body in ("\\newcommand{\\w}[1]{#1}\\[" + "\\w{" * 10**5, "{" * 10**6, "\\[" * 10**5, "\\begin{align}" * 10**4 + "\\\\" * 10**5,
-                     "\\newcommand{\\a}{" + "x" * 10**5 + "}\\[" + "\\a" * 1000 + "\\]", "\\def" * 10**5, "%" * 10**6, "\\begin{split}" * 10**5):
+                     "\\newcommand{\\a}{" + "x" * 10**5 + "}\\[" + "\\a" * 1000 + "\\]", "\\def" * 10**5, "%" * 10**6, "\\begin{split}" * 10**5,
+                     "\\newcommand{\\x}{\\x\\x}" + "\\x " * 10**5, "\\newcommand{\\b}{}\\newcommand{\\a}{" + "\\b" * 4000 + "}" + "\\a " * 10**5, "\\newcommand{\\1}{}" + "\\1a" * 10**5,
+                     "\\begin{align}" + "\\\\[" * 10**5 + "\\end{align}", "\\[" + "\\tag{" * 10**5 + "\\]", "\\def\\x" * 10**5, "\\[a=b\\]% cagd: for n = 1\n" * 2 * 10**4):
             r = check(source(body))
             self.assertEqual((r.returncode, r.stdout), (2, ""), body[:30])
             self.assertLess(len(r.stderr), 12000, body[:30])

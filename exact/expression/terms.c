@@ -1,0 +1,166 @@
+#include "exact/expression/terms.h"
+
+#include "exact/words.h"
+
+enum { MOST_DEPTH = 60, MOST_POWER = 60 };
+
+static num_f plus(num_f a, long m) { return add_f(a, from_int_f(m)); }
+
+void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, int from)
+{
+    *s = (cagd_search){.c = {.scope = scope, .in_field = 1, .steps = 100 * CAGD_USUAL_STEPS}, .from = from};
+    s->n = variable_f("vn"), s->k = variable_f("vk");
+    s->c.divisor = s->divisor, s->c.most_divisors = CAGD_MOST_DIVISORS;
+    cagd_bind(&s->c, n, (cagd_value){.f = s->n});
+}
+
+num_f cagd_power_f(num_f a, int e)
+{
+    num_f r = from_int_f(1);
+    for (int i = 0; i < (e < 0 ? -e : e); i++)
+        r = mul_f(r, a);
+    return e < 0 ? div_f(from_int_f(1), r) : r;
+}
+
+int cagd_divides_in_range(const cagd_search *s, num_f a, long low, long last)
+{
+    long length = last - low; /* k - low from 0 to n + length */
+    if (s->from + length < 0)
+        return 1;
+    num_f p = cagd_denominator_f(a);
+    p = substitute_f(p, s->k, plus(s->k, low));
+    p = substitute_f(p, s->n, plus(s->n, -length));
+    return cagd_is_never_zero(p, s->n, s->k, (int)(s->from + length));
+}
+
+int cagd_divisors_are_not_zero(cagd_search *s, long low, long last)
+{
+    int good = 1;
+    for (int i = 0; i < s->c.divisors && good; i++)
+        good =
+            !cagd_is_zero_f(s->divisor[i]) && cagd_divides_in_range(s, div_f(from_int_f(1), s->divisor[i]), low, last);
+    s->c.divisors = 0;
+    return good;
+}
+
+int cagd_value_in(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *out)
+{
+    cagd_value v = cagd_evaluate_in(&s->c, t, f);
+    if (region_faults == 0) {
+        *out = cagd_in_field(v);
+        return 1;
+    }
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    s->c.trouble = NULL;
+    return 0;
+}
+
+int cagd_linear_in(cagd_search *s, num_f v, int *p, int *q, num_f *c)
+{
+    num_f variable[] = {s->n, s->k};
+    int *slope[] = {p, q};
+    *c = v;
+    for (int i = 0; i < 2; i++) {
+        num_q d;
+        if (!is_constant_f(derivative_f(v, variable[i]), &d) || !cagd_is_whole_q(d) ||
+            !mpz_fits_sint_p(mpq_numref(d.at)))
+            return 0;
+        *slope[i] = (int)mpz_get_si(mpq_numref(d.at));
+        if (*slope[i] > MOST_POWER || *slope[i] < -MOST_POWER)
+            return 0;
+        *c = sub_f(*c, mul_f(from_int_f(*slope[i]), variable[i]));
+    }
+    return 1;
+}
+
+static int take_factorial(cagd_search *s, num_f a, int e, cagd_product *out)
+{
+    int p, q;
+    num_f c;
+    if (!cagd_linear_in(s, a, &p, &q, &c))
+        return 0;
+    out->ratio = cagd_term_times_factorial(out->ratio, s->n, s->k, p, q, c, e);
+    return 1;
+}
+
+static int take_power(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out)
+{
+    num_f exponent, base, c;
+    num_q whole;
+    int p, q;
+    if (!cagd_value_in(s, t->at[1], f, &exponent))
+        return 0;
+    if (is_constant_f(exponent, &whole))
+        return cagd_is_whole_q(whole) && mpz_cmpabs_ui(mpq_numref(whole.at), MOST_POWER) < 0 &&
+               cagd_take(s, t->at[0], f, e * (int)mpz_get_si(mpq_numref(whole.at)), out);
+    if (!cagd_value_in(s, t->at[0], f, &base) || !cagd_linear_in(s, exponent, &p, &q, &c) ||
+        !is_constant_f(c, &whole) || !cagd_is_whole_q(whole) || cagd_is_zero_f(base) || degree_f(base, s->n) > 0 ||
+        degree_f(base, s->k) > 0 || denominator_degree_f(base, s->n) > 0 || denominator_degree_f(base, s->k) > 0)
+        return 0;
+    out->ratio = cagd_term_times_power(out->ratio, base, e * p, e * q);
+    return 1;
+}
+
+static int take_name(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out)
+{
+    const cagd_definition *d = cagd_defined(s->c.scope, t->head);
+    cagd_frame room[CAGD_MOST_CHILDREN];
+    cagd_value value[CAGD_MOST_CHILDREN];
+    const cagd_frame *inner = NULL;
+    if (d == NULL || t->order > 0 || t->times != NULL)
+        return 0;
+    cagd_arguments_of(&s->c, t, d, f, value);
+    const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, &inner) : NULL;
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    return body != NULL && cagd_take(s, body, inner, e, out);
+}
+
+int cagd_take(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out)
+{
+    num_f v, a, b;
+    if (s->depth == MOST_DEPTH || e > MOST_POWER || e < -MOST_POWER)
+        return 0;
+    if (cagd_value_in(s, t, f, &v)) {
+        if (cagd_is_zero_f(v) || (e < 0 && s->c.divisors == CAGD_MOST_DIVISORS))
+            return 0;
+        if (e < 0)
+            s->divisor[s->c.divisors++] = v;
+        num_f r = cagd_power_f(v, e);
+        out->rational = mul_f(out->rational, r);
+        out->ratio = cagd_term_times_rational(out->ratio, s->n, s->k, r);
+        return region_faults == 0;
+    }
+    int good = 0;
+    s->depth++;
+    switch (t->kind) {
+    case CAGD_PRODUCT:
+        good = 1;
+        for (int i = 0; i < t->count && good; i++)
+            good = cagd_take(s, t->at[i], f, e, out);
+        break;
+    case CAGD_NEGATIVE:
+        out->rational = e % 2 ? neg_f(out->rational) : out->rational;
+        good = cagd_take(s, t->at[0], f, e, out);
+        break;
+    case CAGD_QUOTIENT:
+        good = cagd_take(s, t->at[0], f, e, out) && cagd_take(s, t->at[1], f, -e, out);
+        break;
+    case CAGD_POWER:
+        good = take_power(s, t, f, e, out);
+        break;
+    case CAGD_FACTORIAL:
+        good = cagd_value_in(s, t->at[0], f, &a) && take_factorial(s, a, e, out);
+        break;
+    case CAGD_BINOMIAL:
+        good = cagd_value_in(s, t->at[0], f, &a) && cagd_value_in(s, t->at[1], f, &b) && take_factorial(s, a, e, out) &&
+               take_factorial(s, b, -e, out) && take_factorial(s, sub_f(a, b), -e, out);
+        break;
+    case CAGD_NAME:
+        good = take_name(s, t, f, e, out);
+        break;
+    default:
+        break;
+    }
+    s->depth--;
+    return good && region_faults == 0;
+}

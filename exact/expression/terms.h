@@ -1,0 +1,55 @@
+/* terms.h -- trees as products of binomial coefficients, factorials, powers and rational functions of n and k (only for every.c and
+ * closed.c). */
+#ifndef CAGD_TERMS_H
+#define CAGD_TERMS_H
+
+#include "exact/decide/sums.h"
+#include "exact/expression/evaluate.h"
+
+/* A product of powers of trees, as it is taken apart: ratios of neighbours, and the product of the factors that are rational
+ * functions of n and k. */
+typedef struct cagd_product {
+    cagd_term ratio;
+    cagd_num_f rational;
+} cagd_product;
+
+/* What stands for b^n or (p n)!, being transcendental over the rational functions of n: a variable w of the field. */
+typedef struct cagd_growth {
+    int factorial; /* p, or 0: of a power           */
+    cagd_num_f base, w;
+} cagd_growth;
+enum { CAGD_MOST_GROWTHS = 12, CAGD_MOST_CLOSED = 4, CAGD_MOST_DIVISORS = 64 };
+
+/* What a sum of terms F rests on: its letter k, and a F(k) = G(k+1) - G(k), G = R F. */
+typedef struct cagd_closed_sum {
+    const char *k;
+    cagd_num_f a, R;
+} cagd_closed_sum;
+
+/* Made by cagd_search_begin.  n and k are variables of the field; the name of n is bound in the context. */
+typedef struct cagd_search {
+    cagd_context c;
+    cagd_num_f n, k;
+    int depth;
+    int from; /* a value is asked for whole n >= from */
+    cagd_growth growth[CAGD_MOST_GROWTHS];
+    int growths;
+    cagd_closed_sum closed[CAGD_MOST_CLOSED]; /* the sums with closed forms that were met */
+    int closed_sums;
+    cagd_num_f divisor[CAGD_MOST_DIVISORS]; /* by which was divided since they were checked: c.divisors */
+} cagd_search;
+
+void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, int from);
+cagd_num_f cagd_power_f(cagd_num_f a, int e);
+
+/* The value as a rational function of n and k; 0 where it is none. */
+int cagd_value_in(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_num_f *out);
+/* v as p n + q k + c with small whole p and q, and c free of n and k; 0 where it is not. */
+int cagd_linear_in(cagd_search *s, cagd_num_f v, int *p, int *q, cagd_num_f *c);
+/* Whether the denominator of a is 0 for no whole k from low to n + last, n >= s->from. */
+int cagd_divides_in_range(const cagd_search *s, cagd_num_f a, long low, long last);
+/* Whether none of the divisors is 0 there; they are forgotten.  So that (n-9)/(n-9) is not taken for 1. */
+int cagd_divisors_are_not_zero(cagd_search *s, long low, long last);
+/* The product times t^e; 0 where t is no product of that kind. */
+int cagd_take(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out);
+#endif
