@@ -3,6 +3,7 @@
 #include "cli/input.h"
 #include "cli/progress.h"
 #include "cli/refuse.h"
+#include "cli/waiting.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -146,7 +147,12 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
         f->options.initial = &initial;
     }
     give_knots(a, &f->options);
+    char what[64] = "fitting";
+    if (f->options.starts > 1)
+        snprintf(what, sizeof what, "fitting from %d starts", f->options.starts);
+    waiting_begin(what);
     cagd_status status = cagd_fit_choose(&f->data, &f->options, &a->choices, &result, &where);
+    waiting_end();
     if (status != CAGD_OK)
         return complain(f, status, where);
     f->result = result;

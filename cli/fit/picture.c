@@ -328,6 +328,14 @@ static void put_points(svg *s, int count, const num_q P[])
         svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, SVG_USUAL);
 }
 
+/* The outliers among the points, which stand at P. */
+static void mark_outliers(svg *s, const struct fit *f, const num_q P[])
+{
+    for (int i = 0; i < f->result->count; i++)
+        if (f->result->outlier[i])
+            svg_mark(s, svg_pair(P + 2 * i), SVG_WRONG, SVG_USUAL);
+}
+
 static void draw_points(svg *s, const struct view *v)
 {
     const cagd_fit_data *d = &v->f->data;
@@ -338,9 +346,7 @@ static void draw_points(svg *s, const struct view *v)
         P[2 * i + 1] = at.y;
     }
     put_points(s, d->count, P);
-    for (int i = 0; i < d->count; i++)
-        if (v->f->result->outlier[i])
-            svg_mark(s, svg_pair(P + 2 * i), SVG_WRONG, SVG_USUAL);
+    mark_outliers(s, v->f, P);
 }
 
 static void axis_name(char name[64], const char *what, int power)
@@ -445,6 +451,7 @@ static void draw_distances(svg *s, const struct fit *f)
     for (int i = 0; i < r->count && r->count <= MOST_MARKS; i++)
         svg_segment(s, (svg_point){P[2 * i], from_int_q(0)}, svg_pair(P + 2 * i), SVG_AXIS);
     put_points(s, r->count, P);
+    mark_outliers(s, f, P);
     int k = r->largest_at;
     if (r->largest > 0) {
         char line[32];

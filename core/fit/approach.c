@@ -6,10 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* With all points. */
+/* With all points.  The cost of the first curve is told, and is that of its feet as exact as can be. */
 static int approach_by_all(fit_attempt *a)
 {
-    if (!fit_feet_guess(a->problem, a->curve, a->feet) || !fit_descend_near(a))
+    if (!fit_feet_guess(a->problem, a->curve, a->feet))
+        return 0;
+    a->objective->limit = FOOT_EXACT;
+    a->objective->newton = 0;
+    fit_objective_begin(a->objective, a->curve, a->feet);
+    a->initial_cost = a->objective->cost;
+    if (!fit_descend_near(a))
         return 0;
     memcpy(a->feet, a->objective->feet, (size_t)a->problem->points * sizeof *a->feet);
     fit_curve_copy(a->curve, a->objective->curve);

@@ -213,7 +213,8 @@ static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
     const int stride = (p->points - 1) / p->strategy.anchors + 1;
     *s = (search){.problem = p, .curve = curve, .thorough = p->nothing_free, .stride = stride};
     s->anchors = (p->points - 1) / stride + 1;
-    if (!fit_polygon_new(curve, p->strategy.sides, &s->polygon))
+    const int least = p->unordered ? 2 * p->strategy.sides : p->strategy.sides;
+    if (!fit_polygon_new(curve, least, &s->polygon))
         return 0;
     s->side = malloc((size_t)s->anchors * sizeof *s->side);
     s->square = malloc((size_t)s->polygon.sides * sizeof *s->square);

@@ -30,7 +30,8 @@ typedef struct fit_strategy {
     int intervals; /* whether intervals by the profile of the cost are sought at the end (profile.h)              */
     /* The search for feet (feet.h). */
     int anchors; /* the order of the points is kept for so many of them                                           */
-    int sides;   /* the polygon in the place of the curve has at least so many sides                              */
+    int sides;   /* the polygon in the place of the curve has at least so many sides; of points in no order,       */
+                 /* which nothing but their distance tells where they belong, twice as many                       */
 } fit_strategy;
 
 /* What cagd_fit does. */

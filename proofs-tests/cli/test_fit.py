@@ -1036,6 +1036,7 @@ class Fits(Case):
             median = (distances[29] + distances[30]) / 2
             self.assertAlmostEqual(o["deviation"], median / 0.6744897501960817 * math.sqrt(62 / (62 - d["rank"])), 9)
             self.assertIn("outliers", self.writing(svg))
+            self.assertEqual(svg.read_text().count('class="x wrong"'), 2 * len(bad) + 1)  # in both windows, and in the legend
             said = self.text(rows, "--loss", loss)
             self.assertIn("Outliers point 8 (line 8), point 21 (line 21), point 22 (line 22), point 51 (line 51); farther than 3.3", said)
             self.assertIn("estimated from the median of the distances", said)

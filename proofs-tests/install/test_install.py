@@ -6,6 +6,7 @@ by find_package(cagd) and once by pkg-config; the man page, the command and the 
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -73,6 +74,11 @@ with tempfile.TemporaryDirectory() as folder:
         language = ["-x", "c++"] if compiler == "c++" else []
         sh(compiler, *language, str(source / name), "-x", "none", "-o", str(program), *flags)
         assert sh(str(program)) == says
+    # The line of README.md, as it stands there.
+    line = re.search(r"^    (cc choose_in_twenty_lines\.c .*)$", (source.parent.parent / "README.md").read_text(), re.M)
+    assert line, "README.md has no line that links the fit"
+    shutil.copy(source / "choose_in_twenty_lines.c", folder)
+    assert sh("sh", "-c", f"cd '{folder}' && {line.group(1)} && ./choose", env=env) == chosen
     if compiles:
         flags = sh("pkg-config", "--cflags", "--libs", "--static", "cagd_exactly", env=env).split()
         sh("cc", str(source / "exactly_in_twenty_lines.c"), "-o", str(pathlib.Path(folder) / "exactly"), *flags)
