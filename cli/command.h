@@ -2,6 +2,7 @@
 #ifndef CAGD_COMMAND_H
 #define CAGD_COMMAND_H
 
+#include "cli/refuse.h"
 #include "cli/select.h"
 
 #include <argp.h>
@@ -75,9 +76,6 @@ struct asked {
 
 /* Parses the call into the arguments of the command, which begin at `a`, or refuses it. */
 void parse_arguments(const struct call *c, struct asked *a);
-/* One line on stderr that begins with the name of the command as it was called, "cagd curve", and ends with where its help
- * is; then the program ends with EXIT_USAGE.  A character that would break the line is printed as '?'. */
-_Noreturn void refuse_call(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* A whole number in [low, high], or one line that says what was expected, and EXIT_USAGE. */
 int whole_number(struct argp_state *state, const char *option, const char *text, int low, int high);
 

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/curve_json.h"
 #include "cli/input.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "cli/waiting.h"
 #include "core/number/limits.h"
@@ -96,7 +97,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int complain(const struct arguments *a, const char *what, num_q t)
 {
-    fprintf(stderr, "cagd: %s: %s %s\n", name_of_input(a->asked.path), what, to_string_q(t));
+    refuse_line("%s: %s %s", name_of_input(a->asked.path), what, to_string_q(t));
     return EXIT_USAGE;
 }
 
@@ -247,7 +248,7 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
     char line[LONGEST];
     int number = 0, told = 0, code = EXIT_AS_EXPECTED;
     if (file == NULL) {
-        fprintf(stderr, "cagd: %s: %s; expected a file of parameters, one a line\n", a->file, strerror(errno));
+        refuse_line("%s: %s; expected a file of parameters, one a line", a->file, strerror(errno));
         return EXIT_USAGE;
     }
     while (code == EXIT_AS_EXPECTED && fgets(line, sizeof line, file) != NULL) {
@@ -262,8 +263,8 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
         num_q t = from_string_q(text);
         if (region_faults != before) {
             region_faults = before;
-            fprintf(stderr, "cagd: %s: line %d: expected a number such as 3/7, 0.1 or 0x1.8p-3, not '%.60s'\n",
-                    name_of_input(a->file), number, text);
+            refuse_line("%s: line %d: expected a number such as 3/7, 0.1 or 0x1.8p-3, not '%.60s'",
+                        name_of_input(a->file), number, text);
             code = EXIT_USAGE;
         } else {
             code = tell_at(a, c, t, values, out);
@@ -272,7 +273,7 @@ static int tell_at_file(const struct arguments *a, const cagd_spline_q *c, json_
         region_drop(mark);
     }
     if (code == EXIT_AS_EXPECTED && ferror(file)) {
-        fprintf(stderr, "cagd: %s: %s; expected a file of parameters, one a line\n", a->file, strerror(errno));
+        refuse_line("%s: %s; expected a file of parameters, one a line", a->file, strerror(errno));
         code = EXIT_USAGE;
     }
     if (file != stdin)
@@ -349,10 +350,10 @@ static int exit_code_of(const struct arguments *a, cagd_status status, int where
     case CAGD_OK:
         return EXIT_AS_EXPECTED;
     case CAGD_UNDEFINED:
-        fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->asked.path, where);
+        refuse_line("%s: point %d of the result would have the weight 0", a->asked.path, where);
         return EXIT_USAGE;
     case CAGD_NO_MEMORY:
-        fprintf(stderr, "cagd: %s: %s\n", a->asked.path, cagd_status_text(CAGD_NO_MEMORY));
+        refuse_line("%s: %s", a->asked.path, cagd_status_text(CAGD_NO_MEMORY));
         return EXIT_INTERNAL;
     default:
         return complain(a, otherwise, x);

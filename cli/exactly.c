@@ -8,6 +8,7 @@
 #include "cli/memory.h"
 #include "cli/output.h"
 #include "cli/point_json.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "exact/code/build.h"
@@ -453,7 +454,7 @@ static int answer(const struct arguments *a, const struct cagd_code_harness *h, 
     also_forget(cagd_code_build_forget);
     struct cagd_code_program *p = cagd_code_build(h, a->asked.path, compiler, sizeof message, message);
     if (p == NULL) {
-        fprintf(stderr, "cagd: %s: line %d: %s: %s\n", name_of_input(a->asked.path), h->line, h->name, message);
+        refuse_line("%s: line %d: %s: %s", name_of_input(a->asked.path), h->line, h->name, message);
         return EXIT_USAGE;
     }
     struct cagd_code_verdict *v = cagd_code_decide(p, h, a->points > 0 ? a->points : h->points, a->rounding);
@@ -571,7 +572,7 @@ static int run(const struct call *call)
         code = answer(&a, h, list, &certificates, &expected);
     }
     if (code == EXIT_AS_EXPECTED && answered == 0) {
-        fprintf(stderr, "cagd: %s: no block is named '%s'\n", name_of_input(a.asked.path), a.only);
+        refuse_line("%s: no block is named '%s'", name_of_input(a.asked.path), a.only);
         code = EXIT_USAGE;
     }
     if (code == EXIT_AS_EXPECTED && a.certificates != NULL && certify_end(&certificates) != 0)

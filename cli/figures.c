@@ -1,6 +1,7 @@
 /* figures.c -- cagd figures: draws. */
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/refuse.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"
 #include "exact/words.h"
@@ -56,7 +57,7 @@ static void draw(void *context, int k)
     snprintf(path, sizeof path, "%s/%s.svg", w->folder, w->list[k]->name);
     const char *text = svg_text(s);
     if (text == NULL)
-        fprintf(stderr, "cagd: figure '%s' cannot be drawn: %s\n", w->list[k]->name, svg_failed(s));
+        refuse_line("figure '%s' cannot be drawn: %s", w->list[k]->name, svg_failed(s));
     w->failed += text == NULL || write_text_in_turn(path, text, &w->unwritten) != 0;
     svg_free(s);
     region_drop(mark);

@@ -1,4 +1,5 @@
 #include "cli/input.h"
+#include "cli/refuse.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -34,6 +35,5 @@ FILE *open_input(const char *path, const char *what, struct input_error *error)
 
 void report_input_error(const char *path, const struct input_error *error)
 {
-    fprintf(stderr, "cagd: %s: %s%s%s\n", name_of_input(path), error->place, error->place[0] != '\0' ? ": " : "",
-            error->cause);
+    refuse_line("%s: %s%s%s", name_of_input(path), error->place, error->place[0] != '\0' ? ": " : "", error->cause);
 }

@@ -33,11 +33,13 @@ static int unknown_command(const char *name)
     struct nearest n = {.text = name};
     for (int k = 0; commands[k] != NULL; k++)
         consider_name(&n, commands[k]->name);
-    fprintf(stderr, "cagd: there is no command '%s'; %s", name, n.name[0] == NULL ? "expected" : "");
-    put_nearest(stderr, &n, "");
+    struct refusal r;
+    refusal_begin(&r);
+    fprintf(r.to, "there is no command '%s'; %s", name, n.name[0] == NULL ? "expected" : "");
+    put_nearest(r.to, &n, "");
     for (int k = 0; n.name[0] == NULL && commands[k] != NULL; k++)
-        fprintf(stderr, "%s %s", k == 0 ? "" : commands[k + 1] == NULL ? " or" : ",", commands[k]->name);
-    fputs("\n", stderr);
+        fprintf(r.to, "%s %s", k == 0 ? "" : commands[k + 1] == NULL ? " or" : ",", commands[k]->name);
+    refusal_put(&r);
     return EXIT_USAGE;
 }
 

@@ -1,6 +1,7 @@
 /* names.c -- names as people type them. */
 #include "cli/names.h"
 #include "cli/nearest.h"
+#include "cli/refuse.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -68,12 +69,12 @@ static void note(struct meant *m, const char *name)
     m->count++;
 }
 
-/* The names in a line, behind what was printed of it. */
-static void put_names(const struct meant *m)
+/* The names in a line, behind what was written of it. */
+static void put_names(FILE *out, const struct meant *m)
 {
     for (int k = 0; k < m->count && k < LISTED; k++)
-        fprintf(stderr, "%s %s", k > 0 ? "," : "", m->at[k]);
-    fputs(m->count > LISTED ? ", ..." : "", stderr);
+        fprintf(out, "%s %s", k > 0 ? "," : "", m->at[k]);
+    fputs(m->count > LISTED ? ", ..." : "", out);
 }
 
 /* ---- places in a book ----------------------------------------------------------------------------- */
@@ -202,23 +203,23 @@ static void consider_near(void *context, const char *name, const char *title, co
     consider_name(context, name);
 }
 
-static void complain(const cagd_register *r, const char *text, enum kind_of_name kind)
+/* Why no name is meant. */
+static void put_why(FILE *out, const cagd_register *r, const char *text, enum kind_of_name kind)
 {
     struct nearest n = {.text = text};
     if (!is_glob(text))
         visit_names(r, kind, consider_near, &n);
-    fprintf(stderr, "cagd: no %s %s '%s'; ", kind == FIGURES ? "figure" : "statement or claim",
+    fprintf(out, "no %s %s '%s'; ", kind == FIGURES ? "figure" : "statement or claim",
             is_glob(text) ? "matches" : "is called", text);
-    put_nearest(stderr, &n, "");
+    put_nearest(out, &n, "");
+    int is_figure = 0;
     for (const figure *f = r->figures; kind != FIGURES && f->name != NULL; f++)
-        if (n.name[0] == NULL && strcmp(f->name, text) == 0) {
-            fputs("it is a figure: cagd figures draws it\n", stderr);
-            return;
-        }
+        is_figure |= n.name[0] == NULL && strcmp(f->name, text) == 0;
     if (n.name[0] == NULL)
-        fputs(kind == FIGURES ? "cagd figures --list prints the names" : "cagd list and cagd ledger print the names",
-              stderr);
-    fputs("\n", stderr);
+        fputs(is_figure         ? "it is a figure: cagd figures draws it"
+              : kind == FIGURES ? "cagd figures --list prints the names"
+                                : "cagd list and cagd ledger print the names",
+              out);
 }
 
 const char *name_meant_by(const cagd_register *r, const char *text, enum kind_of_name kind)
@@ -242,16 +243,19 @@ const char *name_meant_by(const cagd_register *r, const char *text, enum kind_of
         return m.at[0];
     if (titled.count == 1)
         return titled.at[0];
+    struct refusal why;
+    refusal_begin(&why);
     if (m.count > 1) {
-        fprintf(stderr, "cagd: '%s' may be one of %d:", text, m.count);
-        put_names(&m);
-        fputs("; which is meant?\n", stderr);
+        fprintf(why.to, "'%s' may be one of %d:", text, m.count);
+        put_names(why.to, &m);
+        fputs("; which is meant?", why.to);
     } else if (titled.count > 1) {
-        fprintf(stderr, "cagd: '%s' is in %d titles, of", text, titled.count);
-        put_names(&titled);
-        fprintf(stderr, "; cagd list '%s' and cagd ledger '%s' print all\n", text, text);
+        fprintf(why.to, "'%s' is in %d titles, of", text, titled.count);
+        put_names(why.to, &titled);
+        fprintf(why.to, "; cagd list '%s' and cagd ledger '%s' print all", text, text);
     } else {
-        complain(r, text, kind);
+        put_why(why.to, r, text, kind);
     }
+    refusal_put(&why);
     return NULL;
 }

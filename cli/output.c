@@ -29,7 +29,7 @@ static int failed(const char *path, const char *format, ...)
     va_start(list, format);
     vsnprintf(cause, sizeof cause, format, list);
     va_end(list);
-    fprintf(stderr, "cagd: %s: %s\n", path, cause);
+    refuse_line("%s: %s", path, cause);
     return -1;
 }
 
@@ -359,7 +359,7 @@ int output_spare(const char *path)
     const struct named n = identity(NULL, &is, "");
     const struct named *other = noted(&n);
     if (other != NULL && other->option != NULL) {
-        fprintf(stderr, "cagd: %s: is read, and --%s would write over it; choose another name\n", path, other->option);
+        refuse_line("%s: is read, and --%s would write over it; choose another name", path, other->option);
         return EXIT_USAGE;
     }
     if (other == NULL)
@@ -369,13 +369,13 @@ int output_spare(const char *path)
 
 static int misused(const char *option, const char *path, const char *cause)
 {
-    fprintf(stderr, "cagd: --%s %s: %s\n", option, path, cause);
+    refuse_line("--%s %s: %s", option, path, cause);
     return EXIT_USAGE;
 }
 
 static int given_already(const char *option, const char *path, const char *other)
 {
-    fprintf(stderr, "cagd: --%s %s: --%s writes that file; choose another name\n", option, path, other);
+    refuse_line("--%s %s: --%s writes that file; choose another name", option, path, other);
     return EXIT_USAGE;
 }
 

@@ -83,8 +83,8 @@ static int put_lines(FILE *out, const char *text, int width)
 /* One line: what, why where that is known, and what to do. */
 static void fail(int cause)
 {
-    fprintf(stderr, "cagd: standard output: cannot be written%s%s; %ssend it elsewhere\n", cause != 0 ? ": " : "",
-            cause != 0 ? strerror(cause) : "", output_advice(cause));
+    refuse_line("standard output: cannot be written%s%s; %ssend it elsewhere", cause != 0 ? ": " : "",
+                cause != 0 ? strerror(cause) : "", output_advice(cause));
     _exit(EXIT_INTERNAL);
 }
 

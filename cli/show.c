@@ -3,6 +3,7 @@
 #include "cli/names.h"
 #include "cli/page.h"
 #include "cli/progress.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 
@@ -207,7 +208,7 @@ static int find_entries(const cagd_register *r, const struct asked *a, struct en
         add(list, entry_of(r, meant));
     }
     if (a->json && list->count > 1) {
-        fprintf(stderr, "cagd: --json shows one id at a time, and '%s' matches %d\n", a->patterns.at[0], list->count);
+        refuse_line("--json shows one id at a time, and '%s' matches %d", a->patterns.at[0], list->count);
         return -1;
     }
     return 0;

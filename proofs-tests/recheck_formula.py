@@ -8,6 +8,7 @@ import re
 IS = lambda fact: fact["is"]
 COUNTS = {"contained": 0, "common_closed": 1, "common_open": 2, "crossings": 3, "touches": 4, "poles": 5, "jumps": 6}
 PIECES = {"crossings": 0, "common_runs": 1, "components": 2, "contained_edges": 3}
+SIGNS = ["SIGN_ZERO", "SIGN_POSITIVE", "SIGN_NONNEGATIVE", "SIGN_NONPOSITIVE", "SIGN_NEGATIVE", "SIGN_MIXED"]
 # The decision: the kind of fact, and what of it is the answer, by the member of a structure or without one.
 DECISIONS = {
     **{name: ("order", {"": IS}) for name in ("sign_q", "compare_q", "turn_2d")},
@@ -17,13 +18,12 @@ DECISIONS = {
     **{name: ("minors", {"": IS}) for name in ("is_totally_nonnegative", "is_totally_positive", "all_minors_nonnegative")},
     **{name: ("roots", {field: lambda fact, field=field: fact[field] for field in ("distinct", "counted", "crossings", "touches")})
        for name in ("count_roots", "count_roots_above", "count_roots_below")},
-    "is_whole_q": ("whole", {"": IS}), "poly_degree": ("degree", {"": IS}), "sign_on": ("sign", {"": IS}),
-    "polygon_is_convex": ("convex_polygon", {"": IS}), "hull_membership": ("hull", {"inside": IS}),
-    "polygon_crossings": ("polygon_and_line", {"": lambda fact: fact["is"][0]}),
+    "is_whole_q": ("whole", {"": IS}), "poly_degree": ("degree", {"": IS}), "hull_membership": ("hull", {"inside": IS}),
+    "sign_on": ("sign", {"": IS}), "is_nonnegative_on": ("sign", {"": lambda fact: int(SIGNS[fact["is"]] in SIGNS[:3])}),
+    "polygon_is_convex": ("convex_polygon", {"": IS}), "polygon_crossings": ("polygon_and_line", {"": lambda fact: fact["is"][0]}),
     "polygon_meets_line": ("polygon_and_line", {name: lambda fact, k=k: fact["is"][k] for name, k in PIECES.items()}),
     "curve_meets_line": ("curve_and_line", {name: lambda fact, k=k: fact["is"][k] for name, k in COUNTS.items()}),
 }
-SIGNS = ["SIGN_ZERO", "SIGN_POSITIVE", "SIGN_NONNEGATIVE", "SIGN_NONPOSITIVE", "SIGN_NEGATIVE", "SIGN_MIXED"]
 TOKEN = re.compile(r"\s*([A-Za-z_]\w*|[0-9]+|&&|\|\||[<>=!]=|[-+*<>!().,\[\]{}&|^%/?:~\"\\])")
 LEVELS = [["||"], ["&&"], ["==", "!="], ["<", ">", "<=", ">="], ["+", "-"], ["*"]]
 APPLY = {"==": lambda a, b: int(a == b), "!=": lambda a, b: int(a != b), "<": lambda a, b: int(a < b), ">": lambda a, b: int(a > b),

@@ -494,10 +494,10 @@ so it does not matter from which end the points are read.  That the figure is it
 :printed: P(t)=B_{0,n}(t)P_0+\dots+B_{i,n}(t)P_i+\dots+B_{n-i,n}(t)P_{n-i}+\dots+B_{n,n}(t)P_n=B_{n,n}(1-t)P_0+\dots+B_{n-i,n}(1-t)P_i+\dots+B_{i,n}(1-t)P_{n-i}+\dots+B_{0,n}(1-t)P_n
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: reversed_points_reverse_the_curve basis_read_backwards
+:meant: the formula, which has each point with the function of the other end at $1-t$ | The points read backwards give the same curve, run backwards.
+:reading: recurrence_keeps_sum_sign_ends_and_symmetry | the points read backwards give the same curve, run backwards
+:reading: curve_is_no_mirror_image | the curve is a symmetric figure
 :figure: read_from_either_end
-
-The formula says that the points backwards give the same curve, run backwards.  The curve is no symmetric figure unless its
-points are: `curve_is_no_mirror_image`.
 :::
 
 :::{claim} basis_read_backwards
@@ -587,7 +587,7 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :zh: 基函数的非负性与规范性
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
-:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends bernstein_alternates_outside
 :needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bernstein_basis
 

@@ -187,13 +187,13 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :zh: 将参数 t 作 npoints 等分
 :printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
 :holds-by: equal_steps_reach_every_part
-:confirmed-by: program_ends_at_one_in_exact_arithmetic
+:confirmed-by: program_ends_at_one_in_exact_arithmetic sum_of_steps_is_seldom_one
 :hypothesis: sum_of_steps_misses_one | the arithmetic is exact: in binary64 the last parameter need not be 1
 :hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
 :figure: last_parameter
 :striking: 46
 
-In binary64 few numbers of steps end at 1: `sum_of_steps_is_seldom_one`.
+In binary64 52 of the first 64 numbers of steps do not end at 1: `sum_of_steps_is_seldom_one`.
 :::
 
 :::{statement} slides-ch4:4-program-all-points
@@ -203,11 +203,13 @@ In binary64 few numbers of steps end at 1: `sum_of_steps_is_seldom_one`.
 :holds-by: program_ends_at_one_in_exact_arithmetic
 :argued: every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
   that knows nothing of the others.
+:confirmed-by: corrected_program_ends_at_the_last_point
 :hypothesis: last_point_of_the_example_is_missed | the arithmetic is exact: in binary64 the last of them need not be the end of
   the curve
+:hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
 :figure: last_parameter
 
-With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the ends are exact in binary64, too: `corrected_program_ends_at_the_last_point`.
+With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the ends are exact in binary64, too, as far as it was computed: `corrected_program_ends_at_the_last_point`.
 :::
 */
 
@@ -417,7 +419,7 @@ CLAIM(program_writes_one_point_too_many)
 :holds-by: program_stays_in_its_arrays
 :argued: every n and npoints | R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
 
-For Q, $n$ places are enough, and one for $n=0$ is none too few.
+Of Q the last place is never used.
 :::
 
 :::{statement} slides-ch4:4-program-delete

@@ -19,12 +19,11 @@ enum { dim = 2 };
 :zh: 折线逼近曲线
 :printed: To draw the curve by its definition, enough values of $t$ are chosen, and the points of the curve joined by segments; with more points
   the polyline and the curve can come arbitrarily near to each other.
-:holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord
-:confirmed-by: second_differences_of_a_piece
-:argued: | The distance of a piece from its chord is at most a number that does not depend on the piece times the square of
-  the step, and so tends to 0 with the step.
+:holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord bernstein_recurrence
+  recurrence_keeps_sum_sign_ends_and_symmetry bernstein_raised_by_one_degree enough_equal_steps_bring_the_polyline_near
+:confirmed-by: second_differences_of_a_piece linear_precision
 :meant: the word "can" (可以) | More and more points can be chosen so that the polyline comes near: with steps that tend to 0.
-:reading: differences_over_a_part_are_means | they can be so chosen
+:reading: enough_equal_steps_bring_the_polyline_near | they can be so chosen: enough of them, in equal steps
 :reading: many_points_may_crowd | however they are chosen: many points are not enough
 :figure: crowded_points
 
@@ -71,6 +70,32 @@ CLAIM(second_differences_of_a_piece)
         /* Delta^2 c_i = (v-u)^2 d_i */
         same(T, G(difference)(1, c, 0, i, 2), mul(fault(T, mul(step, step), step), average));
     }
+}
+
+/*
+:::{claim} enough_equal_steps_bring_the_polyline_near
+:title: With enough equal steps the distance of curve and polyline is as small as one likes
+:zh: 等步长步数足够多时折线任意接近曲线
+:given: the degree $n$, the length $M$ of the longest second difference of the points, $\varepsilon>0$, and $N$ steps of one length with
+  $N^2=\frac{n^2M}{8\varepsilon}+p$, $p>0$
+:harmless: $\varepsilon>0$ | the distance that one likes
+:then: $\varepsilon-\frac{n^2}8\cdot\frac M{N^2}=\frac{p\,\varepsilon}{N^2}>0$, where the second number is a bound of the distance
+:method: An identity, everything a variable.  Over a step of the length $\frac1N$ the second differences are means of those of the points, divided by $N^2$,
+  `differences_over_a_part_are_means`, and the piece is at most $\frac{n^2}8$ times the longest of them away from its chord,
+  `polygon_and_curve_are_near_the_chord`.  There $\sum_kB_k^n=1$ and $\sum_k\frac knB_k^n=t$ are used, which follow from `bernstein_recurrence` by
+  `recurrence_keeps_sum_sign_ends_and_symmetry`, and from this and $\frac knB_k^n=tB_{k-1}^{n-1}$, in `bernstein_raised_by_one_degree`.
+:degrees: all
+:over: n M e p: -
+:control: $\frac{n^2}4$ in the place of $\frac{n^2}8$
+:::
+*/
+CLAIM(enough_equal_steps_bring_the_polyline_near)
+{
+    num n = whole(T, "n", 1, 20), M = positive(T, "M", 0), epsilon = positive(T, "e", 0), p = positive(T, "p", 0);
+    num above = mul(mul(n, n), M), steps = add(div(above, mul(from_int(8), epsilon)), p); /* N² */
+    num bound = div(above, mul(from_int(fault(T, 8, 4)), steps)), left = div(mul(p, epsilon), steps);
+    same(T, sub(epsilon, bound), left);
+    nonnegative(T, left);
 }
 
 #if RATIONAL

@@ -282,14 +282,15 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :zh: C2 连续条件
 :printed: The condition for $C^2$ at the joint, that is, for continuity of the second derivative by the parameter: $P''(1)=Q''(0)$ is required, that is
   $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
-:holds-by: three_points_make_c2
+:holds-by: second_derivative_of_a_cubic three_points_make_c2
+:confirmed-by: printed_condition_divides_the_curvature
 :hypothesis: equal_second_derivatives_with_unequal_first | $P_3=Q_0$, and the first derivatives are equal as well: the first of these is a condition
   of the slides, but then they come from $G^1$ with any $a>0$
 :figure: second_derivatives_alone
 :striking: 45
 
-Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.  With the condition for $G^1$ alone, $a\ne1$, the curve is neither $C^2$ nor
-$G^2$: the condition divides the curvature by $a^2$, `printed_condition_divides_the_curvature`.
+Necessary it is.  Sufficient it is only with $P_3=Q_0$ and equal first derivatives.  With the condition for $G^1$ and $a\ne1$ it divides the curvature by $a^2$,
+`printed_condition_divides_the_curvature`, so that the curve is not $G^2$ either where the curvature is not 0.
 :::
 
 :::{claim} three_points_make_c2

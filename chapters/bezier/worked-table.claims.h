@@ -132,6 +132,7 @@ CLAIM(table_row_of_fifteen_hundredths) { right_numbers(T, 0, 1); }
 :class: misprint
 :corrected: x(0.15)=1.504
 :corrected-by: exact_values_of_the_table
+:confirmed-by: rounded_factors_of_the_table
 :figure: worked_table
 
 The sum with the rounded factors of this row is 1.5038: the third digit after the point is wrong in either way to compute it.
@@ -236,6 +237,8 @@ CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 0, 0); }
 :class: false
 :corrected: x(0.35)=2.246
 :corrected-by: exact_values_of_the_table
+:meant: the head of the column, $P(t)$ | The number is the value of the curve, rounded to the digits that are printed.
+:reading: table_misses_the_second_x | the value of the curve
 :reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row
 :figure: worked_table
 
@@ -312,6 +315,7 @@ CLAIM(rounded_factors_of_the_table)
 :class: misprint
 :corrected: y(0.35)=2.365
 :corrected-by: exact_values_of_the_table
+:confirmed-by: rounded_factors_of_the_table heights_of_the_example_are_symmetric
 :figure: worked_table
 
 The sum with the rounded factors is 2.367: two digits have changed places.  The points have the heights 1, 3, 3, 1, so $y(0.35)=y(0.65)$, which the table denies as well.
@@ -402,6 +406,8 @@ CLAIM(table_row_of_sixty_five_hundredths) { right_numbers(T, 0, 1); }
 :class: false
 :corrected: x(0.65)=3.119
 :corrected-by: exact_values_of_the_table
+:meant: the head of the column, $P(t)$ | The number is the value of the curve, rounded to the digits that are printed.
+:reading: table_misses_the_third_x | the value of the curve
 :reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row
 :figure: worked_table
 
@@ -430,6 +436,7 @@ CLAIM(table_misses_the_third_x) { wrong_number(T, "x"); }
 :zh: t=0.65 处的纵坐标
 :printed: y(0.65)=2.36
 :holds-by: table_row_of_sixty_five_hundredths
+:confirmed-by: exact_values_of_the_table rounded_factors_of_the_table
 :hypothesis: five_rounded_up_gives_another_digit | a five is not rounded up: 四舍五入 gives 2.37
 :figure: worked_table
 
@@ -526,6 +533,7 @@ CLAIM(table_row_of_eighty_five_hundredths) { right_numbers(T, 0, 0); }
 :class: misprint
 :corrected: x(0.85)=3.261
 :corrected-by: exact_values_of_the_table
+:confirmed-by: rounded_factors_of_the_table
 :figure: worked_table
 
 The sum with the rounded factors is 3.2602; nothing near leads to 3.248, whose digits after the point are those of $x(0.35)$ in the same column.
@@ -556,6 +564,7 @@ CLAIM(table_misses_the_fourth_x) { wrong_number(T, "x"); }
 :class: misprint
 :corrected: y(0.85)=1.765
 :corrected-by: exact_values_of_the_table
+:confirmed-by: rounded_factors_of_the_table heights_of_the_example_are_symmetric
 :figure: worked_table
 
 The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$: a digit, 6, is left out.

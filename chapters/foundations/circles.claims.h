@@ -20,8 +20,8 @@ sections of their own.
 :::{statement} hu-1987:1-3-1
 :title: One step of a rotation
 :zh: 逆时针旋转一步
-:printed: $x_{n+1}=r\cos(\theta+\Delta\theta)=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
-  $y_{n+1}=r\sin(\theta+\Delta\theta)=y_n\cos\Delta\theta+x_n\sin\Delta\theta$
+:printed: $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta\cos\Delta\theta-r\sin\theta\sin\Delta\theta=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
+  $y_{n+1}=r\sin(\theta+\Delta\theta)=r\sin\theta\cos\Delta\theta+r\cos\theta\sin\Delta\theta=y_n\cos\Delta\theta+x_n\sin\Delta\theta$
 :holds-by: rotation_matrix_adds_the_angle
 :figure: three_generators
 :::
@@ -261,7 +261,8 @@ treated alike in its four quadrants.
 :holds-by: exact_steps_need_m_more_bits_each
 :meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.
 :hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out.  In integers a point with
-  coordinates from 0 to $2^m-1$ does not move at all; and to be exact, every step needs $m$ bits more.
+  coordinates from 0 to $2^m-1$ does not move at all, both shifted ones being 0; and to be exact, $n$ steps from $(1,0)$ need $nm$ binary places.
+:confirmed-by: short_coordinates_never_move
 :figure: circles_in_integers
 :::
 */
@@ -332,7 +333,7 @@ CLAIM(short_registers_stop_the_point)
 :data: M = 6; m = 4; x_0 = 10; y_0 = -5
 :then: $x_1=x$, $y_1=y$ for all of them; the point with the negative ordinate moves to the right, because $\lfloor y_0/2^m\rfloor$ is $-1$
 :result: x_1 = 11; y_1 = -5
-:method: The step in integers, at every point.
+:method: The step in integers; what is added to one coordinate depends on the other one only, of which all are tried.
 :scope: m = 1 to 6
 :control: coordinates up to $2^m$
 :::
@@ -342,14 +343,14 @@ CLAIM(short_coordinates_never_move)
     int largest = given_whole(T, "M");
     for (int m = 1; m <= largest; m++) {
         int unit = 1 << m, most = fault(T, unit - 1, unit);
-        for (int x = 0; x <= most; x++)
-            for (int y = 0; y <= most; y++)
-                agree(T, floor_quotient(x, unit) == 0 && floor_quotient(y, unit) == 0);
+        for (int x = 0; x <= most; x++) /* a coordinate, either one */
+            vanishes(T, from_int(floor_quotient(x, unit)));
     }
     int unit = 1 << given_whole(T, "m"), x = given_whole(T, "x_0"), y = given_whole(T, "y_0");
     found_whole(T, "x_1", x - floor_quotient(y, unit));
     found_whole(T, "y_1", y + floor_quotient(x, unit));
-    agree(T, floor_quotient(y, unit) == -1 && floor_quotient(x, unit) == 0);
+    same(T, from_int(floor_quotient(y, unit)), from_int(-1));
+    vanishes(T, from_int(floor_quotient(x, unit)));
 }
 #endif
 
@@ -373,12 +374,13 @@ a geometric progression.
 :zh: 半径有不断增大的趋势
 :printed: The radius of the circle tends to increase without end.
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
+:confirmed-by: turn_of_small_steps_gains_a_fifth
 :needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
 :needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
 It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  For $\varepsilon=\frac1{16}$ a turn
-of about a hundred steps ends with a radius larger by a fifth.
+takes a hundred steps and a part of one more, and ends with a radius larger by more than a fifth.
 :::
 
 :::{claim} small_steps_multiply_the_radius
@@ -430,6 +432,38 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 }
 
 #if RATIONAL
+/*
+:::{claim} turn_of_small_steps_gains_a_fifth
+:title: A turn takes a hundred small steps and a part of one more, and ends with a radius larger by more than a fifth
+:zh: 一周约百步,半径增大逾五分之一
+:kind: decision
+:given: $P_0$, $\varepsilon$, half a turn of $k$ steps and a whole one of $n$, each with a part of one step more; bounds $b$ of the radius
+:data: P_0 = (1,0); ε = 1/16; k = 50; n = 100; b = 6/5 5/4
+:instead: ε = 1/15
+:then: the points from 1 to $k$ are above the axis, those from $k+1$ to $n$ below, the next one is above it again; $|P_n|$ is between the bounds
+:method: All steps, exactly; squares of radii.  No step is as long as half a turn.
+:control: a longer step
+:::
+*/
+CLAIM(turn_of_small_steps_gains_a_fifth)
+{
+    num M[4], P[2], bound[2];
+    given_points(T, "P_0", 1, 2, P);
+    G(small_step)(given(T, "ε"), M);
+    int half = given_whole(T, "k"), turn = given_whole(T, "n");
+    given_points(T, "b", 2, 1, bound);
+    for (int k = 1; k <= turn + 1; k++) {
+        G(steps)(1, M, P);
+        about(T, "the side of the axis");
+        agree(T, sign_q(P[1]) == (k <= half || k > turn ? 1 : -1));
+        if (k != turn)
+            continue;
+        num square = G(norm_squared)(2, P);
+        about(T, "the radius of the last point of the turn");
+        agree(T, compare_q(mul(bound[0], bound[0]), square) < 0 && compare_q(square, mul(bound[1], bound[1])) < 0);
+    }
+}
+
 /* Whether one step with the given ε moves the given point. */
 static void refute_that_a_step_moves(trial *T)
 {
@@ -533,7 +567,7 @@ with equal factors make a logarithmic spiral (对数螺线).
 :figure: three_generators
 
 It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by
-$\sqrt{1+\varepsilon^2}$.  The angle is not $\Delta\theta=\varepsilon$, but a little less.
+$\sqrt{1+\varepsilon^2}$.
 :::
 
 :::{claim} small_steps_are_powers_of_a_complex_number

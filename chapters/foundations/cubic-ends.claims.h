@@ -75,10 +75,11 @@ the two ends.
 :class: misprint
 :corrected: the position vector $Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and $Q_1$ and $\dot Q_1$ at $t=1$
 :corrected-by: end_data_determine_the_cubic
+:confirmed-by: positions_for_the_dots_miss_three_coefficients
 :figure: ends_with_lost_letters
 
-One symbol for two data.  If it means the tangent, $C$ is right below and $A$, $B$, $D$ are not; if it means the
-position, $D$ is right and $A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
+One symbol for two data.  If it means the position, $D$ is right below and $A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`); if it means
+the tangent, $C$ is right and the entries below say what is wrong with the others.
 :::
 */
 

@@ -21,7 +21,8 @@ coefficients, and by $\delta=3b^2-4ac$.
 :printed: The forms of parametric cubics contain the ordinary one, the cusp, the closed loop, and that with inflections (figure 1-7).
 :holds-by: each_form_occurs
 :example: each form occurs, and one curve of each shows it.
-:confirmed-by: sign_of_delta_tells_the_form signs_decide_the_form
+:confirmed-by: sign_of_delta_tells_the_form merged_inflections_are_a_cusp delta_does_not_tell_graphs signs_decide_the_form
+  parallel_tangents_give_an_s_or_an_arch
 :figure: forms_of_a_cubic
 
 Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$; not so for $a=0$:

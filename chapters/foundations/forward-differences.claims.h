@@ -240,8 +240,8 @@ CLAIM(differences_by_alternating_sums)
 :refuted-by: step_from_zero_reaches_one_step_only
 :class: misprint
 :corrected: They are the differences at $t=\delta$.
-:corrected-by: step_takes_differences_to_the_next_place
-:confirmed-by: additions_step_along_the_curve
+:corrected-by: printed_lines_step_a_cubic
+:confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
 
 For $i=1$ it is true.
@@ -460,11 +460,12 @@ and additions; with another step it is not.
 :::{statement} hu-1987:1-4-no-multiplications
 :title: With differences no multiplication is left
 :zh: 差分法不用乘法
-:printed: With differences multiplications are not needed at all, only shifts and additions.
+:printed: With differences multiplications are not needed at all, only shifts and additions, so that the curve wanted can be generated at high speed.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions
+:meant: the words "so that" (从而) | High speed is: without multiplications.
 :needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | $\delta=2^{-m}$, and
-  the differences are divided by its powers.  So it is in (1-4-4) and (1-4-5).  For another step the table has to be begun with
-  multiplications.
+  the differences are divided by its powers.  So it is in (1-4-4) and (1-4-5).  For another step each line of (1-4-4) but the last has a
+  multiplication.
 :figure: stepping_and_rounding
 :::
 */

@@ -90,6 +90,30 @@ CLAIM(second_derivative_is_not_constant)
 }
 
 /*
+:::{claim} curvature_divides_by_zero_at_a_cusp
+:title: At a cusp the formula of the curvature divides by zero
+:zh: 尖点处曲率公式的分母为零
+:kind: counterexample
+:given: a cubic with a cusp, with the coefficients $c$, and its parameter $t$
+:data: c = (0,0) (0,0) (1,0) (0,1); t = 0
+:instead: t = 1
+:then: the speed, whose third power is the denominator, is 0
+:result: P'(t) = (0,0)
+:method: The derivative by the kernel; that its length is not 0 is refuted.
+:control: another parameter
+:::
+*/
+CLAIM(curvature_divides_by_zero_at_a_cusp)
+{
+    num c[8], D[4];
+    given_points(T, "c", 4, 2, c);
+    G(power_derivatives)(3, dim, c, given(T, "t"), 1, D);
+    found_points(T, "P'(t)", 1, 2, D + 2);
+    about(T, "whether the speed is not 0");
+    refute(T, is_zero_q(G(norm_squared)(2, D + 2)));
+}
+
+/*
 :::{statement} hu-1987:1-4-curvature
 :title: The formula of the curvature
 :zh: 曲率公式
@@ -101,10 +125,10 @@ CLAIM(second_derivative_is_not_constant)
 :meant: the letter, and the formula of the torsion below it, which has lost dots as well | $s$ is the length of the arc, with a dot lost over it.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else
 :reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say
+:hypothesis: curvature_divides_by_zero_at_a_cusp | $\dot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: curvature_and_the_speed
 
-One more dot is lost.  Without it the letter is the length of the arc, and then the quotient depends on where the length is
-measured from, and is not bounded near that point unless $K$ is 0 there.
+One more dot is lost.  Without it the letter is the length of the arc.
 :::
 
 :::{claim} printed_letter_spoils_the_curvature
@@ -160,12 +184,13 @@ polynomial and everything can be compared in rational numbers.
 :zh: 拐点的定义
 :definition: yes
 :printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
-:checked-by: curvature_and_torsion_belong_to_arc_length merged_inflections_are_a_cusp
+:checked-by: curvature_and_torsion_belong_to_arc_length turning_of_a_cubic_is_quadratic merged_inflections_are_a_cusp
+:confirmed-by: fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 
 For plane cubics it is what the word says elsewhere, a change from one side of the tangent to the other: a double zero
-of $\dot P\times\ddot P$, without such a change, occurs at cusps and on lines only.  For higher degrees it is not:
-$(t,t^4)$ has $K=0$ at $t=0$ and stays on one side.
+of the quadratic $\dot P\times\ddot P$, without such a change, is a cusp for $A\times B\ne0$, and for $A\times B=0$ it is all of a line.  For higher
+degrees it is not: $(t,t^4)$ has $K=0$ at $t=0$ and stays on one side of its tangent there.
 :::
 
 :::{statement} hu-1987:1-4-inflection-parallel
@@ -305,6 +330,44 @@ CLAIM(turning_of_a_cubic_is_quadratic)
 }
 
 #if RATIONAL
+/*
+:::{claim} fourth_power_has_curvature_zero_on_one_side
+:title: A curve of degree four with curvature 0 where it does not change its side
+:zh: 四次曲线曲率为零而不变凹凸
+:kind: decision
+:given: the curve with the coefficients $c$, from the constant one on, and $t$
+:data: c = (0,0) (1,0) (0,0) (0,0) (0,1); t = 0
+:instead: c = (0,0) (1,0) (0,0) (0,1) (0,0)
+:then: $P'\times P''$ is 0 at $t$ and positive on both sides of it; the curve touches the $x$-axis there and is above it on both sides
+:result: P' × P'' = "12*t^2"
+:method: Signs on the intervals from $-1$ to $t$ and from $t$ to 1 by root counts; the derivative at $t$.
+:control: the third power
+:::
+*/
+CLAIM(fourth_power_has_curvature_zero_on_one_side)
+{
+    enum { degree = 4 };
+    num c[2 * (degree + 1)], D[4], one = from_int(1);
+    given_points(T, "c", degree + 1, 2, c);
+    num t = given(T, "t");
+    poly at[2], speed[2], turn[2];
+    for (int j = 0; j < dim; j++) {
+        at[j] = poly_from_q(degree + 1, (num[]){c[j], c[2 + j], c[4 + j], c[6 + j], c[8 + j]});
+        speed[j] = poly_derivative(at[j]);
+        turn[j] = poly_derivative(speed[j]);
+    }
+    poly turning = poly_sub(poly_mul(speed[0], turn[1]), poly_mul(speed[1], turn[0]));
+    found_text(T, "P' × P''", poly_to_string(turning, "t"));
+    G(power_derivatives)(degree, dim, c, t, 1, D);
+    about(T, "the tangent along the axis");
+    agree(T, is_zero_q(poly_value(turning, t)) && is_zero_q(D[1]) && is_zero_q(D[3]) && !is_zero_q(D[2]));
+    about(T, "the sides");
+    for (int side = 0; side < 2; side++) {
+        num from = side ? t : neg(one), to = side ? one : t;
+        agree(T, sign_on(turning, from, to, OPEN) == SIGN_POSITIVE && sign_on(at[1], from, to, OPEN) == SIGN_POSITIVE);
+    }
+}
+
 /*
 :::{claim} graph_of_a_cubic_turns_linearly
 :title: For the graph of a cubic function the equation of the inflections is linear

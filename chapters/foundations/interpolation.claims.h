@@ -116,31 +116,39 @@ The plainest description needs neither: a curve can be kept as many points, join
 :zh: 点集与折线表示的缺点
 :printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
   pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.
-:reading: polyline_of_a_parabola_needs_many_points | it takes much memory: of a parabola a polyline needs the more points the
-  less it may err, and three coefficients keep it exactly
+:reading: polyline_of_a_parabola_needs_many_points | it takes much memory: a polyline with its corners on a parabola needs the more pieces
+  the less it may err, and three coefficients keep the parabola exactly
 :reading: how much is much, what is inconvenient and what not easy: opinions, which no computation decides
 :figure: through_and_near
 
-Of the three disadvantages the first can be counted: for a tenth of the error more than three times as many points are needed.
+Of the three disadvantages the first can be counted: for a tenth of the error more than three times as many pieces are needed.
 :::
 
 :::{claim} polyline_of_a_parabola_needs_many_points
 :title: A piece of a polyline leaves the parabola by a quarter of the square of its length
 :zh: 折线与抛物线的偏差
-:given: the parabola $y=x^2$ and its chord over $[a,a+h]$, any $a$ and $h$
-:then: half way the chord is $\frac{h^2}4$ above the curve; of $N$ pieces over $[0,1]$ one has $h\ge\frac1N$, so that the error is at least
-  $\frac1{4N^2}$
-:method: An identity in $a$ and $h$.
-:over: a; h
+:given: the parabola $y=x^2$ and its chord over $[a,a+h]$, any $a$, $h$ and $s$; $N$ pieces that are together shorter than $Nh$ by $g$, and one more, of the
+  length $h-d$
+:then: at $a+s$ the chord is $s(h-s)$ above the curve, which is less than $\frac{h^2}4$ by $(\frac h2-s)^2$; the $N+1$ pieces are together shorter than
+  $(N+1)h$ by $g+d$; so of $N$ pieces over $[0,1]$ one is not shorter than $\frac1N$, and the error is at least $\frac1{4N^2}$, and no more when all have one
+  length
+:method: Identities, everything a variable; the pieces by induction, $h$ being the length of the longest, so that no $d$ is negative.
+:over: a; h; s; N g d: -
 :control: the chord from $a$ to $a+2h$
 :::
 */
 CLAIM(polyline_of_a_parabola_needs_many_points)
 {
-    num a = unknown(T, "a", 0), h = unknown(T, "h", 0), half = from_ratio(1, 2);
-    num end = add(a, fault(T, h, add(h, h))), middle = add(a, mul(half, h));
-    num chord = mul(half, add(mul(a, a), mul(end, end)));
-    same(T, sub(chord, mul(middle, middle)), mul(from_ratio(1, 4), mul(h, h))); /* h²/4 */
+    num a = unknown(T, "a", 0), h = unknown(T, "h", 0), s = unknown(T, "s", 0);
+    num end = add(a, fault(T, h, add(h, h))), x = add(a, s), half = mul(from_ratio(1, 2), h);
+    num chord = add(mul(a, a), mul(s, add(a, end))), gap = mul(s, sub(h, s));
+    about(T, "the chord above the curve");
+    same(T, sub(chord, mul(x, x)), gap); /* s (h - s) */
+    same(T, sub(mul(half, half), gap), G(power)(sub(half, s), 2));
+    num N = whole(T, "N", 1, 20), g = positive(T, "g", 0), d = positive(T, "d", 0);
+    num together = add(sub(mul(N, h), g), sub(h, d));
+    about(T, "the length of one piece more");
+    same(T, sub(mul(add(N, from_int(1)), h), together), add(g, d));
 }
 
 #if RATIONAL

@@ -22,11 +22,15 @@ enum { dim = 2, space = 3 };
 :printed: In general the pieces should reach continuity of position, slope and curvature, called $C^0$, $C^1$, $C^2$ continuity, as the case demands.
 :refuted-by: continuous_slope_with_another_speed
 :class: false
-:corrected: Let $P_{\mathrm I}'(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the
   vector of curvature when (1-5-1) to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
-:corrected-by: conditions_make_one_curve_in_another_parameter
-:hypothesis: vanishing_derivatives_hide_a_corner | $P_{\mathrm I}'(1)\ne0$: in the correction; where all derivatives are 0 the
+:corrected-by: conditions_make_one_curve_in_another_parameter equal_unit_tangents_fix_the_ratio condition_keeps_the_curvature_vector
+:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all derivatives are 0 the
   conditions hold at a corner.
+:meant: the definition of $C^r$ in section 1-4 of the same book | $C^0$, $C^1$, $C^2$ say of the derivatives what they say there.
+:reading: continuous_slope_with_another_speed | $C^r$ is what section 1-4 defines
+:reading: $C^0$, $C^1$, $C^2$ are here no more than names of the three properties, by the word "called" (称为): a choice of words, of which nothing is to be
+  decided
 :figure: joints_of_order
 
 By the definition of $C^r$ in section 1-4 the derivatives themselves have to be continuous.
@@ -79,11 +83,15 @@ derivative continuous; the three conditions of the source say what this requires
 :refuted-by: joined_pieces_are_not_closed
 :class: misprint
 :corrected: P_{\mathrm{II}}(0)=P_{\mathrm I}(1)
-:corrected-by: pieces_tend_to_their_ends
+:corrected-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero
+:confirmed-by: pieces_tend_to_their_ends
 :figure: joined_and_closed
 
 One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in
 (1-5-2) and (1-5-3), where this can be understood.
+
+For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ are multiples of $u$, so that the pieces tend to
+$P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$.
 :::
 
 :::{claim} pieces_tend_to_their_ends
@@ -320,8 +328,10 @@ The index $x$ stands for II.  That it suffices is decided here; whether it is ne
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | the conditions before it | $\lambda\ne0$; and $\dot P_{\mathrm I}(1)\ne0$, as in
-  the conditions before it: with $\lambda=0$ the curvature of the second piece need not be bounded.
+:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
+  for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+  I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
 
@@ -480,15 +490,18 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :class: false
 :corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and
   sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the curvature with its sign.
-:corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
-:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; without it the condition does
-  not suffice.
+:corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector second_derivative_splits_along_the_first
+  signed_curvature_is_that_of_the_vector
+:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+  I}(1)\ne0$; as where there is a unit tangent vector: without it the condition does not suffice.
+:meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
+:reading: equal_curvatures_to_different_sides | the curvature is $K$
+:reading: curvature_vector_forces_the_condition | it is the vector of curvature, or in the plane the curvature with its sign
 :needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient of lengths.
 :figure: same_curvature_other_side
 :striking: 43
 
-$K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side,
-or, in space, its osculating plane.
+$K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side.
 :::
 
 :::{claim} equal_curvatures_to_different_sides
@@ -531,7 +544,7 @@ CLAIM(equal_curvatures_to_different_sides)
 :where: neither derivative is 0 at the joint
 :harmless: $\alpha_1,\alpha_2>0$ | the lengths of derivatives that are not 0
 :then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
-:method: An identity with everything a variable.
+:method: An identity with everything a variable.  That every curve has such derivatives is `second_derivative_splits_along_the_first`, divided by $|P'|^2$.
 :over: a#: lengths; u# k#: vectors; m#: numbers μ
 :control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
 :::
@@ -547,6 +560,30 @@ CLAIM(curvature_vector_forces_the_condition)
         /* P_II'' = λ² P_I'' + β P_I' */
         same(T, second, add(mul(square, first), mul(beta, mul(a1, U))));
     }
+}
+
+/*
+:::{claim} signed_curvature_is_that_of_the_vector
+:title: In the plane the vector of curvature is the curvature with its sign times the normal
+:zh: 平面曲线的曲率矢量为带号曲率乘法矢
+:given: $P'\ne0$ and $P''$ of a curve in the $xy$-plane
+:where: neither derivative is 0 at the joint
+:then: $\frac{(P'\times P'')\times P'}{|P'|^4}$ is $\frac{x'y''-x''y'}{|P'|^4}\,(-y',x')$: the curvature with its sign, $\frac{x'y''-x''y'}{|P'|^3}$, times the
+  unit tangent turned to the left by a right angle; so with one unit tangent the one is continuous exactly where the other is
+:method: The vector products in space with the third coordinates 0, everything a variable.
+:over: u# v#: derivatives
+:control: the normal on the other side
+:::
+*/
+CLAIM(signed_curvature_is_that_of_the_vector)
+{
+    num zero = from_int(0), d1[space] = {unknown(T, "u", 0), unknown(T, "u", 1), zero}, k[space];
+    num d2[space] = {unknown(T, "v", 0), unknown(T, "v", 1), zero}, speed = G(norm_squared)(space, d1);
+    num left[space] = {neg(d1[1]), d1[0], zero}, factor = div(G(cross2)(d1, d2), mul(speed, speed));
+    factor = fault(T, factor, neg(factor));
+    G(curvature_vector)(d1, d2, k);
+    for (int j = 0; j < space; j++)
+        same(T, k[j], mul(factor, left[j]));
 }
 
 /*
@@ -635,6 +672,7 @@ printed rows are its four terms.
 :given: any $A,B,C,D$ of space, any $t_0$, $t_1$
 :then: the coefficients by the kernel are the four printed rows
 :method: Each row, everything a variable.
+:degrees: 3..3
 :over: x# y# z#: coefficients; r s: parameter value
 :control: the factor 2 in the place of the 3 of the second row
 :::

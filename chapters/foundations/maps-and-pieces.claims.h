@@ -24,12 +24,13 @@ denominator with it as a weight.
 :printed: Geometric transformations of parametric curves, such as affine and projective ones, are easily carried out.
 :reading: image_of_a_power_curve_is_one | affine ones can be carried out on the coefficients: each is multiplied by one matrix, and one vector is added
 :reading: projective_image_of_a_power_curve_is_rational | so can projective ones: each is multiplied by one matrix, and the point is divided
+:reading: projective_image_is_not_the_curve_of_the_images | so can projective ones on control points, each mapped for itself: not unless they are
+  homogeneous
 :reading: what is easy: an opinion, which no computation decides
 :figure: projective_image_of_a_parabola
 
-The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.  Control
-points, of which the section does not speak yet, cannot be mapped so by a projective map, unless they are homogeneous:
-`projective_image_is_not_the_curve_of_the_images`.
+The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.  Of control points the section does not
+speak yet.
 :::
 
 :::{claim} projective_image_of_a_power_curve_is_rational
@@ -42,6 +43,7 @@ points, of which the section does not speak yet, cannot be mapped so by a projec
 :method: Both sides with everything a variable; by induction for any number of terms.  A polynomial curve has $1$ for the last coordinate of $c_0$ and
   $0$ for that of the others.
 :degrees: all
+:scope: polynomial curves
 :over: s# x#: coefficients; p: t; t#: matrices
 :control: the last coordinate of the new coefficient left out of the denominator
 :::
@@ -125,6 +127,7 @@ them.
   shape and raising the degree of the curve, or by keeping the shape and dividing the curve.
 :holds-by: bernstein_raised_by_one_degree bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers
 :confirmed-by: elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
+:meant: the words, that the degree is raised (使曲线的次数增大) | The curves have a degree: they are polynomial ones.
 
 What is decided is that both are possible, in every degree, and keep the shape.  There are more coefficients then to adjust.
 :::

@@ -33,9 +33,13 @@ radii that a screen has the two are nearly the same; for the smallest ones they 
 :corrected: For $r\sin\theta=1$ the points are $\sqrt{1+\tan^2\frac\theta2}>1$ apart; they are one pixel apart for
   $2r\sin\frac\theta2=1$, that is $\cos\theta=1-\frac1{2r^2}$.
 :corrected-by: distance_of_the_first_two_points
+:confirmed-by: distance_of_the_third_way_tends_to_a_pixel
+:meant: the words, the distance of the two points (二点之间的距离), with nothing added | The distance along a straight line.
+:reading: unit_height_is_not_unit_distance | the distance along a straight line
+:reading: larger_difference_is_the_height | the distance in the rows and columns of a screen, the larger of the two differences of the coordinates
 :figure: step_of_the_third_way
 
-The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of a pixel.
+The difference vanishes for large $r$: the square of the distance is less than $1+\frac1{r^2}$.
 :::
 */
 
@@ -101,6 +105,54 @@ CLAIM(distance_of_the_first_two_points)
     about(T, "the distance one");
     /* 2r² (1 - cos θ) - 1 = 2r² (1 - 1/(2r²) - cos θ) */
     same(T, sub(square, one), mul(mul(from_int(2), rr), sub(wanted, angle.cos)));
+}
+
+/*
+:::{claim} distance_of_the_third_way_tends_to_a_pixel
+:title: For large radii the distance is nearly one pixel
+:zh: 半径很大时距离趋于一个象素
+:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $r=\frac1{\sin\theta}$
+:then: $\frac1{r^2}-a^2=\frac{a^2(1-a^2)(3+a^2)}{(1+a^2)^2}>0$; so the square of the distance, $1+a^2$, is between 1 and $1+\frac1{r^2}$
+:method: An identity in $a$, and the signs of coefficients for $a=\frac\alpha{1+\alpha}$, $\alpha>0$.
+:scope: 0 < θ < π/2
+:over: a: -
+:control: $2+a^2$ in the place of $3+a^2$
+:::
+*/
+CLAIM(distance_of_the_third_way_tends_to_a_pixel)
+{
+    num a = inside(T, "a"), aa = mul(a, a), one = from_int(1), below = add(one, aa);
+    num sine = G(turn_by)(a).sin; /* 1/r */
+    num factor = add(from_int(fault(T, 3, 2)), aa), gap = div(mul(aa, mul(sub(one, aa), factor)), mul(below, below));
+    same(T, sub(mul(sine, sine), aa), gap);
+    nonnegative(T, gap);
+}
+
+/*
+:::{claim} larger_difference_is_the_height
+:title: Of the differences of the coordinates of the first two points the height is the larger one
+:zh: 首两点坐标差以高度为大
+:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $A_0=(r,0)$, $r=\frac1{\sin\theta}$
+:then: the differences of the coordinates are $r-r\cos\theta=a$ and $r\sin\theta=1$; $0<a<1$, so that the larger one is 1
+:method: The point by the rotation, in the field, $a=\frac\alpha{1+\alpha}$, $\alpha>0$.
+:scope: 0 < θ < π/2
+:over: a: -
+:control: the sum of the two
+:::
+*/
+CLAIM(larger_difference_is_the_height)
+{
+    num a = inside(T, "a"), one = from_int(1), M[4], next[2];
+    struct G(turn) angle = G(turn_by)(a);
+    num first[2] = {div(one, angle.sin), from_int(0)};
+    G(rotation)(angle, M);
+    G(row_times)(first, M, next);
+    num across = sub(first[0], next[0]);
+    about(T, "the difference of the abscissas");
+    same(T, across, a);
+    nonnegative(T, sub(one, a));
+    about(T, "the larger difference");
+    same(T, fault(T, next[1], add(next[1], across)), one);
 }
 
 /*

@@ -131,9 +131,12 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :printed: In CAGD the lowest degree of parametric curves given by polynomials is three.
 :refuted-by: quadratic_curve_is_in_use
 :class: false
-:corrected: Three is the lowest degree of a polynomial curve that leaves every plane, and of a plane one, no line, with an inflection.
+:corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones, no lines, with an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
-:hypothesis: lines_of_lower_degree_have_curvature_zero | in the correction the curve is no line: a line has curvature 0
+:meant: the words, curves given by polynomials, with nothing added | All polynomial curves that are in use.
+:reading: quadratic_curve_is_in_use | of all polynomial curves
+:reading: quadratics_are_plane_and_turn_to_one_side | of those that leave every plane, or are no lines and have an inflection: of a lower degree there are none
+:hypothesis: lines_of_lower_degree_have_curvature_zero | the curve with an inflection is no line: in the correction; a line has curvature 0
   everywhere.
 :figure: degrees_two_and_three
 
@@ -344,6 +347,7 @@ claims carries no values at all and counts the operations of the very kernel tha
 :zh: 乘法次数由六次减为三次
 :printed: So the number of multiplications in computing is reduced from the former 6 to 3.
 :holds-by: multiplications_are_six_and_three
+:confirmed-by: multiplications_with_kept_powers
 :meant: the count of 6, which only powers multiplied out one by one have | The powers of $At^3+Bt^2+Ct+D$ are multiplied out one by one, and one
   coordinate is counted.
 :reading: multiplications_are_six_and_three | powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot

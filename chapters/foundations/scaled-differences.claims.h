@@ -23,7 +23,7 @@ step, which makes them as large as the coefficients, and begins the table with t
 :holds-by: third_difference_loses_three_bytes
 :meant: the next line takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, so that their digits are
   not lost | Against the coefficients of the curve the differences are small.
-:reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0, for every $\delta$
+:reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
 :reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
 :reading: third_difference_exceeds_the_first | from the third on, against the differences before it
 :figure: forward_differences
@@ -142,6 +142,7 @@ belongs to the first, the formulas that stand above the sentence to the second.
 :zh: 差分矩阵
 :printed: Written as a matrix, the formulas above give the $4\times3$ matrix of differences (1-4-5).
 :holds-by: scaled_table_is_as_printed
+:confirmed-by: step_multiplies_by_a_square_matrix
 :meant: the formula (1-4-5) that follows, and the number $4\times3$ | The differences at $t=0$ as rows, each with the three coordinates of space.
 :figure: forward_differences
 
@@ -184,11 +185,11 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :zh: 步长为 2 的幂时高速计算
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions table_after_any_number_of_steps
-:confirmed-by: stepping_reaches_the_other_end
+:confirmed-by: stepping_reaches_the_other_end table_is_whole_in_units_of_the_cube stepping_is_exact_for_short_coefficients
 :meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
   in the place of products.
-:hypothesis: short_words_lose_the_end | the words are long enough; they are with $3m$ binary places more than the coefficients
-  have.  Binary64 has them for coefficients of 20 bits and $m=8$; words with 16 places have not.
+:hypothesis: short_words_lose_the_end | the words are long enough; with $3m$ binary places more than the coefficients have they hold every row exactly,
+  `table_is_whole_in_units_of_the_cube`.  Words with 16 places may lose the end.
 :figure: stepping_and_rounding
 :::
 
@@ -200,6 +201,30 @@ $n$, the differences are rounded before the first step, and an error of $\Delta^
 the way.  How large it is depends on how the table is begun: differences of rounded points inherit the roundoff of the
 points, and the rows of (1-4-5) only that of their own, small, size.
 
+:::{claim} table_is_whole_in_units_of_the_cube
+:title: The table of a cubic has 3m binary places more than its coefficients, and needs no more
+:zh: 差分表比系数多 3m 位
+:given: $\delta=\frac1N$, any $N>0$, as $N=2^m$; any coefficients of degree 3
+:then: $N^3$ times the four rows are $N^3D$, $A+BN+CN^2$, $6A+2BN$ and $6A$; so where the coefficients are whole in units of $2^{-b}$ the rows are whole in
+  units of $2^{-b-3m}$, and remain so, as only sums are formed
+:method: The kernel's table, everything a variable; the polynomials in $N$ have whole coefficients.
+:over: N: -; x#: coefficients
+:control: $N^2$ in the place of $N^3$
+:::
+*/
+CLAIM(table_is_whole_in_units_of_the_cube)
+{
+    num c[4], d[4], N = positive(T, "N", 0), NN = mul(N, N), cube = mul(NN, fault(T, N, from_int(1)));
+    G(free_points)(T, 3, 1, c);
+    G(power_differences)(3, 1, c, div(from_int(1), N), d);
+    num six_A = mul(from_int(6), c[3]);
+    num rows[4] = {mul(cube, c[0]), add(add(c[3], mul(c[2], N)), mul(c[1], NN)),
+                   add(six_A, mul(from_int(2), mul(c[2], N))), six_A};
+    for (int k = 0; k < 4; k++)
+        same(T, mul(cube, d[k]), rows[k]);
+}
+
+/*
 :::{claim} stepping_reaches_the_other_end
 :title: After as many steps as there are pieces the table is at the other end
 :zh: 差分法到达终点

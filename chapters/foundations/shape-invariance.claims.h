@@ -169,6 +169,7 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
 :corrected: The curve is the segment $P_0P_1$ exactly when the origin is on this segment.  $P(t)$ is on the line through $P_0\ne P_1$
   for a $t$ of $(0,1)$ exactly when the origin is on this line: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$.
 :corrected-by: two_cubes_miss_the_chord_by_a_product two_cubes_fill_segments_with_the_origin
+  two_cubes_from_the_origin_trace_the_segment
 :figure: two_cubes_and_their_image
 
 The conclusion is true for the printed points and the reason given for it is not one: two lines further down the source
@@ -241,8 +242,8 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
   $p_0=p$, $p_1=p+q$, $f'(0)$ is three times $-p<0$, so the curve begins by leaving the segment; for $p_0=a_0$, $p_1=a_1$ the value $f(s)$
   is outside $[a_0,a_1]$
 :result: f(s) = 3/8
-:method: The derivative by the definition.  $p_0=p_1=p$ is $q=0$ in the second; a point in the origin is the claim above; the other cases are
-  these with another direction of the line, or with $t$ and $1-t$ exchanged.
+:method: The derivative by the definition.  $p_0=p_1=p$ is $q=0$ in the second; a point in the origin is
+  `two_cubes_from_the_origin_trace_the_segment`; the other cases are these with another direction of the line, or with $t$ and $1-t$ exchanged.
 :scope: 0 < t < 1; all points on a line through the origin
 :over: p q: -; t: -
 :control: $p_0=p$ in the first case
@@ -302,7 +303,8 @@ origin, and that is what the formula draws.
 :given: the printed coordinates $P$ and $P^*$ of the two points
 :data: P = (0,0) (10,10); P* = (-3,-2) (7,8)
 :instead: P* = (-3,-2) (7,6)
-:then: $P_i-P_i^*$ is the same for both points: it is the new origin $O^*$, and the axes keep their directions
+:then: $P_i-P_i^*$ is the same for both points: a translation, which moves the origin to $O^*$ and keeps the directions of the axes, makes the ones
+  of the others
 :result: O* = (3,2)
 :method: Both differences, in integers.
 :control: another ordinate of $P_1^*$
@@ -416,11 +418,12 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :printed: (1-2-1) does not satisfy the condition of coordinate independence, that is, of the invariance of shape, so that it is not proper to
   describe shapes by it.
 :holds-by: two_cubes_from_the_origin_trace_the_segment image_of_the_example_turns_everywhere new_coordinates_are_a_translation
-:confirmed-by: image_of_the_example_is_not_the_translated_curve
+:confirmed-by: image_of_the_example_is_not_the_translated_curve translation_adds_the_sum_of_the_functions matrices_pass_to_the_points
 :figure: two_cubes_and_their_image
 
 For the source's own points and translation the curve is a segment in the one system and, in the other, an arc that turns everywhere: the shape
-is another.  For other factors, of the sum 1, (1-2-1) is independent of the coordinates; the sentence is about $(1-t)^3$ and $t^3$.
+is another.  For other factors, of the sum 1, a matrix or a translation applied to the points is applied to the curve; the sentence is about $(1-t)^3$ and
+$t^3$.
 :::
 
 :::{claim} image_of_the_example_is_not_the_translated_curve
@@ -633,8 +636,9 @@ CLAIM(doubled_functions_keep_the_shape)
 :printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
 :holds-by: translation_adds_the_sum_of_the_functions
 :hypothesis: shape_is_kept_without_the_sum_one | the curve goes where its points go, $P^*(t)=P(t)+m$.  To keep its shape, of
-  which the section speaks, a constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the
-  curve is a point, and its image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
+  which the section speaks, a constant sum $s$ is enough, since $P^*(t)=P(t)+s\,m$, and necessary: with all $Q_i=0$ the
+  curve is a point, and its image $\{s(t)\,m\}$ is one only if $s$ is constant.
+:confirmed-by: doubled_functions_keep_the_shape
 :figure: sums_of_functions
 :::
 */
@@ -729,6 +733,7 @@ its values; section 1-2 has moved control points, which is another thing.
 :holds-by: image_of_a_power_curve_is_one
 :hypothesis: image_keeps_no_chord | functions that are not moved with the points have the sum 1: the relation of Cauchy.  The
   curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
+:confirmed-by: turned_graph_is_no_graph
 :figure: two_cubes_and_their_image
 
 A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.
@@ -744,6 +749,7 @@ As a vector function the curve is mapped to $P(t)\,T+m$, which is one of the sam
 :then: $(S+cp)\,T+m=(ST+m)+(cT)\,p$; so $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
 :method: Both sides with everything a variable; by induction for any number of terms.
 :degrees: all
+:scope: polynomial curves
 :over: s# x# y# z#: coefficients; p: t; t#: matrices; m#: translations
 :control: $m$ added to the new coefficient as well
 :::

@@ -22,7 +22,8 @@ the second way: the determinant becomes 1, the points no longer drift, and the s
 :::{statement} hu-1987:1-3-second-matrix
 :title: The matrix of the second way
 :zh: 第二种方法的矩阵
-:printed: $P_{n+1}=P_nT$ with $T=\begin{pmatrix}1&\varepsilon\\-\varepsilon&1-\varepsilon^2\end{pmatrix}$
+:printed: $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+(1-\varepsilon^2)y_n$, in matrices $P_{n+1}=P_nT$ with the $2\times2$ matrix
+  $T=\begin{pmatrix}1&\varepsilon\\-\varepsilon&1-\varepsilon^2\end{pmatrix}$
 :holds-by: second_step_uses_the_new_abscissa
 :figure: ellipse_of_the_second_way
 :::
@@ -63,10 +64,12 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
   $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta-2r\sin\frac{\Delta\theta}2\sin(\theta+\frac{\Delta\theta}2)=x_n-\varepsilon y_n$,
   $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon
   x_{n+1}$
-:holds-by: second_orbit_has_equal_angles
-:needs: second_step_of_two_has_no_angle | $\varepsilon=2\sin(\Delta\theta/2)$ is said of an angle | $0<\varepsilon<2$;
-  otherwise there is no such angle
+:holds-by: second_orbit_has_equal_angles second_step_is_a_rotation_in_other_coordinates
+:needs: second_step_of_two_has_no_angle | $\varepsilon=2^{-m}$, $m$ a positive whole number, from (1-3-4) on | $|\varepsilon|<2$: then every point can be written
+  so; for $\varepsilon=2$ it would be $\Delta\theta=\pi$ and $y_n=x_n$
 :figure: ellipse_of_the_second_way
+
+The equations are true of all angles and radii.  That the step is described by them asks for an angle and a radius to every point.
 :::
 
 :::{claim} second_orbit_has_equal_angles
@@ -98,6 +101,34 @@ CLAIM(second_orbit_has_equal_angles)
     same(T, next[1], mul(r, last.sin));
     /* r sin(θ + 3Δθ/2) = r sin(θ + Δθ/2) + 2r sin(Δθ/2) cos(θ + Δθ) */
     same(T, mul(r, last.sin), add(mul(r, one.sin), mul(mul(twice_r, delta.sin), full.cos)));
+}
+
+/*
+:::{claim} second_step_is_a_rotation_in_other_coordinates
+:title: With one of its coordinates changed the step of the second way is a rotation, from every point
+:zh: 换坐标后第二种方法为旋转
+:given: any point $(x,y)$, any $\delta=\frac{\Delta\theta}2$ with the tangent $b$ of its half, $\varepsilon=2\sin\delta$, $|\varepsilon|<2$
+:where: $|\varepsilon|<2$
+:let: $X=x$ and $Y=\frac{y-x\sin\delta}{\cos\delta}$
+:then: $y=X\sin\delta+Y\cos\delta$, so that for $X=r\cos\theta$, $Y=r\sin\theta$ the point is $(r\cos\theta,r\sin(\theta+\delta))$; the step takes $(X,Y)$ to
+  $(X\cos\Delta\theta-Y\sin\Delta\theta,\,X\sin\Delta\theta+Y\cos\Delta\theta)$
+:method: The step on $(x,y)$, and the two coordinates of the result; $x$, $y$, $b$ variables.  Every $(X,Y)$ has an $r$ and a $\theta$.
+:over: x y: point; b: angle but π
+:control: $\varepsilon=\sin\delta$
+:::
+*/
+CLAIM(second_step_is_a_rotation_in_other_coordinates)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, b = parameter(T, "b"), M[4];
+    struct G(turn) delta = G(turn_by)(b), full = G(turn_by)(G(half_of_sum)(b, b));
+    num X = P[0], Y = div(sub(P[1], mul(P[0], delta.sin)), delta.cos);
+    about(T, "y from the new coordinates");
+    same(T, add(mul(X, delta.sin), mul(Y, delta.cos)), P[1]);
+    G(second_step)(mul(from_int(fault(T, 2, 1)), delta.sin), M);
+    G(steps)(1, M, Q);
+    about(T, "the coordinates after a step");
+    same(T, Q[0], sub(mul(X, full.cos), mul(Y, full.sin)));
+    same(T, div(sub(Q[1], mul(Q[0], delta.sin)), delta.cos), add(mul(X, full.sin), mul(Y, full.cos)));
 }
 
 #if RATIONAL
@@ -225,6 +256,7 @@ of second order, and both are half the sine to first order.
 :printed: If $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$, then $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse
   and the exact circle.
 :holds-by: ellipse_lies_between_two_circles
+:confirmed-by: inward_error_of_the_ellipse_is_larger
 :meant: the formula itself, in which $\cos\frac{\Delta\theta}2\big/\sqrt{1-\sin\frac{\Delta\theta}2}$ is the largest radius of the ellipse over $r$ | The
   error is counted outwards, relative to $r$.
 :reading: ellipse_lies_between_two_circles | the largest distance outwards

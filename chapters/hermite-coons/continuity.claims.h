@@ -121,7 +121,7 @@ CLAIM(equal_limits_do_not_make_a_continuous_function)
   are 0 below the order $k$, and $k!\,r(x_0)$ in the order $k$, those of $hs$ are 0 below the order $k+1$, and $(k+1)!\,r(x_0)$ there: so it is for
   $(x-x_0)^{k+1}r(x)$, by induction over $k$, and $p$ and $p+(x-x_0)^{k+1}r$ have the same derivatives at $x_0$ up to the order $k$.  By Taylor's
   formula every polynomial with these equalities is of this form.
-:scope: every order k
+:scope: every order
 :over: s#: derivatives; j: -; x#: x₀
 :control: the factor $j$ in the place of $j+1$
 :::
@@ -183,13 +183,11 @@ is no way in either direction: the figure does not know how fast it is run throu
 :meant: the words "of the function" (该函数的图形), and "are continuous" | From the class to the figure, for graphs.
 :reading: curvature_of_a_graph | from the class to the figure, for graphs
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs
-:reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: the tangent may turn
-  back
+:reading: tangent_turns_back_at_a_smooth_parameter | from the class to the figure, for curves with a parameter: where $P'=0$, which graphs never have, the
+  tangent may turn back
 :reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter
 :figure: upright_cube_root
 
-A curve with a parameter needs $P'\ne0$, which graphs always have: without it the tangent may turn back,
-`tangent_turns_back_at_a_smooth_parameter`.
 A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
 $f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
 $(1+f'^2)^{3/2}$.
@@ -302,8 +300,6 @@ That is why a second kind of continuity is defined, by the one parameter that be
 :zh: 几何连续性 G^k 的定义
 :printed: Two segments are continuous of order $k$ geometrically, $G^k$, when their parametrizations by arc length are $C^k$ at the joint.
 :definition: yes
-
-Derivatives by the arc length are found from those by another parameter where $P'\ne0$.
 :::
 
 :::{statement} slides-ch4:1-g0
@@ -438,6 +434,7 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :class: false
 :corrected: $Q'=\lambda P'$ and $Q''=\lambda^2P''+\beta P'$ with $\lambda>0$ and any $\beta$, $P'\ne0$
 :corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
+  second_derivative_splits_along_the_first
 :figure: proportional_derivatives
 :striking: 44
 

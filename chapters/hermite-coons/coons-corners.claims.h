@@ -214,8 +214,8 @@ must come out.  That it holds with several choices is due to symmetries: where a
 
 The signs are lost and have been put back by computation: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
 values, all 48 of them.  Few choices fit: 2 of 4096 for $x$, 4 of 4096 for $y$, 4 of 256 for $z$.  Those for $x$ differ by the sign of all
-derivatives with respect to $w$.  In $z$ the sign of these derivatives and that of the twists are free; in $y$ that of the
-derivatives with respect to $u$ and that of the twists.  The numbers alone leave 32 readings, and no misprint.
+derivatives with respect to $w$, the twists among them.  In $z$ the sign of the tangents along $w$ and that of the twists are free; in $y$ that of the
+tangents along $u$ and that of the twists.  The numbers alone leave 32 readings, and no misprint.
 :::
 */
 
@@ -228,43 +228,72 @@ derivatives with respect to $u$ and that of the twists.  The numbers alone leave
 :data: |M_x| = 0 0 1 1 1 1 1 1 1 1 1 1 1 1 1 1; |C_x| = 4 4 0 0 6 5 1 0 0 1 1 1 0 1 1 0
 :data: |M_y| = 0 1 1 1 0 1 1 1 1 1 1 1 1 1 1 1; |C_y| = 0 0 0 0 0 1 1 1 0 1 1 1 0 0 1 0
 :data: |M_z| = 0 0 1 1 0 0 1 1 0 0 1 1 0 0 1 1; |C_z| = 0 0 0 0 0 1 1 0 0 1 1 0 2 3 1 0; choices = 2 4 4; free signs = 12 12 8
+:data: blocks = 2 3 1 3 2 3
 :instead: |C_x| = 4 4 0 0 6 4 1 0 0 1 1 1 0 1 1 0; |C_y| = 0 0 0 0 0 0 1 1 0 1 1 1 0 0 1 0
 :instead: |C_z| = 0 0 0 0 0 0 1 0 0 1 1 0 2 3 1 0
 :given: the absolute values of the three corner matrices $M$ and of the three matrices $C$ of coefficients, row by row, in units of three quarters; the
-  coordinates of the corners are not negative, as printed; all choices of the other signs
-:then: $|HMH^T|$ is the printed matrix for exactly as many choices of the free signs as are given for $x$, $y$ and $z$
-:method: All choices, in integers.
+  coordinates of the corners are not negative, as printed; all choices of the other signs; for each of $x$, $y$, $z$ two of the blocks of $M$, of which block 1 has
+  the tangents along $u$, 2 those along $w$, 3 the twists
+:then: $|HMH^T|$ is the printed matrix for exactly as many choices of the free signs as are given for $x$, $y$ and $z$; from one that fits the others
+  are found by changing the signs of whole blocks: for $x$ of both together, for $y$ and $z$ of either
+:method: All choices, in integers; each that fits once more with the signs of its blocks changed.
 :control: in each $C$ the second entry of the second row is one unit less
 :::
 */
+/* Whether |H N H^T| = C. */
+static int fits_the_coefficients(const int N[16], const int C[16])
+{
+    int left[16], fits = 1;
+    for (int i = 0; i < 16; i++) {
+        left[i] = 0;
+        for (int k = 0; k < 4; k++)
+            left[i] += G(printed_matrix)(i / 4, k) * N[4 * k + i % 4];
+    }
+    for (int i = 0; i < 16 && fits; i++) {
+        int sum = 0;
+        for (int k = 0; k < 4; k++)
+            sum += left[4 * (i / 4) + k] * G(printed_matrix)(i % 4, k);
+        fits = (sum < 0 ? -sum : sum) == C[i];
+    }
+    return fits;
+}
+
+/* Whether |H N H^T| = C also with the signs of a block of N, or of two, changed.  Block 0 has the corners, 1 the tangents along u, 2
+ * those along w, 3 the twists. */
+static int fits_with_blocks_changed(const int N[16], const int C[16], int block, int other)
+{
+    int changed[16];
+    for (int i = 0; i < 16; i++) {
+        int of_i = i / 8 + 2 * (i % 4 / 2);
+        changed[i] = of_i == block || of_i == other ? -N[i] : N[i];
+    }
+    return fits_the_coefficients(changed, C);
+}
+
 /* How many choices of signs of the entries of M, the four coordinates of corners excepted, have |H M H^T| = C.  *free_signs is the
- * number of entries that are not 0 and whose sign is free. */
-static int fitting_signs(const int M[16], const int C[16], int *free_signs)
+ * number of entries that are not 0 and whose sign is free; *by_blocks is 1 if every choice that fits does so with the signs of the two
+ * blocks changed: of either, or, if `together`, of both. */
+static int fitting_signs(const int M[16], const int C[16], const int blocks[2], int together, int *free_signs,
+                         int *by_blocks)
 {
     int place[16], count = 0, fitting = 0;
+    *by_blocks = 1;
     for (int i = 0; i < 16; i++)
         if (M[i] != 0 && !(i / 4 < 2 && i % 4 < 2))
             place[count++] = i;
     *free_signs = count;
     for (int signs = 0; signs < 1 << count; signs++) {
-        int N[16], left[16], fits = 1;
+        int N[16];
         for (int i = 0; i < 16; i++)
             N[i] = M[i];
         for (int k = 0; k < count; k++)
             if (signs >> k & 1)
                 N[place[k]] = -M[place[k]];
-        for (int i = 0; i < 16; i++) {
-            left[i] = 0;
-            for (int k = 0; k < 4; k++)
-                left[i] += G(printed_matrix)(i / 4, k) * N[4 * k + i % 4];
-        }
-        for (int i = 0; i < 16 && fits; i++) {
-            int sum = 0;
-            for (int k = 0; k < 4; k++)
-                sum += left[4 * (i / 4) + k] * G(printed_matrix)(i % 4, k);
-            fits = (sum < 0 ? -sum : sum) == C[i];
-        }
-        fitting += fits;
+        if (!fits_the_coefficients(N, C))
+            continue;
+        fitting++;
+        for (int k = 0; k < 2; k++)
+            *by_blocks &= fits_with_blocks_changed(N, C, blocks[k], blocks[together ? 1 - k : k]);
     }
     return fitting;
 }
@@ -273,19 +302,23 @@ CLAIM(signs_of_the_worked_patch)
 {
     static const char *const name[3][3] = {
         {"|M_x|", "|C_x|", "choices for x"}, {"|M_y|", "|C_y|", "choices for y"}, {"|M_z|", "|C_z|", "choices for z"}};
-    num choices[3], signs[3];
+    num choices[3], signs[3], blocks[6];
     given_points(T, "choices", 3, 1, choices);
+    given_points(T, "blocks", 6, 1, blocks);
     given_points(T, "free signs", 3, 1, signs);
     for (int axis = 0; axis < 3; axis++) {
         num M[16], C[16];
-        int corners[16], coefficients[16], tried;
+        int corners[16], coefficients[16], tried, by_blocks;
         given_points(T, name[axis][0], 16, 1, M);
         given_points(T, name[axis][1], 16, 1, C);
         for (int i = 0; i < 16; i++)
             corners[i] = (int)to_double_q(M[i]), coefficients[i] = (int)to_double_q(C[i]);
-        int fitting = fitting_signs(corners, coefficients, &tried);
+        int of_axis[2] = {(int)to_double_q(blocks[2 * axis]), (int)to_double_q(blocks[2 * axis + 1])};
+        int fitting = fitting_signs(corners, coefficients, of_axis, axis == 0, &tried, &by_blocks);
         about(T, name[axis][2]);
         agree(T, equal_q(from_int(fitting), choices[axis]));
+        about(T, "the choices that fit, by blocks");
+        agree(T, by_blocks);
         about(T, "the number of signs that are free");
         same(T, from_int(tried), signs[axis]);
     }

@@ -36,8 +36,11 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :definition: yes
 :printed: $f_0(t)$ and $f_1(t)$, $0\le t\le1$, are continuous, $f_0(0)=1$, $f_0(1)=0$, $f_1(0)=0$, $f_1(1)=1$, and $f_0(t)+f_1(t)=1$
 :checked-by: four_curves_are_borders shifted_frame_shifts_the_patch_by_a_product
+:confirmed-by: linear_interpolation_runs_along_straight_lines
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | the blending functions have
   the printed values at the ends: without them the borders are lost
+:needs: blendings_without_sum_one_move_the_patch | the conditions printed with the functions | the blending functions have the
+  sum 1: with it the patch moves with its frame, without it it need not
 :needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the blending functions have the
   sum 1: with it the curves between opposite borders stay on the line of two points, without it they need not
 :figure: boolean_sum
@@ -306,10 +309,10 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
   $f_0(1)=f_1(0)=0$
+:confirmed-by: shifted_frame_shifts_the_patch_by_a_product
 :figure: boolean_sum
 
-The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its frame:
-`blendings_without_sum_one_move_the_patch`.
+The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its frame.
 :::
 
 :::{statement} slides-ch4:3-corner-points

@@ -17,9 +17,8 @@ serves for existence and uniqueness, the system being square.
 :zh: 一般 Hermite 插值问题
 :printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
   $N=m_0+m_1+\dots+m_k-1$
-:holds-by: hermite_interpolant_exists_and_is_unique
-:argued: every N | Two solutions differ by a polynomial of degree at most $N$ that has $N+1$ zeros, counted with
-  multiplicity, and so is 0; the system is square, and with one solution for the data 0 it has one for all data.
+:holds-by: one_more_datum_determines_one_more_coefficient a_factor_raises_the_order_of_a_zero
+:confirmed-by: hermite_interpolant_exists_and_is_unique
 :hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
@@ -99,6 +98,33 @@ CLAIM(hermite_interpolant_exists_and_is_unique)
         for (int k = 0; k <= N; k++)
             same(T, c[k], p.c[k]);
     }
+}
+
+/*
+:::{claim} one_more_datum_determines_one_more_coefficient
+:title: With one datum more a polynomial of one degree more has one coefficient more, and one only
+:zh: 每增一个型值恰确定一个新系数
+:given: the first $M$ data, and one more, $f$; a polynomial $p$ of degree less than $M$ with the first data, and the value $p'$ of the next datum for $p$; a polynomial
+  $\omega$ of degree $M$ for which the first data are 0 and the next one is $w\ne0$; any coefficient $e$
+:harmless: $w\ne0$ | it is $j!$ times a product of differences of different nodes
+:then: for $p+e\,\omega$ the next datum is $f+w\,(e-c)$ with $c=\frac{f-p'}w$: it is right for $e=c$, and for no other $e$
+:method: An identity, everything a variable; then induction over the data.  $\omega$ is the product of the factors $t-t_i$, each as often as data of the
+  node $t_i$ are among the first; with $j$ factors of the next node, by `a_factor_raises_the_order_of_a_zero`, the derivatives of $\omega$ there
+  are 0 below the order $j$, and that of order $j$ is $j!$ times the product of the other factors, which is not 0 when the nodes are different.
+  The products for $M=0,\dots,N$ have the degrees $0,\dots,N$, so that every polynomial of degree at most $N$ is a sum of their multiples.
+:scope: every N
+:over: f p e w: -
+:control: $c$ with the other sign
+:::
+*/
+CLAIM(one_more_datum_determines_one_more_coefficient)
+{
+    num f = unknown(T, "f", 0), p = unknown(T, "p", 0), e = unknown(T, "e", 0), w = positive(T, "w", 0);
+    num c = div(fault(T, sub(f, p), sub(p, f)), w);
+    about(T, "the next datum with the coefficient c");
+    same(T, add(p, mul(c, w)), f);
+    about(T, "the next datum with any coefficient");
+    same(T, add(p, mul(e, w)), add(f, mul(w, sub(e, c))));
 }
 
 #if RATIONAL
@@ -326,6 +352,7 @@ CLAIM(cubic_coefficients_by_monomials)
 :class: misprint
 :corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
+:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: square_without_its_prime
 
 The primes are lost in the text we have, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in

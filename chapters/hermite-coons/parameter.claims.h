@@ -152,10 +152,11 @@ an equation without a parameter.
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
 :reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has
   none
+:confirmed-by: nodal_cubic_has_an_equation
 :reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
 :figure: graphs_and_axes
 
-An equation $f(x,y)=0$ a curve that crosses itself may have, as here, and the slides do not say that it has not: `nodal_cubic_has_an_equation`.
+An equation $f(x,y)=0$ this curve has, and the slides do not say that it has not.
 :::
 */
 
@@ -164,13 +165,13 @@ An equation $f(x,y)=0$ a curve that crosses itself may have, as here, and the sl
 :::{claim} nodal_cubic_has_an_equation
 :title: The cubic that crosses itself has an equation
 :zh: 自交三次曲线的隐式方程
-:kind: counterexample
+:kind: decision
 :data: c = (-1,0) (0,-1) (1,0) (0,1); e = 1
 :instead: e = -1
 :result: y^2 - x^2 (x + e) = "0"
 :given: the cubic $P(t)=\sum_kc_kt^k$, and the equation $y^2=x^2(x+e)$
 :then: $y^2-x^2(x+e)$ is 0 along the curve, for every $t$
-:method: The difference as a polynomial in $t$; that it is not 0 is refuted.
+:method: The difference as a polynomial in $t$.
 :control: $e$ with the other sign
 :::
 */
@@ -184,8 +185,8 @@ CLAIM(nodal_cubic_has_an_equation)
     poly X = poly_from_q(4, x), Y = poly_from_q(4, y), factor = poly_add(X, poly_constant(e));
     poly difference = poly_sub(poly_mul(Y, Y), poly_mul(poly_mul(X, X), factor));
     found_text(T, "y^2 - x^2 (x + e)", poly_to_string(difference, "t"));
-    about(T, "whether the difference is not 0");
-    refute(T, poly_is_zero(difference));
+    about(T, "whether the difference is 0");
+    agree(T, poly_is_zero(difference));
 }
 
 /*
@@ -297,21 +298,43 @@ of its cylinders, and for a circle that is tilted against all three axes and any
 :zh: 空间曲线与两张柱面的交线
 :printed: Explicit equations without a parameter describe plane curves only; a space curve has to be defined as the intersection of two
   cylinders.
-:holds-by: graphs_over_one_axis_meet_in_one_curve
-:argued: all functions f and g | The points $(t,f(t),g(t))$ satisfy both equations, and of the points with $x=t$ no other does.
+:holds-by: both_equations_hold_at_one_point
 :hypothesis: closed_curve_is_no_pair_of_graphs | each value of one coordinate has one point: explicit equations $y=f(x)$,
   $z=g(x)$ are that, or those of another coordinate
 :hypothesis: no_two_projections_give_the_circle | the curve is all that the cylinders over two of its projections have in
   common; for some curves no choice of two will do
+:hypothesis: two_cylinders_hold_more_than_the_curve | the curve is all that the cylinders over two of its projections have in
+  common: for others two projections will do and two others will not
+:confirmed-by: graphs_over_one_axis_meet_in_one_curve two_cylinders_are_two_ellipses two_cylinders_of_the_circle_hold_an_ellipse
 :figure: two_cylinders
 
-The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse,
-`two_cylinders_hold_more_than_the_curve`: the ellipses of $z=y$ and of $z=-y$, `two_cylinders_are_two_ellipses`.  Two of the cylinders of the
+The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse:
+the ellipses of $z=y$ and of $z=-y$, `two_cylinders_are_two_ellipses`.  Two of the cylinders of the
 circle $x^2+y^2+z^2=2$, $x+y+z=0$ have in common the circle and an ellipse of a plane in which two coordinates are equal,
 `two_cylinders_of_the_circle_hold_an_ellipse`.
 The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
 :::
 
+:::{claim} both_equations_hold_at_one_point
+:title: For each value of x the equations of the two cylinders hold at one point, that of the curve
+:zh: 两显式方程对每个 x 恰有一公共点
+:given: any functions $f$ and $g$ of $x$, with the values $f$ and $g$ at $t$; any point $(t,y,z)$
+:then: $(y-f)^2+(z-g)^2$ is the square of its distance from $(t,f,g)$: so $y=f(x)$ and $z=g(x)$ hold both exactly where it is that point
+:method: An identity, the values of the functions variables; a sum of two squares is 0 only where both are.
+:scope: all functions f and g
+:over: t y z f g: -
+:control: another abscissa of the point of the curve
+:::
+*/
+CLAIM(both_equations_hold_at_one_point)
+{
+    num t = parameter(T, "t"), y = unknown(T, "y", 0), z = unknown(T, "z", 0);
+    num f = unknown(T, "f", 0), g = unknown(T, "g", 0), a = sub(y, f), b = sub(z, g);
+    num gap[space] = {sub(t, fault(T, t, add(t, from_int(1)))), a, b};
+    same(T, G(norm_squared)(space, gap), add(mul(a, a), mul(b, b)));
+}
+
+/*
 :::{claim} graphs_over_one_axis_meet_in_one_curve
 :title: Two graphs over one axis are two cylinders that meet in one curve
 :zh: 两个显式方程所表示的柱面之交线
@@ -548,12 +571,56 @@ CLAIM(segment_in_its_parameter)
 :zh: 可对参数方程直接进行几何变换
 :printed: Geometric transformations, such as translation, scaling and rotation, can be applied directly to the parametric equations of curves
   and surfaces.
-:holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one
-:confirmed-by: bezier_curve_moves_with_its_points
-:argued: surfaces | In both claims a function, or a power, is any number; so it may be a function of two parameters, or a product $u^iw^k$.
+:holds-by: maps_of_the_equations_are_one_matrix
+:confirmed-by: matrices_pass_to_the_points image_of_a_power_curve_is_one bezier_curve_moves_with_its_points
 
-A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$, and thereby to the points or coefficients from which it is computed.
+A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$.
 :::
+
+:::{claim} maps_of_the_equations_are_one_matrix
+:title: Maps of the parametric equations give parametric equations, and two in a row are one map
+:zh: 参数方程的几何变换可合成为一个矩阵
+:given: the values $x,y,z$ of the parametric equations of a curve or surface, any numbers; two maps, $P\mapsto PT+m$ and $P\mapsto PS+k$, any matrices $T$, $S$ of
+  three rows and any $m$, $k$
+:then: $(PT+m)S+k=P\,(TS)+(mS+k)$: three equations again, in the same parameters, by one matrix and one vector
+:method: Both sides entry by entry, everything a variable.  Translations, scalings and rotations are such maps; what functions $x$, $y$, $z$ are, and of how many
+  parameters, is not used.
+:scope: every parametric curve and surface
+:over: x y z: -; t# s#: matrices; m# k#: translations
+:control: the two matrices exchanged
+:::
+*/
+/* out = v M + m */
+static void G(mapped)(const num v[], const num M[], const num m[], num out[])
+{
+    for (int j = 0; j < space; j++) {
+        out[j] = m[j];
+        for (int k = 0; k < space; k++)
+            out[j] = add(out[j], mul(v[k], M[k * space + j]));
+    }
+}
+
+CLAIM(maps_of_the_equations_are_one_matrix)
+{
+    num P[space] = {unknown(T, "x", 0), unknown(T, "y", 0), unknown(T, "z", 0)}, M[9], S[9], m[space], k[space];
+    for (int i = 0; i < 9; i++)
+        M[i] = unknown(T, "t", i), S[i] = unknown(T, "s", i);
+    for (int i = 0; i < space; i++)
+        m[i] = unknown(T, "m", i), k[i] = unknown(T, "k", i);
+    num once[space], twice[space], product[9], shift[space], by_one[space], zero[space];
+    G(mapped)(P, M, m, once);
+    G(mapped)(once, S, k, twice);
+    for (int i = 0; i < space; i++)
+        zero[i] = from_int(0);
+    for (int i = 0; i < space; i++) /* the rows of T S, or of S T */
+        G(mapped)((T->faulty ? S : M) + i * space, T->faulty ? M : S, zero, product + i * space);
+    G(mapped)(m, S, k, shift);
+    G(mapped)(P, product, shift, by_one);
+    for (int i = 0; i < space; i++)
+        same(T, by_one[i], twice[i]);
+}
+
+/*
 
 :::{statement} slides-ch4:1-freedom
 :title: More freedom for the shape
@@ -632,7 +699,7 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :zh: 用参数范围界定曲线或曲面的一部分
 :printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
 :holds-by: range_of_parameters_marks_a_part
-:confirmed-by: triangle_of_powers_consists_of_powers interval_kernel_gives_the_part surface_part_is_the_piece
+:confirmed-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power interval_kernel_gives_the_part surface_part_is_the_piece
 :meant: the formula $a\le t\le b$ beside it | Simply is: by the two numbers $a$ and $b$ alone, for each parameter.
 
 For a surface this is one range for each of the two parameters, when the part is a rectangle of them.  The part of a Bézier curve or surface is one of
@@ -645,6 +712,7 @@ the same degree over $[0,1]$.
 :types: field rational
 :given: two ranges, $[a,a+h]$ of $t$ and $[c,c+g]$ of another parameter, $h,g>0$; $0\le s\le1$
 :harmless: $h,g>0$ | a range of two different numbers, in order
+:harmless: $0\le s\le1$ | these are the parameters of the part
 :let: $t=a+hs$
 :then: $a\le t\le a+h$; $s=\frac{t-a}h$; $t=a$ for $s=0$ and $t=a+h$ for $s=1$; and the same of the other parameter
 :method: Signs of coefficients for $s=\frac x{1+x}$, $x>0$, and identities.  No function of the curve or surface is in it: $P(a+hs)$ is its part from $a$ to $a+h$ over
@@ -681,6 +749,7 @@ CLAIM(range_of_parameters_marks_a_part)
 :reading: surface_part_is_the_piece | a surface is cut so as well
 :reading: derivatives_go_down_through_the_differences | of any order the derivatives at the ends are differences of the points next to them, so that points can be chosen for a smooth joint
 :reading: what is convenient and what easy: an opinion, which no computation decides
+:confirmed-by: bernstein_sum_of_powers_is_a_power bernstein_derivative differences_lower_the_newton_functions
 
 A curve is cut into pieces over $[0,1]$ of the same degree.  At the joint of two pieces of degree $n$ the
 derivatives of order $r$ are $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$ and $\frac{n!}{(n-r)!}\Delta^rQ_0$; for $Q_i=\sum_j\binom ij\Delta^jP_{n-j}$, $i=0,\dots,k$, the differences of
@@ -707,9 +776,8 @@ other: for a curve whose shape follows a control polygon, and for a curve that i
 :checked-by: parabola_through_the_points_is_nearer nearest_line_meets_no_datum
 :example: two senses of nearest, and for each one set of points.
 
-In which sense is left open.  By the distance from the points a Bézier curve, approximating by the words before, is no approximation, since a
-curve of the same degree through the points is nearer; the least sum of squares among simpler curves is a problem with one
-solution, and has no control polygon.
+In which sense is left open.  By the distance from the points a Bézier curve, approximating by the words before, need not be an approximation: in the first
+example a curve of the same degree passes through the points.  By the least sum of squares one line is nearest in the second.
 :::
 */
 

@@ -150,7 +150,7 @@ CLAIM(steps_of_refinement_compose)
 :then: the points, weights and knots are the same
 :method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
 :degrees: 1..6 sampled 7
-:scope: two knots put between clamped ends
+:scope: two knots put between clamped ends with a knot of every multiplicity below k between
 :control: the second order with another second knot
 :::
 */
@@ -325,7 +325,7 @@ CLAIM(repeated_insertion_reaches_the_curve)
 :then: $r_\mu^{(T,\{t'\}^{k-1-m})}=r(t')$
 :method: As before; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 6, numbers above
+:scope: a knot of every multiplicity below k between simple and clamped ones; the distinct knots variables up to order 6, numbers above
 :control: one insertion less, for $m<k-1$
 :::
 */
@@ -352,7 +352,7 @@ CLAIM(fewer_insertions_suffice)
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
 :method: As before.
 :degrees: 1..6 sampled 6
-:scope: the distinct knots variables up to order 6, numbers above
+:scope: a knot of every multiplicity up to k between simple and clamped ones, and a clamped start; the distinct knots variables up to order 6, numbers above
 :control: the value from the left
 :::
 */
@@ -446,7 +446,8 @@ CLAIM(clamped_start_has_no_such_point)
 :printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
 :class: misprint
 :refuted-by: index_of_another_interval_is_another_point
-:corrected: $t'\in(t_\mu,t_{\mu+1}]$
+:corrected: $t'\in(t_\mu,t_{\mu+1}]$; with the two hypotheses of `formula-4.1.9`, that $t'$ is inside the domain at most a $(k-1)$-fold knot, and greater than a
+  $k$-fold $t_k$
 :corrected-by: repeated_insertion_reaches_the_curve
 :figure: insertion_to_the_curve
 

@@ -26,6 +26,7 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
 :printed: Likewise, in imitation of (2.10.1) and (2.10.2), the discrete rational B-spline curve $\Gamma_\iota^{(T)}(T')$ of order $k$ can be defined, and with (2.10.4)
   theorem 4.1.1 results, which describes the discrete structure of NURBS curves
 :checked-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
+:confirmed-by: nothing_inserted_changes_nothing
 :figure: nurbs_polygons_converge
 
 The index is $\iota$ for $k$, see the next entry.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
@@ -80,6 +81,36 @@ CLAIM(discrete_bsplines_are_shares)
             about(T, "the sum of the alpha_i(j)");
             same(T, sum, from_int(1));
         }
+    }
+}
+
+/*
+:::{claim} nothing_inserted_changes_nothing
+:title: With no knot inserted every point has the share 1 in itself
+:zh: 不嵌节点时离散 B 样条为单位阵
+:given: the knots $T$ of the same pairs, $T'=\Phi$; every $i$ and $j$
+:then: $\alpha_{i,k}^{(T,\Phi)}(j)$ is $1$ for $i=j$ and $0$ otherwise, so that the points and weights of (4.1.6) are the given ones
+:method: The recursion by its letter, the knots variables.
+:degrees: 1..6 sampled 6
+:scope: the knots of 22 pairs of patterns
+:control: $\alpha_{i,k}(j)$ taken at $j+1$
+:::
+*/
+CLAIM(nothing_inserted_changes_nothing)
+{
+    int p = T->degree;
+    struct G(refinement) r;
+    for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
+        const char *old = G(pairs)[p][k];
+        char none[MOST_KNOTS] = {0};
+        memset(none, '0', strlen(old));
+        G(distinct_knots)(T, (int)strlen(old), 6, r.x);
+        G(refine_pair)(old, none, p, &r);
+        for (int j = 0; j < r.m; j++)
+            for (int i = 0; i < r.n; i++) {
+                int taken = fault(T, j, j + 1 < r.m ? j + 1 : j - 1);
+                same(T, G(alpha)(p, r.u, r.place, r.v, r.at, i, taken), from_int(i == j));
+            }
     }
 }
 
@@ -203,7 +234,7 @@ which the later proof answers in another way than the definition of the $\alpha$
 :figure: nurbs_polygons_converge
 
 With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; one knot
-outside makes the weight of an end smaller, several also those next to it, and all stay positive.
+outside makes the weight of an end smaller, and all stay positive.
 :::
 */
 

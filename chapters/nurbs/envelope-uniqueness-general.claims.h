@@ -48,14 +48,14 @@ vanishing curvature or torsion, and its members have them.
   $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
+:confirmed-by: second_envelopes_of_spans member_of_span_is_polar
 :argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
   is a polar form of the level before.
 :striking: 2
 :figure: nurbs_envelope_square
 
-Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
-$\mathbf r'\times\mathbf r''=0$ at $\tau$.  As $f[\tau^r,t^{k-1-r}]$ says, $r$ and $k-1-r$ have the same solutions
-with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have to be fulfilled, so as a rule single
+Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  As $f[\tau^r,t^{k-1-r}]$ says (`member_of_span_is_polar`), $r$ and $k-1-r$ have the same solutions
+with $t$ and $\tau$ exchanged, in every dimension: for $r=k-2$ they are the $\tau$ with $\mathbf r'\times\mathbf r''=0$, and any $t$.  In space two equations have to be fulfilled, so as a rule single
 pairs are left and no curve; for $k=7$ there can be a curve.
 :::
 
@@ -160,6 +160,7 @@ and not a set of lines $t=t_0$.
 :method: The quotient rule for $X_\tau$, $X_t$, $R'$ and $R''$, three coordinates, everything a variable.  $P_t$ is
   the derivative of $P$; $P_\tau$ is what `derivative_by_tau_is_that_of_the_level_before` says.  With positive weights
   $v,V>0$ on the span.
+:where: the weights of the level before and of the member are not 0
 :degrees: all
 :over: e: step from t to τ; m; Q# v#: derivatives of the level before
 :control: $m$ in the place of $m^2$
@@ -200,7 +201,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
 :holds-by: touching_curve_satisfies_the_condition
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-r]}\ne0$; as for (4.3.9), which is $r=1$
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each.
-:confirmed-by: envelope_condition_holds_on_the_diagonal
+:confirmed-by: envelope_condition_holds_on_the_diagonal first_level_condition_factors
 :figure: nurbs_envelope_square
 :::
 
@@ -212,6 +213,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
   (4.3.10)
 :reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: with
   $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form
+:confirmed-by: derivative_by_tau_is_that_of_the_level_before second_envelopes_of_spans
 :figure: nurbs_envelope_square
 
 What the proof cites under this number is in `thm-4.3.3-alternatives`.

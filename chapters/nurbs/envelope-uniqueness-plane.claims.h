@@ -269,6 +269,7 @@ CLAIM(family_moves_with_its_points)
   t}=\frac{\partial x^{[k-1]}(t,\tau)}{\partial t}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial\tau}$, $t_j\le
   t,\tau<t_{j+1}$, where $\tau=\tau(t)$
 :holds-by: touching_curve_satisfies_the_condition
+:confirmed-by: first_level_condition_factors
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$; as for (4.3.9)
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each; for $\tau=\tau(t)$ see (4.3.10).
 :figure: nurbs_second_line
@@ -382,7 +383,7 @@ CLAIM(inflected_cubic_is_not_straight)
 :zh: 直线段的控制顶点共线
 :printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
   that every member is on this line
-:holds-by: points_are_polar_values_of_the_segment
+:holds-by: points_are_polar_values_of_the_segment member_of_span_is_polar
 :figure: nurbs_folded_line
 :::
 
@@ -491,17 +492,21 @@ CLAIM(inflected_cubic_has_second_envelope)
 :instead: τ = 0
 :then: (4.3.9) is satisfied at a point which is not on the curve
 :result: r_i = (-4,-44,105) (-2,2,-15) (0,0,9) (2,-2,-15) (4,44,105); point of the member = (1/8,0,0); its derivatives
-  by t and τ = (3/4,0,0) (1/4,0,0)
-:method: As for the cubic.  That the points are not coplanar is shown by
-  `vanishing_curvature_says_nothing_about_the_points`.
+  by t and τ = (3/4,0,0) (1/4,0,0); six times the volume of the first four points = 4608
+:method: As for the cubic.  The volume says that the first four points, and so the curve, are in no plane.
 :control: $\tau=t$
 :::
 */
 CLAIM(space_quartic_has_second_envelope)
 {
-    num u[10], R[15], w[5], X[3], t = given(T, "t"), tau = given(T, "τ");
+    num u[10], R[15], w[5], X[3], edge[9], t = given(T, "t"), tau = given(T, "τ");
     G(given_curve_of_powers)(T, 4, 3, u, R, w);
-    if (!G(pair_of_the_envelope)(T, 4, 3, u, 4, R, w, 1, tau, t, X))
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++)
+            edge[3 * i + c] = sub(R[3 * (i + 1) + c], R[c]);
+    num volume = G(det3)(edge, edge + 3, edge + 6);
+    found(T, "six times the volume of the first four points", volume);
+    if (!G(pair_of_the_envelope)(T, 4, 3, u, 4, R, w, 1, tau, t, X) || is_zero_q(volume))
         return;
     about(T, "y - x³ at the point; 0 on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));

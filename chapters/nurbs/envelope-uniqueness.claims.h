@@ -43,14 +43,13 @@ inflection: it is touched by every member.
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
   convex_polygon_of_span_has_one_envelope
 :argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
-  is a polar form of the level before.
+  is a polar form of the level before.  And that an extra segment is more than $\mathbf r$: a rational curve that is not straight has finitely many points on a tangent.
 :striking: 2
 :figure: nurbs_second_line
 
 For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its
 own.  A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
-its pairs have the point $\mathbf r(t_0)$. If $\mathbf r$ is not straight, only finitely many points of a segment of a
-tangent are on it.
+its pairs have the point $\mathbf r(t_0)$.
 :::
 
 :::{statement} wang-ch4:formula-4.3.9
@@ -60,6 +59,7 @@ tangent are on it.
   $\frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
   r^{[k-1]}(t,\tau)}{\partial t}=\mathbf 0$, $t_j\le t,\tau<t_{j+1}$
 :holds-by: touching_curve_satisfies_the_condition
+:confirmed-by: first_level_condition_factors
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$: where a member stands still the condition is satisfied, and the
   member may have another direction
 :meant: [18] is not at hand; this is the usual notion of an envelope | A curve $\mathbf r^{[k-1]}(t(s),\tau(s))$ that passes from member to member, $\tau'\ne0$, and is tangent
@@ -380,6 +380,7 @@ r''$, so that the other case is the inflections of the curve and nothing else.
 :then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
 :method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
   are positive on the span.
+:where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the sign of the second term
@@ -407,6 +408,7 @@ CLAIM(first_level_condition_as_printed)
   joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$; a continuous
   function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
   $\tau(t)=t$.
+:where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w^2$ in the place of $w^3$
@@ -442,6 +444,7 @@ inflection is touched by all.
 :then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
 :method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
+:where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w$ left out
@@ -501,6 +504,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
 :method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
   is 0.
+:where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w$ in the place of $W$
@@ -577,8 +581,8 @@ It solves (4.3.9) and gives the curve.
   positive weights and $t$ and $\tau$ in one span
 :figure: points_off_the_plane
 
-For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the
-osculating plane passes through it, and is therefore weaker than (4.3.9), which does not know the origin.
+For $\tau\ne t$ it is equivalent to the triple product before.  It says that the osculating plane passes through the origin, which the condition (4.3.9) does not
+know: see `thm-4.3.2-independence`.
 :::
 
 :::{claim} triple_product_is_that_of_the_point

@@ -141,7 +141,7 @@ does.
 :::{statement} wang-ch4:literature-lw-lyd
 :title: The source of the first two sections
 :zh: 第 1、2 节取材文献的年份
-:printed: sections 1 and 2 are taken from [WGJ, WGZ, 99] and [LW, LYD, 95]
+:printed: sections 1 and 2 are taken from [WGJ, WGZ, 99] and [LW, LYD, 95], section 3 from [WGJ, 92], section 4 from [LLG, WGJ, 2000]
 :class: misprint
 :refuted-by: cited_key_is_not_listed
 :corrected: [LW, LYD, 90]: the list has a paper of Lü and Liang of 1990, and none of 1995
@@ -247,7 +247,7 @@ CLAIM(keys_have_the_years_of_their_entries)
 
 Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 spells SIGGRAPH without
 its P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.  Reference 10 is about knot removal, not
-"knot-remove"; the thesis of reference 2 is on applications of the rational form, with an s and an article.
+"knot-remove"; reference 12 has NURB in its title; the thesis of reference 2 is on applications of the rational form, with an s and an article.
 :::
 
 :::{claim} numbered_references_are_all_cited

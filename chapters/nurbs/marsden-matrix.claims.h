@@ -210,7 +210,7 @@ CLAIM(printed_cofactor_formula_gives_the_basis)
 :zh: 由 G 的代数余子式给出矩阵元素
 :printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i},\quad j=0,1,\dots,k-1
 :holds-by: printed_cofactor_formula_gives_the_basis
-:confirmed-by: both_explicit_matrices_agree
+:confirmed-by: both_explicit_matrices_agree coefficient_matrix_is_affinely_invariant
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
@@ -450,8 +450,7 @@ CLAIM(empty_span_makes_g_singular)
   $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$
 :corrected-by: singular_g_makes_powers_dependent
 
-The independence of $k$ functions does not say that $k$ combinations of them are independent; that of the combinations does.  The
-independence of the B-splines is then a consequence.
+The independence of $k$ functions does not say that $k$ combinations of them are independent.
 :::
 
 The reason that the source gives is one of two halves.  The rows of $G$ express the powers by the B-splines, so a

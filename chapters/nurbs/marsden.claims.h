@@ -106,6 +106,7 @@ CLAIM(elementary_symmetric_is_sum_over_subsets)
 :zh: 定理 4.4.2 Marsden 恒等式
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
 :holds-by: marsden_step_for_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: marsden_identity marsden_identity_for_every_pattern
 :needs: marsden_identity_ends_with_the_span | the theorem names the span | $t$ lies in the span whose functions are
   summed
@@ -166,8 +167,9 @@ neighbouring products have in common.
 :then: in $W_iN_{i,k}(t)+W_{i-1}N_{i-1,k}(t)$ the function $N_{i,k-1}(t)$ has the factor
   $\frac{t-a}{b-a}W_i+\frac{b-t}{b-a}W_{i-1}$, and for $W_i=\omega_{i,k}(x)$, $W_{i-1}=\omega_{i-1,k}(x)$ this is $(x-t)\,q$
 :method: Both functions of order $k$ by the recursion of Cox and de Boor, with other factors $c$, $d$ for the outer functions; the
-  derivative by $N_{i,k-1}$.  So $\sum\omega_{i,k}N_{i,k}=(x-t)\sum\omega_{i,k-1}N_{i,k-1}$: on the span the outer functions of the
-  sum vanish, and for $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide.  For $k=1$ the identity is $1=1$.
+  derivative by $N_{i,k-1}$.  So $\sum\omega_{i,k}N_{i,k}=(x-t)\sum\omega_{i,k-1}N_{i,k-1}$: on the span $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ vanish
+  (`outer_functions_are_made_of_outer_ones`), and for $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide
+  (`divisors_contain_the_span`, level 1).  For $k=1$ the identity is $1=1$.
 :degrees: all
 :scope: every pattern of knots
 :over: x; q a b c d: -; N# W#: -
@@ -196,6 +198,36 @@ CLAIM(marsden_step_for_every_order)
     same(T, G(power)(sub(x, t), 0), from_int(1));
 }
 #endif
+
+/*
+:::{claim} outer_functions_are_made_of_outer_ones
+:title: A function whose support does not contain the span is made of two such functions of the order before
+:zh: 支集不含该区间的基函数由低一阶的同类函数构成
+:types: field rational
+:given: a span $[t_r,t_{r+1})$; $N_{i,m}$, $m\ge2$, with $i=r-m-d$ on its left, or $i=r+1+d$ on its right, $d\ge0$; all of them variables
+:harmless: $d\ge0$ | these are all $i$ on either side
+:then: $N_{i,m-1}$ and $N_{i+1,m-1}$ are on the same side: $r-(m-1)-i=d+1$ and $r-(m-1)-(i+1)=d$ are not negative; $i-(r+1)=d$ and $(i+1)-(r+1)=d+1$ are not negative
+:method: Identities in the indices: the step of an induction on $m$, whatever knots coincide.  $N_{i,1}$ is $0$ on the span for $i\ne r$, so for $i\le r-1$ and $i\ge r+1$, and the
+  recursion makes $N_{i,m}$ a sum of two multiples of $N_{i,m-1}$ and $N_{i+1,m-1}$, with $0/0=0$.
+:degrees: all
+:scope: every pattern of knots
+:over: r m d: -
+:control: $i=r-m+1-d$, which begins with a function of the span
+:::
+*/
+CLAIM(outer_functions_are_made_of_outer_ones)
+{
+    num r = whole(T, "r", 20, 40), m = whole(T, "m", 2, 9), d = whole(T, "d", 0, 9), one = from_int(1);
+    num left = sub(sub(r, m), fault(T, d, sub(d, one))),
+        last = sub(r, sub(m, one)); /* the last index on the left of order m-1 */
+    about(T, "on the left");
+    same(T, sub(last, left), add(d, one));
+    same(T, sub(last, add(left, one)), d);
+    num right = add(add(r, one), d), first = add(r, one);
+    about(T, "on the right");
+    same(T, sub(right, first), d);
+    same(T, sub(add(right, one), first), add(d, one));
+}
 
 /*
 :::{claim} marsden_identity_for_every_pattern
@@ -271,6 +303,7 @@ CLAIM(marsden_identity_ends_with_the_span)
 :zh: 恒等式作为 x 与 t 的多项式恒等式
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
 :holds-by: marsden_step_for_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: marsden_identity marsden_identity_up_to_order_eight
 :needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
   summed
@@ -319,6 +352,7 @@ functions is one level of de Boor's algorithm for the coefficients.
 :zh: 证明只用 deBoor 递推公式
 :printed: [15] proves it by induction; now we give a short new proof, which needs only de Boor's formula (2.1.1)
 :holds-by: marsden_step_for_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
 :meant: (2.1.1) is not at hand; a definition by recursion has a beginning | The recursion together with the functions of order 1: these say, by induction, that
   $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span.
@@ -370,6 +404,7 @@ CLAIM(marsden_identity_of_order_one)
 :printed: for $k>1$, by (2.1.1): $\sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t)$,
   $W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0$
 :holds-by: marsden_step_for_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_moves_to_the_coefficients
 :needs: one_level_needs_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ is in the span: there the functions at the ends,
   $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish
@@ -465,6 +500,7 @@ CLAIM(one_level_needs_the_span)
 :zh: ω 经一层递推降一阶
 :printed: let $W_i^0=\omega_{i\,\iota}(x)$; then $W_i^1=(x-t)\,\omega_{i,k-1}(x)$
 :holds-by: marsden_step_for_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_takes_off_a_factor
 :figure: marsden_identity
 
@@ -506,6 +542,7 @@ CLAIM(one_level_takes_off_a_factor)
 :printed: \sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t)=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}(x)N_{i,k-1}(t)=\dots=(x-t)^{k-1}\omega_{r,1}(x)
   N_{r,1}(t)=(x-t)^{k-1}
 :holds-by: marsden_step_for_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: every_link_of_the_chain
 :needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
   summed
@@ -551,7 +588,9 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of $x$ on both sides of (4.4.13) gives
   $t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t)$, $\mu=0,1,\dots,k-1$
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_derivatives
+:needs: marsden_identity_ends_with_the_span | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
 :figure: powers_from_averages
 :::
 
@@ -560,7 +599,9 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :zh: 矩阵形式
 :printed: (1,t,\dots,t^{k-1})=(N_{r-k+1,k}(t),N_{r-k+2,k}(t),\dots,N_{r,k}(t))\,\mathbf G_{r,k,T}^T
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_derivatives
+:needs: marsden_identity_ends_with_the_span | (4.4.20), which it writes as a matrix: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
 :figure: powers_from_averages
 
 The entries of $\mathbf G$ are (4.4.19), so that this is (4.4.20) for all $\mu$ at once.
@@ -657,7 +698,9 @@ CLAIM(powers_of_t_from_derivatives)
 :zh: 用对称函数表示的幂函数公式
 :printed: t^j=\sum_{i=r-k+1}^r\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,N_{i,k}(t)\Big/\binom{k-1}j,\quad t\in[t_r,t_{r+1})
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_symmetric_functions
+:needs: marsden_identity_ends_with_the_span | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
 :figure: powers_from_averages
 
 For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.

@@ -185,12 +185,6 @@ static poly G(segment)(int p, const num u[], int mu, const num c[])
     return poly_compose(poly_from_bernstein(p, b), s);
 }
 
-static int G(is_nonnegative)(poly f, num low, num high)
-{
-    enum cagd_sign_pattern sign = sign_on(f, low, high, CLOSED);
-    return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
-}
-
 /*
 :::{claim} polygon_is_within_the_bound_of_the_spline
 :title: The distance of a spline from its polygon, with the exact constant
@@ -267,13 +261,13 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
                     G(integrated_twice)(n, p, u, e, c);
                     poly b = G(minus_chord)(G(segment)(p, u, mu, c), xi, c, i);
                     about(T, "b_i >= 0");
-                    agree(T, G(is_nonnegative)(b, low, high));
+                    agree(T, is_nonnegative_on(b, low, high));
                     sum = poly_add(sum, b);
                 }
                 about(T, "the sum of the b_i");
                 agree(T, poly_equal(sum, all));
                 about(T, "the bound");
-                agree(T, G(is_nonnegative)(poly_sub(poly_constant(largest), all), low, high));
+                agree(T, is_nonnegative_on(poly_sub(poly_constant(largest), all), low, high));
             }
         }
     }
@@ -469,7 +463,7 @@ CLAIM(knots_on_one_side_do_not_converge)
     int below = 1, now = 0;
     for (int mu = p; mu < n; mu++) {
         poly room = poly_sub(poly_constant(most_on_the_curve), G(segment)(p, u[0], mu, sums));
-        below &= G(is_nonnegative)(room, u[0][mu], u[0][mu + 1]);
+        below &= is_nonnegative_on(room, u[0][mu], u[0][mu + 1]);
     }
     for (int i = 0; i < more; i++, now = 1 - now) {
         int next = 1 - now, mu = p;

@@ -22,13 +22,16 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through part of the boundary of a convex set once
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points there
   coincide; else the curve is not continuous
+:confirmed-by: periodic_curves_of_convex_polygons_are_convex
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
+:meant: the sentence, which goes from the polygon to the curve | This direction.
+:reading: curve_may_be_convex_alone | the converse, which is not printed
 :argued: | For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, and they turn as
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
   linearly independent; it goes straight on, and so does the curve, since no line across is crossed more often.
 :figure: convex_polygon_convex_spline
 
-The converse is false: the curve may be convex alone (`curve_may_be_convex_alone`).  For a periodic curve the closed polygon of one period must be convex; written as
+For a periodic curve the closed polygon of one period must be convex; written as
 an ordinary curve it repeats $k-1$ vertices and does not run through once, but its insertions cut the corners of the closed
 polygon (`periodic_curves_of_convex_polygons_are_convex`).
 :::
@@ -230,7 +233,7 @@ What is computed is one knot.
 :printed: $T_{i+1}\supseteq T_i$, where the $A(\Gamma_k^{(T)}(T_i))$ are plane convex closed sets, $i=1,2,\dots,m$
 :class: misprint
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
-:corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$
+:corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for a polygon that runs through its points once, or with the hulls for the $A$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.
 :figure: hulls_of_knot_sets
@@ -340,9 +343,8 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
             agree(T, fault(T, 1, !polygon_is_convex(n - 1, r + 2, 1, NULL) || k == 2));
             for (int j = k; j <= n; j++)
                 if (compare_q(t[j], t[j + 1]) < 0) {
-                    enum cagd_sign_pattern sign =
-                        sign_of_span(turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL));
-                    agree(T, sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE || sign == SIGN_ZERO);
+                    poly turn = turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL);
+                    agree(T, is_nonnegative_on(turn, from_int(0), from_int(1)));
                 }
             enum { POINTS = 13 };
             num P[2 * POINTS];

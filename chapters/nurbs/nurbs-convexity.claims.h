@@ -219,11 +219,9 @@ and is then this hull. So "smallest" hides a hypothesis, the same that is to be 
 :meant: the sentence itself, which begins with a curve that is part of the boundary of a convex set | $\Gamma$ is convex.
 :reading: curve_inside_its_hull_has_no_smallest_set | for a $\Gamma$ that need not be convex: there may be no such set
 :reading: convex_polygons_lie_on_the_border_of_their_hull | for a convex $\Gamma$: there is one, the convex hull of $\Gamma$
+:argued: every compact curve, and that no set is smaller | Let $\Gamma$ be compact and part of the boundary of a convex set $C$.  Every closed convex set that
+  contains $\Gamma$ contains its hull; the hull is closed; and a point of $\Gamma$ inside the hull would be inside $C$.  So the hull is the smallest such set, and the only one.
 :figure: where_hypotheses_are_needed
-
-Let $\Gamma$ be compact and part of the boundary of a convex set $C$.  Every closed convex set that contains $\Gamma$ contains its
-hull; the hull is closed; and a point of $\Gamma$ inside the hull would be inside $C$.  So the hull is the smallest such set,
-and the only one.
 :::
 
 :::{claim} curve_inside_its_hull_has_no_smallest_set

@@ -11,6 +11,7 @@ $$w'_aw'_bw'_c\,D'_{abc}=\sum_{i<j<l}M\begin{pmatrix}a&b&c\\i&j&l\end{pmatrix}w_
 and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new ones have it too.
 */
 #include "chapters/nurbs/convexity.h"
+#include "chapters/nurbs/discrete.h"
 
 #include <stdio.h>
 
@@ -23,8 +24,9 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :printed: let $\Phi$ be the empty set, and let the initial control polygon $\Gamma_k^{(T)}(\Phi)$ of the plane NURBS curve (4.1.2) be a convex curve; then for every
   finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and the hulls decrease (see the next entry)
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
-  insertion_ratios_are_between_zero_and_one printed_insertion_keeps_the_curve knots_outside_the_domain_cut_corners
+  insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares knots_outside_the_domain_cut_corners
   inserted_points_divide_the_edges
+:confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
@@ -34,8 +36,9 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:argued: every order and every number of points and knots | One corner after the other is cut, and neither the triangles nor the
-  identities of one insertion know how many points there are; their other cases are those of the claims.
+:argued: straight polygons, every order and every number of points and knots | One corner after the other is cut, and neither the triangles nor the
+  identities of one insertion know how many points there are; their other cases are those of the claims.  Where all triangles are 0, the polygon goes straight on; its
+  new vertices are on its edges, one on each and in their order, so that the new polygon does.
 :figure: cutting_corners
 
 Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  A knot outside the domain makes the weight of an end
@@ -88,24 +91,78 @@ static void G(compare_curves)(trial *T, int k, const struct G(knot_vector) * K, 
     }
 }
 
+/* The patterns of this claim and the next: 2k+1 simple knots for m = 0; else both ends k-fold, and an m-fold knot between. */
+static void G(pattern_of_insertion)(int k, int m, char pattern[MOST_KNOTS])
+{
+    if (m > 0) {
+        snprintf(pattern, MOST_KNOTS, "%d%d%d", k, m, k);
+        return;
+    }
+    memset(pattern, '1', (size_t)(2 * k + 1));
+    pattern[2 * k + 1] = '\0';
+}
+
+/* In the field above order 5: 0, 1, 3, 6, 10, ... in the place of the variables; places are multiples of 4. */
+static void G(numbers_for_knots)(int k, struct G(knot_vector) * K)
+{
+    for (int i = 1; FIELD && k > 5 && i <= K->count; i++)
+        K->t[i] = from_int(K->place[i] / 4 * (K->place[i] / 4 + 1) / 2);
+}
+
 CLAIM(printed_insertion_keeps_the_curve)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
     for (int m = 0; m <= k; m++) {
-        if (m == 0) {
-            for (int i = 0; i < 2 * k + 1; i++)
-                pattern[i] = '1';
-            pattern[2 * k + 1] = '\0';
-        } else {
-            snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
-        }
+        G(pattern_of_insertion)(k, m, pattern);
         struct G(knot_vector) K = G(pattern)(T, pattern);
-        for (int i = 1; FIELD && k > 5 && i <= K.count; i++) /* 0, 1, 3, 6, 10, ...; places are multiples of 4 */
-            K.t[i] = from_int(K.place[i] / 4 * (K.place[i] / 4 + 1) / 2);
+        G(numbers_for_knots)(k, &K);
         for (int place = K.place[k]; place <= K.place[K.count - k + 1]; place += 2) /* knots, and numbers between */
             if (place > K.place[1])
                 G(compare_curves)(T, k, &K, place);
+    }
+}
+
+/*
+:::{claim} printed_factors_are_the_discrete_shares
+:title: The printed factors are the discrete B-splines of one knot
+:zh: 所印因子即单节点的离散 B 样条
+:given: the knots of `printed_insertion_keeps_the_curve`; $\tau$ inside any interval of the domain, or a knot there of a multiplicity below $k$
+:then: $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is the printed $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so that (4.1.6) is
+  the printed mean of two points
+:method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.
+:degrees: k = 1..6 sampled 7
+:scope: simple knots, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
+:control: $\alpha_j$ and $1-\alpha_j$ exchanged
+:::
+*/
+CLAIM(printed_factors_are_the_discrete_shares)
+{
+    int k = T->degree;
+    char pattern[MOST_KNOTS];
+    for (int m = 0; m <= k; m++) {
+        G(pattern_of_insertion)(k, m, pattern);
+        struct G(knot_vector) K = G(pattern)(T, pattern), V;
+        int n = K.count - k;
+        G(numbers_for_knots)(k, &K);
+        for (int place = K.place[k]; place <= K.place[n + 1]; place += 2) {
+            num c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS], tau = G(number_at)(T, &K, place, "tau");
+            int times = 0, mu = G(left_of)(&K, place);
+            for (int i = 1; i <= K.count; i++)
+                times += K.place[i] == place;
+            if (times >= k)
+                continue;
+            G(equal_weights)(n, w);
+            G(equal_weights)(n, c);
+            G(insert_at)(n, k, 1, &K, place, tau, c, w, &V, d, z);
+            for (int j = 1; j <= n + 1; j++) {
+                num here = G(printed_alpha)(k, mu, K.t, tau, j), rest = sub(from_int(1), here);
+                for (int i = 1; i <= n; i++) {
+                    num share = i == j ? fault(T, here, rest) : i == j - 1 ? fault(T, rest, here) : from_int(0);
+                    same(T, G(alpha)(k - 1, K.t + 1, K.place + 1, V.t + 1, V.place + 1, i - 1, j - 1), share);
+                }
+            }
+        }
     }
 }
 
@@ -153,7 +210,8 @@ the corners are cut.
 :::{claim} insertion_turns_like_its_triangles
 :title: An insertion keeps the turn of every triangle
 :zh: 嵌节点保持三角形转向
-:given: $n$ points of the plane with weights, all $\alpha_i=\frac{a_i}{1+a_i}$ with $a_i>0$
+:given: $n$ points of the plane with weights, all $\alpha_i=\frac{a_i}{1+a_i}$ with $a_i>0$; the first and the last new point are the old one times a positive share, which is $1$,
+  or less for a knot outside the domain
 :then: the determinants of three new homogeneous points are sums of those of three old ones with the $3\times3$ minors of the matrix of
   the insertion; no minor is negative
 :method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables for $n\le4$; the minors by their coefficients.  Minors are polynomials in the
@@ -161,7 +219,7 @@ the corners are cut.
 :degrees: points = 3..6
 :argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
   and which of these coincide is decided by whether neighbouring rows follow one another.
-:over: a#: ratios of α to 1-α; x#: homogeneous points
+:over: a#: ratios of α to 1-α; e#: shares of the ends; x#: homogeneous points
 :control: two neighbouring rows exchanged in the minors
 :::
 */
@@ -179,10 +237,10 @@ CLAIM(insertion_turns_like_its_triangles)
     int n = T->degree;
     num M[SIZE * SIZE], H[3 * SIZE], N[3 * SIZE], one = from_int(1);
     for (int i = 0; i <= n; i++) {
-        num a = i > 0 && i < n ? positive(T, "a", i) : one, alpha = i == 0 ? one : div(a, add(one, a));
-        alpha = i == n ? from_int(0) : alpha;
+        int end = i == 0 || i == n;
+        num a = end ? positive(T, "e", i == n) : positive(T, "a", i), alpha = end ? a : div(a, add(one, a));
         for (int j = 0; j < n; j++)
-            M[i * n + j] = j == i - 1 ? sub(one, alpha) : j == i ? alpha : from_int(0);
+            M[i * n + j] = j == i - 1 ? (end ? a : sub(one, alpha)) : j == i ? alpha : from_int(0);
     }
     for (int m = 0; m < 3 * n; m++)
         H[m] = unknown(T, "x", m);
@@ -311,7 +369,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :title: The hulls decrease
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
@@ -321,8 +379,8 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
-:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of
-  points of a convex set is part of the set.
+:argued: | One knot after the other, in the domain or, as the first reading says, outside: the new vertices are on edges of the polygon before, hence in its hull, and
+  the hull of points of a convex set is part of the set.
 :figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
@@ -359,13 +417,14 @@ CLAIM(inserted_points_divide_the_edges)
 :zh: 嵌入一个节点后的顶点
 :printed: for $T'=\{\tau_1\}$, $\tau_1\in(t_\mu,t_{\mu+1}]$, in imitation of (2.9.1): $\boldsymbol r_{i,k}^{(T,T')}=(1-s_i)\boldsymbol r_{i-1}+s_i\boldsymbol r_i$,
   $s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]$
-:holds-by: inserted_points_divide_the_edges printed_insertion_keeps_the_curve
+:holds-by: inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
+:confirmed-by: printed_insertion_keeps_the_curve
 :needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: where_hypotheses_are_needed
 
-The new weights are the denominators.  (2.9.1) is not in the text at hand; in homogeneous coordinates this is the insertion of a knot into a B-spline curve.
+The points are those of (4.1.6) for one knot, the new weights are the denominators.  (2.9.1) is not in the text at hand; in homogeneous coordinates this is the insertion of a knot into a B-spline curve.
 :::
 */
 
@@ -403,7 +462,7 @@ CLAIM(vanishing_weight_loses_the_new_point)
 :zh: α_i 的分段公式
 :printed: \tau_1\in(t_\mu,t_{\mu+1}];\quad\alpha_i=1,\ i\le\mu-k+1;\quad\alpha_i=\frac{\tau_1-t_i}{t_{i+k-1}-t_i},\ \mu-k+2\le i\le\mu;
   \quad\alpha_i=0,\ i\ge\mu+1
-:holds-by: printed_insertion_keeps_the_curve inserted_points_divide_the_edges
+:holds-by: printed_insertion_keeps_the_curve printed_factors_are_the_discrete_shares inserted_points_divide_the_edges
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in the chapter's
@@ -492,6 +551,7 @@ This is about the $s_i$ that exist; for which knots the line before asks for a w
 :zh: 内接折线
 :printed: hence $\Gamma_k^{(T)}(T')$ is an inscribed polygon of $\Gamma_k^{(T)}(\Phi)$
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
+:confirmed-by: insertion_cuts_the_corners
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
@@ -503,7 +563,8 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :::{statement} wang-ch4:lemma-4.2.1-step-first
 :title: So the lemma is true for one knot
 :zh: 归纳法第一步
-:printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\Phi)$, the lemma is true for one knot
+:printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\Phi)$, the lemma is true for one knot; and by the same method, $\Gamma_k^{(T)}(T')$ being convex for
+  $m-1$ knots, $\Gamma_k^{(T)}(T'')$ is convex for $m$
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :confirmed-by: inserted_polygons_stay_convex
@@ -512,8 +573,9 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
   is not enough; it does not run over its start
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $\tau_1$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
-:argued: every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
-  order than the factors, which are between 0 and 1.
+:argued: straight polygons, every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
+  order than the factors, which are between 0 and 1.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
+  their order, so that the new polygon does.
 :figure: what_convex_must_mean
 :::
 */
@@ -584,12 +646,14 @@ of the same curve over the knots with the new one, with its new weights, and if 
 :zh: 归纳步
 :printed: for $T'=\{\tau_1,\tau_2,\dots,\tau_{m-1}\}$ and $T''=T'\oplus\{\tau_m\}$: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$, and
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
-:holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve inserted_points_divide_the_edges
+:holds-by: steps_of_refinement_compose nothing_inserted_changes_nothing
+:confirmed-by: knots_are_inserted_in_any_order
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T''$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: cutting_corners
 
-With the new weights, which the notation does not show; in the second equation the index $k$ is left out.  The sum $\oplus$ keeps multiplicities.
+The first is (4.1.7) for $T_1=T'$, $T_2=\{\tau_m\}$, the second (4.1.6) for the refined data with nothing inserted: both with the new weights, which the notation does
+not show; in the second equation the index $k$ is left out.  The sum $\oplus$ keeps multiplicities.
 :::
 
 :::{claim} knots_are_inserted_in_any_order
@@ -665,7 +729,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :title: The chain of hulls in the induction
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -675,8 +739,8 @@ CLAIM(knots_are_inserted_in_any_order)
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
-:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of
-  points of a convex set is part of the set.
+:argued: | One knot after the other, in the domain or, as the first reading says, outside: the new vertices are on edges of the polygon before, hence in its hull, and
+  the hull of points of a convex set is part of the set.
 :figure: hulls_of_knot_sets
 :::
 */

@@ -21,7 +21,7 @@ ratio of the weights at its ends.
 :printed: w_i^{[r]}(t)=w_i,\ r=0;\ i=j-k+1,\dots,j,\qquad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
   w_{i-1}^{[r-1]}(t),\ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span
-:confirmed-by: weights_of_levels_are_positive
+:confirmed-by: weights_of_levels_are_positive rational_triangle_gives_the_point
 :figure: deboor_triangle
 
 The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t)=w(t)$.
@@ -130,7 +130,7 @@ coincide.
   $t_{j+1}-t_j>0$, whatever knots coincide outside; for $i=j-k+r$ it is $i+k-r=j$, and the interval does not contain it
 :method: Identities in the indices, for every $k$ at once.
 :degrees: all
-:over: j; k: -; r; m: -
+:over: j k r m: -
 :control: the range begun at $i=j-k+r$
 :::
 */
@@ -258,8 +258,8 @@ CLAIM(other_interval_gives_other_point)
 :::{statement} wang-ch4:alg-4.1.1-end
 :title: The algorithm is for every parameter of the half-open intervals
 :zh: 算法适用于各半开区间内的任意参数
-:printed: The algorithm is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any fixed $t$ of an interval half-open on the right,
-  $k\le j\le n$
+:printed: De Boor's algorithm 2.4.1 for the values of B-splines can be extended to NURBS curves: algorithm 4.1.1 is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any
+  fixed $t$ of an interval half-open on the right, $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
 :meant: the intervals are printed | The parameters of the printed intervals.
 :reading: rational_triangle_gives_the_point | for the parameters of the printed intervals
@@ -348,7 +348,7 @@ points are the old ones: a ratio is $0$ where $t_i=t_j$.
 :::{claim} every_level_divides_its_edges
 :title: The points of a level divide the edges of the level before
 :zh: 各层顶点分割上一层的边
-:given: every segment with any positive gaps of its knots, $t=t_j+(t_{j+1}-t_j)\frac s{1+s}$, $s>0$; positive weights
+:given: every segment with any positive gaps of its knots, $t=t_j+(t_{j+1}-t_j)\frac s{1+s}$, $s>0$, or $t=t_j$; positive weights
 :let: $\lambda=(t-t_i)w_i^{[r-1]}/[(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}]$
 :then: $r_i^{[r]}=(1-\lambda)\,r_{i-1}^{[r-1]}+\lambda\,r_i^{[r-1]}$ with $0\le\lambda\le1$, on every level
 :method: The kernel's levels; signs are read off coefficients in $s$, the gaps and the weights.
@@ -366,26 +366,28 @@ CLAIM(every_level_divides_its_edges)
     num R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS];
     for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
         const num *u = K.u;
-        num t = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
-        G(weighted_points)(T, k, 2, R, w);
-        for (int r = 1; r <= p; r++) {
-            for (int m = 0; m <= k - r; m++) {
-                v[m] = w[m];
-                P[2 * m] = R[2 * m];
-                P[2 * m + 1] = R[2 * m + 1];
-            }
-            G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, u, mu, NULL, NULL), r, R, w, t);
-            for (int m = 0; m < k - r; m++) {
-                int i = mu - p + r + m;
-                /* λ = (t - t_i) w_i / ((t - t_i) w_i + (t_{i+k-r} - t) w_{i-1}) */
-                num right = mul(sub(t, u[i]), v[m + 1]), left = mul(sub(u[i + p + 1 - r], t), v[m]);
-                num lambda = div(fault(T, right, left), add(left, right)), rest = sub(from_int(1), lambda);
-                about(T, "the ratio is in [0, 1]");
-                nonnegative(T, lambda);
-                nonnegative(T, rest);
-                about(T, "the new point");
-                for (int c = 0; c < 2; c++)
-                    same(T, R[2 * m + c], add(mul(rest, P[2 * m + c]), mul(lambda, P[2 * m + 2 + c])));
+        for (int knot = 0; knot <= 1; knot++) { /* inside, and at the left end */
+            num t = knot ? u[mu] : add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+            G(weighted_points)(T, k, 2, R, w);
+            for (int r = 1; r <= p; r++) {
+                for (int m = 0; m <= k - r; m++) {
+                    v[m] = w[m];
+                    P[2 * m] = R[2 * m];
+                    P[2 * m + 1] = R[2 * m + 1];
+                }
+                G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, u, mu, NULL, NULL), r, R, w, t);
+                for (int m = 0; m < k - r; m++) {
+                    int i = mu - p + r + m;
+                    /* λ = (t - t_i) w_i / ((t - t_i) w_i + (t_{i+k-r} - t) w_{i-1}) */
+                    num right = mul(sub(t, u[i]), v[m + 1]), left = mul(sub(u[i + p + 1 - r], t), v[m]);
+                    num lambda = div(fault(T, right, left), add(left, right)), rest = sub(from_int(1), lambda);
+                    about(T, "the ratio is in [0, 1]");
+                    nonnegative(T, lambda);
+                    nonnegative(T, rest);
+                    about(T, "the new point");
+                    for (int c = 0; c < 2; c++)
+                        same(T, R[2 * m + c], add(mul(rest, P[2 * m + c]), mul(lambda, P[2 * m + 2 + c])));
+                }
             }
         }
     }
@@ -395,10 +397,9 @@ CLAIM(every_level_divides_its_edges)
 :::{claim} weights_of_levels_are_positive
 :title: The weights of all levels are positive
 :zh: 各层权因子均为正
-:given: every segment with any positive gaps of its knots, $t$ in it, positive weights
+:given: every segment with any positive gaps of its knots, $t$ inside it or at its left end, positive weights
 :then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
-:method: The recursion by its letter; signs are read off coefficients.  At $t=t_j$: the divisors are positive
-  (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
+:method: The recursion by its letter; signs are read off coefficients.
 :degrees: 1..6 sampled 6
 :scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
   numbers above
@@ -416,10 +417,12 @@ CLAIM(weights_of_levels_are_positive)
         w[i] = fault(T, weight, neg(weight));
     }
     for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
-        num t = add(K.u[j - 1], mul(sub(K.u[j], K.u[j - 1]), inside(T, "s")));
-        for (int r = 0; r <= p; r++)
-            for (int i = j - k + r + 1; i <= j; i++)
-                G(must_be_positive)(T, G(printed_weight)(k, K.u, w, r, i, t));
+        for (int knot = 0; knot <= 1; knot++) { /* inside, and at the left end */
+            num t = knot ? K.u[j - 1] : add(K.u[j - 1], mul(sub(K.u[j], K.u[j - 1]), inside(T, "s")));
+            for (int r = 0; r <= p; r++)
+                for (int i = j - k + r + 1; i <= j; i++)
+                    G(must_be_positive)(T, G(printed_weight)(k, K.u, w, r, i, t));
+        }
     }
 }
 

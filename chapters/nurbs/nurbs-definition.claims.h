@@ -52,7 +52,7 @@ mean.
 :title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
 :zh: 定义域内 B 样条基非负且和为一,故分母为正
 :given: several segments, with any positive gaps of the knots; any interval $[x_m,x_{m+1}]$ of the domain;
-  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$
+  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$
 :then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
   weight
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
@@ -70,16 +70,18 @@ CLAIM(basis_is_a_partition_of_unity)
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             int mu = G(span_of_interval)(K.count, K.place, interval);
-            num t = G(parameter_inside)(T, K.u, mu), sum = from_int(0);
-            for (int i = 0; i < K.n; i++) {
-                num N = G(cox_de_boor)(p, K.u, K.place, i, interval, t);
-                about(T, "the sign of N_i");
-                nonnegative(T, N);
-                if (fault(T, 1, i != mu - p))
-                    sum = add(sum, N);
+            for (int knot = 0; knot <= 1; knot++) { /* inside, and at the left end */
+                num t = knot ? K.u[mu] : G(parameter_inside)(T, K.u, mu), sum = from_int(0);
+                for (int i = 0; i < K.n; i++) {
+                    num N = G(cox_de_boor)(p, K.u, K.place, i, interval, t);
+                    about(T, "the sign of N_i");
+                    nonnegative(T, N);
+                    if (fault(T, 1, i != mu - p))
+                        sum = add(sum, N);
+                }
+                about(T, "the sum of the N_i");
+                same(T, sum, from_int(1));
             }
-            about(T, "the sum of the N_i");
-            same(T, sum, from_int(1));
         }
     }
 }
@@ -198,13 +200,13 @@ CLAIM(control_point_of_space_is_not_enough)
 :class: misprint
 :refuted-by: polygon_begun_elsewhere_misses_the_start
 :corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
-:corrected-by: leg_of_every_polygon_is_the_curve_of_order_two
+:corrected-by: leg_of_every_polygon_is_the_curve_of_order_two outer_functions_are_made_of_outer_ones
 :confirmed-by: polygon_is_the_curve_of_order_two moved_point_changes_its_support clamped_end_is_the_first_point
 :argued: every order | The control points are $\tilde r_1,\dots,\tilde r_n$ by the beginning of the sentence, and the polygon is that of definition 4.3.1, whose curve of
   order 2 is $r_1r_2\cdots r_n$ whatever the order of the curve that it controls.
 :figure: polygon_begun_elsewhere
 
-Each of the $n$ points acts on the curve, the first one, too, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
+The first point acts on the curve where its support meets the domain, as every other, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
 :::
 */
 

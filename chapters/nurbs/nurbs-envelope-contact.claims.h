@@ -18,9 +18,10 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 :title: With equal weights the family is that of the B-spline curve
 :zh: 权相等时即 B 样条曲线的包络定理
 :printed: when the $w_i$ are constant, theorem 2.2.2 results
-:holds-by: equal_weights_give_the_polynomial_family
-:meant: theorem 2.2.2 is not at hand; it belongs to the section on B-spline curves | The same theorem for B-spline curves: the family is that of de Boor's
-  algorithm without weights.
+:holds-by: equal_weights_give_the_polynomial_family member_of_span_touches_curve
+:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
+:meant: theorem 2.2.2 is not at hand; it belongs to the section on B-spline curves | The same theorem for B-spline curves: the curve is the envelope of the family
+  that de Boor's algorithm without weights gives.
 :figure: nurbs_envelope_contact
 :::
 

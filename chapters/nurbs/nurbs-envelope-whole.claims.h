@@ -17,6 +17,7 @@ span; what has to be asked is whether the members exist.
 :printed: for the whole curve $\mathbf r(t)$, $t_k\le t\le t_{n+1}$, it is enough to put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), to take $[t_k,t_{n+1}]$ as the domain
   in (4.3.2) and (4.3.3) and to let the sums of (4.3.3) run from $r+1$ to $n$; the same conclusion holds
 :holds-by: whole_member_is_polar_on_every_span member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
+:confirmed-by: equal_weights_stay_equal_for_the_whole_curve
 :hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$ with $\rho=r$;
   outside its own span the recursion extrapolates, and a point of the member may not exist although all weights are positive
 :hypothesis: lower_level_lacks_a_point | with $\rho=1,\dots,r-1$ as well: (4.1.4) asks for their points; or the products
@@ -33,7 +34,7 @@ span; what has to be asked is whether the members exist.
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
 the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first three
-hypotheses are fulfilled: all $w_i^{[r]}$ are equal.  What is left out is not asked for elsewhere: if
+hypotheses are fulfilled (`equal_weights_stay_equal_for_the_whole_curve`).  What is left out is not asked for elsewhere: if
 $t_i=t_{i+k-r+1}$, then $t_i=t_{i+k-r}$ and $t_{i+1}=t_{i+1+k-r}$, and the points of the next level that would need
 $i$ are left out too.
 :::
@@ -105,6 +106,51 @@ CLAIM(whole_member_is_polar_on_every_span)
                             sum = add(sum, mul(h[c][i], G(cox_de_boor)(p - r, u, place, i, interval, t)));
                     same(T, sum, f[c]);
                 }
+            }
+        }
+    }
+}
+
+/*
+:::{claim} equal_weights_stay_equal_for_the_whole_curve
+:title: With equal weights all weights of all levels and all denominators of members are that weight
+:zh: 权相等时各层权与族曲线分母恒为该权
+:given: one weight $w$ for all points over the knots of `whole_member_is_polar_on_every_span`; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
+:then: $w_i^{[r]}(\tau)=w$ for $i=r+1,\dots,n$, but for the $i$ with $t_i=t_{i+k-r}$, and $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)=w$
+:method: (4.1.3) for all indices by its letter, the sum by the recursion of de Boor and Cox as it is defined.
+:degrees: 2..6 sampled 6
+:scope: simple knots, or one inner knot double, (k-1)-fold or k-fold; the distinct knots variables up to order 5, numbers above
+:over: w: common weight
+:control: the first weight doubled
+:::
+*/
+CLAIM(equal_weights_stay_equal_for_the_whole_curve)
+{
+    int p = T->degree;
+    num t = parameter(T, "t"), tau = parameter(T, "s"), w = positive(T, "w", 0);
+    for (int kind = 0; kind < 4; kind++) {
+        char pattern[MOST_KNOTS] = {0};
+        int many = kind < 2 ? kind + 1 : p + kind - 2, n = kind < 2 ? p + 3 : p + many + 1;
+        for (int i = 0; i < n + p + 2 - many; i++)
+            pattern[i] = (char)('0' + (i == p + 1 ? many : 1));
+        num u[MOST_KNOTS], h[MOST_KNOTS];
+        int place[MOST_KNOTS], count = G(knots_of_pattern)(T, pattern, u, place);
+        G(numbers_above)(4, p, count, place, u);
+        for (int i = 0; i < n; i++)
+            h[i] = fault(T, w, i == 0 ? add(w, w) : w);
+        for (int r = 1; r <= p - 1; r++) {
+            G(whole_level)(n, p, u, place, r, h, tau);
+            about(T, "the weights of the level");
+            for (int i = r; i < n; i++)
+                if (place[i] < place[i + p + 1 - r])
+                    same(T, h[i], w);
+            about(T, "the denominator of the member");
+            for (int interval = place[p]; interval < place[n]; interval++) {
+                num sum = from_int(0);
+                for (int i = r; i < n; i++)
+                    if (place[i] < place[i + p + 1 - r])
+                        sum = add(sum, mul(h[i], G(cox_de_boor)(p - r, u, place, i, interval, t)));
+                same(T, sum, w);
             }
         }
     }

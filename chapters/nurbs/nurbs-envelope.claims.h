@@ -86,6 +86,7 @@ CLAIM(segment_needs_the_points_of_its_span)
   \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(\tau),\quad t_j\le t,\tau<t_{j+1}
 :definition: yes
 :checked-by: member_of_span_is_polar extrapolated_members_keep_positive_weights_inside
+:confirmed-by: divisors_contain_the_span
 :figure: nurbs_envelope_families
 
 The indices are in range, level $r$ having the indices $j-k+r+1,\dots,j$, and so are the divisors
@@ -143,12 +144,10 @@ CLAIM(member_of_span_is_polar)
 :zh: 在本段内各层权及族曲线分母恒正
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; positive
-  weights; $t$ and $\tau$ inside the span
+  weights; $t$ and $\tau$ inside the span or at its left end
 :then: $w_i^{[r]}(\tau)>0$ for all $r=1,\dots,k-2$ and $i=j-k+r+1,\dots,j$, and $\sum N_{i,k-r}(t)w_i^{[r]}(\tau)>0$
 :method: With $t=(t_j+t_{j+1}x)/(1+x)$, $\tau$ likewise with $y$, and the gaps of the knots, the weights, $x$ and $y$
-  as variables, numerators and denominators have positive coefficients only.  At $t=t_j$ and $\tau=t_j$, that is
-  $x=0$, $y=0$, they are positive too: $a\in[0,1]$ in every step of (4.1.3), and a mean of positive numbers is
-  positive.
+  as variables or $x=0$, $y=0$, numerators and denominators have positive coefficients only.
 :types: field rational
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 4, numbers above
@@ -167,19 +166,21 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
     for (int shape = 0; shape < G(shapes)(p); shape++) {
         num u[MOST_KNOTS];
         G(gaps_of_span)(T, p, shape, u);
-        for (int k = 0; k < 2; k++) {
-            num x = positive(T, "y", k);
-            a[k] = div(add(u[mu], mul(x, u[mu + 1])), add(from_int(1), x));
-        }
-        for (int r = 1; r < p; r++) {
-            num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2];
-            G(level_of_curve)(p, 1, u, mu, R, w, r, a[1], Rr, wr);
-            about(T, "the weights of level r");
-            for (int m = 0; m <= p - r; m++)
-                G(must_be_positive)(T, wr[m]);
-            about(T, "the denominator of the member");
-            G(sums)(p - r, 1, u, mu, Rr, wr, a[0], S);
-            G(must_be_positive)(T, S[1]);
+        for (int ends = 0; ends < 4; ends++) { /* which of t and tau are at the left end */
+            for (int k = 0; k < 2; k++) {
+                num x = ends >> k & 1 ? from_int(0) : positive(T, "y", k);
+                a[k] = div(add(u[mu], mul(x, u[mu + 1])), add(from_int(1), x));
+            }
+            for (int r = 1; r < p; r++) {
+                num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2];
+                G(level_of_curve)(p, 1, u, mu, R, w, r, a[1], Rr, wr);
+                about(T, "the weights of level r");
+                for (int m = 0; m <= p - r; m++)
+                    G(must_be_positive)(T, wr[m]);
+                about(T, "the denominator of the member");
+                G(sums)(p - r, 1, u, mu, Rr, wr, a[0], S);
+                G(must_be_positive)(T, S[1]);
+            }
         }
     }
 }
@@ -520,6 +521,7 @@ CLAIM(corner_has_two_tangents)
   $\mathbf r(t)=\mathbf p(t)/w(t)=\operatorname{env}\{\mathbf r^{[k-r]}(t,\tau),\ t_j\le t<t_{j+1}\mid
   t_j\le\tau<t_{j+1}\}$, $j=k,k+1,\dots,n$, with (4.3.3)
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
+:confirmed-by: span_derivatives_are_parallel curvatures_have_a_fixed_ratio
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
 :needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: nurbs_envelope_families
@@ -528,7 +530,7 @@ This is existence: every member touches the curve, in the point of its own param
 that there may be other envelopes is the matter of theorems 4.3.2 and 4.3.3.  Formula (4.3.2) covers the half-open
 spans, so that the last point $t_{n+1}$ of the curve is in none of them; the polynomials of the last span reach it. 
 For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
-for every $r$: `curvatures_have_a_fixed_ratio`.
+for every $r$: `span_derivatives_are_parallel`, `curvatures_have_a_fixed_ratio`.
 :::
 
 By the usual definition a curve $X(t,\tau(t))$ is an envelope (包络) if it meets the condition $X_t\times X_\tau=0$.

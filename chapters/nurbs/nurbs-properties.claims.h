@@ -17,7 +17,8 @@ the curve itself rather than about its homogeneous form has to be carried throug
 :::{statement} wang-ch4:properties-2.3
 :title: Properties similar to those of B-spline curves
 :zh: 与 B 样条曲线性质 2.3.1-2.3.7 类似的性质
-:printed: The curve (4.1.2) also has properties similar to 2.3.1-2.3.7
+:printed: The curve (4.1.2) also has properties similar to 2.3.1-2.3.7; as those of its special cases are treated in the chapters before, they can easily be written down
+  one by one (preface)
 :reading: moved_point_changes_its_support | local control: moving $r_i$, or changing $w_i$, changes the curve on
   $[t_i,t_{i+k})$ only
 :reading: point_is_in_the_hull_of_k_points | convex hull, span by span, for positive weights

@@ -38,13 +38,11 @@ counted, or, for insertion, if it counts as infinitely many points.
 :reading: touching_point_is_no_crossing | that these two counts are one: a curve may touch the line, in a common point that is no crossing
 :reading: self_crossing_polygon_gains_points_on_a_line | the lemma for points of the plane, each counted once
 :reading: edge_on_the_line_must_be_counted | lemma and theorem for points that are not on an edge or piece of curve on the line
+:reading: self_crossing_polygon_meets_the_line_less_than_its_spline | the theorem for points of the plane, each counted once
 :reading: cut_corner_lies_on_the_line | the lemma for points, of which an edge on the line has infinitely many
 :figure: what_must_be_counted
 
-As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.  As points of the
-plane the theorem is false, too; where an edge on the line has infinitely many points it is true: over a piece of the
-curve on the line an edge lies there. Points of the plane will do, an edge or piece on the line counting once, for a
-polygon that does not meet itself on the line.  The source's chapter on Bézier curves means crossings, and says so.
+As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.  The source's chapter on Bézier curves means crossings, and says so.
 :::
 */
 
@@ -525,7 +523,8 @@ A proof for every order, for crossings: let the curve change sides $I$ times; ta
 where it is on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$
 times, so the old one does.  For common points take one parameter of each intersection and one, off the line,
 between any two. No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the
-polygon crosses with it.
+polygon crosses with it.  If an edge on the line has infinitely many points, the theorem is true as well: over a piece of the curve on the line an edge lies there,
+as the B-splines of a span are independent.  Points of the plane will do, an edge or piece on the line counting once, for a polygon that does not meet itself on the line.
 :::
 
 To pass from the polygon to the curve one has to know the sign of the form $ax+by+c$ on the curve.  It is a quotient
@@ -770,9 +769,8 @@ may be more than $k$; then some vertices are repeated and nothing else happens.
 :figure: points_of_the_line_as_vertices
 
 As common points this is obvious, for different points of the plane; two parameters with one point are two vertices
-with one point, and count twice along curve and polygon.  For crossings there is something to say: next to a parameter
-$t'$ of multiplicity $k-1$ the curve is on the side of the nearest vertex that is not on the line, so the polygon
-changes sides where the curve does.
+with one point, and count twice along curve and polygon.  That the polygon then changes sides where the curve does was
+tried for the stated curves (`polygon_through_the_crossings_crosses_as_often`).
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-contradiction

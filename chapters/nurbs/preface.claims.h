@@ -20,8 +20,8 @@ this can be computed is decided here.
 :::{statement} wang-ch4:preface-generalization
 :title: Piecewise polynomial generalises to piecewise rational; B-spline and rational Bézier curves are special cases
 :zh: 由分段多项式推广到分段有理多项式;B 样条曲线与有理 Bézier 曲线为其特例
-:printed: The nonuniform B-spline curve, a piecewise polynomial, is generalised to the piecewise rational NURBS curve,
-  of which B-spline curves and rational Bézier curves are special cases
+:printed: As the polynomial Bézier curve was generalised to the rational one of the chapter before, the nonuniform B-spline curve, a piecewise polynomial, is
+  generalised to the piecewise rational NURBS curve, of which B-spline curves and rational Bézier curves are special cases
 :holds-by: nurbs_point_is_the_weighted_mean equal_weights_give_bspline bezier_knots_give_rational_bezier
 :figure: nurbs_circle
 :::
@@ -44,7 +44,7 @@ this can be computed is decided here.
 :title: Convexity and variation diminution are seen from the discrete curves
 :zh: 以离散 NURBS 曲线为工具
 :printed: One is used to computing with NURBS in homogeneous coordinates, but in these it is hard to infer their geometric properties in the
-  three-dimensional world; with the discrete NURBS curve as a tool, that convexity is kept and variation diminished is obvious
+  three-dimensional world; we analyse its discrete structure: with the discrete NURBS curve as a tool, that convexity is kept and variation diminished is obvious
 :reading: insertion_cuts_the_corners | that the discrete curves cut corners, in the space of the curve; both properties
   follow, with the hypotheses of `thm-4.2.1` and `thm-4.2.2`
 :reading: polygon_that_turns_back_loses_convexity | that the first holds for every polygon that is convex by the letter of definition 4.2.1
@@ -172,10 +172,10 @@ CLAIM(circle_is_a_nurbs_curve)
 :given: the same curve; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval
 :data: multiplicities = "32223"; r = (1,0) (1,1) (0,1) (-1,1) (-1,0) (-1,-1) (0,-1) (1,-1) (1,0); w = 1 1 2 1 1 1 2 1 1
 :instead: r = (1,0) (1,-1) (0,-1) (-1,-1) (-1,0) (-1,1) (0,1) (1,1) (1,0)
-:then: $x\,y'-y\,x'>0$, and the quarters begin and end in every second point, from $r_1$ to $r_n$
-:method: The derivatives by the kernel; the cross product has positive coefficients only in $s$ and the gaps of the knots.  On a
-  circle the angle then grows; on a quarter $x$ and $y$ keep their signs, as the curve is in the hull of three points,
-  so it grows by a quarter turn each time.
+:then: $x\,y'-y\,x'>0$; inside each quarter $x$ and $y$ have the signs of the middle one of its three points; and the quarters begin and end in every
+  second point, from $r_1$ to $r_n$
+:method: The point and its derivative by the kernel; the cross product, and $x$ and $y$ times these signs, have positive coefficients only in $s$ and the gaps of
+  the knots.  So the angle grows, on each quarter within one quadrant and from one axis to the next.
 :over: s: ratio in which t divides its interval
 :control: the points taken in the opposite order
 :::
@@ -195,6 +195,9 @@ CLAIM(circle_is_run_through_once)
         G(nurbs_derivatives)(G(nurbs_on_span)(p, dim, u, mu, R, w), t, 1, D);
         about(T, "the angle grows");
         G(must_be_positive)(T, G(cross2)(D, D + dim)); /* x y' - y x' */
+        about(T, "the signs of x and y");
+        for (int c = 0; c < dim; c++)
+            G(must_be_positive)(T, mul(D[c], R[(2 * interval + 1) * dim + c]));
         about(T, "the ends of the quarter");
         for (int end = 0; end < 2; end++) {
             G(nurbs_point)(G(nurbs_on_span)(p, dim, u, mu, R, w), x[interval + end], D);
@@ -219,8 +222,9 @@ The preface confuses the size of the expression with the number of operations; b
 :refuted-by: recursion_is_not_exponential
 :class: false
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
-  dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying
-:corrected-by: recursion_is_quadratic
+  dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m$,
+  and an exponential does not
+:corrected-by: recursion_is_quadratic twice_the_degree_takes_less_than_four_times_the_steps
 :meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.
 :reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
   occurs again: then the time does double with the order.  Nobody needs to do so, and algorithm 4.1.1, level after
@@ -263,6 +267,34 @@ CLAIM(recursion_is_quadratic)
     }
 }
 
+#endif
+
+/*
+:::{claim} twice_the_degree_takes_less_than_four_times_the_steps
+:title: From order m+1 to order 2m+1 a number of steps c k(k-1)/2 grows less than fourfold
+:zh: 阶数由 m+1 增至 2m+1 时步数不足四倍
+:types: field rational
+:given: $m\ge1$, the steps $c\,\frac{k(k-1)}2$ for order $k$, or $c\,(k-1)$, with $c>0$; all variables
+:then: $4\,c\,\frac{(m+1)m}2-c\,\frac{(2m+1)\,2m}2=c\,m>0$, and $2m=2\cdot m$: the first are less than four times, the second twice as many
+:method: Identities in $m$ and $c$.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by $a^m$ from order $m+1$ to order $2m+1$, which is more than $4$ for
+  great $m$.
+:harmless: $c>0$ | it is a number of operations
+:degrees: all
+:over: m c: -
+:control: three times in the place of four
+:::
+*/
+CLAIM(twice_the_degree_takes_less_than_four_times_the_steps)
+{
+    num m = whole(T, "m", 1, 99), c = positive(T, "c", 0), one = from_int(1), two = from_int(2), more = add(m, m);
+    num here = div(mul(c, mul(add(m, one), m)), two), there = div(mul(c, mul(add(more, one), more)), two);
+    about(T, "a point");
+    same(T, sub(mul(from_int(fault(T, 4, 3)), here), there), mul(c, m));
+    about(T, "an insertion");
+    same(T, mul(c, more), mul(two, mul(c, m)));
+}
+
+#if RATIONAL
 /*
 :::{claim} recursion_is_not_exponential
 :title: De Boor's algorithm of order 17 is far below the smallest doubling
@@ -272,9 +304,7 @@ CLAIM(recursion_is_quadratic)
 :data: k = 9; k' = 17
 :then: doubling with each order means $2^{k'-k}$ times the steps for $k$, and the steps for $k'$ are fewer
 :result: operations, order k = 504; operations, order k' = 1904; plain recursion, order k = 6885; plain recursion, order k' = 1769445
-:method: The steps are counted in the kernel.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by
-  $a^{k'-k}$ for these two, and by $a^{m}$ from order $m+1$ to order $2m+1$; the quotient of the steps is $\frac{2(2m+1)}{m+1}<2^2$
-  for every $m$.
+:method: The steps are counted in the kernel.  Other factors than 2 are the matter of the corrected statement.
 :control: the plain recursion, in which everything is computed again
 :::
 */
@@ -324,7 +354,7 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :zh: deBoor 与 Boehm 递推计算稳定而简单
 :printed: De Boor's recursion and Boehm's insertion of a knot are main tools for the evaluation, the conversion and the like of NURBS; their merit is
   that the computation is stable and simple
-:holds-by: recursion_subtracts_data_only weights_of_levels_are_positive divisors_contain_the_span
+:holds-by: recursion_subtracts_data_only weights_of_levels_are_positive divisors_contain_the_span insertion_ratios_are_between_zero_and_one
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive, and $t$ in the interval: with
   weights of both signs a weight of a level may be a difference, even $0$
 :argued: | That few roundings reach the result, and that no computed number is subtracted, is counted.  That the rounded
@@ -392,8 +422,8 @@ CLAIM(recursion_subtracts_data_only)
 :types: field rational
 :given: $a_0,\dots,a_p$ and $t$, with $p=k-1$
 :then: $(\dots(a_pt+a_{p-1})t+\dots)t+a_0$ is $\sum a_jt^j$ and takes $2p$ operations; bringing a span to this form, a
-  product with a matrix of $k\times k$ numbers, takes less than $2k^2$ a coordinate, once
-:method: The rule against the sum of powers, everything a variable, and on numbers that count.
+  product with a matrix of $k\times k$ numbers, takes $2k^2-k$ a coordinate, once
+:method: The rule against the sum of powers, everything a variable; rule and product on numbers that count.
 :degrees: 1..8 sampled 16
 :over: a#: coefficients
 :control: the coefficients taken in the opposite order
@@ -417,6 +447,15 @@ CLAIM(horner_takes_two_operations_a_degree)
     for (int j = 1; j <= p; j++)
         counted_value = add_n(mul_n(counted_value, fresh), fresh);
     agree(T, steps == 2 * p);
+    about(T, "the product with the matrix");
+    steps = 0;
+    for (int j = 0; j <= p; j++) {
+        num_n coefficient = mul_n(fresh, fresh);
+        for (int i = 1; i <= p; i++)
+            coefficient = add_n(coefficient, mul_n(fresh, fresh));
+        (void)coefficient;
+    }
+    agree(T, steps == (p + 1) * (2 * p + 1)); /* k (2k - 1) */
 #endif
 }
 #endif
@@ -487,13 +526,16 @@ What the preface cites is compared with the list of the literature at the end of
 and references.
 
 :::{statement} wang-ch4:preface-matrices
-:title: Who gave which matrix
-:zh: 前人的系数矩阵表示
-:printed: An explicit matrix of NURBS in the power basis is needed.  De Boor [14] and Schumaker [15] gave numerical algorithms for it, Cohen and Riesenfeld [16] the matrix
+:title: Who proposed rational B-splines, and who gave which matrix
+:zh: 有理 B 样条的由来与前人的系数矩阵表示
+:printed: Rational B-splines were first proposed by Versprille [2] and then studied by Piegl [3-7], Tiller [8-10], Li Hua [11] and others, while Choi [12], Grabowski [13]
+  and others worked on the matrix of the coefficients of NURBS.  In form the recursions are chains of many formulas and not convenient in theory, the matrix form is concise and clear; so an explicit matrix of NURBS in the power
+  basis is needed.  De Boor [14] and Schumaker [15] gave numerical algorithms for it, Cohen and Riesenfeld [16] the matrix
   for uniform knots, Ding and Davies [17] for nonuniform ones, but only of the third degree, Choi [12] and Grabowski [13] for nonuniform knots and any degree
   recursive matrix forms after the algorithms of Boehm and of de Boor, which are still not analytic; we have given two explicit matrix forms of the most general
   case, which help in the theory and the use of representation, evaluation, insertion of knots, elevation and conversion
 :reading: both_explicit_matrices_agree | that the two forms of this chapter are the matrix, whatever knots coincide
+:reading: that the one form is inconvenient and the other clear, and what the explicit forms help in: opinions.
 :reading: as history: no computation decides it; the works are cited with these numbers.
 :figure: both_matrices
 :::
@@ -506,7 +548,7 @@ and references.
 :reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP; the first
   parts of ISO 10303 are commonly dated 1994.
 :reading: as mathematics, that no other kind of curve is needed beside NURBS: that is not said; B-spline and rational Bézier curves are
-  among them (see the first entry), a helix is known not to be.
+  among them (see the first entry).
 :::
 */
 #include "chapters/judge/claims_off.h"

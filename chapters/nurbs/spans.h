@@ -1,4 +1,4 @@
-/* spans.h -- the knots of one span in every order of coincidence, and the B-splines there by definition.
+/* spans.h -- the knots of one span, or of one function, in every order of coincidence, and the B-splines there by definition.
  *
  * The other side of the comparisons in the sections on coefficient matrices.  The notation is the source's: the
  * order k, the span [t_r, t_{r+1}), the functions N_{i,k} of t_i, ..., t_{i+k} with i = r-k+1, ..., r.  The 2k
@@ -126,5 +126,45 @@ static inline num G(leibniz)(int n, int row, unsigned used, const num M[])
         if (!(used >> c & 1))
             sum = add(sum, G(signed_by)(free_before++, mul(M[row * n + c], G(leibniz)(n, row + 1, used | 1u << c, M))));
     return sum;
+}
+/* The k+1 knots of one function, pattern m of 2^k, numbered from 0, with the span after group g, so that the span is
+ * that of the last knot of group g and i = 0. */
+static inline struct G(span) G(span_of_function)(int k, int m, int g, const num x[])
+{
+    struct G(span) S = {.k = k, .r = 0};
+    for (int a = 0, group = 0; a <= k; a++) {
+        S.group[a] = group;
+        S.t[a] = x[group];
+        if (group == g)
+            S.r = a;
+        group += m >> a & 1;
+    }
+    return S;
+}
+
+/* The knots of one function as nodes: d different ones with multiplicities, and which are right of t_r. */
+struct G(nodes) {
+    int d, l[LARGEST_ORDER + 1], right[LARGEST_ORDER + 1];
+    num tau[LARGEST_ORDER + 1];
+};
+static inline struct G(nodes) G(nodes_of)(const struct G(span) * S)
+{
+    struct G(nodes) n = {.d = 0};
+    for (int a = 0; a <= S->k; a++) {
+        if (a == 0 || S->group[a] != S->group[a - 1]) {
+            n.tau[n.d] = S->t[a];
+            n.right[n.d] = S->group[a] > S->group[S->r];
+            n.l[n.d++] = 0;
+        }
+        n.l[n.d - 1]++;
+    }
+    return n;
+}
+
+/* The cases of the claims on columns: all patterns and spans up to the order 5, else a few random patterns. */
+static inline int G(function_patterns)(int k) { return k <= (FIELD ? 5 : 3) ? 1 << k : 3; }
+static inline int G(function_pattern)(trial *T, int k, int m)
+{
+    return k <= (FIELD ? 5 : 3) ? m : pick(T, 1, (1 << k) - 1);
 }
 #include "chapters/judge/claims_off.h"

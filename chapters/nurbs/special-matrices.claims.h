@@ -148,7 +148,8 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$: so
   read it is $-N_{i,k}$ for odd $k$
 :corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
-:corrected-by: simple_basis_from_weights
+:corrected-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
+:confirmed-by: printed_simple_matrix_differs_by_the_parity_sign
 :figure: simple_knots_sign
 
 Nothing in the source says what $\alpha_l$ is.
@@ -303,7 +304,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
 :refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
 :corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha\ne l}
   (t_l-t_\alpha)}
-:corrected-by: simple_matrix_is_the_matrix
+:corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
 :striking: 9
 :figure: simple_knots_sign
 
@@ -614,7 +615,7 @@ CLAIM(uniform_letter_one_fails)
 :confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_letter
 
-With $l$ in its own upper limit the sum has no meaning; with the limit put right the other two are still wrong.
+With $l$ in its own upper limit the sum has no meaning; with the limit and the exponent put right the factorial is still wrong.
 :::
 
 :::{claim} uniform_letter_in_factorial_fails
@@ -649,8 +650,7 @@ CLAIM(uniform_letter_in_factorial_fails)
 :confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_letter
 
-By the letter the sum has no value: $l$, the variable of the second sum, is bound nowhere here.  In the example 1 is the one value
-that makes it $a_{ji}$.
+By the letter the sum has no value: $l$, the variable of the second sum, is bound nowhere here.  In the example it is $a_{ji}$ with $l=1$, and not with $l=2$.
 :::
 
 :::{claim} uniform_letter_is_free_in_the_third_sum

@@ -21,6 +21,9 @@ the printed definition the words and the formula disagree.
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
 :corrected-by: highest_terms_go_along_with_an_affine_map
 :confirmed-by: total_degree_survives_affine_maps
+:reading: highest_terms_go_along_with_an_affine_map | by the words, an equation of degree $n$, in the usual sense: then it is right, and the sum only says
+  that the terms are among these
+:reading: hyperbola_has_the_printed_form_for_degree_one | by the sum, an equation of this form
 :meant: the words, equation of degree $n$, and theorem 3.4.2 | The total degree.
 :figure: degree_of_a_hyperbola
 
@@ -166,7 +169,7 @@ the equation.
 :figure: arc_of_a_line
 
 Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.  That $F$ is
-irreducible when the parametrisation is proper is cited.
+irreducible when the parametrisation is proper, is proved in [sendra-winkler-perez-diaz-2008].
 :::
 
 :::{claim} doubled_parameter_halves_the_degree
@@ -207,12 +210,13 @@ For the converse one curve suffices that no rational curve can follow.
 :printed: But the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
   need not hold.
 :holds-by: smooth_cubic_has_two_separate_parts rational_cubic_has_one_double_point
-:example: that it need not hold is shown by one curve.
 :cites: Lüroth's theorem: a curve with a rational parametrization has one that runs through it once | A rational cubic
   so has a parametrization of degree 3, hence a double point by `rational_cubic_has_one_double_point`; this one has
   none.  That no arc of it is rational, therefore, and the two parts show it a second time, as a rational curve is
   connected in the projective plane.
 :figure: smooth_cubic
+
+That it need not hold is shown by one curve.
 :::
 */
 

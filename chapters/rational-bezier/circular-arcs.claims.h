@@ -19,16 +19,15 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :printed: By theorem 3.5.1, when $I_1<1$, it is easily seen that the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$,
   $A=C$.
 :meant: the next formula, $\frac{l^2}{l^2+y_1^2}=\cos^2\theta$ | $\theta$ is the base angle of the triangle.
-:holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
+:holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle curve_on_a_circle_has_five_conditions
 :confirmed-by: arcs_satisfy_the_three_equations
 :needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the central angle may be $2\pi-2\theta$.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle.
 :figure: circular_arc
 
-Only if: five points of an arc determine its conic, so that the $S$ of an arc of a circle is the equation of the circle up to a factor, with $B=0$ and
-$A=C$.  That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2$ is a circle needs right angles and
-equal units on the axes, as the special coordinates have them.
+If: $B=0$ and $A=C$ say that $x_1=0$ and $\omega^2=\frac{l^2}{l^2+y_1^2}$, and this is the arc of the second claim.  Only if: a curve on a circle has
+$\|R_0R_1\|=\|R_2R_1\|$, so $x_1=0$, and $\omega^2\|R_0R_1\|^2=l^2$, by the third.  Right angles and equal units on the axes, as the special coordinates have them, are used.
 :::
 
 :::{claim} circles_among_the_conics_of_the_curve
@@ -101,7 +100,7 @@ static num G(scalar)(const num o[], const num a[], const num b[])
 :method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  The
   sides of the chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
 :defines: circular_arc_circle
-:scope: 0 < t < 1
+:scope: 0 ≤ t ≤ 1
 :over: M# p# q#: points; k: h/l; t: -
 :control: $\omega_2$ doubled
 :::
@@ -234,7 +233,7 @@ CLAIM(base_angle_of_the_triangle)
 :zh: 圆弧控制三角形的边长
 :printed: If the curve (3.1.5) is an arc of a circle with the central angle $2\theta$, $0<\theta<\frac\pi2$, and the radius
   $l\csc\theta$, then $\|R_0R_1\|=\|R_2R_1\|$, $\|R_0R_2\|=2l$.
-:holds-by: arcs_satisfy_the_three_equations
+:holds-by: curve_on_a_circle_has_five_conditions arcs_satisfy_the_three_equations
 
 This is what the theorem says of (3.5.5) as a necessary condition.
 :::
@@ -244,7 +243,7 @@ This is what the theorem says of (3.5.5) as a necessary condition.
 :zh: 圆弧的不变量
 :printed: If the curve (3.1.5) is an arc of a circle with the central angle $2\theta$, $0<\theta<\frac\pi2$, and the radius
   $l\csc\theta$, then $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
-:holds-by: arcs_satisfy_the_three_equations
+:holds-by: curve_on_a_circle_has_five_conditions arcs_satisfy_the_three_equations
 
 This is what the theorem says of (3.5.6) as a necessary condition.
 :::
@@ -257,9 +256,9 @@ This is what the theorem says of (3.5.6) as a necessary condition.
 :let: $R_0=r(\cos\theta,-\sin\theta)$, $R_2=r(\cos\theta,\sin\theta)$; the end tangents meet in $R_1=(r\sec\theta,0)$; let
   $l=r\sin\theta$, and let $S$ be the conic of the curve with any weights $\omega_0,\omega_1,\omega_2$
 :then: $R_0R_1$ and $R_2R_1$ are tangents of the circle; $\|R_0R_1\|^2=\|R_2R_1\|^2=l^2\sec^2\theta$,
-  $\|R_0R_2\|^2=4l^2$; and $C-A=\frac{l^2}{\cos^2\theta}(\omega_1^2-\omega_0\omega_2\cos^2\theta)$ for $S$, so the
-  curve lies on a circle only if $I_1=\cos^2\theta$
-:method: A rational quadratic touches $R_0R_1$ and $R_1R_2$ in its ends (property 3.2.3), so the triangle of an arc is this
+  $\|R_0R_2\|^2=4l^2$; and $C-A=\frac{l^2}{\cos^2\theta}(\omega_1^2-\omega_0\omega_2\cos^2\theta)$ for $S$, which is 0 only
+  for $I_1=\cos^2\theta$
+:method: By `curve_on_a_circle_has_five_conditions` $R_0R_1$ and $R_2R_1$ are tangents of the circle of an arc, so that its triangle is this
   one up to a motion.  Identities in $r$, $m$ and the weights.
 :scope: every θ below π/2
 :over: r: radius; m: -
@@ -289,6 +288,56 @@ CLAIM(arcs_satisfy_the_three_equations)
 }
 
 /*
+That a curve is on a circle is five equations, the Bernstein coefficients of a polynomial of degree 4.
+
+:::{claim} curve_on_a_circle_has_five_conditions
+:title: What it means that a rational quadratic is on a circle
+:zh: 有理二次曲线在圆上的五个条件
+:given: points $R_0,R_1,R_2$ and $C$ of the plane, a number $r$, any weights $\omega_0,\omega_1,\omega_2$ and $t$
+:let: $m_{ij}=(R_i-C)\cdot(R_j-C)-r^2$
+:then: $\omega(t)^2(\|R(t)-C\|^2-r^2)$ is $(1-t)^4\omega_0^2m_{00}+4(1-t)^3t\,\omega_0\omega_1m_{01}
+  +(1-t)^2t^2(2\omega_0\omega_2m_{02}+4\omega_1^2m_{11})+4(1-t)t^3\,\omega_1\omega_2m_{12}+t^4\omega_2^2m_{22}$;
+  $\|R_i-R_j\|^2=m_{ii}-2m_{ij}+m_{jj}$, $(R_1-R_0)\cdot(R_0-C)=m_{01}-m_{00}$ and $(R_1-R_2)\cdot(R_2-C)=m_{12}-m_{22}$
+:method: Identities in eight coordinates, $r$, the weights and $t$.  On a circle the left side is 0 for infinitely many $t$, so all five coefficients are 0.  With
+  positive weights then $m_{00}=m_{01}=m_{12}=m_{22}=0$ and $\omega_0\omega_2m_{02}+2\omega_1^2m_{11}=0$: $R_0R_1$ and $R_2R_1$ are tangents,
+  $\|R_0R_1\|^2=m_{11}=\|R_2R_1\|^2$, $\|R_0R_2\|^2=-2m_{02}$, and $4\omega_1^2\|R_0R_1\|^2=\omega_0\omega_2\|R_0R_2\|^2$.
+:where: the weights are positive
+:over: x# C#: points; r: radius; t: -
+:control: the middle coefficient with $2\omega_1^2$ for $4\omega_1^2$
+:::
+*/
+CLAIM(curve_on_a_circle_has_five_conditions)
+{
+    num R[6], C[2] = {unknown(T, "C", 0), unknown(T, "C", 1)}, r = unknown(T, "r", 0), t = parameter(T, "t");
+    num one = from_int(1), two = from_int(2), four = from_int(4), s = sub(one, t), w[3], P[2], m[3][3];
+    G(six)(T, "x", R);
+    G(three_weights)(T, w);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            m[i][j] = sub(G(scalar)(C, R + 2 * i, R + 2 * j), mul(r, r));
+    num ss = mul(s, s), st = mul(s, t), tt = mul(t, t);
+    num middle = add(mul(mul(two, mul(w[0], w[2])), m[0][2]), mul(mul(fault(T, four, two), mul(w[1], w[1])), m[1][1]));
+    num sum = mul(mul(ss, ss), mul(mul(w[0], w[0]), m[0][0]));
+    sum = add(sum, mul(mul(four, mul(ss, st)), mul(mul(w[0], w[1]), m[0][1])));
+    sum = add(sum, mul(mul(ss, tt), middle));
+    sum = add(sum, mul(mul(four, mul(st, tt)), mul(mul(w[1], w[2]), m[1][2])));
+    sum = add(sum, mul(mul(tt, tt), mul(mul(w[2], w[2]), m[2][2])));
+    G(rational_point)(2, 2, R, w, t, P);
+    num total = G(rational_weight)(2, w, t);
+    about(T, "ω² (|R(t) - C|² - r²)");
+    same(T, mul(mul(total, total), sub(G(scalar)(C, P, P), mul(r, r))), sum);
+    for (int j = 1; j < 3; j++)
+        for (int i = 0; i < j; i++) {
+            about(T, "a squared side of the triangle");
+            same(T, G(scalar)(R + 2 * i, R + 2 * j, R + 2 * j), add(sub(m[i][i], mul(two, m[i][j])), m[j][j]));
+        }
+    for (int end = 0; end <= 2; end += 2) {
+        about(T, "side and radius at an end");
+        same(T, neg(G(scalar)(R + 2 * end, R + 2, C)), sub(m[1][end], m[end][end]));
+    }
+}
+
+/*
 The equations (3.5.5) and (3.5.6) are consequences of being an arc.  The theorem takes them for conditions, and there
 a quantity has been lost: none of them says how high the triangle is.
 
@@ -303,7 +352,7 @@ a quantity has been lost: none of them says how high the triangle is.
 :corrected: The rational quadratic Bézier curve (3.1.5) with positive weights is an arc of a circle with the central angle
   $2\theta$, $0<\theta<\frac\pi2$, and the radius $l\csc\theta$ if and only if $\|R_0R_1\|=\|R_2R_1\|=l\sec\theta$,
   $\|R_0R_2\|=2l$, $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
-:corrected-by: arc_and_its_central_angle arcs_satisfy_the_three_equations
+:corrected-by: arc_and_its_central_angle curve_on_a_circle_has_five_conditions arcs_satisfy_the_three_equations
 :needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive.
 :meant: the theorem itself, which names $\theta$ and $l$ as given numbers and says that three equations suffice | $\theta$ is any angle between 0 and $\frac\pi2$.

@@ -20,11 +20,11 @@ make a point of the convex hull; this is the whole proof, and positive weights a
   weights are positive; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
 :reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
-  given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs. | A common factor $-1$ of the
-  weights changes nothing; weights without opposite signs make all shares nonnegative.
+  given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs. | $B_i^n(t)>0$; a common factor
+  $-1$ of the weights changes nothing; weights without opposite signs make all shares nonnegative.
 :figure: convex_hull
 
-Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.  The claim
+So weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.  The claim
 `curve_points_have_hull_certificates` decides the membership without the shares, as a linear problem, for some polygons.
 :::
 
@@ -313,31 +313,37 @@ one point at $1$, all the others at $0$.
 :::{claim} no_hull_property_with_weights_of_both_signs
 :title: With weights of both signs some polygon does not contain its curve
 :zh: 权有异号时必有多边形不包含其曲线
-:given: weights of which one, $\omega_i=-v$, is negative and the others are any numbers; the points $R_i=1$ and $R_j=0$, $j\ne i$, of the
-  line; $0<t<1$, $t=s/(1+s)$; every $i=0,\dots,n$
-:then: $R(t)\,\omega(t)<0$; if $\omega(t)$ has no zero in $[0,1]$ and some weight is positive, the hull property fails
-:method: $-1/(R(t)\,\omega(t))$ has positive coefficients in $s$ and $v$, and nothing else occurs in it, so $R(t)$ and $\omega(t)$ have opposite
-  signs.  Where $\omega(t)>0$ this puts $R(t)$ below the hull $[0,1]$.  Where $\omega(t)<0$ throughout, a common factor
+:given: weights of which one, $\omega_i=-v$, is negative and the others are any numbers, with $W$ for the sum of their $B_j^n(t)\omega_j$; the points
+  $R_i=1$ and $R_j=0$, $j\ne i$, of the line; $0<t<1$, so that $B=B_i^n(t)>0$
+:then: $\omega(t)=W-Bv$ and $R(t)\,\omega(t)=-Bv<0$; if $\omega(t)$ has no zero in $[0,1]$ and some weight is positive, the hull property fails
+:method: Of the mean of the two points 0 and 1 with the weights $W$ and $-Bv$; $B$, $v$ and $W$ are variables, so that $n$ is any degree.  $R(t)$ and $\omega(t)$ have
+  opposite signs.  Where $\omega(t)>0$ this puts $R(t)$ below the hull $[0,1]$.  Where $\omega(t)<0$ throughout, a common factor
   $-1$ turns a positive weight into a negative one and $\omega(t)$ positive.  Conversely, weights without opposite signs make
-  all shares nonnegative.
-:degrees: 1..6 sampled 12
+  all shares nonnegative.  Outside the field the curve itself, of a random degree, is computed as well.
+:degrees: all
 :scope: 0 < t < 1
 :harmless: $j\ne i$ | the other indices
-:over: s v: -
+:over: s v B W: -
 :control: $\omega_i=v$
 :::
 */
 CLAIM(no_hull_property_with_weights_of_both_signs)
 {
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], t = inside(T, "s"), v = positive(T, "v", 0), point;
-    for (int i = 0; i <= n; i++) {
-        for (int j = 0; j <= n; j++) {
-            w[j] = j == i ? fault(T, neg(v), v) : unknown(T, "w", j);
-            R[j] = from_int(j == i);
-        }
-        G(rational_point)(n, 1, R, w, t, &point);
-        nonnegative(T, div(from_int(-1), mul(point, G(rational_weight)(n, w, t))));
+    num v = positive(T, "v", 0), B = positive(T, "B", 0), W = unknown(T, "W", 0), own = fault(T, neg(v), v);
+    num total = add(W, mul(B, own)), mean = div(mul(B, own), total);
+    about(T, "R(t) ω(t)");
+    same(T, mul(mean, total), neg(mul(B, v)));
+    nonnegative(T, neg(mul(mean, total)));
+#if !FIELD
+    int n = pick(T, 1, 8), i = pick(T, 0, n);
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], t = inside(T, "s"), point;
+    for (int j = 0; j <= n; j++) {
+        w[j] = j == i ? own : unknown(T, "w", j);
+        R[j] = from_int(j == i);
     }
+    G(rational_point)(n, 1, R, w, t, &point);
+    about(T, "R(t) ω(t) of a curve");
+    same(T, mul(point, G(rational_weight)(n, w, t)), neg(mul(G(bernstein_function)(n, i, t), v)));
+#endif
 }
 #include "chapters/judge/claims_off.h"

@@ -42,21 +42,22 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :zh: 保凸性
 :printed: A plane rational Bézier curve preserves convexity.
 :holds-by: determinant_of_three_sums_goes_by_triples means_of_powers_go_one_way three_powers_have_a_positive_determinant
+  positive_terms_make_a_convex_mean
 :confirmed-by: curve_turns_like_its_triangles wronskian_of_three_bernstein_functions curvature_is_a_sum_over_triangles
-  designed_convex_polygons_have_convex_curves convex_polygons_have_triangles_of_one_sign
+  designed_convex_polygons_have_convex_curves convex_polygons_have_triangles_of_one_sign curve_may_be_convex_alone
 :needs: mixed_weights_lose_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
   points need only be part of the boundary.
-:argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$; so three points of the curve turn left whenever
-  their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
+:argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$; so, as $\omega(t)>0$, three points of the curve turn left
+  whenever their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
 :meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | A polygon is convex if with its chord it
   bounds a convex region, the second hypothesis; one that only turns to one side is not meant.
 :figure: convex_polygon_convex_curve
 
-If all $D_{ijk}\ge0$ and one is positive, any three points of the curve with parameters in $(0,1)$ turn left in their order, none are on one
+By these words, if all $D_{ijk}\ge0$ and one is positive, any three points of the curve with parameters in $(0,1)$ turn left in their order, none are on one
 line, and the curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
 and Binet's, for every $n$, and so are the minors.  The Wronskian is computed for every $n$, too, so that the curvature has one sign in every degree.
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
@@ -347,8 +348,6 @@ static poly turning(int n, const num_q R[], const num_q w[])
     return sum;
 }
 
-static enum cagd_sign_pattern sign_inside(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), OPEN); }
-
 /* Polygons that are convex and counterclockwise when closed. */
 static const struct {
     int n;
@@ -401,7 +400,7 @@ CLAIM(designed_convex_polygons_have_convex_curves)
             R[2 * n + 1] = fault(T, R[2 * n + 1], sub(neg(one), R[2 * n + 1]));
             agree(T, fault(T, polygon_is_convex(n, R, 1, NULL), 1));
             poly p = turning(n, R, w);
-            agree(T, sign_inside(p) == SIGN_POSITIVE);
+            agree(T, sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_POSITIVE);
             agree(T, poly_is_zero(p) || sturm_count(p, from_int(0), one) == is_zero_q(poly_value(p, one)));
             region_drop(mark);
         }
@@ -441,7 +440,7 @@ CLAIM(turns_of_one_sign_are_not_enough)
     found_points(T, "x'y'' - y'x'' at t", 3, 1, value);
     found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a polygon that turns left and does not meet itself has a curve that turns left");
-    refute(T, turns_left && simple && sign_inside(p) != SIGN_POSITIVE);
+    refute(T, turns_left && simple && sign_on(p, from_int(0), from_int(1), OPEN) != SIGN_POSITIVE);
 }
 
 /*
@@ -472,7 +471,7 @@ CLAIM(curve_of_a_polygon_that_turns_back_has_inflections)
     found(T, "det(P,P',P'') at t", poly_value(p, given(T, "t")));
     found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "the curve of a polygon on the boundary of a triangle turns to one side");
-    refute(T, sign_inside(p) == SIGN_MIXED);
+    refute(T, sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_MIXED);
 }
 
 /*
@@ -503,7 +502,7 @@ CLAIM(mixed_weights_lose_convexity)
     found_text(T, "det(P,P',P'')", poly_to_string(p, "t"));
     found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a curve without poles whose polygon is convex turns to one side");
-    refute(T, regular && polygon_is_convex(n, R, 1, NULL) && sign_inside(p) == SIGN_MIXED);
+    refute(T, regular && polygon_is_convex(n, R, 1, NULL) && sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_MIXED);
 }
 #endif
 
@@ -665,7 +664,7 @@ CLAIM(curve_may_be_convex_alone)
     poly p = turning(n, R, w);
     found_text(T, "x(t)", poly_to_string(poly_from_bernstein(n, x), "t"));
     found_text(T, "x'y'' - y'x''", poly_to_string(p, "t"));
-    agree(T, sign_inside(p) == SIGN_NEGATIVE);
+    agree(T, sign_on(p, from_int(0), from_int(1), OPEN) == SIGN_NEGATIVE);
     agree(T, turn_2d(R, R + 2, R + 4) < 0 && turn_2d(R + 2, R + 4, R + 6) > 0);
     agree(T, !polygon_is_convex(n, R, 1, NULL));
 }

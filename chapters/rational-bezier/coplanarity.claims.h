@@ -345,7 +345,8 @@ The mean of the numbers $z_i$ is the quotient of the two sums; where it is 0, it
 :confirmed-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
 
 Divided by $(1-t)^n$ the sum is $\sum\binom ni\omega_iz_is^i$ with $s=\frac t{1-t}$, by (2) of the first claim; a polynomial in $s$ that is 0 for all $s>0$ has
-no coefficient but 0.  Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points of the curve in the plane bring all vertices there.
+no coefficient but 0.  Not all $t$ are needed: as the sum is a polynomial of degree $n$, $n+1$ different parameters suffice (up to $n=4$ by a determinant, too), and so $n+1$ points of the
+curve in the plane bring all vertices there.
 :::
 
 :::{claim} collocation_determinant_does_not_vanish

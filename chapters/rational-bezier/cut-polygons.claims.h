@@ -27,7 +27,7 @@ no weight falls below the least $\omega_i$, the projection to points of space mu
 fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$, which tends to 0.
 :figure: cut_polygons_converge
 
-The same holds for ratios that are kept away from 0 and 1.  The order is $h^2$ in the length $h$ of the longest piece: cut in the middle, the error of a quarter circle is
+By the same words it holds for ratios that are kept away from 0 and 1.  The order is $h^2$ in the length $h$ of the longest piece: cut in the middle, the error of a quarter circle is
 divided by 4 each time (`quarter_circle_error_is_quartered`).
 :::
 

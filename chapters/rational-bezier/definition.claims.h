@@ -84,8 +84,7 @@ static inline void G(positive_weights)(trial *T, int n, num w[])
 :::{claim} homogeneous_points_carry_their_weight
 :title: Points with weights and homogeneous points determine each other
 :zh: 带权点与齐次点互相确定
-:given: weights $\omega_i\ne0$ and points $R_i$ of one, two and three coordinates; homogeneous points $H_i$ of as many and
-  one more
+:given: weights $\omega_i\ne0$ and points $R_i$ of one, two and three coordinates; homogeneous points $H_i$ of as many and one more
 :where: no weight is 0
 :then: $(R_i,\omega_i)\mapsto(\omega_iR_i,\omega_i)$ has the quotients $R_i$ by its last coordinate, and
   $H_i\mapsto(R_i,\omega_i)$ has the products $H_i=(\omega_iR_i,\omega_i)$
@@ -272,7 +271,7 @@ CLAIM(rational_point_is_weighted_mean)
 :printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
 :holds-by: homogeneous_point_determines_point_and_weight mean_grows_by_one_term
-:confirmed-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
+:confirmed-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives positive_terms_make_a_convex_mean
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega(t)\ne0$; for which positive weights suffice: otherwise there may be no point.
 :figure: homogeneous_line
@@ -506,8 +505,8 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
   are positive.
 :meant: property 3.2.3, which keeps the ends of the curve in the end points | No point of the curve moves away from
   $R_i$, and those that move come nearer.
-:reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless
-  the weight is theirs: nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
+:reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  An end point does not, here with
+  an inner weight: nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
 :figure: growing_weight
 
 More is true than experiments show: every point $R(t)$, $0<t<1$, moves on the straight line to $R_i$, all the way as
@@ -746,11 +745,10 @@ weights together.  Other readings are tried, and they fail already for a segment
 :printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: affine_image_of_the_curve_is_the_curve_of_the_images
-:meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The map is applied to the points
-  $R_i$.
+:meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The map is applied to the points $R_i$.
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
   of definition 3.2.1, to whose first three coordinates the map is applied.  A linear map still maps the curve; a
-  translation does not, unless the weights are $1$.
+  translation need not, when the weights are not $1$.
 :figure: affine_image
 
 The map is applied to the points $R_i$; the weights stay.  No sign of the weights is needed, only $\omega(t)\ne0$.

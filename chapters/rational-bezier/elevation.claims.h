@@ -457,14 +457,14 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
 :zh: 升阶可无限次进行
 :printed: In the same way elevation can be repeated without end.
 :holds-by: elevation_cuts_corners repeated_elevation_in_one_formula
-:confirmed-by: repeated_elevation_computed
+:confirmed-by: repeated_elevation_computed mixed_weights_become_positive
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; with mixed ones already the first step may fail
 :figure: elevation_mixed_weights
 
 Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
-$(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ the degrees $3$ and $4$ have
-points at infinity and from degree $5$ on there are none.
+$(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ some weights
+of the degrees $3$ and $4$ are $0$, and from degree $5$ on none is.
 :::
 
 All steps together have a closed form.  Its coefficients are those of drawing without replacement: if $i$ things are
@@ -564,6 +564,7 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :zh: 升阶多边形序列收敛到曲线
 :printed: The sequence of the elevated B-nets converges to $\mathbf R(t)$.
 :holds-by: elevated_polygons_converge powers_in_every_degree elevation_cuts_corners
+:confirmed-by: elevated_parabola_misses_by_one_over_degree elevated_polygons_within_their_bound mixed_weights_become_positive
 :argued: | The bounds (1) to (4) of `elevated_polygons_converge` are put together in words: a product of $k$ factors
   is estimated factor by factor, the sums over $k$ are formed, and between two vertices polygon and curve are as near,
   since $\mathbf R$ has a bounded derivative; the bound $\frac{\text{const}}{N-n+1}$ tends to 0.
@@ -571,10 +572,10 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
   positive: so that no polygon of the sequence lacks a vertex
 :figure: elevation_converges
 
-The convergence is uniform and of order $1/N$, not better: for the parabola the distance of the $i$-th vertex is exactly
-$x(1-x)/(N-1)$ with $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` computes it for other curves.
-If $\omega(t)>0$ on $[0,1]$ but some weights are not positive, then the bound for the denominator makes all weights
-positive from some degree on, and the polygons converge from there; see `mixed_weights_become_positive`.
+The convergence is uniform and of order $1/N$, not better: for the parabola $y=x^2$ the $i$-th vertex is exactly
+$x(1-x)/(N-1)$ below the curve at $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` computes it for other curves.
+By the same words, if $\omega(t)>0$ on $[0,1]$ but some weights are not positive, the bound for the denominator makes all weights
+positive from some degree on, and the polygons converge from there; an instance is `mixed_weights_become_positive`.
 :::
 
 First the coefficients of a power of $t$ in degree $N$.  They are written down and proved by raising them once more.

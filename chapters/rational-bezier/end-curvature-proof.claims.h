@@ -88,7 +88,7 @@ CLAIM(derivatives_of_a_quotient)
 :figure: quotient_derivatives
 
 A prime is missing.  In each term the orders of the derivatives have the sum $2$; in the printed $\omega'\mathbf R$ it is $1$.  As printed the vector
-would even depend on the origin of the coordinates.
+even depends on the origin of the coordinates, as the example shows.
 :::
 */
 
@@ -114,29 +114,35 @@ at all, and the printed one is.
 :title: The printed R'' of the segment from 1 to 2 with weights 1, 2
 :zh: 线段 1→2（权 1, 2）的 R″ 与所印不符
 :kind: counterexample
-:data: R = 1 2; ω = 1 2
-:result: P, P', P'' = 1 3 0; ω, ω', ω'' = 1 1 0; R, R', R'' = 1 2 -4; R'' as printed = -5
-:given: the segment of the line with points $R$ and weights $\omega$, $P=\omega R$; $t=0$
-:then: $R''(0)$ is not $(P''-\omega'R-2\omega'R')/\omega$
+:data: R = 1 2; ω = 1 2; c = 1
+:result: P, P', P'' = 1 3 0; ω, ω', ω'' = 1 1 0; R, R', R'' = 1 2 -4; R'' as printed = -5; R'' of R + c as printed = -6
+:given: the segment of the line with points $R$ and weights $\omega$, $P=\omega R$; $t=0$; the same with the origin moved by $c$
+:then: $R''(0)$ is not $(P''-\omega'R-2\omega'R')/\omega$, which is not even the same for the points $R+c$
 :method: All derivatives are computed exactly.
 :control: $\omega''R$ for $\omega'R$
 :::
 */
 CLAIM(printed_second_derivative_of_quotient_is_wrong)
 {
-    num R[2], w[2], P[3], W[3], D[3];
+    num R[2], w[2], P[3], W[3], D[3], value[2], second = from_int(0);
     given_points(T, "R", 2, 1, R);
     given_points(T, "ω", 2, 1, w);
-    G(derivatives_at_zero)(1, R, w, 2, P, W, D);
+    num c = given(T, "c");
+    for (int moved = 1; moved >= 0; moved--) { /* the points R + c, and R */
+        num at[2] = {moved ? add(R[0], c) : R[0], moved ? add(R[1], c) : R[1]};
+        G(derivatives_at_zero)(1, at, w, 2, P, W, D);
+        /* (P'' - ω' R - 2 ω' R')/ω */
+        num sum = add(mul(fault(T, W[2], W[1]), D[0]), mul(from_int(2), mul(W[1], D[1])));
+        value[moved] = div(sub(P[2], sum), W[0]);
+        second = D[2];
+    }
     found_points(T, "P, P', P''", 3, 1, P);
     found_points(T, "ω, ω', ω''", 3, 1, W);
     found_points(T, "R, R', R''", 3, 1, D);
-    /* (P'' - ω' R - 2 ω' R')/ω */
-    num sum = add(mul(fault(T, W[2], W[1]), D[0]), mul(from_int(2), mul(W[1], D[1])));
-    num printed = div(sub(P[2], sum), W[0]);
-    found(T, "R'' as printed", printed);
+    found(T, "R'' as printed", value[0]);
+    found(T, "R'' of R + c as printed", value[1]);
     about(T, "R''(0), left as it is, right as printed");
-    same(T, D[2], printed);
+    same(T, second, value[0]);
 }
 
 /*

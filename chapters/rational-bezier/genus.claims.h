@@ -54,6 +54,7 @@ order on its line decide whether it is an ordinary cusp.
   for $n=4$ also if it has three double points
 :corrected-by: lines_through_a_large_point_parametrize_the_curve rational_cubic_has_one_double_point
   quartic_with_three_double_points_is_rational
+:confirmed-by: curve_with_a_large_point_is_rational curves_that_fit_the_theorem
 :argued: | From the identities to the statement on arcs the methods of the claims argue: a map brings the singular
   points to their places, a conic has a quadratic parametrization, a line and a conic have no singular point.
 :figure: genus_extra

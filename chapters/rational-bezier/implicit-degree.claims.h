@@ -18,12 +18,12 @@ entries of degree one; the source takes another way, by operations on columns, a
 :printed: $F(x,y)$ in (3.4.1) is a polynomial in two variables of degree at most $n$.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
-  variables_stay_in_the_first_columns
+  variables_stay_in_the_first_columns top_form_is_a_resultant_row_by_row top_form_is_a_resultant common_zero_makes_the_equation_vanish
 :figure: implicit_degree
 
 The claim is the proof of the source, with the recursion corrected: after its column operations $x$ and $y$ stand in $n$ columns only, in degree one, and a product of one
 entry from every column has degree at most $n$.  It divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  A second proof is by Bézout's
-matrix.  Sharper, and decided by `top_form_is_a_resultant`: the degree
+matrix.  Sharper, by `top_form_is_a_resultant_row_by_row` and the words there: the degree
 is exactly $n$, or $F$ is 0 everywhere.
 :::
 
@@ -132,7 +132,7 @@ then as the resulting determinant.  Words and recursion do not agree.
 :checked-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: column_operations_give_the_corrected_recursion
 
-In the text at hand the line is printed twice, the second time with the recursion (3.4.7).
+Here $f$ stands for the $a$ or the $b$ of (3.4.2).  In the text at hand the line is printed twice, the second time with the recursion (3.4.7).
 :::
 
 A row of the matrix is best read as a polynomial in a letter $z$ that marks the columns.  An operation is then the same for all rows, and needs no $n$.
@@ -248,7 +248,8 @@ CLAIM(column_operations_give_the_corrected_recursion)
 :title: The recursion of the column operations
 :zh: 列变换的递推式
 :printed: f_i^{[r]}=f_i^{[r-1]}-\Omega_i\,f_{r-1}^{[r-1]},\ \Omega_i=\binom ni\frac{\omega_i}{\omega_0},\
-  i=r,\dots,r+n-1; \qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n
+  i=r,\dots,r+n-1; \qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n;
+  \qquad r=1,2,\dots,n
 :class: misprint
 :refuted-by: printed_recursion_is_not_the_operations
 :corrected: f_i^{[r]}=f_i^{[r-1]}-\Omega_{i-r+1}\,f_{r-1}^{[r-1]},\ i=r,\dots,r+n-1;\qquad f_i^{[r]}=f_i^{[r-1]},\

@@ -310,6 +310,9 @@ elsewhere gives a point off the arc, or no point at all.
 :meant: (3.4.5), which is printed without a range, and the conclusion drawn by the theory of resultants, for which any common root counts | A
   common root of the two polynomials, real or complex.
 :class: missing-hypothesis
+:reading: mean_grows_by_one_term | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By the claim
+  $\sum a_iu^{n-i}=W(u)(X(u)-x)$; the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$, and $W(u)>0$ there; the point of $t=a$ is that of $a_0=b_0=0$.
+:reading: common_root_of_a_point_off_the_arc | a common root, as it is printed, real or complex
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
@@ -318,7 +321,7 @@ elsewhere gives a point off the arc, or no point at all.
 :confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
-By the claims $\sum a_iu^{n-i}=W(u)(X(u)-x)$ with $W(u)>0$ for $u\ge0$, and $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$.  With the range $0\le u\le+\infty$ of (3.4.4) carried over to (3.4.5), the sentence is the corrected one.  Only the direction from the curve to the common root is
+By the claims $\sum a_iu^{n-i}=W(u)(X(u)-x)$ with $W(u)>0$ for $u\ge0$, and $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$.  Only the direction from the curve to the common root is
 used in the proof, and that one is right.
 :::
 
@@ -556,7 +559,8 @@ determinant is identically 0.
   $\mathbf R_i=(x_i,y_i)$, $i=0,1,\dots,n$, are coplanar.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant_row_by_row bernstein_sum_of_powers_is_a_power
-:confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
+:confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant common_zero_makes_the_equation_vanish
+  elevation_multiplies_by_one_plus_u
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, $u=\infty$
@@ -573,8 +577,8 @@ determinant is identically 0.
 :figure: implicit_elevation
 
 That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
-`elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: the
-determinant is then a power of the equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.  The curve of space
+`elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: $F$ is an
+equation then too, but may have a repeated factor, as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$ (`doubled_parameter_halves_the_degree`).  The curve of space
 is drawn in `implicit_shadow`.
 :::
 
@@ -783,7 +787,7 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   bernstein_sum_of_powers_is_a_power
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; at $\mathbf R_0$ its first column is 0.
-:confirmed-by: equation_vanishes_on_the_curve
+:confirmed-by: equation_vanishes_on_the_curve implicit_value_vanishes_on_the_curve
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::

@@ -529,8 +529,8 @@ CLAIM(half_circle_has_no_frame)
 :holds-by: one_point_fixes_lambda
 :hypothesis: end_points_leave_lambda_free | $R$ is neither $R_0$ nor $R_2$.
 
-The sign in (3.1.4) is chosen first: through $(\frac14,\frac14)$ goes one parabola, which has $\lambda=\frac15$ with
-the minus sign and $\lambda=-\frac13$ with the plus sign.
+The sign in (3.1.4) is chosen first: the conic through $(\frac14,\frac14)$ has $\lambda=\frac15$ with the minus sign and
+$\lambda=-\frac13$ with the plus sign.
 :::
 
 :::{claim} one_point_fixes_lambda

@@ -14,7 +14,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :title: The coordinates from the two ratios
 :zh: 由 g_1,g_2 反解 x,y
 :printed: x=\frac{g_1}{g_1+2+g_2},\quad y=\frac{g_2}{g_1+2+g_2}
-:holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
+:holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle ratios_on_the_curve
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
   R_0,R_2$, and the tangent is parallel to no side.
@@ -24,7 +24,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :title: The point from the two ratios
 :zh: 由 g_1,g_2 表示点 R
 :printed: \mathbf R=\frac{g_1\mathbf R_0+2\mathbf R_1+g_2\mathbf R_2}{g_1+2+g_2}
-:holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
+:holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle ratios_on_the_curve
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
   R_0,R_2$, and the tangent is parallel to no side.
@@ -209,7 +209,7 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 :printed: $\mathbf R=\mathbf R(t)=\frac{(1-t)^2\omega_0\mathbf R_0+2(1-t)t\omega_1\mathbf R_1+t^2\omega_2\mathbf R_2}
   {(1-t)^2\omega_0+2(1-t)t\omega_1+t^2\omega_2}$, $0\le t\le1$, represents the arc of the conic that the three points
   $R_0,R_1,R_2$ determine; it carries a constant, $g_1g_2=\frac{\omega_0\omega_2}{\omega_1^2}>0$.
-:holds-by: rational_quadratic_of_the_arc each_pair_of_ratios_has_one_parameter
+:holds-by: rational_quadratic_of_the_arc every_point_of_the_arc_is_reached each_pair_of_ratios_has_one_parameter
 :meant: the second half of the sentence: the representation carries a constant | The three points and the constant
   determine the arc.
 :needs: complementary_arc_leaves_the_triangle | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
@@ -221,7 +221,7 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
   its own.
 :figure: tangent_ratios
 
-The arc goes from $R_0$ to $R_2$ inside the triangle.
+The arc goes from $R_0$ to $R_2$ inside the triangle, and is all of the conic that is inside.
 :::
 
 Put $g_1$ and $g_2$ into the point and multiply numerator and denominator by $\omega_1t(1-t)$.  What comes out has the
@@ -275,6 +275,42 @@ CLAIM(rational_quadratic_of_the_arc)
     same(T, point, R[0]);
     G(rational_point)(2, 1, R, w, one, &point);
     same(T, point, R[2]);
+}
+
+/*
+:::{claim} every_point_of_the_arc_is_reached
+:title: Every point of the conic inside the triangle is a point of the curve
+:zh: 三角形内二次曲线上的每一点都在曲线上
+:given: positive weights; a point $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ inside the triangle with $a>0$ and
+  $b=\frac{\omega_0\omega_2}{4\omega_1^2a}$
+:let: $\lambda=\frac{\omega_0\omega_2}{4\omega_1^2+\omega_0\omega_2}$, $t=\frac{\omega_0}{\omega_0+2\omega_1a}$
+:then: $\frac{xy}{(x+y-1)^2}=ab=\frac\lambda{1-\lambda}$, and every point with $x>0$, $y>0$, $x+y<1$ has such $a$ and $b$, so
+  that these are the points inside of (3.1.4) with the minus sign and this $\lambda$; $0<t<1$, and $R(t)$ is the point
+:method: Identities in $a$ and the weights, in the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$; $t$ and $1-t$ have positive
+  coefficients.
+:over: a: -
+:control: $\omega_1$ for $2\omega_1$ in $t$
+:::
+*/
+CLAIM(every_point_of_the_arc_is_reached)
+{
+    num w[3], a = positive(T, "a", 0), zero = from_int(0), one = from_int(1), two = from_int(2), P[2];
+    G(three_weights)(T, w);
+    num outer = mul(w[0], w[2]), middle = mul(from_int(4), mul(w[1], w[1])), b = div(outer, mul(middle, a));
+    num total = add(one, add(a, b)), x = div(a, total), y = div(b, total), s = sub(add(x, y), one);
+    num lambda = div(outer, add(middle, outer)), t = div(w[0], add(w[0], mul(fault(T, two, one), mul(w[1], a))));
+    about(T, "the conic on which the point is");
+    /* xy/(x+y-1)² = ab = λ/(1-λ) */
+    same(T, div(mul(x, y), mul(s, s)), mul(a, b));
+    same(T, mul(a, b), div(lambda, sub(one, lambda)));
+    about(T, "t and 1 - t");
+    nonnegative(T, t);
+    nonnegative(T, sub(one, t));
+    num frame[6] = {one, zero, zero, zero, zero, one};
+    G(rational_point)(2, 2, frame, w, t, P);
+    about(T, "the point and R(t)");
+    same(T, P[0], x);
+    same(T, P[1], y);
 }
 
 #if RATIONAL
@@ -354,7 +390,7 @@ CLAIM(points_alone_do_not_determine_the_arc)
 :::
 
 So the weights may be changed as long as the constant stays.  The curve is then the same, run through at another pace.
-Conversely the constant is seen in every point of the curve, so that another constant gives another curve.  Both directions
+Conversely the constant is seen in every point of the curve between its ends, so that another constant gives another curve.  Both directions
 have a condition: the sign of $\omega_1$ does not show in the constant, and on a line there is no frame in which the
 constant could be seen.
 
@@ -362,19 +398,19 @@ constant could be seen.
 :title: Weights with the same constant give the same curve, with another parameter
 :zh: 常量相同的权给出同一曲线
 :given: positive weights $\omega_i$ and $\omega_i^*$ with
-  $\frac{\omega_0\omega_2}{\omega_1^2}=\frac{\omega_0^*\omega_2^*}{(\omega_1^*)^2}$, points $R_i$, and $u\in(0,1)$
+  $\frac{\omega_0\omega_2}{\omega_1^2}=\frac{\omega_0^*\omega_2^*}{(\omega_1^*)^2}$, points $R_i$, and $u\in[0,1]$
 :let: $k=\frac{\omega_0\omega_1^*}{\omega_0^*\omega_1}>0$ and $t=\frac{ku}{ku+1-u}$
 :then: $R^*(u)=R(t)$; $t$ grows from 0 to 1 with $u$: $0\le t\le1$, and $u=\frac t{t+k(1-t)}$
 :method: Identities in $\omega_0,\omega_1,\omega_2,\omega_0^*,\omega_1^*$, from which $\omega_2^*$ follows, one coordinate
-  of the points, and $u$; $t$ and $1-t$ have positive coefficients.
-:scope: 0 < u < 1
+  of the points, and $u$ between the ends, where $t$ and $1-t$ have positive coefficients; and at both ends.
+:scope: 0 ≤ u ≤ 1
 :over: v#: weights; u: -
 :control: $k$ upside down
 :::
 */
 CLAIM(weights_with_one_constant_give_one_curve)
 {
-    num w[3], v[3], R[3], u = inside(T, "u"), one = from_int(1), before, after;
+    num w[3], v[3], R[3], one = from_int(1), at[3] = {from_int(0), inside(T, "u"), one};
     for (int i = 0; i < 3; i++) {
         w[i] = positive(T, "w", i);
         v[i] = i < 2 ? positive(T, "v", i) : one;
@@ -384,27 +420,30 @@ CLAIM(weights_with_one_constant_give_one_curve)
     v[2] = div(mul(mul(w[0], w[2]), mul(v[1], v[1])), mul(mul(w[1], w[1]), v[0]));
     num k = div(mul(w[0], v[1]), mul(v[0], w[1]));
     k = fault(T, k, div(one, k));
-    /* t = ku/(ku + 1 - u) */
-    num t = div(mul(k, u), add(mul(k, u), sub(one, u)));
-    G(rational_point)(2, 1, R, v, u, &before);
-    G(rational_point)(2, 1, R, w, t, &after);
-    about(T, "R*(u) and R(t)");
-    same(T, before, after);
-    about(T, "t and u");
-    nonnegative(T, t);
-    nonnegative(T, sub(one, t));
-    /* u = t/(t + k (1-t)) */
-    same(T, div(t, add(t, mul(k, sub(one, t)))), u);
+    for (int m = 0; m < 3; m++) {
+        /* t = ku/(ku + 1 - u) */
+        num u = at[m], t = div(mul(k, u), add(mul(k, u), sub(one, u))), before, after;
+        G(rational_point)(2, 1, R, v, u, &before);
+        G(rational_point)(2, 1, R, w, t, &after);
+        about(T, "R*(u) and R(t)");
+        same(T, before, after);
+        about(T, "t and u");
+        nonnegative(T, t);
+        nonnegative(T, sub(one, t));
+        /* u = t/(t + k (1-t)) */
+        same(T, div(t, add(t, mul(k, sub(one, t)))), u);
+    }
 }
 
 /*
 :::{claim} constant_is_read_off_the_curve
-:title: Every point of the curve tells the constant
+:title: Every point of the curve between its ends tells the constant
 :zh: 由曲线上任一点读出常量
-:given: a triangle, weights, and the point $R(t)$
+:given: a triangle, weights, and the point $R(t)$, $0<t<1$
+:where: $0<t<1$
 :let: $x$ and $y$ be its coordinates in the frame, found from areas
 :then: $\frac{4xy}{(x+y-1)^2}=\frac{\omega_0\omega_2}{\omega_1^2}$, so one curve cannot have two constants
-:method: An identity in the six coordinates, the weights and $t$.
+:method: An identity in the six coordinates, the weights and $t$; both sides of the quotient are 0 at the ends.
 :control: 2 for 4
 :::
 */

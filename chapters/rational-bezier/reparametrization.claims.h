@@ -654,7 +654,7 @@ CLAIM(standard_form_has_unit_ends)
 :needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
   and $b$ have one sign: positive weights give it; with $a/b<0$ the denominator vanishes inside $[0,1]$
 
-They are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
+For positive weights they are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
 :::
 
 Of the definition this much is sure: the numbers belong to points and weights up to a change of the parameter.

@@ -29,6 +29,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
   equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers fractional_change_runs_once
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants equal_invariants_give_same_curve
+  plane_cubic_cannot_run_backwards congruent_curves_beyond_cubics
 :meant: property 3.2.10, which the theorem turns round, and the sentence before it, by which only the distribution of
   the parameter differs | The same shape is the same point set.
 :reading: equal_invariants_other_speed | same map of the parameter; then "if" fails, as the parameter is distributed
@@ -547,8 +548,8 @@ the other end to symmetry.
 :reading: congruent_cubics_with_other_invariants | congruent curves, of which the starts need not correspond
 :argued: | Steps (1) and (2) of theorem 3.2.1: the two curves correspond to each other, and start to start.  The source takes this for granted.
 
-As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.  For $n=4,5$ one of the two would not do
-(`curvatures_alone_miss_the_middle_invariant`).
+As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.  The curvatures alone
+would not do for $n=4$ (`curvatures_alone_miss_the_middle_invariant`).
 :::
 */
 

@@ -227,8 +227,7 @@ vertex.
   positive: so $\omega_1\ne0$.
 :figure: shoulder_point
 
-The ratio is $\frac{|\omega_1|}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all weights with $\omega_0\omega_2>0$, not only for
-standard ones.
+The ratio is $\frac{\omega_1}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all positive weights, not only for standard ones.
 :::
 
 :::{claim} shoulder_ratio_is_the_root_of_the_invariant

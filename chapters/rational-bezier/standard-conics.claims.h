@@ -78,12 +78,13 @@ of $u$, and $u$ can stand under no root.
   the rational Bézier curve $R^*(u)$ with the same control points and the weights $\left(1,\omega,1\right)$,
   $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$.
 :corrected-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
+:confirmed-by: printed_change_has_the_root_of_a_product
 :needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive.
 :figure: standard_parameter
 
 The roots belong over the weights alone; in the text at hand they cover $u$ and $1-u$ too.  With the printed roots the
-three terms are as $1-u:2\omega\sqrt{u(1-u)}:u$, which is no rational quadratic in $u$.  Both ends, and $t=\frac12$
+three terms are as $1-u:2\omega\sqrt{u(1-u)}:u$, with the root of a quadratic polynomial in the middle.  Both ends, and $t=\frac12$
 for equal weights, are the same, so that the slip is easily overlooked.
 :::
 */
@@ -126,6 +127,34 @@ CLAIM(standard_form_by_a_change_of_parameter)
     about(T, "ω² and I_1");
     G(rational_invariants)(2, w, I);
     same(T, mul(omega, omega), I[0]);
+}
+
+/*
+:::{claim} printed_change_has_the_root_of_a_product
+:title: With the roots as printed the middle term has the root of u(1-u)
+:zh: 印出的根号使中项含 u(1-u) 的平方根
+:given: weights $\omega_0=a^2$, $\omega_1$, $\omega_2=c^2$ with $a,c>0$; $p$ and $q$ for the roots of $u$ and $1-u$
+:where: the weights are positive
+:let: $t=\frac{ap}{ap+cq}$, as printed; $\omega=\frac{\omega_1}{ac}$
+:then: $(1-t)^2\omega_0$, $2t(1-t)\omega_1$ and $t^2\omega_2$ are $q^2$, $2\omega pq$ and $p^2$ times one number
+:method: Identities in $a$, $c$, $\omega_1$, $p$ and $q$; the number is $\left(\frac{ac}{ap+cq}\right)^2$.
+:over: a# c#: weights; p q: -
+:control: $\omega_1$ for $\omega$
+:::
+*/
+CLAIM(printed_change_has_the_root_of_a_product)
+{
+    num a, c, w[3], p = positive(T, "p", 0), q = positive(T, "q", 0), one = from_int(1), two = from_int(2);
+    G(square_ends)(T, &a, &c, w);
+    num below = add(mul(a, p), mul(c, q)), t = div(mul(a, p), below), rest = sub(one, t);
+    num number = div(mul(a, c), below), omega = fault(T, div(w[1], mul(a, c)), w[1]);
+    num square = mul(number, number);
+    about(T, "the first term");
+    same(T, mul(mul(rest, rest), w[0]), mul(square, mul(q, q)));
+    about(T, "the middle term");
+    same(T, mul(mul(two, mul(t, rest)), w[1]), mul(square, mul(mul(two, omega), mul(p, q))));
+    about(T, "the last term");
+    same(T, mul(mul(t, t), w[2]), mul(square, mul(p, p)));
 }
 
 #if RATIONAL

@@ -140,6 +140,7 @@ $(1-\lambda)xy=\lambda(x+y-1)^2$, and this lets $\lambda$ in or out of a formula
 :printed: The tangent of the curve at $R$ cuts $l_1=0$ in
   $A=\left(\frac{-2\lambda(x+y-1)}{(1-\lambda)y-2\lambda(x+y-1)},0\right)$.
 :holds-by: tangent_cuts_the_sides
+:confirmed-by: slope_exists_inside_the_triangle
 :hypothesis: plus_sign_moves_the_cut | the sign in (3.1.4) is minus; with the plus sign both terms $-2\lambda(x+y-1)$ change
   sign.
 :needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$; as
@@ -246,26 +247,36 @@ CLAIM(tangent_parallel_to_the_first_side)
 :title: At an end of the curve the tangent is a side, and one of the two ratios does not exist
 :zh: 端点处切线即边，两比之一无定义
 :kind: counterexample
-:data: λ = 1/2; R = (1,0)
-:instead: R = (1/3,1/3)
-:result: S(R) = 0; gradient at R = (0,1/2); numerator of g_1 = 0; denominator of g_1 = 0
-:given: a $\lambda$ between 0 and 1, and the point $R=R_0$ of every curve of (3.1.4)
-:then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
-  without a point $A$; at $R_2$ it is $g_2$
-:method: The value and the gradient of $S$ at $R$, and both numbers.
+:data: λ = 1/2; R = (1,0) (0,1)
+:instead: R = (1/3,1/3) (1/3,1/3)
+:result: S(R) = 0 0; gradients at R = (0,1/2) (1/2,0); numerators of g_1 and g_2 = 0 0; denominators of g_1 and g_2 = 0 0
+:given: a $\lambda$ between 0 and 1, and the points $R_0$ and $R_2$ of every curve of (3.1.4)
+:then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0 in $R_0$: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
+  without a point $A$; so it is with $g_2$, $(1-\lambda)x$ and $l_2$ in $R_2$
+:method: The values and the gradients of $S$ at the two points; the numerator and the denominator of $g_1$ at the first, of $g_2$ at the second.
 :control: a point of the curve inside the triangle
 :::
 */
 CLAIM(end_has_but_one_ratio)
 {
-    struct member_at_point m = given_member(T, -1);
-    found_gradient(T, m);
-    num above = mul(mul(from_int(-2), m.lambda), sub(add(m.R[0], m.R[1]), from_int(1)));
-    num below = mul(sub(from_int(1), m.lambda), m.R[1]);
-    found(T, "numerator of g_1", above);
-    found(T, "denominator of g_1", below);
-    about(T, "R being on the curve, whether the tangent cuts the first side in one point and the denominator is not 0");
-    refute(T, m.on_curve && (is_zero_q(m.gradient[0]) || is_zero_q(below)));
+    num lambda = given(T, "λ"), one = from_int(1), R[4], S[6], value[2], gradient[4], above[2], below[2];
+    given_points(T, "R", 2, 2, R);
+    G(frame_conic)(lambda, -1, S);
+    for (int k = 0; k < 2; k++) {
+        num x = R[2 * k], y = R[2 * k + 1];
+        value[k] = G(form)(S, x, y);
+        G(conic_gradient)(S, x, y, gradient + 2 * k);
+        above[k] = mul(mul(from_int(-2), lambda), sub(add(x, y), one));
+        below[k] = mul(sub(one, lambda), k == 0 ? y : x);
+    }
+    found_points(T, "S(R)", 2, 1, value);
+    found_points(T, "gradients at R", 2, 2, gradient);
+    found_points(T, "numerators of g_1 and g_2", 2, 1, above);
+    found_points(T, "denominators of g_1 and g_2", 2, 1, below);
+    int first = is_zero_q(value[0]) && (is_zero_q(gradient[0]) || is_zero_q(below[0]));
+    int last = is_zero_q(value[1]) && (is_zero_q(gradient[3]) || is_zero_q(below[1]));
+    about(T, "whether the tangent cuts the side in one point and the denominator is not 0, in one of the two points");
+    refute(T, first && last);
 }
 #endif
 
@@ -278,7 +289,7 @@ CLAIM(end_has_but_one_ratio)
 :printed: The tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$; then
   $(g_1,g_2)=\left(\frac{\|R_1A\|}{\|R_0A\|},\frac{\|R_1B\|}{\|R_2B\|}\right)$ can be taken as the parameter of $R$, for
   every point $R$ of the curve.
-:holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point
+:holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point ratios_on_the_curve
 :hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
 :needs: tangent_parallel_to_the_first_side | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ | the tangent
   meets both sides.
@@ -298,7 +309,7 @@ CLAIM(end_has_but_one_ratio)
 :method: The conic is formed from the lines of the triangle in the plane's own coordinates, its tangent
   intersected with the sides there, and the squared distances are taken; all six coordinates and $a$, $b$ are
   variables.  $\|R_1A\|$ and $\|R_0A\|$ are measured on one line, so their ratio is that of the frame.
-:scope: points inside the triangle
+:scope: points inside the triangle for ratios of lengths
 :over: R#: triangles; a b: -
 :control: the tangent of the conic with half the $\lambda$
 :::
@@ -388,7 +399,7 @@ CLAIM(lengths_do_not_tell_points_apart)
 :needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$; as
   in the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0$: there the
-  tangent is the side; $g_2$ is 0 there.
+  tangent is the side.
 
 On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
 :::
@@ -520,11 +531,13 @@ while the sentence is about every curve of the family.
   a tangent parallel to a side
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
+:reading: product_of_ratios_is_positive_inside | only the curves of points of the triangle are spoken of, with the minus sign, as two sentences before: then
+  it is right
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
 :reading: product_of_lengths_is_not_printed | $g_1$, $g_2$ are ratios of lengths: constant and positive, but not
   $4\lambda/(1-\lambda)$ for $\lambda>1$ and for $\lambda<0$.
-:meant: the norms in the definition of $(g_1,g_2)$ | The second: ratios of lengths.  The formula that is printed is
+:meant: the norms in the definition of $(g_1,g_2)$ | The ratios are those of lengths.  The formula that is printed is
   that of ratios with signs, $X_A/(1-X_A)$; with either the sentence fails.
 :figure: ratio_product_extra
 

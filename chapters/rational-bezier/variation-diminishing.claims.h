@@ -23,7 +23,7 @@ computed, and a third time from the cutting of corners for every degree.
   change_of_parameter_acts_on_one_factor factor_of_a_positive_root_adds_a_sign_change
   averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one bernstein_sum_of_powers_is_a_power
 :confirmed-by: elevation_cuts_corners powers_in_every_degree elevated_polygons_converge
-  bernstein_collocation_is_totally_positive designed_curves_cross_no_more
+  bernstein_collocation_is_totally_positive designed_curves_cross_no_more corner_cutting_adds_no_sign_change
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are positive
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon, also when edges, ends or the whole curve are on the line.
@@ -34,7 +34,7 @@ computed, and a third time from the cutting of corners for every degree.
 :figure: line_crossings
 
 The chain of the source proves it, for every degree: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
-roots of which are no more than its changes of sign, and these are the crossings of the polygon.  There are two proofs that use no rule of Descartes.  By elevation: every elevation replaces the values
+roots of which are no more than its changes of sign, and these are the crossings of the polygon.  There are two more proofs, in words, that use no rule of Descartes.  By elevation: every elevation replaces the values
 $y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
 them without adding one, and taking numbers away adds none (`averages_between_neighbours_keep_sign_changes`; the polygons of low degree all at once in
 `corner_cutting_adds_no_sign_change`).  The elevated values

@@ -112,6 +112,7 @@ CLAIM(corrected_kernel_is_its_formula)
   corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends beta_zero_gives_bernstein_polynomials
   nonnegative_exactly_in_the_range derivative_of_a_function_factors each_function_rises_then_falls
   linear_factor_adds_a_change_of_sign signs_of_the_slopes
+:confirmed-by: corrected_kernel_is_its_formula
 :figure: eight_functions
 :striking: 7
 
@@ -262,14 +263,15 @@ together gives the one exception, $\nu_2$ and $\varphi_5$ give the other.
 :zh: 基函数的线性无关性
 :printed: the polynomials (1) are called basis functions with the parameter $\beta$, where $-7\le\beta\le1$
 :holds-by: functions_are_independent_but_for_two_values
+:confirmed-by: leading_coefficients_are_multiples_of_beta beta_zero_gives_bernstein_polynomials
 :hypothesis: two_functions_coincide | $\beta\ne-7$
 :hypothesis: a_combination_vanishes | $\beta\ne-\frac{21}4$
 :figure: dependent_functions
 
 The text only gives the name; what is decided is what the word says.  The left end of the printed range is one of the two
 values, the left end of the true range (property 2.1) the other.  There different polygons have the same curve, and the
-functions span a space of dimension 7; otherwise of dimension 8.  All polynomials of degree 8 have dimension 9, and the
-space changes with $\beta$.
+functions span a space of dimension 7; otherwise of dimension 8.  The polynomials of degree at most 8 have dimension 9.  The space is not
+the same for all $\beta$: for $\beta=0$ it is that of degree at most 7, for the others the functions are of degree 8.
 :::
 
 :::{claim} functions_are_independent_but_for_two_values
@@ -800,8 +802,7 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :title: The picture of the eight functions for beta = -1
 :zh: 图 1
 :printed: figure 1 shows the eight functions for $\beta=-1$
-:reading: printed_sum_in_closed_form | drawn from the formulas as printed: the fourth and fifth graph are then no mirror
-  images, and the sum is $1+4(1-t)^3t^4$, at most $1+\frac{27648}{823543}$, which the eye may miss
+:reading: printed_sum_in_closed_form | drawn from the formulas as printed: the sum is then $1+4(1-t)^3t^4$
 :reading: corrected_functions_sum_to_one | drawn from the corrected formulas
 :figure: eight_functions
 

@@ -36,6 +36,7 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
   functions_are_independent_but_for_two_values linear_factor_adds_a_change_of_sign
   averages_between_neighbours_keep_sign_changes third_function_has_a_zero_for_every_smaller_beta
   first_function_has_a_zero_for_every_larger_beta printed_sum_in_closed_form
+  combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one
 :confirmed-by: roots_are_at_most_sign_changes
 :meant: (19) and (20), which count changes of sign and parameters | Intersections are counted along the curve and along the polygon.
 :reading: self_crossing_polygon_has_fewer_points_on_a_line | of the correction, common points counted as points of the plane: a polygon
@@ -45,7 +46,8 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 
 With two neighbours $k_{i-1},k_i$ each Bernstein coefficient of $\sum k_iB_i$ is a multiple of an average of the two, not a negative one, where the entries of the
 matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.
-With the sum 1 this is said of $k_i=u\cdot(P_i-Q)$ and of the distance of the curve from $L$.  Below the range and above it one function has a zero inside,
+With the sum 1 this is said of $k_i=u\cdot(P_i-Q)$ and of the distance of the curve from $L$.  Every change of sign is a crossing of the polygon, with
+a common point or edge of its own; an end of the curve is on $L$ when that end of the polygon is.  Below the range and above it one function has a zero inside,
 and three points or one make a polygon on one side of a line that its curve meets.
 :::
 */

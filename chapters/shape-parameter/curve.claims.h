@@ -80,10 +80,10 @@ CLAIM(curve_kernels_give_the_sum)
 :::{statement} deng-zhang-2022:sec-3-degree
 :title: It is called a curve of degree eight
 :zh: 八次曲线之称
-:printed: the curve of (10) is called the β-Bézier curve of degree eight
+:printed: the curve of (10) is called the Bézier curve of degree eight with the shape parameter $\beta$, in short the β-Bézier curve of degree eight
 :definition: yes
 :checked-by: horner_rule_computes_the_curve
-:confirmed-by: bezier_points_divide_the_edges
+:confirmed-by: bezier_points_divide_the_edges beta_zero_gives_the_bezier_curve
 :figure: curves_for_several_beta
 
 With the printed functions and with the corrected ones it is a Bézier curve of nine points.  Its degree is at most 8; for $\beta=0$ it is at most 7.
@@ -251,7 +251,7 @@ CLAIM(printed_points_move_evenly_with_beta)
   functions; with the printed ones not $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
 :figure: edges_that_do_not_move
 
-Different as parametrized curves; on a line they may be the same set of points.  For $n=7$ the number $a_4$ is 0.
+Different as parametrized curves; their sets of points are not compared.  For $n=7$ the number $a_4$ is 0.
 :::
 */
 
@@ -352,10 +352,11 @@ edge.
 :zh: 端点性质，式 (11)
 :printed: B_1(0)=P_0,\quad B_1(1)=P_7,\quad B_1'(0)=(\beta+7)(P_1-P_0),\quad B_1'(1)=(\beta+7)(P_7-P_6)
 :holds-by: end_points_and_end_derivatives
+:confirmed-by: functions_vanish_to_their_orders_at_the_ends
 :figure: end_edges
 
-True for all real $\beta$, with the printed functions as with the corrected ones: the two wrong functions vanish threefold at
-both ends.
+True for all real $\beta$, with the printed functions as with the corrected ones: the two wrong functions vanish at
+least threefold at both ends.
 :::
 
 :::{claim} end_points_and_end_derivatives
@@ -453,6 +454,7 @@ CLAIM(derivatives_of_the_curve)
 :zh: 端点插值与端边相切
 :printed: the curve interpolates the first and last control point and is tangent to the first and last edge
 :holds-by: end_points_and_end_derivatives functions_vanish_to_their_orders_at_the_ends
+:confirmed-by: second_derivative_takes_over_at_minus_seven
 :hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
 :figure: end_edges
@@ -497,6 +499,40 @@ CLAIM(edge_is_not_tangent_at_minus_seven)
 #endif
 
 /*
+What takes over is the second derivative, for any polygon.
+
+:::{claim} second_derivative_takes_over_at_minus_seven
+:title: At beta = -7 the second derivatives at the ends
+:zh: β=-7 时端点的二阶导矢
+:given: points $P_0,\dots,P_7$ of the plane, $\beta=-7$; printed and corrected functions
+:then: $q'(0)=q'(1)=0$, $q''(0)=14(5P_1-P_2-4P_0)$, $q''(1)=14(5P_6-P_5-4P_7)$
+:method: The derivatives of the Bézier curve of degree 8 at the two integers, all points variables.
+:degrees: 7..7
+:control: the neighbour of the end point counted once less
+:::
+*/
+CLAIM(second_derivative_takes_over_at_minus_seven)
+{
+    num P[8 * dim], Q[9 * dim], D[3 * dim];
+    G(free_points)(T, 7, dim, P);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        G(bezier_points_of)(printed_ones, 7, dim, P, from_int(-7), Q);
+        for (int end = 0; end <= 1; end++) {
+            const num *point = P + (end ? 7 : 0) * dim, *next = P + (end ? 6 : 1) * dim,
+                      *other = P + (end ? 5 : 2) * dim;
+            G(bezier_derivatives)(8, dim, Q, from_int(end), 2, D);
+            for (int c = 0; c < dim; c++) {
+                about(T, "the first derivative");
+                vanishes(T, D[dim + c]);
+                about(T, "the second derivative");
+                num sum = sub(mul(from_int(fault(T, 5, 4)), next[c]), add(other[c], mul(from_int(4), point[c])));
+                same(T, D[2 * dim + c], mul(from_int(14), sum));
+            }
+        }
+    }
+}
+
+/*
 ## Convex hull, symmetry, invariance (凸包性, 对称性, 几何不变性)
 
 The remaining properties are printed with the reason that the functions have properties of their own.  The hull needs two of
@@ -515,7 +551,7 @@ of the curve is $B_2(t)$.
 :figure: hull_and_sum
 
 For $\beta$ outside the range some $B_i(t)<0$; the curve of $P_i=(1,0)$ and all other points $(0,0)$ is then outside its
-hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points is no point.
+hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points that are not the origin is no point.
 :::
 */
 

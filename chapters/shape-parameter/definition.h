@@ -130,13 +130,6 @@ static inline void G(factors_in_beta)(int printed_ones, int n, poly near[], poly
     }
 }
 
-/* Is p >= 0 on [a,b]? */
-static inline int G(never_negative)(poly p, num a, num b)
-{
-    enum cagd_sign_pattern sign = sign_on(p, a, b, CLOSED);
-    return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
-}
-
 /* Function i of degree n as a polynomial in t, by its Bernstein coefficients of degree n+1. */
 static inline poly G(function)(int printed_ones, int n, int i, num beta)
 {

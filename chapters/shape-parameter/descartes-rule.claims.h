@@ -230,7 +230,7 @@ CLAIM(first_coefficient_gives_the_sign)
         for (int i = 0; i <= 6; i++)
             agree(T, sign_on(near[i], low, high, ends) == SIGN_POSITIVE &&
                          sign_on(far[7 - i], low, high, ends) == SIGN_POSITIVE);
-        agree(T, G(never_negative)(near[7], low, high) && G(never_negative)(far[0], low, high));
+        agree(T, is_nonnegative_on(near[7], low, high) && is_nonnegative_on(far[0], low, high));
     }
 }
 

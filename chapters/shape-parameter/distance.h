@@ -35,7 +35,7 @@ static inline int G(near_one_edge)(struct G(path) q, int n, const num P[], num r
         poly foot = G(along)(q, d[0], d[1], neg(G(dot)(dim, d, A)));
         poly across = G(along)(q, neg(d[1]), d[0], neg(G(cross2)(d, A)));
         poly gap = poly_sub(poly_constant(mul(r_squared, size)), poly_mul(across, across));
-        if (G(never_negative)(foot, a, b) && G(never_negative)(poly_sub(poly_constant(size), foot), a, b) &&
+        if (is_nonnegative_on(foot, a, b) && is_nonnegative_on(poly_sub(poly_constant(size), foot), a, b) &&
             sign_on(gap, a, b, CLOSED) == SIGN_POSITIVE)
             return 1;
     }

@@ -94,7 +94,7 @@ CLAIM(blend_is_convex_from_minus_two_to_one)
     poly near[3], far[3];
     G(factors_in_beta)(0, 2, near, far);
     for (int i = 0; i <= 2; i++) {
-        agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+        agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
         int up = sign_q(poly_coefficient(near[i], 1)), also = sign_q(poly_coefficient(far[i], 1));
         agree(T, i == 1 ? up > 0 && also > 0 : up <= 0 && also <= 0);
     }
@@ -161,7 +161,7 @@ CLAIM(range_of_every_degree)
     poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
     G(factors_in_beta)(0, n, near, far);
     for (int i = 0; i <= n; i++) {
-        agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+        agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
         at_low += is_zero_q(poly_value(near[i], low)) && sign_q(poly_coefficient(near[i], 1)) > 0;
     }
     agree(T, at_low > 0);

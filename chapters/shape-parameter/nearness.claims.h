@@ -21,18 +21,19 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
-  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; if the polygon is convex and turns by
+  triangle $b_0b_1b_2$, its weight at $b_1$ does not fall and those at $b_0$ and $b_2$ do not grow; if the polygon is convex and turns by
   at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1; whether
   the curve comes nearer to the polygon depends on the polygon
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
-:confirmed-by: growing_beta_pushes_by_the_turns convex_polygon_prefers_beta_one
+:confirmed-by: growing_beta_pushes_by_the_turns convex_polygon_prefers_beta_one quadratic_distance_to_a_line_shrinks
+  quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 :striking: 11
 
-The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three points,
-for which no point moves away from the polygon while $-2\le\beta\le1$ (`quadratic_distance_to_a_line_shrinks`,
-`quadratic_distance_to_an_end_shrinks`), and polygons of four for which it is false, are treated in `every-degree`.
+The first refutation is for both senses at once, and both are for the printed and for the corrected functions.  That for three points
+no point moves away from the polygon while $-2\le\beta\le1$ is argued in `every-degree` from `quadratic_distance_to_a_line_shrinks` and
+`quadratic_distance_to_an_end_shrinks`; polygons of four for which it is false are there, too.
 
 Below $-\frac72$ a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
 
@@ -141,9 +142,10 @@ another one it is lost.
 :corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it
   holds for some convex polygons and fails for others
 :corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
+:confirmed-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 
-For three points and $0<\beta\le1$ the curve is at least as near: `quadratic_distance_to_a_line_shrinks`.
+For three points and $0<\beta\le1$ the curve is at least as near, which `every-degree` argues from the last two claims.
 :::
 
 :::{claim} convex_polygon_prefers_the_bezier_curve
@@ -170,7 +172,7 @@ CLAIM(convex_polygon_prefers_the_bezier_curve) { G(refute_closer_to_a_convex_pol
 :printed: so the curve approximates better than the C-Bézier curve of degree seven
 :reading: larger_beta_takes_the_curve_away_from_its_polygon | C-Bézier for Bézier, as the word "so" suggests
 :reading: C-Bézier curves, built with sines and cosines: neither defined nor compared in the text, so that nothing is there
-  to be decided; as their parameter goes to 0 they become Bézier curves
+  to be decided
 :figure: closer_or_not
 
 The conclusion "so" has no premise about C-Bézier curves.

@@ -27,6 +27,7 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :class: false
 :corrected: all eight functions, printed or corrected, are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
 :corrected-by: nonnegative_exactly_in_the_range
+:confirmed-by: range_of_every_degree
 :figure: negative_function
 :striking: 8
 
@@ -87,7 +88,7 @@ CLAIM(nonnegative_exactly_in_the_range)
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
         for (int i = 0; i <= 7; i++)
-            agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+            agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
         agree(T, is_zero_q(poly_value(near[2], low)) && sign_q(poly_coefficient(near[2], 1)) > 0);
         agree(T, is_zero_q(poly_value(far[0], high)) && sign_q(poly_coefficient(far[0], 1)) < 0);
     }
@@ -117,11 +118,11 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
   third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
 :meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
 :reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$: then
-  one for every $\beta$ in $-7\le\beta\le1$
+  one, below $-\frac{21}4$ by this claim as in the true range by the correction
 :figure: negative_function
 
 That there is at least one local maximum is true of every continuous function on $[0,1]$.
-$B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ the maximum of $B_0$ is inside.
+$B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$.
 :::
 
 :::{statement} deng-zhang-2022:property-2.5-proof
@@ -208,11 +209,11 @@ CLAIM(each_function_rises_then_falls)
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
         for (int i = 1; i <= 6; i++) {
-            agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+            agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
             agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
         }
         poly first = poly_sub(far[0], poly_scale(near[0], from_int(8)));
-        agree(T, G(never_negative)(poly_neg(first), wide[0], wide[1]) && G(never_negative)(far[0], wide[0], wide[1]));
+        agree(T, is_nonnegative_on(poly_neg(first), wide[0], wide[1]) && is_nonnegative_on(far[0], wide[0], wide[1]));
         agree(T, sign_on(poly_sub(far[0], first), wide[0], wide[1], CLOSED) == SIGN_POSITIVE);
     }
 }
@@ -252,7 +253,7 @@ CLAIM(third_function_falls_then_rises_below_the_range)
         agree(T, sign_on(far[2], low, high, CLOSED) == SIGN_POSITIVE);
         for (int i = 1; i <= 6; i++)
             if (i != 2 && i != 5) {
-                agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+                agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
                 agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
             }
     }

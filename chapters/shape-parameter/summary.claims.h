@@ -42,7 +42,7 @@ the range from $-\frac{21}4$ to 1.
   not 0, variation diminution in the sense of property 3.6; at $\beta=-\frac{21}4$ too, but variation diminution for crossings, and
   for common points unless the curve is on the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
-  reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign functions_are_independent_but_for_two_values
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: ranges_of_beta
@@ -58,10 +58,11 @@ For the end properties, the hull, the symmetry and the variation see the propert
 :class: false
 :corrected: for $\beta=1$ it depends on the polygon: to some convex ones the curve is nearer than the Bézier curve
 :corrected-by: convex_polygon_prefers_beta_one
+:confirmed-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 
-For three points and $0<\beta\le1$ no point is farther from the polygon than that of the Bézier curve:
-`quadratic_distance_to_a_line_shrinks`.
+For three points and $0<\beta\le1$ no point is farther from the polygon than that of the Bézier curve, which `every-degree` argues from the
+last two claims.
 :::
 
 :::{statement} deng-zhang-2022:abstract-features
@@ -77,7 +78,7 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
   too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
   not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
-  totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
+  combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
   four_vertices_of_a_convex_polygon_do_not_alternate functions_are_independent_but_for_two_values
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: ranges_of_beta
@@ -101,12 +102,12 @@ For three points and $0<\beta\le1$ no point is farther from the polygon than tha
 :printed: once the control points and the Bernstein basis are given, the Bézier curve or surface is uniquely determined; to change the shape of the curve one has
   to adjust its control points
 :holds-by: decasteljau_evaluates_bezier_curve surface_kernel_computes_the_double_sum
+:confirmed-by: bernstein_basis_is_independent
 :argued: every n | By its definition the sum has one value for given points and parameters, whatever the degree.
 :figure: curves_for_several_beta
 
 Curve and surface are computed from their control points and the parameters, and from nothing else, so that another curve has other
-points.  Other points need not give another curve of the plane, but as parametrized curves of one degree they do:
-`bernstein_basis_is_independent`.
+points.  As a parametrized curve of the same degree that of other points is another one (`bernstein_basis_is_independent`).
 :::
 
 :::{statement} deng-zhang-2022:sec-1-bezier-properties

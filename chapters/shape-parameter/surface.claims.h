@@ -27,11 +27,12 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :zh: 起点与终点重合得封闭曲线
 :printed: when the first and the last point coincide a closed curve is obtained, as with the Bézier curve of degree seven
 :holds-by: end_points_and_end_derivatives
+:confirmed-by: second_derivative_takes_over_at_minus_seven
 :figure: petals
 
 For $\beta\ne-7$ and end edges that are not 0 its tangent is continuous at that point exactly when $P_1$, $P_0=P_7$ and
-$P_6$ are on a line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends are 0, and the second ones
-give the tangents.
+$P_6$ are on a line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends are 0, and the second ones, $14(5P_1-P_2-4P_0)$
+and $14(5P_6-P_5-4P_7)$, give the tangents where they are not 0.
 :::
 
 :::{statement} deng-zhang-2022:fig-3
@@ -52,13 +53,15 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :::{statement} deng-zhang-2022:def-5.1
 :title: The tensor product surface
 :zh: 双八次 β-Bezier 曲面，式 (22)
-:printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}B_{i,7}(u)B_{j,7}(v)$ for $8\times8$ control points, $u,v\in[0,1]$, $-7\le\beta\le1$
+:printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}B_{i,7}(u)B_{j,7}(v)$ for $8\times8$ control points $P_{ij}\in\mathbb R^d$, $d=2,3$, $u,v\in[0,1]$, $-7\le\beta\le1$,
+  is called the β-Bézier surface of degree eight in both directions on $[0,1]\times[0,1]$
 :definition: yes
 :checked-by: printed_surface_is_a_curve_of_curves
 :confirmed-by: surface_kernel_gives_the_double_sum
 :figure: shape_surface
 
-One parameter serves both directions; the kernel has one for each.  The points are in $\mathbb R^d$, $d=2,3$.
+One parameter serves both directions; the kernel has one for each.  A coordinate of the surface comes from
+that coordinate of the points alone.
 :::
 */
 
@@ -131,6 +134,7 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :corrected-by: functions_vanish_to_their_orders_at_the_ends corrected_functions_are_mirror_images
   surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
+  net_of_straight_lines_gives_a_saddle
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
   and columns are: they may all be straight and the surface be a saddle, for every $\beta$
   (`net_of_straight_lines_gives_a_saddle`)
@@ -399,7 +403,8 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :figure: shape_surface
 
 One $\beta$ in both directions, and surfaces with their parameters: then they are not the same for all $\beta$; two values
-may still give one, as $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27,-27,5,0,0)$, with the corrected functions.
+may still give one, as $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27,-27,5,0,0)$, with the corrected functions: there
+$\sum k_iB_i$ is linear in $\beta$ and 0 at $-\frac{21}4$ (`a_combination_vanishes`).
 :::
 
 :::{claim} nets_that_do_not_move

@@ -8,6 +8,7 @@
 #include "cli/input.h"
 #include "cli/junit.h"
 #include "cli/output.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "core/clock.h"
 #include "exact/words.h"
@@ -163,10 +164,9 @@ static void write_picture(const char *path, const struct document *d, struct rep
     if (to->panels > 0)
         draw_legend_of_counterexamples(to->picture);
     if (to->panels == 0 && d->sheets == 0)
-        fprintf(stderr, "cagd: %s: no counterexample has a name over which it could be drawn\n",
-                name_of_input(d->path));
+        refuse_line("%s: no counterexample has a name over which it could be drawn", name_of_input(d->path));
     else if ((text = svg_text(to->picture)) == NULL)
-        fprintf(stderr, "cagd: the picture cannot be drawn: %s\n", svg_failed(to->picture));
+        refuse_line("the picture cannot be drawn: %s", svg_failed(to->picture));
     if ((to->panels > 0 || d->sheets > 0) && (text == NULL || write_text_file(path, text) != 0))
         *to->code = EXIT_INTERNAL;
     svg_free(to->picture);
@@ -197,7 +197,7 @@ static int check(const cagd_register *reg, const struct arguments *a)
     if (read_document(reg, a->asked.path, &d) != 0)
         return EXIT_USAGE;
     if (a->basis && d.sheets == 0) {
-        fprintf(stderr, "cagd: %s: has no block :::{basis} NAME\n", name_of_input(a->asked.path));
+        refuse_line("%s: has no block :::{basis} NAME", name_of_input(a->asked.path));
         return EXIT_USAGE;
     }
     json_t *list = a->asked.json ? json_array() : NULL, *sheets = a->asked.json ? json_array() : NULL;

@@ -3,6 +3,7 @@
 #include "chapters/judge/register.h"
 #include "cli/check/paper.h"
 #include "cli/input.h"
+#include "cli/refuse.h"
 #include "cli/terminal.h"
 #include "exact/expression/evaluate.h"
 #include "exact/expression/standard.h"
@@ -88,7 +89,7 @@ static void tell_in(const struct document *d, const char *path, const char *text
 {
     int line, column;
     count_lines(d, text, from, &line, &column);
-    fprintf(stderr, "cagd: %s:%d:%d: %s\n", name_of_input(path), line, column, message);
+    refuse_line("%s:%d:%d: %s", name_of_input(path), line, column, message);
     show_place(text, size, from, to);
 }
 
@@ -101,7 +102,7 @@ static void tell(struct document *d, int from, int to, const char *message)
     } else if (from >= d->size && d->size > 0) { /* of the ledger */
         int line, column;
         count_lines(d, d->text, from, &line, &column);
-        fprintf(stderr, "cagd: %s: %s, column %d: %s\n", name_of_input(d->path), d->entry, column, message);
+        refuse_line("%s: %s, column %d: %s", name_of_input(d->path), d->entry, column, message);
         show_place(d->text, d->used, from, to);
     } else {
         tell_in(d, d->path, d->text, d->used, from, to, message);
@@ -625,7 +626,7 @@ static void read_blocks(struct document *d)
 
 static int refuse_file(const char *path, const char *why)
 {
-    fprintf(stderr, "cagd: %s: %s\n", name_of_input(path), why);
+    refuse_line("%s: %s", name_of_input(path), why);
     return -1;
 }
 
@@ -678,6 +679,6 @@ int read_document(const cagd_register *reg, const char *path, struct document *d
                                   : d->left_outs > 0 ? "has no formula that could be read"
                                                      : "has no formula with a \\label, or with a comment % cagd: ...");
     if (d->complaints > MOST_COMPLAINTS)
-        fprintf(stderr, "cagd: %s: and %d more\n", name_of_input(path), d->complaints - MOST_COMPLAINTS);
+        refuse_line("%s: and %d more", name_of_input(path), d->complaints - MOST_COMPLAINTS);
     return d->complaints;
 }

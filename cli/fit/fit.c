@@ -2,6 +2,7 @@
 #include "cli/fit/fit.h"
 #include "cli/input.h"
 #include "cli/progress.h"
+#include "cli/refuse.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -28,8 +29,8 @@ static int read_initial(const struct fit_arguments *a, int dim, cagd_spline *spl
         return -1;
     }
     if (c.dim != dim) {
-        fprintf(stderr, "cagd: %s: the points of the curve have %d coordinate%s, those of %s %d\n", a->initial, c.dim,
-                c.dim == 1 ? "" : "s", a->asked.path, dim);
+        refuse_line("%s: the points of the curve have %d coordinate%s, those of %s %d", a->initial, c.dim,
+                    c.dim == 1 ? "" : "s", a->asked.path, dim);
         return -1;
     }
     double *weights = c.weights != NULL ? rounded(c.count, c.weights) : doubles(c.count);
@@ -43,7 +44,7 @@ static int read_initial(const struct fit_arguments *a, int dim, cagd_spline *spl
                             .weights = weights};
     for (int j = 0; j < c.count; j++)
         if (!(weights[j] > 0)) {
-            fprintf(stderr, "cagd: %s: weights[%d]: %g, expected a number > 0\n", a->initial, j, weights[j]);
+            refuse_line("%s: weights[%d]: %g, expected a number > 0", a->initial, j, weights[j]);
             return -1;
         }
     return 0;
@@ -84,25 +85,21 @@ static int complain(const struct fit *f, cagd_status status, int where)
     int n = f->data.count, dim = f->data.dim, asked = unknowns_asked(&f->options, dim);
     int more = has_measured_ends(&f->options) ? 2 : 0, equations = n * (dim - 1) + more;
     if (status == CAGD_TOO_FEW)
-        fprintf(
-            stderr,
-            "cagd: %s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points%s\n",
-            name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", equations, equations == 1 ? "" : "s",
-            asked, asked == 1 ? "" : "s", asked - more <= 2 * (dim - 1) ? 2 : (asked - more + dim - 2) / (dim - 1),
-            more ? "; --ends exact takes the first and the last one for the ends" : "");
+        refuse_line("%s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points%s",
+                    name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", equations,
+                    equations == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
+                    asked - more <= 2 * (dim - 1) ? 2 : (asked - more + dim - 2) / (dim - 1),
+                    more ? "; --ends exact takes the first and the last one for the ends" : "");
     else if (status == CAGD_BAD_OPTION && asked == 0 && f->options.free != 0)
-        fprintf(stderr, "cagd: %s: nothing is free: of what --free names the curve has nothing that could move\n",
-                name);
+        refuse_line("%s: nothing is free: of what --free names the curve has nothing that could move", name);
     else if (status == CAGD_BAD_DATA && where >= 0)
-        fprintf(stderr, "cagd: %s: line %d: %s\n", name, f->points.line[where], cagd_status_text(status));
+        refuse_line("%s: line %d: %s", name, f->points.line[where], cagd_status_text(status));
     else if (status == CAGD_OVERFLOW)
-        fprintf(
-            stderr,
-            "cagd: %s: coordinates or standard deviations are so large or so small that squared distances leave the "
-            "range of numbers\n",
-            name);
+        refuse_line("%s: coordinates or standard deviations are so large or so small that squared distances leave the "
+                    "range of numbers",
+                    name);
     else
-        fprintf(stderr, "cagd: %s: %s\n", name, cagd_status_text(status));
+        refuse_line("%s: %s", name, cagd_status_text(status));
     return status == CAGD_NO_MEMORY ? EXIT_INTERNAL : EXIT_USAGE;
 }
 
@@ -133,7 +130,7 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
     int where = -1;
     f->sigma_given = a->sigma != 0;
     if (f->sigma_given && f->points.sigma != NULL) {
-        fprintf(stderr, "cagd: %s: there is a column of standard deviations; --sigma does not go with it\n", f->path);
+        refuse_line("%s: there is a column of standard deviations; --sigma does not go with it", f->path);
         return EXIT_USAGE;
     }
     double *sigma = f->points.sigma;

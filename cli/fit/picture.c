@@ -1,6 +1,7 @@
 /* picture.c -- the picture of a fit: points, curve, control polygon; below, the distances over the parameter. */
 #include "chapters/judge/memory_text.h"
 #include "cli/fit/fit.h"
+#include "cli/refuse.h"
 #include "cli/ticks.h"
 #include "figures/svg.h"
 
@@ -513,7 +514,7 @@ int write_picture(const struct fit *f, const char *path)
     int code = -1;
     const char *text = svg_text(s);
     if (text == NULL)
-        fprintf(stderr, "cagd: %s: the picture cannot be drawn: %s\n", path, svg_failed(s));
+        refuse_line("%s: the picture cannot be drawn: %s", path, svg_failed(s));
     else
         code = write_text_file(path, text);
     svg_free(s);

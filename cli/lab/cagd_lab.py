@@ -26,7 +26,7 @@ import time
 import types
 
 Q = fractions.Fraction
-MOST_CONDITIONS, MOST_TERMS, MOST_MESSAGE, MEGABYTES = 4096, 200000, 300, 1024
+MOST_CONDITIONS, MOST_TERMS, MOST_PLAIN, MOST_MESSAGE, MEGABYTES = 4096, 200000, 200, 300, 1024
 
 
 class Refused(Exception):
@@ -73,6 +73,19 @@ def text_of(a):
     return "+".join(terms) or "0"
 
 
+def plain_text(a):
+    """Of a polynomial times a positive number: whole coefficients, "3*k[1]*t-t^2+5", as polyhedron.h reads it; "" of a long one."""
+    if len(a) > MOST_PLAIN:
+        return ""
+    common = math.lcm(*(Q(x).denominator for x in a.values())) if a else 1
+    text = ""
+    for m, x in sorted(a.items(), reverse=True):
+        factors = [n if k == 1 else f"{n}^{k}" for n, k in sorted(m, key=lambda f: Run.names.get(f[0], 0))]
+        amount = abs(int(x * common))
+        text += ("-" if x < 0 else "+") + "*".join(([str(amount)] if amount != 1 or not factors else []) + factors)
+    return text.removeprefix("+") or "0"
+
+
 class Function:
     """numerator / product of factors^power, factors being polynomials that are no constants."""
 
@@ -108,6 +121,10 @@ class Function:
         monic = frozenset((m, x / lead) for m, x in self.numerator.items())
         return Function(times(self.expanded(self.factors), {(): 1 / lead}), {monic: 1})
 
+    def polynomial_of_sign(self):
+        """A polynomial that has its sign, wherever its factors are not 0."""
+        return times(self.numerator, self.expanded({f: k % 2 for f, k in self.factors.items()}))
+
     def text(self):
         below = "*".join(f"({text_of(dict(f))})" for f, k in self.factors.items() for _ in range(k))
         return f"({text_of(self.numerator)})" + (f"/({below})" if below else "")
@@ -130,6 +147,7 @@ class Run:
     """What is noted while an answer runs."""
     answer = ""
     conditions, seen, path, operations, printed, field, caches = [], set(), 0, 0, 0, False, {}
+    denominators, names = [], {}  # what is divided by; the variables in the order of the inputs
 
 
 def line_of_answer():
@@ -196,6 +214,10 @@ class Number:
         if other.value == 0:
             raise ZeroDivisionError("division by zero")
         Run.operations += 1
+        if Run.field and not is_constant(other.function.numerator):
+            text = plain_text(other.function.numerator) or text_of(other.function.numerator)
+            if text not in Run.denominators and len(Run.denominators) < MOST_CONDITIONS:
+                Run.denominators.append(text)
         return Number(self.value / other.value, self.function * other.function.inverse() if Run.field else None)
 
     def __rtruediv__(self, other):
@@ -229,13 +251,18 @@ class Number:
         Run.path = (Run.path * 1000003 + line * 8 + 2 * (sign if name != "=" else abs(sign)) + is_true + 5) % (1 << 61)
         if Run.field:
             relation = {True: name, False: {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!="}[name]}[is_true]
-            names = {n for m in difference.numerator for n, _ in m}
-            text = names.pop() if len(names) == 1 and list(difference.numerator) in ([((n, 1),)] for n in list(names)) else None
-            text = text or text_of(difference.numerator)
+            first = next(iter(difference.numerator))
+            alone = len(difference.numerator) == 1 and not difference.factors and len(first) == 1 and first[0][1] == 1
+            text = first[0][0] if alone else difference.text()
+            try:
+                polynomial = plain_text(difference.polynomial_of_sign())
+            except Refused:
+                polynomial = ""
             if (text, relation, line) not in Run.seen and len(Run.conditions) < MOST_CONDITIONS:
                 Run.seen.add((text, relation, line))
                 Run.conditions.append({"left": self.function.text(), "relation": relation, "right": other.function.text(),
-                                       "difference": text, "line": line})
+                                       "difference": text, "polynomial": polynomial, "given": False, "line": line,
+                                       "holding": {"=": 1, ">": 2, ">=": 3, "<": 4, "<=": 5, "!=": 6}[relation]})
         return is_true
 
     def __lt__(self, other):
@@ -521,6 +548,7 @@ def one_call(answer, case, given, results):
 def number(name, value, variable):
     function = None
     if Run.field:
+        Run.names.setdefault(name, len(Run.names))
         function = Function({((name, 1),): Q(1)} if variable else {(): value} if value else {})
     return Number(value, function)
 
@@ -530,6 +558,7 @@ def play(code, cases, job):
     kind, _, which = job["entry"].rpartition("_")
     case = cases[int(which)]
     Run.conditions, Run.seen, Run.path, Run.operations, Run.printed = [], set(), 1, 0, 0
+    Run.denominators, Run.names = [], {}
     Run.field = job["numbers"] == "field"
     results = []
     order = [case, case] if kind == "lab_again" else [case]
@@ -565,7 +594,8 @@ def play(code, cases, job):
         out = ended("crashed", str(e), e)
     except (Exception, SystemExit) as e:
         out = ended("crashed", f"{type(e).__name__}: {e}", e)
-    out.update(results=results if out["end"] == "finished" else [], conditions=Run.conditions, operations=Run.operations,
+    out.update(results=results if out["end"] == "finished" else [], conditions=Run.conditions, denominators=Run.denominators,
+               operations=Run.operations,
                path=f"{Run.path:x}", printed=Run.printed)
     return out
 

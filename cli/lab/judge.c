@@ -3,7 +3,7 @@
  * Both are run in processes of their own and tell what they computed; only here the two are compared.  A requirement is wrong
  * when there are numbers for which its exact results are not those of the reference: never because something was not understood.
  * It is right for all inputs when on every way that was found, through both codes together, the results are the same elements of
- * the field; the ways are looked for on both sides of the border of every comparison. */
+ * the field; other ways, and inputs for which the code divides by 0, are looked for as ways.c says. */
 #include "cli/lab/lab.h"
 #include "cli/point_json.h"
 #include "exact/code/border.h"
@@ -13,15 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum {
-    MOST_POINTS = 400,
-    FIRST_POINTS = 3,
-    MOST_SHRINKING = 200,
-    MOST_WAYS = 64,
-    HINT_POINTS = 4,
-    ROUNDED = 12,
-    MOST_KNOWN = 20000
-};
+enum { FIRST_POINTS = 3, MOST_SHRINKING = 200, HINT_POINTS = 4, ROUNDED = 12, MOST_KNOWN = 20000 };
 enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6 };
 
 /* What is known while one submission is judged. */
@@ -33,7 +25,8 @@ struct trial {
     json_t *jobs;      /* what the sanitizers are shown                                  */
     char manners[300]; /* what the code does besides computing; empty: nothing was seen  */
     int manners_line;
-    int compared; /* whether it compares numbers                                    */
+    char unset[150]; /* what is seen of values that were never computed, before anything runs; or empty */
+    int unset_line;
 };
 
 /* ---- one run of both -------------------------------------------------------------------------------------- */
@@ -172,116 +165,11 @@ static int difference_of(struct trial *t, const struct lab_case *c, const struct
 struct found {
     int wrong, stopped; /* a difference; the code ended                                */
     struct cagd_code_point *point;
-    struct pair at; /* what was said there                                         */
-    int points, ways, proved, conditions, undecided, empty; /* empty: no case may stay without a point */
-    char why[300];
+    struct pair at;                  /* what was said there                                         */
+    int points, ways, proved, empty; /* empty: no case may stay without a point */
+    struct lab_open open;            /* what is not known of other ways                             */
+    char why[300], hole[300];        /* why it is not proved; how the reference failed                 */
 };
-
-/* The points that are still to be tried, and the ways that were seen. */
-struct search {
-    struct cagd_code_point *point[MOST_POINTS];
-    int count, tried, lost; /* lost: there was no room for some */
-    char way[MOST_WAYS][80];
-    int ways;
-};
-
-static int same_point(const struct cagd_code_point *a, const struct cagd_code_point *b)
-{
-    for (int i = 0; i < a->inputs; i++)
-        for (int j = 0; j < (a->input[i].count > 0 ? a->input[i].count : 1); j++)
-            if (strcmp(a->input[i].value[j], b->input[i].value[j]) != 0 || a->input[i].like[j] != b->input[i].like[j])
-                return 0;
-    return 1;
-}
-
-/* Once: a comparison that is made again has the same border. */
-static void put_point(struct search *s, struct cagd_code_point *p)
-{
-    int known = 0;
-    for (int k = 0; k < s->count && !known; k++)
-        known = same_point(s->point[k], p);
-    if (s->count < MOST_POINTS && !known)
-        s->point[s->count++] = p;
-    else
-        s->lost |= !known, cagd_code_point_free(p);
-}
-
-/* The point with one value changed. */
-static void put_beside(struct search *s, const struct cagd_code_point *p, int input, int element, cagd_num_q value)
-{
-    struct cagd_code_point *other = cagd_code_point_copy(p);
-    cagd_code_point_set(other, input, element, cagd_to_string_q(value));
-    put_point(s, other);
-}
-
-static int elements_of(const struct cagd_code_input *in) { return in->count > 0 ? in->count : 1; }
-
-/* Whether some other variable than element j of input i is in the expression. */
-static int has_others(const char *expression, const struct cagd_code_point *p, int i, int j)
-{
-    char name[64];
-    for (int k = 0; k < p->inputs; k++)
-        for (int e = 0; p->input[k].variable && e < elements_of(&p->input[k]); e++) {
-            snprintf(name, sizeof name, p->input[k].count > 0 ? "%s[%d]" : "%s", p->input[k].name, e);
-            if ((k != i || e != j) && strstr(expression, name) != NULL)
-                return 1;
-        }
-    return 0;
-}
-
-/* Points on the border of the condition and on all sides of it, near and far, for one variable after the other.  Where the difference has no
- * zero in a variable, that variable goes to where it is nearest to 0 before the next one is looked at: so a border that closes around
- * a small region is met.  Whether the border was found, or there is none: a difference of one variable that has no zero. */
-static int put_border(struct search *s, const struct cagd_code_point *p, const char *difference)
-{
-    int any = 0;
-    struct cagd_code_point *at = cagd_code_point_copy(p);
-    for (int i = 0; i < p->inputs; i++)
-        for (int j = 0; p->input[i].variable && j < elements_of(&p->input[i]); j++) {
-            cagd_region_mark mark = cagd_region_open();
-            struct cagd_code_border here = cagd_code_border(difference, p, i, j),
-                                    there = cagd_code_border(difference, at, i, j);
-            for (int k = 0; k < here.values; k++)
-                put_beside(s, p, i, j, here.at[k]);
-            for (int k = 0; k < there.values; k++)
-                put_beside(s, at, i, j, there.at[k]);
-            any |= here.zeros > 0 || there.zeros > 0 || (here.varies && !has_others(difference, p, i, j));
-            if (there.zeros == 0 && there.least.at != NULL)
-                cagd_code_point_set(at, i, j, cagd_to_string_q(there.least));
-            cagd_region_drop(mark);
-        }
-    cagd_code_point_free(at);
-    return any;
-}
-
-static void put_borders(struct search *s, struct found *f, const struct cagd_code_point *p, const json_t *outcome)
-{
-    size_t k;
-    const json_t *row;
-    json_array_foreach(json_object_get(outcome, "conditions"), k, row)
-    {
-        f->conditions++;
-        if (!put_border(s, p, member(row, "difference")))
-            f->undecided++;
-    }
-}
-
-/* Whether the way through both codes is new; equal neighbours belong to it. */
-static int is_new_way(struct search *s, const struct pair *at, const struct cagd_code_point *p)
-{
-    unsigned long hash = 0;
-    char way[80];
-    for (int i = 0; i < p->inputs; i++)
-        for (int j = 0; j < p->input[i].count; j++)
-            hash = hash * 31 + (unsigned long)(p->input[i].like != NULL ? p->input[i].like[j] : j);
-    snprintf(way, sizeof way, "%.20s %.20s %lx", member(at->got, "path"), member(at->want, "path"), hash);
-    for (int k = 0; k < s->ways; k++)
-        if (strcmp(s->way[k], way) == 0)
-            return 0;
-    if (s->ways < MOST_WAYS)
-        strcpy(s->way[s->ways++], way);
-    return s->ways < MOST_WAYS;
-}
 
 /* Whether the only name in the expression is this one. */
 static int is_about(const char *expression, const char *name)
@@ -314,7 +202,7 @@ static struct cagd_code_point *with_fixed(const struct cagd_code_point *p, const
 }
 
 /* The way in the field. */
-static void prove(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
+static void prove(struct trial *t, const struct lab_case *c, struct lab_ways *w, struct found *f,
                   const struct cagd_code_point *p)
 {
     struct pair at = ask_both(t, job_of(c, p, "field", "lab_entry"));
@@ -330,9 +218,7 @@ static void prove(struct trial *t, const struct lab_case *c, struct search *s, s
             cagd_code_point_free(fixed);
         }
         f->proved += same;
-        t->compared += json_array_size(json_object_get(at.got, "conditions")) > 0;
-        put_borders(s, f, p, at.got);
-        put_borders(s, f, p, at.want);
+        lab_ways_add(w, at.got, at.want, p);
     } else if (f->why[0] == 0) {
         snprintf(f->why, sizeof f->why, "%.250s", member(finished(at.got) ? at.want : at.got, "message"));
     }
@@ -349,12 +235,21 @@ static void note_state(struct trial *t, const json_t *outcome)
     t->manners_line = (int)json_integer_value(json_object_get(outcome, "kept_line"));
 }
 
+/* The reference may have no value, where it divides by 0 or the inputs are not those of the lab; otherwise it is at fault. */
+static void note_hole(struct found *f, const json_t *want)
+{
+    const char *end = member(want, "end");
+    if (f->hole[0] == 0 && strcmp(end, "outside") != 0 && strcmp(end, "undefined") != 0)
+        snprintf(f->hole, sizeof f->hole, "%.250s", member(want, "message"));
+}
+
 /* In rationals; 1 when the search is over.  Where the reference has no value nothing is asked. */
-static int try_point(struct trial *t, const struct lab_case *c, struct search *s, struct found *f,
+static int try_point(struct trial *t, const struct lab_case *c, struct lab_ways *w, struct found *f,
                      struct cagd_code_point *p)
 {
     struct pair at = ask_both(t, job_of(c, p, "rational", "lab_entry"));
     if (!finished(at.want)) {
+        note_hole(f, at.want);
         forget(&at);
         return 0;
     }
@@ -372,10 +267,8 @@ static int try_point(struct trial *t, const struct lab_case *c, struct search *s
         f->at = at;
         return 1;
     }
-    int more = s->ways < MOST_WAYS, before = s->ways;
-    if (is_new_way(s, &at, p))
-        prove(t, c, s, f, p);
-    f->undecided += more && before < MOST_WAYS && s->ways == MOST_WAYS; /* there may be other ways */
+    if (lab_ways_is_new(w, at.got, at.want, p))
+        prove(t, c, w, f, p);
     forget(&at);
     return 0;
 }
@@ -429,26 +322,22 @@ static void shrink(struct trial *t, const struct lab_case *c, struct found *f)
 
 static void decide(struct trial *t, const struct lab_case *c, struct found *f)
 {
-    struct search *s = calloc(1, sizeof *s);
-    if (s == NULL)
-        abort();
+    struct lab_ways *w = lab_ways_new(c->h);
     long patterns = cagd_code_patterns(c->h), wanted = FIRST_POINTS > 2 * patterns ? FIRST_POINTS : 2 * patterns;
     int over = 0, fixed = cagd_code_variables(c->h) == 0;
     for (long k = 0, found = 0; !over && k < 10 * wanted && found < (fixed ? 1 : wanted); k++) {
         struct cagd_code_point *p = cagd_code_point_new(c->h, k, 0);
         int before = f->points;
-        over = try_point(t, c, s, f, p);
+        over = try_point(t, c, w, f, p);
         found += f->points > before;
         cagd_code_point_free(p);
         if (!over && f->points > 0 && f->proved < f->ways && wanted < t->bench->points)
             wanted = t->bench->points; /* what is not proved is tried more often */
     }
-    for (; !over && s->tried < s->count; s->tried++)
-        over = try_point(t, c, s, f, s->point[s->tried]);
-    f->undecided += s->lost;
-    for (int k = 0; k < s->count; k++)
-        cagd_code_point_free(s->point[k]);
-    free(s);
+    for (struct cagd_code_point *p; !over && (p = lab_ways_next(w)) != NULL; cagd_code_point_free(p))
+        over = try_point(t, c, w, f, p);
+    f->open = lab_ways_open(w);
+    lab_ways_free(w);
     if (f->wrong)
         shrink(t, c, f);
 }
@@ -574,6 +463,84 @@ static const char *ended(const json_t *outcome, char text[LAB_CAUSE])
     return text;
 }
 
+/* Where a variable goes in a picture: over what is given for it, or over the interval from 0 to 1 and the value at the counterexample; 0
+ * where that is one place. */
+static int range_of(const struct lab_case *c, const struct cagd_code_point *p, int input, cagd_num_q *from,
+                    cagd_num_q *to)
+{
+    const struct cagd_code_asked_input *in = &c->h->input[input];
+    cagd_num_q at = cagd_from_string_q(p->input[input].value[0]), zero = cagd_from_int_q(0), one = cagd_from_int_q(1);
+    *from = cagd_compare_q(at, zero) < 0 ? at : zero, *to = cagd_compare_q(at, one) > 0 ? at : one;
+    if (in->shape == CAGD_CODE_BETWEEN)
+        *from = cagd_code_evaluate(in->low, p, NULL, zero), *to = cagd_code_evaluate(in->high, p, NULL, zero);
+    return from->at != NULL && to->at != NULL && cagd_compare_q(*from, *to) < 0;
+}
+
+/* The value of the result of that name; null where there is none. */
+static json_t *value_named(const json_t *outcome, const char *name)
+{
+    size_t k;
+    const json_t *row;
+    if (finished(outcome))
+        json_array_foreach(json_object_get(outcome, "results"), k,
+                           row) if (strcmp(member(row, "name"), name) == 0) return json_string(member(row, "got"));
+    return json_null();
+}
+
+/* The results of that name where the input is x. */
+static void put_sample(struct trial *t, const struct lab_case *c, const struct cagd_code_point *point, int input,
+                       cagd_num_q x, const char *name, json_t *at, json_t *got, json_t *wanted)
+{
+    struct cagd_code_point *p = cagd_code_point_copy(point);
+    cagd_code_point_set(p, input, 0, cagd_to_string_q(x));
+    struct pair both = ask_both(t, job_of(c, p, "rational", "lab_entry"));
+    json_array_append_new(at, json_string(p->input[input].value[0]));
+    json_array_append_new(got, value_named(both.got, name));
+    json_array_append_new(wanted, value_named(both.want, name));
+    forget(&both);
+    cagd_code_point_free(p);
+}
+
+/* What a picture of the difference shows: the first result that differs over the last input that is a single variable; where there is no
+ * such input, all results in their order. */
+static json_t *graph_of(struct trial *t, const struct lab_case *c, const struct found *f)
+{
+    enum { SAMPLES = 32 };
+    json_t *at = json_array(), *got = json_array(), *wanted = json_array();
+    const json_t *results = json_object_get(f->at.want, "results"), *row;
+    int first = first_difference(f->at.got, f->at.want, "got", 0), over = -1;
+    const char *name = member(json_array_get(results, first >= 0 ? (size_t)first : 0), "name");
+    cagd_region_mark mark = cagd_region_open();
+    cagd_num_q from = {NULL}, to = {NULL};
+    for (int i = 0; i < c->h->inputs; i++)
+        over = f->point->input[i].variable && f->point->input[i].count == 0 ? i : over;
+    if (over >= 0 && range_of(c, f->point, over, &from, &to)) {
+        cagd_num_q x = from, here = cagd_from_string_q(f->point->input[over].value[0]);
+        for (int k = 0; k <= SAMPLES; k++) {
+            cagd_num_q end = cagd_add_q(from, cagd_mul_q(cagd_sub_q(to, from), cagd_from_ratio_q(k, SAMPLES)));
+            if (k > 0 && cagd_compare_q(x, here) < 0 && cagd_compare_q(here, end) < 0)
+                put_sample(t, c, f->point, over, here, name, at, got, wanted);
+            put_sample(t, c, f->point, over, end, name, at, got, wanted);
+            x = end;
+        }
+    } else {
+        size_t k;
+        over = -1;
+        json_array_foreach(results, k, row) if (!is_input(c, member(row, "name")))
+        {
+            json_array_append_new(at, json_string(cagd_to_string_q(cagd_from_int_q((long)json_array_size(at)))));
+            json_array_append_new(got, value_named(f->at.got, member(row, "name")));
+            json_array_append_new(wanted, value_named(f->at.want, member(row, "name")));
+        }
+    }
+    cagd_region_drop(mark);
+    json_t *graph = json_pack("{s:s, s:s, s:o, s:o, s:o}", "of", name, "over",
+                              over >= 0 ? f->point->input[over].name : "", "at", at, "got", got, "expected", wanted);
+    if (graph != NULL && over >= 0)
+        json_object_set_new(graph, "here", json_string(f->point->input[over].value[0]));
+    return graph;
+}
+
 static void tell_wrong(struct trial *t, const struct lab_case *c, const struct found *f, json_t *row)
 {
     char text[LAB_CAUSE];
@@ -587,6 +554,8 @@ static void tell_wrong(struct trial *t, const struct lab_case *c, const struct f
     }
     json_object_set_new(row, "text", json_string("another result"));
     json_object_set_new(row, "differences", differences_json(c, &f->at));
+    if (t->bench->draws)
+        json_object_set_new(row, "graph", graph_of(t, c, f));
     json_t *hint = hint_for(t, c, f);
     if (hint != NULL)
         json_object_set_new(row, "hint", hint);
@@ -595,13 +564,18 @@ static void tell_wrong(struct trial *t, const struct lab_case *c, const struct f
 static void tell_right(const struct lab_case *first, const struct lab_case *last, const struct found *sum, json_t *row)
 {
     char text[LAB_CAUSE], range[140] = "";
-    int proved = sum->ways > 0 && sum->proved == sum->ways && sum->undecided == 0;
+    const struct lab_open *open = &sum->open;
+    int proved = sum->ways > 0 && sum->proved == sum->ways && open->undecided == 0;
     if (first != last)
         snprintf(range, sizeof range, ", %s to %s", first->label, last->label);
     if (cagd_code_variables(first->h) == 0 && first == last && sum->points > 0)
         snprintf(text, sizeof text, "right, decided exactly");
-    else if (proved && sum->conditions == 0)
+    else if (proved && open->conditions == 0 && open->denominators == 0)
         snprintf(text, sizeof text, "right for all inputs%s", range);
+    else if (proved && open->conditions == 0)
+        snprintf(text, sizeof text, "right for all inputs%s, where it has a value: no division by 0 was found", range);
+    else if (proved && open->branches == 0 && open->denominators == 0)
+        snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that there are", range, sum->ways);
     else if (proved)
         snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that %d points took", range,
                  sum->ways, sum->points);
@@ -613,6 +587,8 @@ static void tell_right(const struct lab_case *first, const struct lab_case *last
     json_object_set_new(row, "text", json_string(text));
     if (!proved && sum->why[0] != 0)
         json_object_set_new(row, "because", json_string(sum->why));
+    if (sum->hole[0] != 0)
+        json_object_set_new(row, "reference", json_string(sum->hole));
 }
 
 /* The same call again, and behind other calls: nothing may be kept. */
@@ -650,10 +626,13 @@ static int judge_requirement(struct trial *t, int k, json_t *row)
         last = &lab->at[k];
         decide(t, last, &f);
         sum.points += f.points, sum.ways += f.ways, sum.proved += f.proved;
-        sum.conditions += f.conditions, sum.undecided += f.undecided;
+        sum.open.conditions += f.open.conditions, sum.open.undecided += f.open.undecided;
+        sum.open.branches += f.open.branches, sum.open.denominators += f.open.denominators;
         sum.empty += f.points == 0;
         if (sum.why[0] == 0)
             memcpy(sum.why, f.why, sizeof sum.why);
+        if (sum.hole[0] == 0)
+            memcpy(sum.hole, f.hole, sizeof sum.hole);
         if (f.wrong) {
             tell_wrong(t, last, &f, row);
             cagd_code_point_free(f.point);
@@ -709,6 +688,33 @@ static json_t *measure(struct trial *t)
                      ours, "reference_operations", theirs);
 }
 
+/* Where rounding turns a comparison, so that the result is another one exactly, in no way the fault of the last digits: told, as exact
+ * arithmetic does not see it. */
+static void look_for_turns(struct trial *t, json_t *notes)
+{
+    enum { POINTS = 3 };
+    for (int k = 0; k < t->lab->cases; k++) {
+        const struct lab_case *c = &t->lab->at[k];
+        if (k + 1 < t->lab->cases && t->lab->at[k + 1].requirement == c->requirement)
+            continue;
+        for (long j = 0; j < POINTS; j++) {
+            struct cagd_code_point *p = cagd_code_point_new(c->h, j, 1);
+            struct pair at = ask_both(t, job_of(c, p, "rounding", "lab_entry"));
+            int turned = finished(at.got) && finished(at.want) && json_is_integer(json_object_get(at.got, "turned")) &&
+                         first_difference(at.got, at.want, "got", 0) >= 0;
+            json_int_t line = json_integer_value(json_object_get(at.got, "turned"));
+            forget(&at);
+            cagd_code_point_free(p);
+            if (turned) {
+                json_array_append_new(notes, json_pack("{s:I, s:s}", "line", line, "text",
+                                                       "in binary64 this comparison goes another way than exactly, and "
+                                                       "the result is another one"));
+                return;
+            }
+        }
+    }
+}
+
 /* ---- a submission -------------------------------------------------------------------------------------------- */
 
 static json_t *blank(const json_t *requirement)
@@ -751,6 +757,9 @@ static void judge_all(struct trial *t, json_t *rows)
         json_array_append_new(rows, row);
     }
     json_t *report = lab_sanitize(t->lab, &t->place, &t->bench->own, t->jobs);
+    if (report == NULL && wrong == 0 && t->manners[0] == 0) /* otherwise it was said where it mattered */
+        report = t->unset[0] != 0 ? json_pack("{s:i, s:s}", "line", t->unset_line, "text", t->unset)
+                                  : lab_look_for_values(t->lab, &t->place, &t->bench->own, t->jobs);
     if (report != NULL) {
         snprintf(t->manners, sizeof t->manners, "%s", member(report, "text"));
         t->manners_line = (int)json_integer_value(json_object_get(report, "line"));
@@ -801,6 +810,11 @@ static char *prepare(struct trial *t, const char *source, json_t *result)
     }
     json_t *seen = lab_inspect(t->lab, &t->place);
     const char *compiler = member(seen, "compiler"), *refused = member(seen, "refused");
+    const json_t *unset = json_object_get(seen, "unset");
+    if (unset != NULL) {
+        snprintf(t->unset, sizeof t->unset, "uses %.100s, which has no value yet", member(unset, "name"));
+        t->unset_line = (int)json_integer_value(json_object_get(unset, "line"));
+    }
     json_object_set(result, "notes", json_object_get(seen, "notes"));
     if (*compiler != 0 || (*refused == 0 && errors != NULL)) {
         free(errors == NULL || *compiler != 0 ? errors : NULL);
@@ -844,8 +858,10 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
                 keep_object(&t, source);
             judge_all(&t, rows);
             mark(result);
-            if (json_equal(json_object_get(result, "points"), json_object_get(result, "of")))
+            if (json_equal(json_object_get(result, "points"), json_object_get(result, "of"))) {
                 json_object_set_new(result, "measured", measure(&t));
+                look_for_turns(&t, json_object_get(result, "notes"));
+            }
             lab_player_close(&t.student);
         }
         free(errors);

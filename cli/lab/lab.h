@@ -104,11 +104,15 @@ char *lab_build_driver(const struct lab *lab, const struct lab_place *place);
  * frees.  reason: unless NULL, whether it was refused before it was compiled. */
 char *lab_build(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready, const char *source,
                 const char *object, enum lab_reason *reason);
-/* What is seen in the source before it runs: {"refused": text or absent, "notes": [{"line", "text"}]}. */
+/* What is seen in the source before it runs: {"refused": text or absent, "unset": a variable without a value, {"line", "name"}, or absent,
+ * "notes": [{"line", "text"}]}. */
 json_t *lab_inspect(const struct lab *lab, const struct lab_place *place);
 /* What the sanitizers say about the code in binary64; NULL: nothing.  A list of jobs, as for a player. */
 json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
                      const json_t *jobs);
+/* The same for values that were never computed, integers among them, by which something is decided. */
+json_t *lab_look_for_values(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
+                            const json_t *jobs);
 /* The text of a wrong solution: of the file that the block names, with what it replaces.  NULL and a cause. */
 char *lab_wrong_source(const struct lab *lab, const json_t *wrong, char cause[LAB_CAUSE]);
 
@@ -139,6 +143,27 @@ char *lab_numbers_as_c(const char *source, char **cause, long *digits);
 /* As lab_inspect. */
 json_t *lab_inspect_numbers(const char *source);
 
+/* ---- ways.c -------------------------------------------------------------------------------------------- */
+
+/* The ways that two codes, an answer and the reference, take together through their comparisons, for inputs of one harness. */
+struct lab_ways;
+struct lab_ways *lab_ways_new(const struct cagd_code_harness *h);
+void lab_ways_free(struct lab_ways *w);
+/* Whether the outcomes, of any numbers, are those of a way that was not met before. */
+int lab_ways_is_new(struct lab_ways *w, const json_t *got, const json_t *want, const struct cagd_code_point *p);
+/* The outcomes in the field at the point: a way, with what was compared and divided by on it. */
+void lab_ways_add(struct lab_ways *w, const json_t *got, const json_t *want, const struct cagd_code_point *p);
+/* A point to be tried, which may take a way that is not known, or at which the answer may divide by 0; the caller's.  NULL: none is left. */
+struct cagd_code_point *lab_ways_next(struct lab_ways *w);
+/* What is known when no point is left.  Of the conditions on all ways: */
+struct lab_open {
+    int conditions;   /* comparisons that depend on the inputs                                             */
+    int branches;     /* those whose other branch was not met, and is not proved to be taken by no inputs  */
+    int undecided;    /* those of them whose border was not found either; or there were too many           */
+    int denominators; /* what is divided by, and not proved to be never 0                                  */
+};
+struct lab_open lab_ways_open(const struct lab_ways *w);
+
 /* ---- judge.c ------------------------------------------------------------------------------------------- */
 
 /* What is kept from one submission to the next. */
@@ -151,11 +176,18 @@ struct lab_bench {
     struct lab_player wrong[64];
     int built[64];
     int points; /* how many at least are tried */
+    int draws;  /* whether results have what a picture needs */
 };
 int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE]);
 void lab_bench_close(struct lab_bench *b);
 /* The result for the source text: see cli/schemas/cagd-lab-1.schema.json.  shut: as in lab_place. */
 json_t *lab_judge(struct lab_bench *b, const char *source, int shut);
+
+/* ---- picture.c ------------------------------------------------------------------------------------------- */
+
+/* Of each requirement with another result a panel, what was got over what was expected; NULL where there is none, or it cannot be drawn.
+ * name: of the picture, as svg_new has it.  The caller frees it. */
+char *lab_picture(const char *name, const json_t *result);
 
 /* ---- page.c, grade.c, make.c ------------------------------------------------------------------------------ */
 

@@ -16,13 +16,13 @@ static int is_free(const char *folder, const char *const *names)
     char path[LAB_MOST_PATH + 128];
     struct stat is;
     if (*folder == '\0' || strcmp(folder, "-") == 0) {
-        fprintf(stderr, "cagd: '%s': is no name of a folder; give one\n", folder);
+        refuse_line("'%s': is no name of a folder; give one", folder);
         return -1;
     }
     for (; *names != NULL; names++) {
         snprintf(path, sizeof path, "%s/%s", folder, *names);
         if (lstat(path, &is) == 0) {
-            fprintf(stderr, "cagd: %s: is there already, and is not written over; name another folder\n", path);
+            refuse_line("%s: is there already, and is not written over; name another folder", path);
             return -1;
         }
     }
@@ -44,16 +44,31 @@ static int copy(const struct lab *lab, const char *from, const char *folder, con
     char *text = lab_file(path);
     int status = -1;
     if (text == NULL)
-        fprintf(stderr, "cagd: %s: %s\n", path, strerror(errno));
+        refuse_line("%s: %s", path, strerror(errno));
     else
         status = put(folder, to, text);
     free(text);
     return status;
 }
 
+/* How this program is called: by its name where that finds it, else by its path. */
+static const char *called(char path[LAB_MOST_PATH])
+{
+    char other[LAB_MOST_PATH];
+    struct stat self, there;
+    ssize_t length = readlink("/proc/self/exe", path, LAB_MOST_PATH - 1);
+    path[length > 0 ? length : 0] = 0;
+    for (const char *at = getenv("PATH"); at != NULL && *at != 0; at += strcspn(at, ":"), at += *at == ':') {
+        snprintf(other, sizeof other, "%.*s/cagd", (int)strcspn(at, ":"), at);
+        if (stat(other, &there) == 0) /* the first one is called */
+            return stat(path, &self) == 0 && self.st_ino == there.st_ino && self.st_dev == there.st_dev ? "cagd" : path;
+    }
+    return length > 0 ? path : "cagd";
+}
+
 int lab_begin(const struct lab *lab, const char *folder)
 {
-    char start[80], makefile[1000], path[LAB_MOST_PATH + 16];
+    char start[80], makefile[LAB_MOST_PATH + 1000], path[LAB_MOST_PATH + 16], program[LAB_MOST_PATH];
     snprintf(path, sizeof path, "%s/figure.svg", lab->folder);
     int has_figure = access(path, R_OK) == 0;
     const char *const names[] = {"README.md", lab->file, "Makefile", has_figure ? "figure.svg" : NULL, NULL};
@@ -63,17 +78,19 @@ int lab_begin(const struct lab *lab, const char *folder)
     snprintf(makefile, sizeof makefile,
              "# make: does it compile?  make check: is it right?\n"
              "all:\n\t%s\n"
-             "check:\n\tcagd lab check .\n"
+             "check:\n\t\"%s\" lab check .\n"
              ".PHONY: all check\n",
              strcmp(lab->language, "python") == 0 ? "python3 -m py_compile $(wildcard *.py)"
              : strcmp(lab->language, "c") == 0    ? "cc -Wall -Wextra -c $(wildcard *.c)"
-                                                  : "@echo nothing to compile");
+                                                  : "@echo nothing to compile",
+             called(program));
     if (copy(lab, "README.md", folder, "README.md") != 0 || copy(lab, start, folder, lab->file) != 0 ||
         put(folder, "Makefile", makefile) != 0 || (has_figure && copy(lab, "figure.svg", folder, "figure.svg") != 0))
         return EXIT_INTERNAL;
-    printf("%s/README.md is the assignment, %s/%s the place for the answer; cagd lab check %s judges it\n"
-           "cagd lab list %s: what each requirement is worth\n",
-           folder, folder, lab->file, folder, lab->name);
+    printf("%s/README.md is the assignment, %s/%s the place for the answer\n"
+           "%s lab check %s judges it\n"
+           "%s lab list %s tells what each requirement is worth\n",
+           folder, folder, lab->file, called(program), folder, called(program), lab->name);
     return EXIT_AS_EXPECTED;
 }
 
@@ -97,7 +114,7 @@ int lab_new(const char *name)
     const char *const names[] = {"lab.md", "README.md", "reference.c", "start.c", "right", NULL};
     char path[LAB_MOST_PATH], *text = NULL;
     if (*name == '\0' || strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-") != strlen(name) || strlen(name) > 40) {
-        fprintf(stderr, "cagd: '%s': a name of at most 40 small letters, digits and - was expected\n", name);
+        refuse_line("'%s': a name of at most 40 small letters, digits and - was expected", name);
         return EXIT_USAGE;
     }
     snprintf(path, sizeof path, "%s/right", name);

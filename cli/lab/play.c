@@ -5,8 +5,8 @@
  *      "inputs": [{"name": "p", "count": 2, "value": ["1", "2/3"], "like": [0, 1]}]}
  * and its outcome
  *     {"end": "finished", "message": "", "line": 0, "results": [{"name", "got", "field", "ulps"}], "conditions": [...],
- *      "operations": 12, "path": "1f...", "printed": 0, "kept": "", "kept_line": 0}
- * where kept is a variable of static storage that the code puts something into. */
+ *      "denominators": ["t-1"], "operations": 12, "path": "1f...", "printed": 0, "kept": "", "kept_line": 0}
+ * where kept is a variable of static storage that the code puts something into; "turned", where rounding turned a comparison, its line. */
 #include "cli/lab/lab.h"
 #include "exact/code/run.h"
 
@@ -156,13 +156,25 @@ static json_t *conditions_of(const struct cagd_code_outcome *o)
 {
     json_t *list = json_array();
     int count = 0;
-    for (const struct cagd_code_condition *c = o->conditions; c != NULL && count < MOST_RESULTS; c = c->next, count++)
-        if (!c->given) {
-            json_t *row = json_pack("{s:s, s:s, s:s, s:s, s:i}", "left", c->left, "relation", c->relation, "right",
-                                    c->right, "difference", c->difference, "line", (int)c->place.line);
-            if (row != NULL)
-                json_array_append_new(list, row);
-        }
+    for (const struct cagd_code_condition *c = o->conditions; c != NULL && count < MOST_RESULTS; c = c->next, count++) {
+        json_t *row = json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:b, s:i}", "left", c->left, "relation", c->relation,
+                                "right", c->right, "difference", c->difference, "polynomial", c->polynomial, "holding",
+                                c->holding, "given", c->given, "line", (int)c->place.line);
+        if (row != NULL)
+            json_array_append_new(list, row);
+    }
+    return list;
+}
+
+static json_t *denominators_of(const struct cagd_code_outcome *o)
+{
+    json_t *list = json_array();
+    int count = 0;
+    for (const char *at = o->denominators; at != NULL && *at != 0 && count < MOST_RESULTS; count++) {
+        size_t length = strcspn(at, "\n");
+        json_array_append_new(list, json_stringn(at, length));
+        at += length + (at[length] == '\n');
+    }
     return list;
 }
 
@@ -171,11 +183,13 @@ static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
     static const char *const ends[] = {"finished", "outside", "undefined", "refused", "bound", "crashed"};
     char path[32];
     snprintf(path, sizeof path, "%llx", o->path);
-    json_t *row = json_pack("{s:s, s:s, s:i, s:o, s:o, s:I, s:s, s:I, s:s, s:i}", "end",
+    json_t *row = json_pack("{s:s, s:s, s:i, s:o, s:o, s:o, s:I, s:s, s:I, s:s, s:i}", "end",
                             (unsigned)o->end <= CAGD_CODE_CRASHED ? ends[o->end] : "crashed", "message", o->message,
-                            "line", o->line, "results", results_of(o), "conditions", conditions_of(o), "operations",
-                            (json_int_t)o->operations, "path", path, "printed", (json_int_t)printed, "kept", o->kept,
-                            "kept_line", o->kept_line);
+                            "line", o->line, "results", results_of(o), "conditions", conditions_of(o), "denominators",
+                            denominators_of(o), "operations", (json_int_t)o->operations, "path", path, "printed",
+                            (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
+    if (row != NULL && o->decided_otherwise > 0)
+        json_object_set_new(row, "turned", json_integer(o->turned.line));
     return row != NULL ? row : json_pack("{s:s, s:s}", "end", "crashed", "message", "what came back is no text");
 }
 

@@ -1,6 +1,8 @@
-/* prove.c -- whether a lab is well made: right solutions pass, wrong ones get their verdict, every requirement catches one. */
+/* prove.c -- whether a lab is well made: what a student begins with can be judged, right solutions pass, wrong ones get their verdict, every
+ * requirement catches one. */
 #include "cli/commands.h"
 #include "cli/lab/lab.h"
+#include "cli/refuse.h"
 #include "cli/report.h"
 #include "core/clock.h"
 
@@ -49,6 +51,16 @@ static void tell(struct proof *p, const char *name, const char *kind, double sec
                                              seconds, "wrong", what, "result", result));
 }
 
+/* How the reference failed where it was asked something; "": it did not. */
+static const char *failure_of_reference(const json_t *result)
+{
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(result, "requirements"), k,
+                       row) if (*member(row, "reference") != 0) return member(row, "reference");
+    return "";
+}
+
 static void try_right(struct proof *p, const char *name)
 {
     char path[LAB_MOST_PATH + 300], failed[400], what[LAB_CAUSE] = "";
@@ -60,7 +72,32 @@ static void try_right(struct proof *p, const char *name)
     failed_in(result, failed, &hint);
     if (text == NULL || failed[0] != 0)
         snprintf(what, sizeof what, "a right solution fails: %s", failed);
+    else if (*failure_of_reference(result) != 0)
+        snprintf(what, sizeof what, "the reference fails within the inputs: %s", failure_of_reference(result));
     tell(p, name, "right", cagd_seconds() - begun, what, result);
+    json_decref(result);
+    free(text);
+}
+
+/* What a student begins with: it can be judged, and is worth less than half of the points. */
+static void try_start(struct proof *p)
+{
+    char name[40], path[LAB_MOST_PATH + 60], what[LAB_CAUSE] = "";
+    snprintf(name, sizeof name, "start%s", strrchr(p->lab->file, '.'));
+    snprintf(path, sizeof path, "%s/%s", p->lab->folder, name);
+    char *text = lab_file(path);
+    double begun = cagd_seconds();
+    json_t *result = text != NULL ? lab_judge(p->bench, text, 0) : json_object();
+    const char *unread = *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused");
+    json_int_t points = json_integer_value(json_object_get(result, "points")),
+               of = json_integer_value(json_object_get(result, "of"));
+    if (text == NULL)
+        snprintf(what, sizeof what, "there is none");
+    else if (*unread != 0)
+        snprintf(what, sizeof what, "%.500s", unread);
+    else if (2 * points >= of)
+        snprintf(what, sizeof what, "it has %lld of %lld points already", (long long)points, (long long)of);
+    tell(p, name, "start", cagd_seconds() - begun, what, result);
     json_decref(result);
     free(text);
 }
@@ -101,6 +138,7 @@ static void try_all(struct proof *p)
     char path[LAB_MOST_PATH + 16], name[300], words[100];
     size_t k;
     const json_t *block;
+    try_start(p);
     snprintf(path, sizeof path, "%s/right", p->lab->folder);
     DIR *d = opendir(path);
     for (const struct dirent *e; d != NULL && (e = readdir(d)) != NULL;)
@@ -127,7 +165,7 @@ int lab_test(const char *folder, int as_json)
     struct proof p = {.bench = calloc(1, sizeof *p.bench), .rows = json_array()};
     struct lab *lab = lab_read(folder, "0", cause);
     if (lab == NULL || p.bench == NULL || lab_bench_open(p.bench, lab, cause) != 0) {
-        fprintf(stderr, "cagd: %s: %s\n", folder, cause);
+        refuse_line("%s: %s", folder, cause);
         lab_free(lab);
         free(p.bench);
         json_decref(p.rows);

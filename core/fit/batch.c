@@ -47,12 +47,24 @@ int fit_batch_widest(void)
 #endif
 }
 
+/* Whether the foot of one of the points i, ..., i + FIT_BATCH - 1 is held. */
+static int has_end_point(const fit_problem *p, int i)
+{
+    const int *at = p->end_point;
+    return (at[0] >= i && at[0] < i + FIT_BATCH) || (at[1] >= i && at[1] < i + FIT_BATCH);
+}
+
+/* Whether these points can be taken together at all. */
+static int can_batch(const fit_problem *p, int width, int i)
+{
+    return !has_end_point(p, i) && width > 0 && p->dim == 2 && p->count == p->degree + 1 && p->degree >= 2 &&
+           p->degree <= 3 && i + FIT_BATCH <= p->points;
+}
+
 int fit_batch(fit_objective *o, int i, int weighted, double loss[])
 {
-    const fit_problem *p = o->problem;
     int newton = weighted && o->newton;
-    if (o->width == 0 || p->dim != 2 || p->count != p->degree + 1 || p->degree < 2 || p->degree > 3 ||
-        p->loss != CAGD_FIT_SQUARES || i + FIT_BATCH > p->points)
+    if (!can_batch(o->problem, o->width, i) || o->problem->loss != CAGD_FIT_SQUARES)
         return 0;
 #ifdef FIT_WIDER
     if (o->width == 8)
@@ -61,4 +73,17 @@ int fit_batch(fit_objective *o, int i, int weighted, double loss[])
         return points_4(o, i, newton, loss);
 #endif
     return points_2(o, i, newton, loss);
+}
+
+int fit_batch_feet(const fit_problem *p, const fit_curve *curve, int width, int i, double feet[], double D[][6])
+{
+    if (!can_batch(p, width, i))
+        return 0;
+#ifdef FIT_WIDER
+    if (width == 8)
+        return only_feet_8(p, curve, i, feet, D);
+    if (width == 4)
+        return only_feet_4(p, curve, i, feet, D);
+#endif
+    return only_feet_2(p, curve, i, feet, D);
 }

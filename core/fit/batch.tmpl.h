@@ -119,8 +119,8 @@ INLINE int NAME(feet)(const fit_curve *curve, const int p, double limit, const l
     return 0;
 }
 
-/* N_m/(sum N w) and its derivative; as in fit_curve_shares. */
-INLINE void NAME(shares)(const fit_curve *curve, const int p, const lanes *t, lanes N[4], lanes N1[4])
+/* N_m/(sum N w) and, for Newton's steps, its derivative; as in fit_curve_shares. */
+INLINE void NAME(shares)(const fit_curve *curve, const int p, const int newton, const lanes *t, lanes N[4], lanes N1[4])
 {
     const double inverse = curve->inverse[0], factor = p * inverse, *w = curve->weights;
     const lanes s = (*t - curve->spline.knots[p]) * inverse, r = (curve->spline.knots[p + 1] - *t) * inverse;
@@ -137,27 +137,31 @@ INLINE void NAME(shares)(const fit_curve *curve, const int p, const lanes *t, la
     slope *= total;
     for (int m = 0; m <= p; m++) {
         N[m] *= total;
-        N1[m] = N1[m] * total - N[m] * slope;
+        if (newton)
+            N1[m] = N1[m] * total - N[m] * slope;
     }
 }
 
-/* As point_rows and point_curvature in objective.c, for the points i, ..., i + LANES - 1; row, x and y: where they
- * are written. */
-INLINE void NAME(rows)(const fit_objective *o, const int p, int i, const lanes Q[2], const lanes *t, const lanes D[6],
-                       double *row, int stride, double *x, double *y, int pairs_stride, double loss[])
+/* As point_rows and, for Newton's steps, point_curvature in objective.c, for the points i, ..., i + LANES - 1; row, x and
+ * y: where they are written.  p and newton are constants for the compiler. */
+INLINE void NAME(rows)(const fit_objective *o, const int p, const int newton, int i, const lanes Q[2], const lanes *t,
+                       const lanes D[6], double *row, int stride, double *x, double *y, int pairs_stride, double loss[])
 {
     const fit_problem *problem = o->problem;
     lanes precision, length, N[4], N1[4];
     NAME(get)(&precision, problem->precision + i);
-    NAME(shares)(o->curve, p, t, N, N1);
+    NAME(shares)(o->curve, p, newton, t, N, N1);
     const lanes r[2] = {D[0] - Q[0], D[1] - Q[1]}, speed = D[2] * D[2] + D[3] * D[3];
     for (int l = 0; l < LANES; l++)
         length[l] = sqrt(speed[l]);
     const lanes n[2] = {-D[3] / length, D[2] / length};
     const lanes left = -(n[0] * r[0] + n[1] * r[1]) * precision, square = left * left;
     const lanes bend = r[0] * D[4] + r[1] * D[5], slide = r[0] * D[2] + r[1] * D[3];
-    const lanes scale = -precision * precision, kappa = bend / speed;
-    const lanes f = scale / (speed + bend); /* positive, or there would be no foot */
+    lanes scale = {0}, kappa = {0}, f = {0};
+    if (newton) {
+        scale = -precision * precision, kappa = bend / speed;
+        f = scale / (speed + bend); /* speed + bend is positive, or there would be no foot */
+    }
     NAME(put)(loss, &square);
     const cagd_fit_unknown *local = problem->local, *end = local + problem->support.first[1];
     for (const cagd_fit_unknown *u = local; u < end; u++, row += stride) {
@@ -173,7 +177,7 @@ INLINE void NAME(rows)(const fit_objective *o, const int p, int i, const lanes Q
         }
         const lanes entry = -precision * M * across;
         NAME(put)(row, &entry);
-        if (x == NULL)
+        if (!newton)
             continue;
         const lanes tau = M * along, rho = M1 * off - fixed * slide, hold = M * off;
         const lanes x0 = f * rho, x1 = f * tau, x2 = scale * hold, x3 = scale * fixed;
@@ -187,19 +191,28 @@ INLINE void NAME(rows)(const fit_objective *o, const int p, int i, const lanes Q
     NAME(put)(row, &left);
 }
 
-INLINE int NAME(batch)(fit_objective *o, const int p, int i, int newton, double loss[])
+/* The feet of FIT_BATCH points, sought from feet[]; returns 0 where one is not found. */
+INLINE int NAME(find)(const fit_problem *problem, const fit_curve *curve, const int p, double limit, int i,
+                      const double feet[], lanes Q[][2], lanes t[], lanes D[][6])
 {
-    enum { GROUPS = FIT_BATCH / LANES };
-    lanes Q[GROUPS][2], t[GROUPS], D[GROUPS][6];
-    for (int g = 0; g < GROUPS; g++) {
-        const double *q = o->problem->Q + 2 * (i + g * LANES);
+    for (int g = 0; g < FIT_BATCH / LANES; g++) {
+        const double *q = problem->Q + 2 * (i + g * LANES);
         for (int l = 0; l < LANES; l++)
             for (int c = 0; c < 2; c++)
                 Q[g][c][l] = q[2 * l + c];
-        NAME(get)(&t[g], o->feet + i + g * LANES);
-        if (!NAME(feet)(o->curve, p, o->limit, Q[g], &t[g], D[g]))
+        NAME(get)(&t[g], feet + g * LANES);
+        if (!NAME(feet)(curve, p, limit, Q[g], &t[g], D[g]))
             return 0;
     }
+    return 1;
+}
+
+INLINE int NAME(batch)(fit_objective *o, const int p, const int newton, int i, double loss[])
+{
+    enum { GROUPS = FIT_BATCH / LANES };
+    lanes Q[GROUPS][2], t[GROUPS], D[GROUPS][6];
+    if (!NAME(find)(o->problem, o->curve, p, o->limit, i, o->feet + i, Q, t, D))
+        return 0;
     int stride, pairs_stride = 0;
     double *row = fit_reduction_rows(o->rows, 0, FIT_BATCH, &stride), *x = NULL, *y = NULL;
     if (newton) {
@@ -210,15 +223,41 @@ INLINE int NAME(batch)(fit_objective *o, const int p, int i, int newton, double 
         const int at = g * LANES;
         NAME(put)(o->new_feet + i + at, &t[g]);
         NAME(rows)
-        (o, p, i + at, Q[g], &t[g], D[g], row + at, stride, x ? x + at : NULL, x ? y + at : NULL, pairs_stride,
-         loss + at);
+        (o, p, newton, i + at, Q[g], &t[g], D[g], row + at, stride, newton ? x + at : NULL, newton ? y + at : NULL,
+         pairs_stride, loss + at);
     }
     return 1;
 }
 
 TARGET static int NAME(points)(fit_objective *o, int i, int newton, double loss[])
 {
-    return o->problem->degree == 2 ? NAME(batch)(o, 2, i, newton, loss) : NAME(batch)(o, 3, i, newton, loss);
+    return o->problem->degree == 2 ? newton ? NAME(batch)(o, 2, 1, i, loss) : NAME(batch)(o, 2, 0, i, loss)
+           : newton ? NAME(batch)(o, 3, 1, i, loss)
+                                   : NAME(batch)(o, 3, 0, i, loss);
+}
+
+/* See fit_batch_feet. */
+INLINE int NAME(feet_only)(const fit_problem *problem, const fit_curve *curve, const int p, int i, double feet[],
+                           double derivatives[][6])
+{
+    enum { GROUPS = FIT_BATCH / LANES };
+    lanes Q[GROUPS][2], t[GROUPS], D[GROUPS][6];
+    if (!NAME(find)(problem, curve, p, FOOT_EXACT, i, feet, Q, t, D))
+        return 0;
+    for (int g = 0; g < GROUPS; g++) {
+        NAME(put)(feet + g * LANES, &t[g]);
+        for (int l = 0; l < LANES; l++)
+            for (int j = 0; j < 6; j++)
+                derivatives[g * LANES + l][j] = D[g][j][l];
+    }
+    return 1;
+}
+
+TARGET static int NAME(only_feet)(const fit_problem *problem, const fit_curve *curve, int i, double feet[],
+                                  double derivatives[][6])
+{
+    return problem->degree == 2 ? NAME(feet_only)(problem, curve, 2, i, feet, derivatives)
+                                : NAME(feet_only)(problem, curve, 3, i, feet, derivatives);
 }
 #undef lanes
 #undef mask

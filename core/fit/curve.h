@@ -14,7 +14,7 @@ typedef struct fit_curve {
     int period;               /* of a closed curve: point i+period is point i; 0: open   */
     double *points, *weights; /* those of the spline, to be changed                      */
     int pieces, *span;        /* of each piece: u_span < u_{span+1}                      */
-    double *inverse;          /* of each piece: 1/(u_{span+1} - u_span)                  */
+    double *begin, *inverse;  /* of each piece: u_span, 1/(u_{span+1} - u_span)          */
     double *bezier;           /* (p+1)(dim+1) homogeneous coordinates of each piece      */
     double *choose;           /* binomial coefficients of p-1                            */
 } fit_curve;
@@ -47,6 +47,9 @@ int fit_curve_piece(const fit_curve *curve, double t);
 
 /* D: the point and the first two derivatives at t, 3 rows of dim coordinates. */
 void fit_curve_derivatives(const fit_curve *curve, double t, double D[]);
+
+/* P: the point at t, the same as in D. */
+void fit_curve_point(const fit_curve *curve, double t, double P[]);
 
 /* R[m] = N_i w_i / sum N w at t, i = span-p+m, m = 0, ..., p: what the point moves with point i; and dR/dt. */
 void fit_curve_shares(const fit_curve *curve, int piece, double t, double R[], double slopes[]);

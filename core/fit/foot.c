@@ -1,5 +1,6 @@
 #include "core/fit/foot.h"
 
+#include "core/fit/wide.h"
 #include "core/number/limits.h"
 
 #include <float.h>
@@ -51,6 +52,23 @@ void fit_curve_derivatives(const fit_curve *c, double t, double D[])
         break;
     default:
         derivatives_any(c, t, D);
+    }
+}
+
+void fit_curve_point(const fit_curve *c, double t, double P[])
+{
+    switch (shape_of(c)) {
+    case 202:
+        point_conic(c, t, P);
+        break;
+    case 203:
+        point_cubic(c, t, P);
+        break;
+    case 303:
+        point_space_cubic(c, t, P);
+        break;
+    default:
+        point_any(c, t, P);
     }
 }
 

@@ -4,8 +4,8 @@
 
 /* De Casteljau's triangle at s, broken off where the last three, two and one points give the derivatives:
  *     A'' = p (p-1) (b_2 - 2 b_1 + b_0),   A' = p (l_1 - l_0),   A = (1-s) l_0 + s l_1,   l_i = (1-s) b_i + s b_{i+1},
- * and C = A/w, C' = (A' - w' C)/w, C'' = (A'' - 2 w' C' - w'' C)/w.  */
-static void NAME(derivatives)(const fit_curve *curve, double t, double D[])
+ * and C = A/w, C' = (A' - w' C)/w, C'' = (A'' - 2 w' C' - w'' C)/w; of order 0 only C, of order 2 all of them. */
+INLINE void NAME(casteljau)(const fit_curve *curve, const int order, double t, double D[])
 {
     const int dim = DIM, p = DEGREE, h = dim + 1, k = curve->pieces == 1 ? 0 : fit_curve_piece(curve, t),
               mu = curve->span[k];
@@ -39,10 +39,15 @@ static void NAME(derivatives)(const fit_curve *curve, double t, double D[])
     for (int j = 0; j < dim; j++) {
         double C = A[j] * w, C1 = (A1[j] - w1 * C) * w;
         D[j] = C;
+        if (order == 0)
+            continue;
         D[dim + j] = C1;
         D[2 * dim + j] = (A2[j] - 2 * w1 * C1 - w2 * C) * w;
     }
 }
+
+static void NAME(derivatives)(const fit_curve *curve, double t, double D[]) { NAME(casteljau)(curve, 2, t, D); }
+static void NAME(point)(const fit_curve *curve, double t, double P[]) { NAME(casteljau)(curve, 0, t, P); }
 
 /* Newton's method for f(t) = (C - Q) C' = 0 between low and high, f(low) < 0 < f(high) as far as f is known there;
  * nothing is known at the ends of the domain before they are tried.  A step that leaves this interval, or where f' =

@@ -20,27 +20,6 @@ static double product(int n, const double a[], const double b[])
     return sum;
 }
 
-/* W = R^-1, unless R may lose a rank by the measure of rank.h: with columns scaled to length 1, R D^-1, its largest
- * singular value is at most sqrt(n), and its smallest one at least 1/|D R^-1|, Frobenius's norm. */
-static int invert(const fit_problem *p, int n, const double R[], int stride, double W[])
-{
-    double norm = 0;
-    for (int k = 0; k < n; k++)
-        for (int i = n - 1; i >= 0; i--) {
-            double sum = i == k;
-            for (int j = i + 1; j <= k; j++)
-                sum -= R[i * stride + j] * W[j * n + k];
-            W[i * n + k] = i <= k ? sum / R[i * stride + i] : 0;
-        }
-    for (int k = 0; k < n; k++) {
-        double column = 0;
-        for (int i = 0; i <= k; i++)
-            column += R[i * stride + k] * R[i * stride + k];
-        norm += column * product(n, W + k * n, W + k * n);
-    }
-    return fit_rank_threshold(n, fit_problem_equations(p), fit_problem_roundings(p)) * sqrt(n * norm) < 1;
-}
-
 /* W = D^-1 V s^-1, and U^T z, of the singular values that count; the rank, or -1 when there is no memory. */
 static int decompose(const fit_problem *p, int n, const double R[], const int fixed[], double W[], double z[])
 {
@@ -59,24 +38,20 @@ static int decompose(const fit_problem *p, int n, const double R[], const int fi
     return rank;
 }
 
-/* M, below the diagonal of L; `half` has room for n^2 numbers. */
-static void relative_curvature(const fit_model *m, const double S[], double half[])
+/* M, below the diagonal of L; `half` has room for n^2 numbers.  Where T is R, W is a triangle, `upper`. */
+static void relative_curvature(const fit_model *m, const double S[], int upper, double half[])
 {
-    int n = m->n;
-    for (int j = 0; j < m->rank; j++)
-        for (int k = 0; k < n; k++) {
-            double sum = 0;
-            for (int i = 0; i < n; i++)
-                sum += m->W[i * n + j] * S[i * n + k];
-            half[j * n + k] = sum;
-        }
-    for (int j = 0; j < m->rank; j++)
-        for (int i = 0; i <= j; i++) {
-            double sum = 0;
+    const int n = m->n;
+    memset(half, 0, (size_t)m->rank * (size_t)n * sizeof *half);
+    memset(m->L, 0, (size_t)m->rank * (size_t)n * sizeof *m->L);
+    for (int j = 0; j < m->rank; j++) {
+        for (int i = 0; i < (upper ? j + 1 : n); i++)
             for (int k = 0; k < n; k++)
-                sum += half[j * n + k] * m->W[k * n + i];
-            m->L[j * n + i] = sum;
-        }
+                half[j * n + k] += m->W[i * n + j] * S[i * n + k];
+        for (int k = 0; k < (upper ? j + 1 : n); k++)
+            for (int i = upper ? k : 0; i <= j; i++)
+                m->L[j * n + i] += half[j * n + k] * m->W[k * n + i];
+    }
 }
 
 /* Cholesky: 1 + M = L L^T, in place; 0 if there is no such L. */
@@ -114,12 +89,14 @@ int fit_model_of(const fit_objective *f, const int fixed[], fit_model *m)
         held = held || fixed[k];
         m->z[k] = f->triangle[k * (n + 1) + n];
     }
-    m->rank = held == 0 && invert(p, n, f->triangle, n + 1, m->W) ? n : decompose(p, n, f->triangle, fixed, m->W, m->z);
+    const int regular =
+        held == 0 && fit_rank_inverse(n, fit_problem_equations(p), fit_problem_roundings(p), f->triangle, n + 1, m->W);
+    m->rank = regular ? n : decompose(p, n, f->triangle, fixed, m->W, m->z);
     if (m->rank < 0) {
         fit_model_free(m);
         return 0;
     }
-    relative_curvature(m, f->curvature, m->L + nn);
+    relative_curvature(m, f->curvature, regular, m->L + nn);
     for (int newton = root(n, m->rank, m->L);; newton = 0) {
         for (int j = 0; j < m->rank; j++) {
             for (int i = 0; !newton && i <= j; i++)

@@ -248,13 +248,6 @@ static double point(fit_objective *o, int i, int curve, int weighted)
     return p->dim == 2 ? point_rows(o, 2, i, kind, t, D, weighted) : point_rows(o, 3, i, kind, t, D, weighted);
 }
 
-/* Whether the foot of one of the points of the batch that begins with point i is held. */
-static int has_end_point(const fit_problem *p, int i)
-{
-    const int *at = p->end_point;
-    return (at[0] >= i && at[0] < i + FIT_BATCH) || (at[1] >= i && at[1] < i + FIT_BATCH);
-}
-
 void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
 {
     const fit_problem *p = o->problem;
@@ -269,7 +262,7 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
     const int curve = is_curve(p, x, o->curve);
     for (int i = 0, count; i < p->points; i += count) {
         double loss[FIT_BATCH] = {0};
-        count = curve && !has_end_point(p, i) && fit_batch(o, i, weighted, loss) ? FIT_BATCH : 0;
+        count = curve && fit_batch(o, i, weighted, loss) ? FIT_BATCH : 0;
         if (count == 0) { /* one by one, as many */
             for (; count < FIT_BATCH && i + count < p->points; count++)
                 loss[count] = point(o, i + count, curve, weighted);

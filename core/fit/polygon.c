@@ -52,8 +52,8 @@ static void add_sides(fit_polygon *g, const fit_curve *curve, double end, const 
 {
     int dim = g->dim, k = g->sides;
     const double start = g->t[k], middle = start + (end - start) / 2, *a = g->point + k * dim;
-    double D[9];
-    fit_curve_derivatives(curve, middle, D);
+    double D[3];
+    fit_curve_point(curve, middle, D);
     double length = distance(dim, a, at_end), way = distance(dim, a, D) + distance(dim, D, at_end);
     if ((length > longest || way > longest * 2 || (way > length * 1.125 && way > longest / 8)) && *room > 0 &&
         start < middle && middle < end) {
@@ -80,10 +80,10 @@ static double end_of_first(const fit_curve *curve, int k)
 /* The length of that polygon. */
 static double first_length(const fit_curve *curve)
 {
-    double before[9], here[9], length = 0;
-    fit_curve_derivatives(curve, fit_curve_start(curve), before);
+    double before[3], here[3], length = 0;
+    fit_curve_point(curve, fit_curve_start(curve), before);
     for (int k = 0; k < PER_PIECE * curve->pieces; k++) {
-        fit_curve_derivatives(curve, end_of_first(curve, k), here);
+        fit_curve_point(curve, end_of_first(curve, k), here);
         length += distance(curve->spline.dim, before, here);
         memcpy(before, here, sizeof before);
     }
@@ -95,7 +95,7 @@ int fit_polygon_new(const fit_curve *curve, int parts, fit_polygon *g)
     const int dim = curve->spline.dim, first = PER_PIECE * curve->pieces;
     const size_t most = (size_t)(MOST_SIDES + first + 1);
     int room = MOST_SIDES;
-    double D[9];
+    double D[3];
     *g = (fit_polygon){.dim = dim,
                        .t = malloc(most * sizeof *g->t),
                        .point = malloc(most * (size_t)dim * sizeof *g->point),
@@ -103,12 +103,12 @@ int fit_polygon_new(const fit_curve *curve, int parts, fit_polygon *g)
     if (!g->t || !g->point || !g->depth)
         return 0;
     g->t[0] = fit_curve_start(curve);
-    fit_curve_derivatives(curve, g->t[0], D);
+    fit_curve_point(curve, g->t[0], D);
     memcpy(g->point, D, (size_t)dim * sizeof *D);
     const double longest = first_length(curve) / parts;
     for (int k = 0; k < first; k++) {
         const double end = end_of_first(curve, k);
-        fit_curve_derivatives(curve, end, D);
+        fit_curve_point(curve, end, D);
         add_sides(g, curve, end, D, longest, &room);
     }
     return fill_sides(g);

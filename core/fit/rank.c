@@ -15,6 +15,73 @@ void fit_rank_free(fit_rank *r)
 
 double fit_rank_threshold(int n, int rows, int roundings) { return DBL_EPSILON / 2 * sqrt(n) * (rows + roundings); }
 
+int fit_rank_inverse(int n, int rows, int roundings, const double R[], int stride, double W[])
+{
+    double norm = 0;
+    memset(W, 0, (size_t)n * (size_t)n * sizeof *W);
+    for (int i = n - 1; i >= 0; i--) {
+        W[i * n + i] = 1;
+        for (int j = i + 1; j < n; j++)
+            for (int k = j; k < n; k++)
+                W[i * n + k] -= R[i * stride + j] * W[j * n + k];
+        for (int k = i; k < n; k++)
+            W[i * n + k] /= R[i * stride + i];
+    }
+    for (int k = 0; k < n; k++) {
+        double column = 0, row = 0;
+        for (int i = 0; i <= k; i++)
+            column += R[i * stride + k] * R[i * stride + k];
+        for (int i = k; i < n; i++)
+            row += W[k * n + i] * W[k * n + i];
+        norm += column * row;
+    }
+    return fit_rank_threshold(n, rows, roundings) * sqrt(n * norm) < 1;
+}
+
+/* Householder's reflections make a triangle of A, n^2 numbers by rows. */
+static void triangulate(int n, double A[])
+{
+    for (int k = 0; k < n; k++) {
+        double square = 0;
+        for (int i = k + 1; i < n; i++)
+            square += A[i * n + k] * A[i * n + k];
+        if (square == 0)
+            continue;
+        const double at = A[k * n + k], length = sqrt(at * at + square), head = at > 0 ? at + length : at - length;
+        for (int j = k + 1; j < n; j++) {
+            double share = head * A[k * n + j];
+            for (int i = k + 1; i < n; i++)
+                share += A[i * n + k] * A[i * n + j];
+            share *= 2 / (head * head + square);
+            A[k * n + j] -= share * head;
+            for (int i = k + 1; i < n; i++)
+                A[i * n + j] -= share * A[i * n + k];
+        }
+        A[k * n + k] = at > 0 ? -length : length;
+    }
+}
+
+int fit_rank_regular(int n, int rows, int roundings, const double A[], int stride, double covariance[])
+{
+    const size_t nn = (size_t)n * (size_t)n;
+    double *W = malloc(2 * nn * sizeof *W), *R = W + nn;
+    if (W == NULL)
+        return -1;
+    for (int i = 0; i < n; i++)
+        memcpy(R + i * n, A + i * stride, (size_t)n * sizeof *R);
+    triangulate(n, R);
+    const int regular = fit_rank_inverse(n, rows, roundings, R, n, W);
+    for (int a = 0; a < n && regular; a++)
+        for (int b = a; b < n; b++) {
+            double sum = 0;
+            for (int k = b; k < n; k++)
+                sum += W[a * n + k] * W[b * n + k];
+            covariance[a * n + b] = covariance[b * n + a] = sum;
+        }
+    free(W);
+    return regular;
+}
+
 int fit_rank_of(int n, int rows, int roundings, const double R[], int stride, const int fixed[], fit_rank *r)
 {
     size_t nn = (size_t)n * (size_t)n;

@@ -15,6 +15,15 @@ typedef struct fit_rank {
 /* Singular values below this part of the largest one count as 0. */
 double fit_rank_threshold(int n, int rows, int roundings);
 
+/* W = R^-1, R a triangle, n^2 numbers by rows; returns 0, and W is of no use, where R may lose a rank by the measure above: with
+ * columns scaled to length 1, R D^-1, its largest singular value is at most sqrt(n), and its smallest one at least
+ * 1/|D R^-1|, Frobenius's norm. */
+int fit_rank_inverse(int n, int rows, int roundings, const double R[], int stride, double W[]);
+
+/* covariance[n n] = (A^T A)^-1 by that inverse, of the triangle that A is made into, in a fraction of the time of singular values;
+ * returns 0, and nothing is done, where it may lose a rank, and -1 when there is no memory. */
+int fit_rank_regular(int n, int rows, int roundings, const double A[], int stride, double covariance[]);
+
 /* Returns 0 when there is no memory. */
 int fit_rank_of(int n, int rows, int roundings, const double R[], int stride, const int fixed[], fit_rank *rank);
 void fit_rank_free(fit_rank *rank);

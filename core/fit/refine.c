@@ -125,6 +125,18 @@ static cagd_status fit_candidate(const cagd_fit_data *data, const cagd_fit_optio
     return fit_with_strategy(data, &o, &s, result, where);
 }
 
+/* A step on the way to another fit, for which its own end need not be reached. */
+static cagd_status fit_step(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                            int *where)
+{
+    enum { ITERATIONS = 40 };
+    cagd_fit_options o = *options;
+    o.tolerance = fmax(o.tolerance, 1e-6);
+    if (o.max_iterations > ITERATIONS)
+        o.max_iterations = ITERATIONS;
+    return fit_candidate(data, &o, result, where);
+}
+
 /* The chosen curve once more, with all that is said of it. */
 static cagd_status finish(const search *s, const cagd_fit_options *options, cagd_fit_result **result)
 {
@@ -289,34 +301,86 @@ static cagd_status put_in(search *s, int even)
     return status;
 }
 
-/* A good fit that crosses itself no more often than its points do. */
-static int has_no_loops(const search *s, const cagd_fit_result *r)
+/* What is not good about a fit; all of it where it is no minimum or has excursions. */
+static int problems_of(const search *s, const cagd_fit_result *r)
 {
     cagd_fit_quality quality;
-    return fit_is_good(s->data, s->options, r) && cagd_fit_quality_of(s->data, s->options, r, &quality) == CAGD_OK &&
-           !(quality.problems & CAGD_FIT_LOOPS);
+    return fit_is_good(s->data, s->options, r) && cagd_fit_quality_of(s->data, s->options, r, &quality) == CAGD_OK
+               ? quality.problems
+               : ~0;
 }
 
-/* As many control points as are asked for, over knots that are put in one by one; they take the place of the best curve if they
- * give one that is good and has no loops. */
+/* A good fit that crosses itself no more often than its points do. */
+static int has_no_loops(const search *s, const cagd_fit_result *r) { return !(problems_of(s, r) & CAGD_FIT_LOOPS); }
+
+/* The sum of 1/sigma^2. */
+static double precision_of(const cagd_fit_data *data)
+{
+    double sum = 0;
+    for (int i = 0; i < data->count; i++)
+        sum += data->sigma != NULL ? 1 / (data->sigma[i] * data->sigma[i]) : 1;
+    return sum;
+}
+
+/* The spline over even knots, led to from a smooth one: of many minima that have nearly the same cost the one without loops is the one that
+ * bends least.  A smoothing term which lets the curve be off by about the way between two of its control points has one minimum; from there
+ * the term is taken back in tenths, and at last left out.  The curve takes the place of the best one if it is good and has no loops; *led says
+ * whether it did. */
+static cagd_status lead_from_smooth(search *s, int *led)
+{
+    enum { TENTHS = 7 };
+    cagd_fit_options o = *s->options;
+    cagd_fit_result *last = NULL;
+    cagd_status status = CAGD_OK;
+    double lambda = precision_of(s->data) * pow(o.count, -4);
+    for (int k = 0; k <= TENTHS && status == CAGD_OK; k++, lambda /= 10) {
+        cagd_fit_result *next = NULL;
+        o.smooth = k < TENTHS ? lambda : 0;
+        o.initial = last != NULL ? &last->curve : NULL;
+        status = k < TENTHS ? fit_step(s->data, &o, &next, s->where) : fit_candidate(s->data, &o, &next, s->where);
+        cagd_fit_free(last);
+        last = next;
+    }
+    *led = status == CAGD_OK && has_no_loops(s, last);
+    if (*led) {
+        cagd_fit_free(s->best);
+        s->best = last;
+    } else
+        cagd_fit_free(last);
+    return status;
+}
+
+/* The fit takes the place of *last if its cost is lower, and is released otherwise; whether it does. */
+static int take_lower(cagd_fit_result *next, cagd_fit_result **last)
+{
+    const int lower = next->cost < (*last)->cost;
+    cagd_fit_free(lower ? *last : next);
+    *last = lower ? next : *last;
+    return lower;
+}
+
+/* As many control points as are asked for, over knots that are put in one by one.  A fit with a knot more that ends higher is not taken; the one
+ * before goes on with the next knot as well.  The curve takes the place of the best one, which is not good or has loops, if it has neither. */
 static cagd_status place_knots(search *s)
 {
+    enum { MOST_VAIN = 3 };
     const int p = s->options->degree, closed = s->options->closed;
     knots k;
     cagd_fit_result *last = NULL;
     make_even(closed ? p + 1 : 0, &k);
     cagd_status status = fit_on(s, &k, NULL, &last);
-    while (status == CAGD_OK && count_of(&k, p, closed) < s->options->count && k.inner < MOST_KNOTS) {
-        cagd_fit_result *next;
-        const int put = divide(s, last, &k);
-        status = put < 0 ? CAGD_NO_MEMORY : CAGD_OK;
-        if (put <= 0)
-            break;
-        status = fit_on(s, &k, last, &next);
-        cagd_fit_free(last);
-        last = next;
+    for (int vain = 0, put = 1; status == CAGD_OK && vain < MOST_VAIN && count_of(&k, p, closed) < s->options->count &&
+                                k.inner < MOST_KNOTS && put > 0;) {
+        cagd_fit_result *next = NULL;
+        put = divide(s, last, &k);
+        status = put < 0 ? CAGD_NO_MEMORY : put > 0 ? fit_on(s, &k, last, &next) : CAGD_OK;
+        if (next != NULL) {
+            const int minimum = cagd_fit_is_minimum(next);
+            vain = take_lower(next, &last) && minimum ? 0 : vain + 1;
+        }
     }
-    if (status == CAGD_OK && count_of(&k, p, closed) == s->options->count && has_no_loops(s, last)) {
+    if (status == CAGD_OK && (closed ? last->period : last->curve.count) == s->options->count &&
+        has_no_loops(s, last)) {
         cagd_fit_free(s->best);
         s->best = last;
         s->best->found.knots_chosen = 1;
@@ -356,6 +420,9 @@ static cagd_status take_out_idle(search *s)
 
 /* ---- smoothing ------------------------------------------------------------------------------------------- */
 
+/* What says that the feet may have gone astray. */
+enum { ASTRAY = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_BACKWARDS | CAGD_FIT_COARSE };
+
 /* n chi^2/(n - 1.4 k)^2 of a minimum; infinite of others. */
 static double cross_validation(const cagd_fit_data *data, const cagd_fit_result *r)
 {
@@ -363,22 +430,27 @@ static double cross_validation(const cagd_fit_data *data, const cagd_fit_result 
     return cagd_fit_is_minimum(r) && left > 0 ? n * r->chi_squared / (left * left) : HUGE_VAL;
 }
 
-/* The fit with the smoothing term lambda, from the points and, if there is one, from the curve before, whichever is lower: a curve that
- * was nearly straight may have its feet where they do not follow the order of the points any more.  *score: its own. */
+/* The fit with the smoothing term lambda, from the curve before if there is one, and from the points if that leads to no good curve, as where the
+ * curve before was nearly straight and has its feet where they do not follow the order of the points: the lower of both.  *score: its own. */
 static cagd_status smooth_by(const search *s, const cagd_fit_options *options, double lambda,
                              const cagd_fit_result *from, cagd_fit_result **result, double *score)
 {
     cagd_fit_options o = *options;
     cagd_fit_result *other = NULL;
+    cagd_status status = CAGD_OK;
+    *result = NULL;
     o.smooth = lambda;
     o.free &= ~CAGD_FIT_WEIGHTS;
-    cagd_status status = fit_candidate(s->data, &o, result, s->where);
-    if (status == CAGD_OK && from != NULL) {
+    if (from != NULL) {
         o.initial = &from->curve;
+        status = fit_candidate(s->data, &o, result, s->where);
+    }
+    if (status == CAGD_OK && (from == NULL || problems_of(s, *result) & ASTRAY)) {
+        o.initial = options->initial;
         status = fit_candidate(s->data, &o, &other, s->where);
     }
-    if (other != NULL &&
-        (!cagd_fit_is_minimum(*result) || (cagd_fit_is_minimum(other) && other->cost < (*result)->cost))) {
+    if (*result == NULL || (other != NULL && cagd_fit_is_minimum(other) &&
+                            (!cagd_fit_is_minimum(*result) || other->cost < (*result)->cost))) {
         cagd_fit_result *higher = *result;
         *result = other;
         other = higher;
@@ -392,57 +464,83 @@ static cagd_status smooth_by(const search *s, const cagd_fit_options *options, d
     return status;
 }
 
-/* The weight of the smoothing term by cross-validation: from one that leaves a straight line downwards in tenths, and then between the
- * neighbours of the best one.  *result, which may be NULL, is replaced. */
-static cagd_status smooth_best(const search *s, const cagd_fit_options *options, int how, cagd_fit_result **result)
+/* The best of the fits with a smoothing term, its weight and score, and whether it has loops or excursions. */
+typedef struct smoothest {
+    cagd_fit_result *fit;
+    double lambda, score;
+    int loops;
+} smoothest;
+
+/* The next fit takes the place of the best one if its score is lower; one with loops only that of others with loops.  Whether it does. */
+static int is_better_smoothed(const search *s, cagd_fit_result *next, double lambda, double score, smoothest *best)
 {
-    enum { TENTHS = 22, FINER = 3 };
-    double precision = 0, extent = 0;
-    for (int c = 0; c < s->data->dim; c++) {
-        double low = s->data->points[c], high = low;
-        for (int i = 0; i < s->data->count; i++) {
-            low = fmin(low, s->data->points[i * s->data->dim + c]);
-            high = fmax(high, s->data->points[i * s->data->dim + c]);
-        }
-        extent = fmax(extent, high - low);
-    }
-    for (int i = 0; i < s->data->count; i++)
-        precision += s->data->sigma != NULL ? 1 / (s->data->sigma[i] * s->data->sigma[i]) : 1;
-    cagd_fit_result *best = NULL, *last = NULL;
-    double lowest = HUGE_VAL, chosen = 0;
+    REQUIRE(isfinite(score), 0);
+    const int loops = !has_no_loops(s, next),
+              better = best->fit == NULL || loops < best->loops || (loops == best->loops && score < best->score);
+    if (better)
+        *best = (smoothest){next, lambda, score, loops};
+    return better;
+}
+
+/* From a weight that leaves a straight line downwards in tenths, each fit from the one before, until the points determine MOST of the unknowns, and
+ * a smaller weight helps no more. */
+static cagd_status smooth_downwards(const search *s, const cagd_fit_options *options, smoothest *best)
+{
+    enum { TENTHS = 22, PATIENT = 2 };
+    const double most = 0.9;
+    double lambda = precision_of(s->data), score;
+    cagd_fit_result *last = NULL;
     cagd_status status = CAGD_OK;
-    for (int k = 0; k < TENTHS + 2 * FINER && status == CAGD_OK; k++) {
-        const int finer = k - TENTHS;
-        if (finer >= 0 && best == NULL)
-            break;
-        double lambda = finer < 0 ? precision * pow(10, -k)
-                                  : chosen * pow(10, (finer % 2 == 0 ? 1 : -1) * pow(0.5, finer / 2 + 1)),
-               score;
+    for (int k = 0, idle = 0; k < TENTHS && idle < PATIENT && status == CAGD_OK; k++, lambda /= 10) {
         cagd_fit_result *next;
-        status = smooth_by(s, options, lambda, finer >= 0 ? best : last, &next, &score);
+        status = smooth_by(s, options, lambda, last, &next, &score);
         if (status != CAGD_OK)
             break;
-        int better = score < lowest && isfinite(score);
-        if (last != best)
+        if (last != best->fit)
             cagd_fit_free(last);
+        cagd_fit_result *before = best->fit;
+        if (is_better_smoothed(s, next, lambda, score, best)) {
+            idle = 0;
+            cagd_fit_free(before);
+        } else
+            idle = next->effective > most * next->unknowns ? idle + 1 : 0;
         last = next;
-        if (better) {
-            if (best != next)
-                cagd_fit_free(best);
-            best = next;
-            lowest = score;
-            chosen = lambda;
-        }
     }
-    if (last != best)
+    if (last != best->fit)
         cagd_fit_free(last);
-    if (status == CAGD_OK && best != NULL) {
-        best->found.smoothed = how;
-        best->found.smooth = chosen;
+    return status;
+}
+
+/* Between the neighbours of the best weight: by factors of 10^(1/2), 10^(1/4), 10^(1/8), upwards or else downwards. */
+static cagd_status smooth_between(const search *s, const cagd_fit_options *options, smoothest *best)
+{
+    for (double step = 0.5; step > 0.1; step /= 2)
+        for (int down = 0, better = 0; down < 2 && !better; down++) {
+            const double lambda = best->lambda * pow(10, down ? -step : step);
+            cagd_fit_result *next, *before = best->fit;
+            double score;
+            cagd_status status = smooth_by(s, options, lambda, before, &next, &score);
+            REQUIRE(status == CAGD_OK, status);
+            better = is_better_smoothed(s, next, lambda, score, best);
+            cagd_fit_free(better ? before : next);
+        }
+    return CAGD_OK;
+}
+
+/* The weight of the smoothing term by cross-validation.  *result, which may be NULL, is replaced where there is one. */
+static cagd_status smooth_best(const search *s, const cagd_fit_options *options, int how, cagd_fit_result **result)
+{
+    smoothest best = {NULL, 0, HUGE_VAL, 1};
+    cagd_status status = smooth_downwards(s, options, &best);
+    if (status == CAGD_OK && best.fit != NULL)
+        status = smooth_between(s, options, &best);
+    if (status == CAGD_OK && best.fit != NULL) {
+        best.fit->found.smoothed = how;
+        best.fit->found.smooth = best.lambda;
         cagd_fit_free(*result);
-        *result = best;
+        *result = best.fit;
     } else
-        cagd_fit_free(best);
+        cagd_fit_free(best.fit);
     return status;
 }
 
@@ -485,8 +583,13 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : cagd_fit(data, &own, &s.best, where);
     const int segments = own.count > own.degree + 1 || own.knots != NULL || own.closed || chosen;
     const int mended = choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) && own.smooth == 0;
-    if (status == CAGD_OK && mended && !chosen && own.knots == NULL && !has_no_loops(&s, s.best))
-        status = place_knots(&s);
+    int led = 0;
+    if (status == CAGD_OK && mended && !chosen && own.knots == NULL) {
+        if (!has_no_loops(&s, s.best) && own.degree > 1)
+            status = lead_from_smooth(&s, &led);
+        if (status == CAGD_OK && !has_no_loops(&s, s.best))
+            status = place_knots(&s);
+    }
     if (status == CAGD_OK && own.smooth == 0 && own.degree > 1 &&
         (choices->smooth == 1 || (mended && !fit_is_good(data, &own, s.best)))) {
         cagd_fit_options smoothed = own;
@@ -500,7 +603,8 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     }
     if (status == CAGD_OK && s.best == NULL) /* no smoothing leads to a minimum */
         return fit_refined(data, options, &(cagd_fit_choices){.count = choices->count}, result, where);
-    if (status == CAGD_OK && (s.best->found.knots_chosen || chosen || (s.best->found.smoothed && own.smooth == 0)))
+    if (status == CAGD_OK &&
+        (led || s.best->found.knots_chosen || chosen || (s.best->found.smoothed && own.smooth == 0)))
         status = finish(&s, &own, &s.best);
     if (status == CAGD_OK)
         *result = s.best;

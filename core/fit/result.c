@@ -1,5 +1,6 @@
 #include "core/fit/result.h"
 
+#include "core/fit/batch.h"
 #include "core/fit/feet.h"
 #include "core/fit/rank.h"
 #include "core/fit/smoothing.h"
@@ -61,6 +62,32 @@ static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_resul
     return 1;
 }
 
+/* The feet of FIT_BATCH points that were found together. */
+typedef struct batch {
+    int first, known; /* known: whether they were */
+    double feet[FIT_BATCH], D[FIT_BATCH][6];
+} batch;
+
+/* The foot of point i, as exact as can be, with point and derivatives there; whether it is an end that nothing holds it at. */
+static int final_foot(const fit_problem *p, const fit_objective *o, int i, batch *b, double *t, double D[])
+{
+    if (i % FIT_BATCH == 0) {
+        b->first = i;
+        b->known = i + FIT_BATCH <= p->points;
+        if (b->known) {
+            memcpy(b->feet, o->feet + i, sizeof b->feet);
+            b->known = fit_batch_feet(p, o->curve, o->width, i, b->feet, b->D);
+        }
+    }
+    if (b->known) {
+        *t = b->feet[i - b->first];
+        memcpy(D, b->D[i - b->first], sizeof *b->D);
+        return 0;
+    }
+    *t = o->feet[i];
+    return !fit_held_foot(p, o->curve, i, t, D) && fit_foot(o->curve, fit_point(p, i), t, D) == FOOT_AT_END;
+}
+
 static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_result *r)
 {
     int dim = p->dim;
@@ -74,12 +101,12 @@ static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_resu
     if (!r->feet || !r->residuals || !r->distances || !r->foot_at_end || !r->outlier)
         return 0;
     double sum = 0;
+    batch room;
     memcpy(r->end_points, p->end_point, sizeof r->end_points);
     for (int i = 0; i < p->points; i++) {
         const double *q = p->Q + (size_t)i * (size_t)dim;
-        double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t = a->objective->feet[i], square = 0;
-        r->foot_at_end[i] =
-            !fit_held_foot(p, a->objective->curve, i, &t, D) && fit_foot(a->objective->curve, q, &t, D) == FOOT_AT_END;
+        double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t, square = 0;
+        r->foot_at_end[i] = final_foot(p, a->objective, i, &room, &t, D);
         r->feet_at_ends += r->foot_at_end[i];
         r->feet[i] = t;
         for (int c = 0; c < dim; c++) {
@@ -145,7 +172,7 @@ static int fill_smoothed(const fit_problem *p, const fit_attempt *a, cagd_fit_re
 /* Rank, covariance and flat directions; lengths go back to the coordinates of the data. */
 static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_result *r)
 {
-    int n = p->unknowns, good;
+    int n = p->unknowns, held = 0;
     size_t nn = (size_t)n * (size_t)n;
     fit_objective *f = a->objective;
     fit_rank rank;
@@ -167,7 +194,19 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
             f->triangle[i * (n + 1) + k] /= p->unit;
     if (p->smooth > 0)
         return fill_smoothed(p, a, r);
-    good = fit_rank_of(n, fit_problem_equations(p), fit_problem_roundings(p), f->triangle, n + 1, r->at_bound, &rank);
+    const int rows = fit_problem_equations(p), roundings = fit_problem_roundings(p);
+    for (int k = 0; k < n; k++)
+        held = held || r->at_bound[k];
+    const int regular = held ? 0 : fit_rank_regular(n, rows, roundings, f->triangle, n + 1, r->covariance);
+    if (regular > 0) {
+        r->rank = n;
+        r->effective = n;
+        for (int k = 0; k < n; k++)
+            r->determined[k] = 1;
+    }
+    if (regular != 0)
+        return regular > 0;
+    int good = fit_rank_of(n, rows, roundings, f->triangle, n + 1, r->at_bound, &rank);
     if (good) {
         r->rank = rank.rank;
         r->effective = rank.rank;

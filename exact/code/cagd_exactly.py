@@ -55,31 +55,36 @@ class Code:
     def __exit__(self, *_):
         self.close()
 
-    def _ask(self, line):
-        self._process.stdin.write(line + "\n")
+    def _ask(self, *lines):
+        """The answer to the last of the lines, which are sent at once; the first that is not answered well is told."""
+        self._process.stdin.write("\n".join(lines) + "\n")
         self._process.stdin.flush()
-        word, _, text = self._process.stdout.readline().rstrip("\n").partition(" ")
-        if word not in ("ok", "value"):
-            raise Refused(word, text)
-        return text
+        answers = [self._process.stdout.readline().rstrip("\n").partition(" ") for _ in lines]
+        for word, _, text in answers:
+            if word not in ("ok", "value"):
+                raise Refused(word, text)
+        return answers[-1][2]
 
-    def _run(self, numbers, inputs):
-        """An int, a Fraction, a float (the binary64 it is) or a text ("3/7", "0.1") for each number."""
+    def _run(self, numbers, inputs, *asked):
+        """What is asked of each output after a run, as texts; the inputs are an int, a Fraction, a float (the binary64 it is) or a text
+        ("3/7", "0.1") for each number."""
+        lines = []
         for name, values in inputs.items():
             values = values if isinstance(values, (list, tuple)) else [values]
-            self._ask(" ".join(["set", name, *[x if isinstance(x, str) else str(Fraction(x)) for x in values]]))
-        self._ask("run " + numbers)
+            lines.append(" ".join(["set", name, *[x if isinstance(x, str) else str(Fraction(x)) for x in values]]))
+        names = " ".join(self._outputs)
+        lines.append("run " + numbers)
+        texts = self._ask(*lines, f"{asked[0]} {names}").split("\t")
+        more = [self._ask(f"{key} {names}").split("\t") for key in asked[1:]]
+        return zip(self._outputs, texts, *more)
 
     def __call__(self, **inputs):
         """The outputs, fractions; a text "in [a, b]" where one is not rational."""
-        self._run("rational", inputs)
-        values = {name: self._ask("get " + name) for name in self._outputs}
-        return {name: text if text.startswith("in") else Fraction(text) for name, text in values.items()}
+        return {name: text if text.startswith("in") else Fraction(text) for name, text in self._run("rational", inputs, "get")}
 
     def function(self, **inputs):
         """The outputs as rational functions of the inputs, on the way through the code that the values take."""
-        self._run("field", inputs)
-        return {name: self._ask("function " + name) for name in self._outputs}
+        return dict(self._run("field", inputs, "function"))
 
     def conditions(self):
         """The comparisons of the last call of `function`."""
@@ -92,5 +97,4 @@ class Code:
 
     def rounding(self, **inputs):
         """Of each output what binary64 computes, and its error in ulps of the exact value."""
-        self._run("rounding", inputs)
-        return {name: (float(self._ask("computed " + name)), float(self._ask("ulps " + name))) for name in self._outputs}
+        return {name: (float(computed), float(ulps)) for name, computed, ulps in self._run("rounding", inputs, "computed", "ulps")}

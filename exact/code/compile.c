@@ -5,14 +5,15 @@
  *     cagd-compile-exactly --tools                           the folder of the clang that it uses
  *
  * With --stores the program can tell which numbers each line puts into variables.  LIST becomes the names that the sources define, "T name", and
- * those that they ask of others, "U name", a line each.  FILE ends in .c, in .cc, .cpp, .cxx or .C, in .bc, or in .a, an archive of bitcode.
+ * those that they ask of others, "U name", a line each.  FILE ends in .c, in .cc, .cpp, .cxx or .C, in .a, an archive of bitcode, or is
+ * bitcode (.bc, or .o of clang -flto).
  * The flags are clang's, for the sources.
  * Messages are clang's own, or one line; the exit code is 0, 1 when a source does not compile, 2 for wrong usage. */
+#include "exact/code/archive.h"
 #include "exact/code/rewrite.h"
 #include "exact/code/scratch.h"
 
 #include <llvm-c/Analysis.h>
-#include <llvm-c/BitReader.h>
 #include <llvm-c/BitWriter.h>
 #include <llvm-c/Linker.h>
 #include <llvm-c/Target.h>
@@ -29,12 +30,12 @@
 
 extern char **environ;
 
-enum { MOST_WORDS = 4096, MOST_MEMBERS = 4096 };
+enum { MOST_WORDS = 4096 };
 
 static char scratch[SCRATCH];
 static LLVMModuleRef everything;
 
-_Noreturn static void give_up(int code, const char *what, const char *about)
+_Noreturn void cagd_code_give_up(int code, const char *what, const char *about)
 {
     fprintf(stderr, "cagd-compile-exactly: %s%s%s\n", what, about ? ": " : "", about ? about : "");
     exit(code);
@@ -68,20 +69,12 @@ static void run(char *const word[])
     pid_t child;
     int status;
     if (posix_spawnp(&child, word[0], NULL, NULL, word, environ) != 0)
-        give_up(1, "there is no compiler", word[0]);
+        cagd_code_give_up(1, "there is no compiler", word[0]);
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR)
-            give_up(1, "the compiler was lost", word[0]);
+            cagd_code_give_up(1, "the compiler was lost", word[0]);
     if (status != 0)
         exit(1);
-}
-
-static LLVMModuleRef read_module(LLVMMemoryBufferRef bytes, const char *name)
-{
-    LLVMModuleRef module;
-    if (LLVMParseBitcode2(bytes, &module))
-        give_up(1, "no bitcode of this version of LLVM or an older one", name);
-    return module;
 }
 
 /* The module, which `name` names, joins the others. */
@@ -90,75 +83,26 @@ static void take(LLVMModuleRef module, const char *name)
     if (everything == NULL)
         everything = module;
     else if (LLVMLinkModules2(everything, module))
-        give_up(1, "it cannot be linked with the others", name);
+        cagd_code_give_up(1, "it cannot be linked with the others", name);
 }
 
-static LLVMMemoryBufferRef contents(const char *path, const char *name)
-{
-    LLVMMemoryBufferRef bytes;
-    char *message = NULL;
-    if (LLVMCreateMemoryBufferWithContentsOfFile(path, &bytes, &message))
-        give_up(1, message, name);
-    return bytes;
-}
-
-/* Whether the others miss something that the module defines. */
-static int is_missed(LLVMModuleRef module)
+/* For C++ the linker needs its library; who misses a name of C++ is C++, whatever the file was called. */
+static int needs_cpp(LLVMModuleRef module)
 {
     size_t length;
     for (LLVMValueRef v = LLVMGetFirstFunction(module); v != NULL; v = LLVMGetNextFunction(v)) {
-        LLVMValueRef known =
-            LLVMIsDeclaration(v) ? NULL : LLVMGetNamedFunction(everything, LLVMGetValueName2(v, &length));
-        if (known != NULL && LLVMIsDeclaration(known) && LLVMGetLinkage(v) == LLVMExternalLinkage)
-            return 1;
-    }
-    for (LLVMValueRef v = LLVMGetFirstGlobal(module); v != NULL; v = LLVMGetNextGlobal(v)) {
-        LLVMValueRef known =
-            LLVMIsDeclaration(v) ? NULL : LLVMGetNamedGlobal(everything, LLVMGetValueName2(v, &length));
-        if (known != NULL && LLVMIsDeclaration(known) && LLVMGetLinkage(v) == LLVMExternalLinkage)
+        const char *name = LLVMGetValueName2(v, &length);
+        if (LLVMIsDeclaration(v) && (strncmp(name, "_Z", 2) == 0 || strncmp(name, "__cxa_", 6) == 0 ||
+                                     strcmp(name, "__gxx_personality_v0") == 0))
             return 1;
     }
     return 0;
 }
 
-/* An archive: "!<arch>\n", and for each member a head of 60 bytes, its size in the ten from 48 on, and its bytes, made even.
- * Its members join where they are missed. */
-static void take_archive(const char *path)
+/* "-std=c++20" says nothing of the files in C among the sources, nor "-std=c99" of those in C++. */
+static int is_for_the_other_language(const char *flag, int cpp)
 {
-    static LLVMModuleRef member[MOST_MEMBERS];
-    LLVMMemoryBufferRef bytes = contents(path, path);
-    const char *start = LLVMGetBufferStart(bytes);
-    size_t size = LLVMGetBufferSize(bytes), count = 0;
-    if (size < 8 || memcmp(start, "!<arch>\n", 8) != 0)
-        give_up(1, "no archive", path);
-    for (size_t at = 8; at + 60 <= size;) {
-        char digits[11] = {0};
-        memcpy(digits, start + at + 48, 10);
-        size_t length = strtoul(digits, NULL, 10);
-        const char *inside = start + at + 60;
-        if (length > size - at - 60)
-            give_up(1, "an archive that ends too early", path);
-        if (count == MOST_MEMBERS)
-            give_up(1, "an archive of too many members", path);
-        if (length > 4 && memcmp(inside, "BC\xC0\xDE", 4) == 0)
-            member[count++] = read_module(LLVMCreateMemoryBufferWithMemoryRangeCopy(inside, length, path), path);
-        else if (start[at] != '/')
-            give_up(1, "a member of the archive is no bitcode; compile it with -emit-llvm", path);
-        at += 60 + length + length % 2;
-    }
-    LLVMDisposeMemoryBuffer(bytes);
-    for (int again = 1; again;) {
-        again = 0;
-        for (size_t k = 0; k < count; k++)
-            if (member[k] != NULL && is_missed(member[k])) {
-                take(member[k], path);
-                member[k] = NULL;
-                again = 1;
-            }
-    }
-    for (size_t k = 0; k < count; k++)
-        if (member[k] != NULL)
-            LLVMDisposeModule(member[k]);
+    return strncmp(flag, "-std=", 5) == 0 && (strstr(flag, "++") != NULL) != cpp;
 }
 
 /* Whether the libraries of C and C++ have it: other names of the process that runs the object are not meant. */
@@ -203,13 +147,14 @@ static void write_object(const char *path)
     char *message = NULL, *name = (char *)(uintptr_t)path;
     LLVMInitializeNativeTarget();
     LLVMInitializeNativeAsmPrinter();
+    LLVMInitializeNativeAsmParser(); /* what is refused only when it is reached is assembled */
     const char *triple = LLVMGetTarget(everything);
     if (LLVMGetTargetFromTriple(triple, &target, &message))
-        give_up(1, message, triple);
+        cagd_code_give_up(1, message, triple);
     LLVMTargetMachineRef machine =
         LLVMCreateTargetMachine(target, triple, "", "", LLVMCodeGenLevelNone, LLVMRelocPIC, LLVMCodeModelDefault);
     if (LLVMTargetMachineEmitToFile(machine, everything, name, LLVMObjectFile, &message))
-        give_up(1, message, path);
+        cagd_code_give_up(1, message, path);
     LLVMDisposeTargetMachine(machine);
 }
 
@@ -219,7 +164,7 @@ static char *file_of(const char *library, const char *function)
     Dl_info info;
     void *opened = dlopen(library, RTLD_LAZY | RTLD_LOCAL), *symbol = opened != NULL ? dlsym(opened, function) : NULL;
     if (symbol == NULL || dladdr(symbol, &info) == 0)
-        give_up(1, "the file of a library is not known", library);
+        cagd_code_give_up(1, "the file of a library is not known", library);
     return (char *)(uintptr_t)info.dli_fname;
 }
 
@@ -271,22 +216,22 @@ int main(int argc, char **argv)
             argv[++files] = argv[k];
     }
     if (out == NULL || files == 0 || argc > MOST_WORDS)
-        give_up(2, "usage: cagd-compile-exactly [--stores] [--names LIST] -o OUT.so FILE... [-- FLAG...]", NULL);
+        cagd_code_give_up(2, "usage: cagd-compile-exactly [--stores] [--names LIST] -o OUT.so FILE... [-- FLAG...]",
+                          NULL);
     if (make_scratch(scratch, "cagd-code") != 0)
-        give_up(1, "no temporary folder", strerror(errno));
+        cagd_code_give_up(1, "no temporary folder", strerror(errno));
     atexit(remove_scratch);
     snprintf(bitcode, sizeof bitcode, "%s/source.bc", scratch);
     snprintf(object, sizeof object, "%s/all.o", scratch);
     if (names != NULL && (list = fopen(names, "w")) == NULL)
-        give_up(1, strerror(errno), names);
+        cagd_code_give_up(1, strerror(errno), names);
 
     for (int k = 1; k <= files; k++) {
         char *name = argv[k];
         cpp = cpp || is_cpp(name);
         if (ends_in(name, ".a")) {
             archives++;
-        } else if (ends_in(name, ".bc")) {
-            take(read_module(contents(name, name), name), name);
+            cagd_code_gather(name);
         } else if (ends_in(name, ".c") || is_cpp(name)) {
             char *word[MOST_WORDS + 20] = {is_cpp(name) ? CAGD_LLVM_BIN "/clang++" : CAGD_LLVM_BIN "/clang",
                                            "-O0",
@@ -298,34 +243,38 @@ int main(int argc, char **argv)
                                            "-fPIC",
                                            "-c",
                                            "-emit-llvm",
+                                           is_cpp(name) ? "-std=gnu++17" : "-std=gnu17",
                                            "-o",
                                            bitcode,
                                            name};
-            int words = 13;
+            int words = 14;
             for (int f = flags; f < argc; f++)
-                word[words++] = argv[f];
+                if (!is_for_the_other_language(argv[f], is_cpp(name)))
+                    word[words++] = argv[f];
             run(word);
-            LLVMModuleRef module = read_module(contents(bitcode, name), name);
+            LLVMModuleRef module = cagd_code_module_of(cagd_code_bytes_of(bitcode), name);
             if (list != NULL)
                 list_names(list, module);
             take(module, name);
         } else {
-            give_up(2, "a source in C or C++, bitcode or an archive of it was expected", name);
+            LLVMMemoryBufferRef bytes = cagd_code_bytes_of(name);
+            if (!cagd_code_is_bitcode(LLVMGetBufferStart(bytes), LLVMGetBufferSize(bytes)))
+                cagd_code_give_up(2, "a source in C or C++, bitcode or an archive of it was expected", name);
+            take(cagd_code_module_of(bytes, name), name);
         }
     }
     if (archives == files)
-        give_up(2, "nothing but archives, of which nothing is missed", NULL);
-    for (int k = 1; k <= files; k++)
-        if (ends_in(argv[k], ".a"))
-            take_archive(argv[k]);
+        cagd_code_give_up(2, "nothing but archives, of which nothing is missed", NULL);
+    cagd_code_take_missed(everything);
+    cpp = cpp || needs_cpp(everything);
     if (list != NULL && fclose(list) != 0)
-        give_up(1, strerror(errno), names);
+        cagd_code_give_up(1, strerror(errno), names);
     if (ends_in(out, ".bc"))
         return LLVMWriteBitcodeToFile(everything, out) != 0;
     cagd_code_rewrite(everything, is_in_a_library, stores);
     char *message = NULL;
     if (LLVMVerifyModule(everything, LLVMReturnStatusAction, &message))
-        give_up(1, "the rewritten module is not well-formed", message);
+        cagd_code_give_up(1, "the rewritten module is not well-formed", message);
     write_object(object);
     link_object(object, out, cpp);
     return 0;

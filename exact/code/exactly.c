@@ -3,6 +3,7 @@
 
 #include "exact/code/build.h"
 #include "exact/code/points.h"
+#include "exact/code/resident.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +14,8 @@ struct cagd_exactly {
     struct cagd_code_harness *harness;
     struct cagd_code_program *program;
     struct cagd_code_point *point;
-    struct cagd_code_outcome *outcome;
+    struct cagd_code_resident *resident; /* runs in rationals; its outcome is its own */
+    struct cagd_code_outcome *outcome, *own;
     int is_set[CAGD_CODE_MOST_IN_HARNESS];
     char message[1000], condition[5000];
 };
@@ -117,7 +119,8 @@ void cagd_exactly_free(struct cagd_exactly *x)
 {
     if (x == NULL)
         return;
-    cagd_code_outcome_free(x->outcome);
+    cagd_code_outcome_free(x->own);
+    cagd_code_dismiss(x->resident);
     cagd_code_point_free(x->point);
     cagd_code_unload(x->program);
     cagd_code_harness_free(x->harness);
@@ -147,8 +150,8 @@ int cagd_exactly_set(struct cagd_exactly *x, const char *name, int count, const 
 
 enum cagd_exactly_end cagd_exactly_call(struct cagd_exactly *x, enum cagd_exactly_numbers numbers)
 {
-    cagd_code_outcome_free(x->outcome);
-    x->outcome = NULL;
+    cagd_code_outcome_free(x->own);
+    x->outcome = x->own = NULL;
     for (int k = 0; k < x->point->inputs; k++)
         if (!x->is_set[k]) {
             snprintf(x->message, sizeof x->message, "the input %s was not set", x->point->input[k].name);
@@ -159,7 +162,11 @@ enum cagd_exactly_end cagd_exactly_call(struct cagd_exactly *x, enum cagd_exactl
                                 .enclose = 1,
                                 .inputs = x->point->inputs,
                                 .input = x->point->input};
-    struct cagd_code_outcome *o = cagd_code_run(x->program, &job);
+    struct cagd_code_outcome *o;
+    if (numbers == CAGD_EXACTLY_RATIONAL)
+        o = cagd_code_run_again(&x->resident, x->program, &job);
+    else
+        o = x->own = cagd_code_run(x->program, &job);
     x->message[0] = 0;
     if (o == NULL) {
         snprintf(x->message, sizeof x->message, "no memory");

@@ -11,8 +11,9 @@
  *     if (cagd_exactly_call(x, CAGD_EXACTLY_RATIONAL) == CAGD_EXACTLY_DONE)
  *         puts(cagd_exactly_get(x, "R"));
  *
- * The code is compiled by the program cagd-compile-exactly and runs in a process of its own, which a call starts and ends.  Texts
- * that are returned live until the next call or until the code is freed. */
+ * The code is compiled by the program cagd-compile-exactly and runs in a process of its own.  No call knows anything of those before it: code
+ * that remembers something, or a call that does not end well, costs the next call a new process; else one process serves many
+ * calls in rationals.  Texts that are returned live until the next call or until the code is freed. */
 #ifndef CAGD_EXACTLY_H
 #define CAGD_EXACTLY_H
 

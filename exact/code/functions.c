@@ -2,12 +2,16 @@
 #include "exact/code/names.h"
 #include "exact/code/value.h"
 
+#include <fenv.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct complex_pair {
     double re, im;
+};
+struct single_pair {
+    float re, im;
 };
 
 /* The prototypes of what the rewritten code calls by these names. */
@@ -49,6 +53,15 @@ struct complex_pair cagd_code_lib_conj(struct complex_pair z);
 double cagd_code_lib_cabs(struct complex_pair z);
 struct complex_pair cagd_code_lib___muldc3(double a, double b, double c, double d);
 struct complex_pair cagd_code_lib___divdc3(double a, double b, double c, double d);
+struct complex_pair cagd_code_lib_csqrt(struct complex_pair z);
+float cagd_code_lib_crealf(struct single_pair z);
+float cagd_code_lib_cimagf(struct single_pair z);
+struct single_pair cagd_code_lib_conjf(struct single_pair z);
+float cagd_code_lib_cabsf(struct single_pair z);
+struct single_pair cagd_code_lib___mulsc3(float a, float b, float c, float d);
+struct single_pair cagd_code_lib___divsc3(float a, float b, float c, float d);
+int cagd_code_lib_ilogb(double x);
+int cagd_code_lib_fesetround(int mode);
 
 typedef cagd_code_value value;
 static value of(double x) { return cagd_code_value_of(x); }
@@ -413,6 +426,7 @@ double cagd_code_lib_frexp(double x, int *n)
         guess++;
     cagd_code_compare(size, cagd_code_power(2, (int32_t)guess - 1), 3); /* both are true, and conditions */
     cagd_code_compare(size, cagd_code_power(2, (int32_t)guess), 4);
+    cagd_code_follow(guess);
     *n = (int)guess;
     return cagd_code_lib_scalbln(x, -guess);
 }
@@ -470,3 +484,59 @@ struct complex_pair cagd_code_lib___divdc3(double a, double b, double c, double 
     double cagd_code_lib_##name##l(double x, double y) { return cagd_code_lib_##name(x, y); }
 CAGD_CODE_ONE(ONE)
 CAGD_CODE_TWO(TWO)
+
+/* ---- complex numbers of floats, and a root ------------------------------------------------------------------------ */
+
+static struct single_pair narrow(struct complex_pair z)
+{
+    return (struct single_pair){cagd_code_narrow(z.re), cagd_code_narrow(z.im)};
+}
+float cagd_code_lib_crealf(struct single_pair z) { return z.re; }
+float cagd_code_lib_cimagf(struct single_pair z) { return z.im; }
+struct single_pair cagd_code_lib_conjf(struct single_pair z)
+{
+    return (struct single_pair){z.re, cagd_code_narrow(cagd_code_neg(cagd_code_widen(z.im)))};
+}
+float cagd_code_lib_cabsf(struct single_pair z) { return cagd_code_lib_hypotf(z.re, z.im); }
+struct single_pair cagd_code_lib___mulsc3(float a, float b, float c, float d)
+{
+    return narrow(
+        cagd_code_lib___muldc3(cagd_code_widen(a), cagd_code_widen(b), cagd_code_widen(c), cagd_code_widen(d)));
+}
+struct single_pair cagd_code_lib___divsc3(float a, float b, float c, float d)
+{
+    return narrow(
+        cagd_code_lib___divdc3(cagd_code_widen(a), cagd_code_widen(b), cagd_code_widen(c), cagd_code_widen(d)));
+}
+
+/* The root in the right half-plane: with r = |z|, √((r + a)/2) ± i √((r - a)/2), the sign that of the imaginary part. */
+struct complex_pair cagd_code_lib_csqrt(struct complex_pair z)
+{
+    double r = cagd_code_lib_cabs(z);
+    struct complex_pair root = {cagd_code_lib_sqrt(cagd_code_div(cagd_code_add(r, z.re), 2)),
+                                cagd_code_lib_sqrt(cagd_code_div(cagd_code_sub(r, z.re), 2))};
+    if (cagd_code_sign(of(z.im)) < 0)
+        root.im = cagd_code_neg(root.im);
+    return root;
+}
+
+/* ---- exponents, and the direction of rounding ------------------------------------------------------------------- */
+
+static int exponent_of(double x)
+{
+    int n;
+    if (of(x).special || cagd_code_sign(of(x)) == 0)
+        cagd_code_stop(CAGD_CODE_REFUSED, "the exponent of 0 or of what is no number");
+    cagd_code_lib_frexp(x, &n);
+    return n - 1;
+}
+int cagd_code_lib_ilogb(double x) { return exponent_of(x); }
+double cagd_code_lib_logb(double x) { return exponent_of(x); }
+
+/* Nothing is rounded, or with rounding to the nearest. */
+int cagd_code_lib_fesetround(int mode)
+{
+    if (mode != FE_TONEAREST)
+        cagd_code_stop(CAGD_CODE_REFUSED, "another direction of rounding than to the nearest");
+    return 0;
+}

@@ -7,7 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEAST_MARGIN = 64, MOST_MARGIN = 4096, MARGIN_BYTE = 0xFE, NEVER_FILLED = 0xAA, USUAL_ALIGNMENT = 16 };
+enum {
+    LEAST_MARGIN = 64,
+    MOST_MARGIN = 4096,
+    MARGIN_BYTE = 0xFE,
+    NEVER_FILLED = 0xAA,
+    USUAL_ALIGNMENT = 16,
+    PAGE = 4096
+};
 
 void *cagd_code_lib_malloc(size_t n);
 void *cagd_code_lib_calloc(size_t count, size_t n);
@@ -25,6 +32,24 @@ int cagd_code_lib_memcmp(const void *a, const void *b, size_t n);
 void *cagd_code_lib_memcpy(void *to, const void *from, size_t n);
 void *cagd_code_lib_memmove(void *to, const void *from, size_t n);
 void *cagd_code_lib_memset(void *to, int byte, size_t n);
+void *cagd_code_lib_reallocarray(void *p, size_t count, size_t n);
+void *cagd_code_lib_memalign(size_t alignment, size_t n);
+void *cagd_code_lib_valloc(size_t n);
+void *cagd_code_lib_pvalloc(size_t n);
+int cagd_code_lib_bcmp(const void *a, const void *b, size_t n);
+size_t cagd_code_lib__ZSt11_Hash_bytesPKvmm(const void *bytes, size_t n, size_t seed);
+void *cagd_code_lib__ZnwmSt11align_val_t(size_t n, size_t alignment);
+void *cagd_code_lib__ZnamSt11align_val_t(size_t n, size_t alignment);
+void *cagd_code_lib__ZnwmRKSt9nothrow_t(size_t n, const void *t);
+void *cagd_code_lib__ZnamRKSt9nothrow_t(size_t n, const void *t);
+void *cagd_code_lib__ZnwmSt11align_val_tRKSt9nothrow_t(size_t n, size_t alignment, const void *t);
+void *cagd_code_lib__ZnamSt11align_val_tRKSt9nothrow_t(size_t n, size_t alignment, const void *t);
+void cagd_code_lib__ZdlPvSt11align_val_t(void *p, size_t a);
+void cagd_code_lib__ZdaPvSt11align_val_t(void *p, size_t a);
+void cagd_code_lib__ZdlPvmSt11align_val_t(void *p, size_t n, size_t a);
+void cagd_code_lib__ZdaPvmSt11align_val_t(void *p, size_t n, size_t a);
+void cagd_code_lib__ZdlPvRKSt9nothrow_t(void *p, const void *t);
+void cagd_code_lib__ZdaPvRKSt9nothrow_t(void *p, const void *t);
 
 /* As wide as the memory itself, within bounds: who walks in rows takes the last step that far beyond the end. */
 static size_t margin_of(size_t n, size_t alignment)
@@ -101,6 +126,14 @@ int cagd_code_lib_posix_memalign(void **p, size_t alignment, size_t n)
     return 0;
 }
 
+void *cagd_code_lib_memalign(size_t alignment, size_t n) { return cagd_code_lib_aligned_alloc(alignment, n); }
+void *cagd_code_lib_valloc(size_t n) { return made(n, PAGE, NEVER_FILLED); }
+void *cagd_code_lib_pvalloc(size_t n) { return made((n + PAGE - 1) / PAGE * PAGE, PAGE, NEVER_FILLED); }
+void *cagd_code_lib_reallocarray(void *p, size_t count, size_t n)
+{
+    return count != 0 && n > (size_t)-1 / count ? NULL : cagd_code_lib_realloc(p, count * n);
+}
+
 static void *needed(size_t n)
 {
     void *p = cagd_code_lib_malloc(n);
@@ -122,6 +155,40 @@ void cagd_code_lib__ZdaPvm(void *p, size_t n)
     (void)n;
     cagd_code_lib_free(p);
 }
+
+/* The forms of new and delete with an alignment, and with std::nothrow. */
+static void *aligned(size_t n, size_t alignment)
+{
+    void *p = made(n, alignment < USUAL_ALIGNMENT ? USUAL_ALIGNMENT : alignment, NEVER_FILLED);
+    if (p == NULL)
+        cagd_code_stop(CAGD_CODE_BOUND, "no memory for operator new");
+    return p;
+}
+#define NOTHING(x) (void)(x)
+void *cagd_code_lib__ZnwmSt11align_val_t(size_t n, size_t alignment) { return aligned(n, alignment); }
+void *cagd_code_lib__ZnamSt11align_val_t(size_t n, size_t alignment) { return aligned(n, alignment); }
+void *cagd_code_lib__ZnwmRKSt9nothrow_t(size_t n, const void *t) { return NOTHING(t), cagd_code_lib_malloc(n); }
+void *cagd_code_lib__ZnamRKSt9nothrow_t(size_t n, const void *t) { return NOTHING(t), cagd_code_lib_malloc(n); }
+void *cagd_code_lib__ZnwmSt11align_val_tRKSt9nothrow_t(size_t n, size_t alignment, const void *t)
+{
+    return NOTHING(t), aligned(n, alignment);
+}
+void *cagd_code_lib__ZnamSt11align_val_tRKSt9nothrow_t(size_t n, size_t alignment, const void *t)
+{
+    return NOTHING(t), aligned(n, alignment);
+}
+void cagd_code_lib__ZdlPvSt11align_val_t(void *p, size_t a) { NOTHING(a), cagd_code_lib_free(p); }
+void cagd_code_lib__ZdaPvSt11align_val_t(void *p, size_t a) { NOTHING(a), cagd_code_lib_free(p); }
+void cagd_code_lib__ZdlPvmSt11align_val_t(void *p, size_t n, size_t a)
+{
+    NOTHING(n), NOTHING(a), cagd_code_lib_free(p);
+}
+void cagd_code_lib__ZdaPvmSt11align_val_t(void *p, size_t n, size_t a)
+{
+    NOTHING(n), NOTHING(a), cagd_code_lib_free(p);
+}
+void cagd_code_lib__ZdlPvRKSt9nothrow_t(void *p, const void *t) { NOTHING(t), cagd_code_lib_free(p); }
+void cagd_code_lib__ZdaPvRKSt9nothrow_t(void *p, const void *t) { NOTHING(t), cagd_code_lib_free(p); }
 
 /* Of equal pieces LLVM promises that they may be copied, and clang makes such copies of structures by itself. */
 void cagd_code_apart(const char *to, const char *from, int64_t bytes)
@@ -154,18 +221,35 @@ void *cagd_code_lib_memset(void *to, int byte, size_t n)
     return memset(to, byte, n);
 }
 
-/* Bytes of numbers are not compared: the same number can be there in two ways. */
+/* Bytes of numbers are not looked at: the same number can be there in two ways. */
+static void look_for_numbers(const void *bytes, size_t n, const char *what)
+{
+    cagd_code_reach(bytes, (int64_t)n, 0);
+    for (size_t at = 0; at + 4 <= n; at += 4) {
+        uint64_t word = 0;
+        uint32_t half;
+        memcpy(&word, (const char *)bytes + at, at + 8 <= n ? 8 : 4);
+        memcpy(&half, (const char *)bytes + at, sizeof half);
+        if (cagd_code_is_one(word) || cagd_code_is_single(half))
+            cagd_code_stop(CAGD_CODE_REFUSED, "%s of numbers", what);
+    }
+}
+
 int cagd_code_lib_memcmp(const void *a, const void *b, size_t n)
 {
-    const void *const side[2] = {a, b};
-    for (int k = 0; k < 2; k++) {
-        cagd_code_reach(side[k], (int64_t)n, 0);
-        for (size_t at = 0; at + 8 <= n; at += 4) {
-            uint64_t word;
-            memcpy(&word, (const char *)side[k] + at, sizeof word);
-            if (cagd_code_is_one(word))
-                cagd_code_stop(CAGD_CODE_REFUSED, "memcmp of numbers");
-        }
-    }
+    look_for_numbers(a, n, "memcmp");
+    look_for_numbers(b, n, "memcmp");
     return memcmp(a, b, n);
+}
+int cagd_code_lib_bcmp(const void *a, const void *b, size_t n) { return cagd_code_lib_memcmp(a, b, n); }
+
+/* What std::hash calls: that of texts and integers may be any. */
+size_t cagd_code_lib__ZSt11_Hash_bytesPKvmm(const void *bytes, size_t n, size_t seed)
+{
+    const unsigned char *at = bytes;
+    look_for_numbers(bytes, n, "std::hash");
+    size_t hash = seed ^ 0xCBF29CE484222325u;
+    for (size_t k = 0; k < n; k++)
+        hash = (hash ^ at[k]) * 0x100000001B3u;
+    return hash;
 }

@@ -32,7 +32,8 @@
     ONE(atan)                                                                                                          \
     ONE(sinh)                                                                                                          \
     ONE(cosh)                                                                                                          \
-    ONE(tanh)
+    ONE(tanh)                                                                                                          \
+    ONE(logb)
 
 #define CAGD_CODE_TWO(TWO)                                                                                             \
     TWO(fmin)                                                                                                          \
@@ -71,6 +72,7 @@
     OTHER(creal)                                                                                                       \
     OTHER(cimag)                                                                                                       \
     OTHER(conj)                                                                                                        \
+    OTHER(ilogb)                                                                                                       \
     OTHER(cabs)                                                                                                        \
     OTHER(memcmp)                                                                                                      \
     OTHER(memcpy)                                                                                                      \
@@ -96,18 +98,55 @@
     OTHER(vfprintf)                                                                                                    \
     OTHER(vsprintf)                                                                                                    \
     OTHER(vsnprintf)                                                                                                   \
+    OTHER(crealf)                                                                                                      \
+    OTHER(cimagf)                                                                                                      \
+    OTHER(conjf)                                                                                                       \
+    OTHER(cabsf)                                                                                                       \
+    OTHER(csqrt)                                                                                                       \
+    OTHER(__mulsc3)                                                                                                    \
+    OTHER(__divsc3)                                                                                                    \
+    OTHER(bcmp)                                                                                                        \
+    OTHER(reallocarray)                                                                                                \
+    OTHER(memalign)                                                                                                    \
+    OTHER(valloc)                                                                                                      \
+    OTHER(pvalloc)                                                                                                     \
+    OTHER(_ZnwmSt11align_val_t)                                                                                        \
+    OTHER(_ZnamSt11align_val_t)                                                                                        \
+    OTHER(_ZnwmRKSt9nothrow_t)                                                                                         \
+    OTHER(_ZnamRKSt9nothrow_t)                                                                                         \
+    OTHER(_ZnwmSt11align_val_tRKSt9nothrow_t)                                                                          \
+    OTHER(_ZnamSt11align_val_tRKSt9nothrow_t)                                                                          \
+    OTHER(_ZdlPvSt11align_val_t)                                                                                       \
+    OTHER(_ZdaPvSt11align_val_t)                                                                                       \
+    OTHER(_ZdlPvmSt11align_val_t)                                                                                      \
+    OTHER(_ZdaPvmSt11align_val_t)                                                                                      \
+    OTHER(_ZdlPvRKSt9nothrow_t)                                                                                        \
+    OTHER(_ZdaPvRKSt9nothrow_t)                                                                                        \
+    OTHER(_ZSt11_Hash_bytesPKvmm)                                                                                      \
+    OTHER(fesetround)                                                                                                  \
+    OTHER(strtod)                                                                                                      \
+    OTHER(strtof)                                                                                                      \
+    OTHER(atof)                                                                                                        \
+    OTHER(sscanf)                                                                                                      \
+    OTHER(fscanf)                                                                                                      \
+    OTHER(scanf)                                                                                                       \
+    OTHER(__isoc99_sscanf)                                                                                             \
+    OTHER(__isoc99_fscanf)                                                                                             \
+    OTHER(__isoc99_scanf)                                                                                              \
+    OTHER(_ZNSirsERd)                                                                                                  \
+    OTHER(_ZNSirsERf)                                                                                                  \
+    OTHER(_ZNSolsEf)                                                                                                   \
     OTHER(_ZNSolsEd)                                                                                                   \
     OTHER(_ZNSo9_M_insertIdEERSoT_)
 
-/* Functions that only make numbers out of texts or times, and never see one of ours: called as they are. */
-#define CAGD_CODE_NATIVE(NATIVE)                                                                                       \
-    NATIVE(strtod)                                                                                                     \
-    NATIVE(strtof)                                                                                                     \
-    NATIVE(atof)                                                                                                       \
-    NATIVE(difftime)
+/* Functions that only make numbers out of times, and never see one of ours: called as they are. */
+#define CAGD_CODE_NATIVE(NATIVE) NATIVE(difftime)
 
-/* Functions of the libraries that a run must not reach: there is one table of numbers, for one thread. */
+/* Functions of the libraries that a run must not reach: there is one table of numbers, for one thread; and what is
+ * longer than it was asked for. */
 #define CAGD_CODE_REFUSED_NAMES(NAME)                                                                                  \
     NAME(pthread_create)                                                                                               \
-    NAME(thrd_create)
+    NAME(thrd_create)                                                                                                  \
+    NAME(_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6_StateESt14default_deleteIS1_EEPFvvE)                        \
+    NAME(malloc_usable_size)
 #endif

@@ -287,6 +287,14 @@ int cagd_code_memory_at(const char *start, size_t *size)
     return 1;
 }
 
+size_t cagd_code_memory_count(void)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < lasting.count; k++)
+        count += lasting.at[k]->life == CAGD_CODE_MEMORY;
+    return count;
+}
+
 void cagd_code_memory_dies(const char *start, void (*release)(const char *start, size_t before))
 {
     struct object *o = found_in(&lasting, (uintptr_t)start);

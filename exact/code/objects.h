@@ -24,6 +24,9 @@ void cagd_code_compare_globals(void);
 /* Memory that begins there: its size is written and 1 returned, or 0 where no memory of ours begins. */
 int cagd_code_memory_at(const char *start, size_t *size);
 
+/* How many pieces of memory were asked for and not released yet. */
+size_t cagd_code_memory_count(void);
+
 /* It is given back: from now on using it ends the run.  `release` gives it to the system, when so much has come together. */
 void cagd_code_memory_dies(const char *start, void (*release)(const char *start, size_t before));
 #endif

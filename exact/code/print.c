@@ -18,6 +18,7 @@ int cagd_code_lib_vsprintf(char *out, const char *format, va_list list);
 int cagd_code_lib_vsnprintf(char *out, size_t room, const char *format, va_list list);
 void *cagd_code_lib__ZNSolsEd(void *stream, double x);
 void *cagd_code_lib__ZNSo9_M_insertIdEERSoT_(void *stream, double x);
+void *cagd_code_lib__ZNSolsEf(void *stream, float x);
 
 struct text {
     char *bytes;
@@ -186,3 +187,4 @@ void *cagd_code_lib__ZNSolsEd(void *stream, double x)
     return stream;
 }
 void *cagd_code_lib__ZNSo9_M_insertIdEERSoT_(void *stream, double x) { return cagd_code_lib__ZNSolsEd(stream, x); }
+void *cagd_code_lib__ZNSolsEf(void *stream, float x) { return cagd_code_lib__ZNSolsEd(stream, cagd_code_widen(x)); }

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* MARGIN: the least, and what margins and alignments are multiples of. */
-enum { MARGIN = 32, MARGIN_BYTE = 0xFE, MOST_OPERANDS = 8 };
+enum { MARGIN = 32, MARGIN_BYTE = 0xFE, NEVER_FILLED = 0xAA, MOST_OPERANDS = 8 };
 
 static const char PARAMETER[] = ".addr"; /* behind the name of the variable into which clang puts a parameter */
 
@@ -18,6 +18,7 @@ static const char PARAMETER[] = ".addr"; /* behind the name of the variable into
 struct rewriting {
     int (*is_in_a_library)(const char *name);
     int notes_stores;
+    int is_alone; /* nothing of a library is called that may remember earlier calls */
     LLVMModuleRef module;
     LLVMContextRef context;
     LLVMBuilderRef build;
@@ -220,7 +221,14 @@ static void replace(struct rewriting *r, LLVMValueRef instruction, const struct 
     LLVMInstructionEraseFromParent(instruction);
 }
 
-/* Refused where one of the types that take part is not carried; the instruction stays, and is not reached. */
+/* Behind a refusal the instruction is not reached; the machine might ask for functions of its own to do it. */
+static void drop_unreached(LLVMValueRef instruction)
+{
+    LLVMReplaceAllUsesWith(instruction, LLVMGetUndef(LLVMTypeOf(instruction)));
+    LLVMInstructionEraseFromParent(instruction);
+}
+
+/* Refused where one of the types that take part is not carried. */
 static int refused_by_type(struct rewriting *r, LLVMTypeRef type)
 {
     LLVMTypeRef t = lane(type);
@@ -244,7 +252,9 @@ static void rewrite_operation(struct rewriting *r, LLVMValueRef instruction, con
         x[k] = LLVMGetOperand(instruction, k);
         refused = refused || refused_by_type(r, LLVMTypeOf(x[k]));
     }
-    if (!refused)
+    if (refused)
+        drop_unreached(instruction);
+    else
         replace(r, instruction, &o, x);
 }
 
@@ -272,9 +282,9 @@ static LLVMValueRef as_bytes(struct rewriting *r, LLVMValueRef at)
     return LLVMBuildPointerCast(r->build, at, r->text, "");
 }
 
-static void fill(struct rewriting *r, LLVMValueRef at, LLVMValueRef bytes)
+static void fill(struct rewriting *r, LLVMValueRef at, unsigned byte, LLVMValueRef bytes)
 {
-    LLVMBuildMemSet(r->build, as_bytes(r, at), whole(r->i8, MARGIN_BYTE), bytes, 1);
+    LLVMBuildMemSet(r->build, as_bytes(r, at), whole(r->i8, byte), bytes, 1);
 }
 
 /* Whether the address of a variable goes anywhere: it is more than read and written by name. */
@@ -305,8 +315,10 @@ static void widen_local(struct rewriting *r, LLVMValueRef local)
         LLVMValueRef all = LLVMBuildAlloca(r->build, wide, "");
         LLVMSetAlignment(all, alignment > MARGIN ? alignment : MARGIN);
         if (holds_numbers(type)) {
-            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 0, ""), whole(r->i64, margin));
-            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 2, ""), whole(r->i64, margin));
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 0, ""), MARGIN_BYTE, whole(r->i64, margin));
+            /* clang fills what has no constructor, and so neither all objects of C++ nor its temporaries */
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 1, ""), NEVER_FILLED, whole(r->i64, bytes_of(r, type)));
+            fill(r, LLVMBuildStructGEP2(r->build, wide, all, 2, ""), MARGIN_BYTE, whole(r->i64, margin));
         }
         inside = LLVMBuildStructGEP2(r->build, wide, all, 1, "");
         bytes = whole(r->i64, bytes_of(r, type));
@@ -319,8 +331,8 @@ static void widen_local(struct rewriting *r, LLVMValueRef local)
         LLVMSetAlignment(all, alignment > MARGIN ? alignment : MARGIN);
         margin = (unsigned)((margin + size - 1) / size * size);
         inside = LLVMBuildGEP2(r->build, type, all, &extra, 1, "");
-        fill(r, all, whole(r->i64, margin));
-        fill(r, LLVMBuildGEP2(r->build, type, inside, &count, 1, ""), whole(r->i64, margin));
+        fill(r, all, MARGIN_BYTE, whole(r->i64, margin));
+        fill(r, LLVMBuildGEP2(r->build, type, inside, &count, 1, ""), MARGIN_BYTE, whole(r->i64, margin));
         bytes = LLVMBuildMul(r->build, LLVMBuildIntCast2(r->build, count, r->i64, 0, ""), whole(r->i64, size), "");
     }
     LLVMValueRef argument[4] = {as_bytes(r, inside), bytes, whole(r->i64, margin), string(r, name)};
@@ -685,6 +697,13 @@ static void rewrite_call(struct rewriting *r, LLVMValueRef call)
     if (strncmp(name, "cagd_code_", 10) == 0 && strncmp(name, "cagd_code_lib_", 14) != 0)
         return;
     stand_before(r, call);
+    for (unsigned k = 0; k < LLVMGetNumArgOperands(call); k++) { /* "%Lf" */
+        LLVMTypeRef type = LLVMTypeOf(LLVMGetOperand(call, k));
+        if (is_floating(type) && !is_carried(type)) {
+            refuse(r, name_of_type(type));
+            return;
+        }
+    }
     /* A function of variable arguments that nobody here knows gets numbers that it would not understand. */
     if (strncmp(name, "cagd_code_", 10) != 0 && LLVMIsFunctionVarArg(LLVMGlobalGetValueType(function)))
         for (unsigned k = 0; k < LLVMGetNumArgOperands(call); k++)
@@ -924,8 +943,10 @@ static void settle_declaration(struct rewriting *r, LLVMValueRef function)
     int known = r->is_in_a_library(name), refused = takes_numbers(type);
     for (size_t k = 0; k < sizeof never / sizeof *never; k++)
         refused = refused || strcmp(name, never[k]) == 0;
-    if (known && !refused)
+    if (known && !refused) {
+        r->is_alone = 0;
         return;
+    }
     snprintf(renamed, sizeof renamed, "the function %s%s", name, known ? "" : ", which is not in the sources");
     LLVMSetLinkage(function, LLVMInternalLinkage);
     LLVMPositionBuilderAtEnd(r->build, LLVMAppendBasicBlockInContext(r->context, function, ""));
@@ -964,7 +985,8 @@ void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *
     struct rewriting r = {.module = module,
                           .context = LLVMGetModuleContext(module),
                           .is_in_a_library = is_in_a_library,
-                          .notes_stores = notes_stores};
+                          .notes_stores = notes_stores,
+                          .is_alone = 1};
     r.build = LLVMCreateBuilderInContext(r.context);
     r.i1 = LLVMInt1TypeInContext(r.context);
     r.i8 = LLVMInt8TypeInContext(r.context);
@@ -982,8 +1004,10 @@ void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *
     LLVMValueRef begin = first_constructor(&r);
     LLVMValueRef *globals = listed(LLVMGetFirstGlobal(module), LLVMGetNextGlobal);
     LLVMValueRef *functions = listed(LLVMGetFirstFunction(module), LLVMGetNextFunction);
-    for (size_t k = 0; globals[k] != NULL; k++)
+    for (size_t k = 0; globals[k] != NULL; k++) {
+        r.is_alone = r.is_alone && (globals[k] == r.at || !LLVMIsDeclaration(globals[k]));
         widen_global(&r, globals[k], begin);
+    }
     for (size_t k = 0; functions[k] != NULL; k++)
         if (LLVMIsDeclaration(functions[k]))
             settle_declaration(&r, functions[k]);
@@ -991,6 +1015,8 @@ void cagd_code_rewrite(LLVMModuleRef module, int (*is_in_a_library)(const char *
         rewrite_function(&r, functions[k]);
     free(globals);
     free(functions);
+    if (r.is_alone)
+        LLVMSetInitializer(LLVMAddGlobal(module, r.i8, "cagd_code_is_alone"), whole(r.i8, 1));
     LLVMStripModuleDebugInfo(module);
     LLVMDisposeBuilder(r.build);
 }

@@ -1,6 +1,7 @@
 /* run.c -- see run.h.  The child shares the outcome with its parent, and nothing else. */
 #include "exact/code/objects.h"
 #include "exact/code/orders.h"
+#include "exact/code/process.h"
 #include "exact/code/stores.h"
 #include "exact/code/value.h"
 #include "exact/number/recorder.h"
@@ -17,6 +18,7 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { ROOM = 1 << 26, USUAL_VALUES = 1 << 23, USUAL_BITS = 1 << 20, USUAL_SECONDS = 60, USUAL_MEGABYTES = 4096 };
@@ -205,9 +207,26 @@ void cagd_code_expect(const char *name, long count, const double *got, const dou
 
 /* ---- the process ------------------------------------------------------------------------------------- */
 
+/* Who waits uses no processor, and is ended after a time; who works is waited for, however busy the machine is. */
+static long waited_seconds;
+static double worked_before;
+
+static int works(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    double worked = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec, since = worked - worked_before;
+    worked_before = worked;
+    return since > 0.01 * (double)waited_seconds;
+}
+
 /* What can be done in a handler: the message and the place, copied. */
 static void on_signal(int number)
 {
+    if (number == SIGALRM && works()) {
+        alarm((unsigned)waited_seconds);
+        return;
+    }
     struct cagd_code_outcome *o = cagd_code_machine.outcome;
     const char *what = number == SIGXCPU || number == SIGALRM ? "more time than is allowed"
                        : number == SIGABRT                    ? "the program was aborted; no memory, or abort()"
@@ -223,6 +242,13 @@ static void on_signal(int number)
     _exit(0);
 }
 
+void cagd_code_bound_waiting(const struct cagd_code_job *job)
+{
+    waited_seconds = job->most_seconds * 4;
+    works();
+    alarm((unsigned)waited_seconds);
+}
+
 static void bound_process(const struct cagd_code_job *job)
 {
     static char stack[SIGNAL_STACK];
@@ -234,7 +260,7 @@ static void bound_process(const struct cagd_code_job *job)
     for (size_t k = 0; k < sizeof signals / sizeof *signals; k++)
         sigaction(signals[k], &action, NULL);
     setrlimit(RLIMIT_CPU, &limit);
-    alarm((unsigned)job->most_seconds * 4); /* who waits uses no processor */
+    cagd_code_bound_waiting(job);
     limit.rlim_cur = limit.rlim_max = 0;
     setrlimit(RLIMIT_CORE, &limit);
     limit.rlim_cur = limit.rlim_max = (rlim_t)job->most_megabytes << 20;
@@ -249,7 +275,39 @@ static void keep_trace(void)
         cagd_code_machine.outcome->trace[k] = cagd_code_keep(text[k]);
 }
 
-_Noreturn static void run_here(const struct cagd_code_program *p, const struct cagd_code_job *job)
+struct cagd_code_job cagd_code_bounded(const struct cagd_code_job *job)
+{
+    struct cagd_code_job bounded = *job;
+    bounded.most_values = job->most_values > 0 ? job->most_values : USUAL_VALUES;
+    bounded.most_bits = job->most_bits > 0 ? job->most_bits : USUAL_BITS;
+    bounded.most_seconds = job->most_seconds > 0 ? job->most_seconds : USUAL_SECONDS;
+    bounded.most_megabytes = job->most_megabytes > 0 ? job->most_megabytes : USUAL_MEGABYTES;
+    return bounded;
+}
+
+void cagd_code_outcome_begin(struct cagd_code_outcome *o)
+{
+    *o = (struct cagd_code_outcome){.end = CAGD_CODE_CRASHED, .message = "the program ended its process"};
+}
+
+struct cagd_code_outcome *cagd_code_shared_room(size_t *bytes)
+{
+    *bytes = ROOM;
+    void *room = mmap(NULL, ROOM, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED)
+        return NULL;
+    cagd_code_outcome_begin(room);
+    return room;
+}
+
+void cagd_code_tell_into(struct cagd_code_outcome *o, size_t bytes, const struct cagd_code_job *job)
+{
+    cagd_code_machine = (struct cagd_code_machine){
+        .job = job, .outcome = o, .free_room = (char *)(o + 1), .end_of_room = (char *)o + bytes};
+    cagd_code_machine.free_room += 16 - (uintptr_t)cagd_code_machine.free_room % 16;
+}
+
+void (*cagd_code_begin(const struct cagd_code_program *p, const struct cagd_code_job *job))(void)
 {
     void (*entry)(void);
     char path[40];
@@ -284,36 +342,34 @@ _Noreturn static void run_here(const struct cagd_code_program *p, const struct c
         cagd_code_stop(CAGD_CODE_REFUSED, "there is no function %s", job->entry);
     memcpy(&entry, &symbol, sizeof entry);
     cagd_code_watch_globals();
-    entry();
+    return entry;
+}
+
+void cagd_code_finish(const struct cagd_code_job *job)
+{
     cagd_code_compare_globals();
     keep_trace();
     if (job->numbers == CAGD_CODE_RATIONAL)
         cagd_code_tell_apart();
     fflush(NULL);
     cagd_code_machine.outcome->end = CAGD_CODE_FINISHED;
-    _exit(0);
 }
 
 struct cagd_code_outcome *cagd_code_run(const struct cagd_code_program *p, const struct cagd_code_job *job)
 {
-    struct cagd_code_job bounded = *job;
-    bounded.most_values = job->most_values > 0 ? job->most_values : USUAL_VALUES;
-    bounded.most_bits = job->most_bits > 0 ? job->most_bits : USUAL_BITS;
-    bounded.most_seconds = job->most_seconds > 0 ? job->most_seconds : USUAL_SECONDS;
-    bounded.most_megabytes = job->most_megabytes > 0 ? job->most_megabytes : USUAL_MEGABYTES;
-    struct cagd_code_outcome *o =
-        mmap(NULL, ROOM, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (o == MAP_FAILED)
+    struct cagd_code_job bounded = cagd_code_bounded(job);
+    size_t bytes;
+    struct cagd_code_outcome *o = cagd_code_shared_room(&bytes);
+    if (o == NULL)
         return NULL;
-    o->end = CAGD_CODE_CRASHED;
-    strcpy(o->message, "the program ended its process");
     fflush(NULL);
     pid_t child = fork();
     if (child == 0) {
-        cagd_code_machine = (struct cagd_code_machine){
-            .job = &bounded, .outcome = o, .free_room = (char *)(o + 1), .end_of_room = (char *)o + ROOM};
-        cagd_code_machine.free_room += 16 - (uintptr_t)cagd_code_machine.free_room % 16;
-        run_here(p, &bounded);
+        cagd_code_tell_into(o, bytes, &bounded);
+        void (*entry)(void) = cagd_code_begin(p, &bounded);
+        entry();
+        cagd_code_finish(&bounded);
+        _exit(0);
     }
     int status;
     if (child < 0) {

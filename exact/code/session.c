@@ -5,8 +5,8 @@
  *     load                            "ok", or "error MESSAGE"
  *     set NAME VALUE...               "ok", or "error MESSAGE"
  *     run rational|field|interval|rounding      "ok", or "END MESSAGE", END being outside, undefined, refused, bound or crashed
- *     get NAME                        "value TEXT", or "error ..."
- *     function NAME, computed NAME, ulps NAME, condition K      the same
+ *     get NAME...                     "value TEXT", with tabulators between the texts, or "error ..."
+ *     function NAME..., computed NAME..., ulps NAME..., condition K      the same
  *
  * Each line is answered by one, but those that are parts of the code. */
 #include "exact/code/exactly.h"
@@ -78,25 +78,42 @@ static void run(const char *word)
     puts("error rational, field, interval or rounding was expected");
 }
 
-static void answer(const char *text) { printf(text != NULL ? "value %s\n" : "error there is none\n", text); }
-
-static void get(const char *key, const char *name)
+/* What was asked of the last call; NULL where there is none.  A text of ours lives until the next. */
+static const char *told(const char *key, const char *name)
 {
-    char number[40];
-    int computed = strcmp(key, "computed") == 0, ulps = strcmp(key, "ulps") == 0;
-    if (strcmp(key, "get") == 0) {
-        answer(cagd_exactly_get(loaded, name));
-    } else if (strcmp(key, "function") == 0) {
-        answer(cagd_exactly_function(loaded, name));
-    } else if (strcmp(key, "condition") == 0) {
-        answer(cagd_exactly_condition(loaded, atoi(name)));
-    } else if (computed || ulps) {
-        double x = computed ? cagd_exactly_computed(loaded, name) : cagd_exactly_ulps(loaded, name);
-        snprintf(number, sizeof number, "%.17g", x);
-        answer(number);
-    } else {
-        puts("error what was that?");
+    static char number[40];
+    if (strcmp(key, "get") == 0)
+        return cagd_exactly_get(loaded, name);
+    if (strcmp(key, "function") == 0)
+        return cagd_exactly_function(loaded, name);
+    if (strcmp(key, "condition") == 0)
+        return cagd_exactly_condition(loaded, atoi(name));
+    if (strcmp(key, "computed") != 0 && strcmp(key, "ulps") != 0)
+        return NULL;
+    double x = strcmp(key, "ulps") == 0 ? cagd_exactly_ulps(loaded, name) : cagd_exactly_computed(loaded, name);
+    snprintf(number, sizeof number, "%.17g", x);
+    return number;
+}
+
+static void get(const char *key, char *names)
+{
+    char *answer = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&answer, &size);
+    if (out == NULL)
+        exit(3);
+    const char *between = "", *text = NULL;
+    for (char *name = strtok(names, " "); name != NULL; name = strtok(NULL, " ")) {
+        text = told(key, name);
+        if (text == NULL)
+            break;
+        fprintf(out, "%s%s", between, text);
+        between = "\t";
     }
+    if (fclose(out) != 0)
+        exit(3);
+    printf(text != NULL ? "value %s\n" : "error there is none\n", answer);
+    free(answer);
 }
 
 int main(void)

@@ -91,6 +91,21 @@ void cagd_code_values_open(void)
     used = used_singles = 0;
 }
 
+struct cagd_code_mark cagd_code_values_mark(void)
+{
+    return (struct cagd_code_mark){used, used_singles, cagd_region_open()};
+}
+
+void cagd_code_values_back(struct cagd_code_mark *mark)
+{
+    cagd_region_drop(mark->region);
+    *mark = (struct cagd_code_mark){mark->used, mark->used_singles, cagd_region_open()};
+    used = mark->used;
+    used_singles = mark->used_singles;
+    cagd_region_faults = 0;
+    cagd_code_at = NULL;
+}
+
 int cagd_code_is_one(uint64_t bits) { return bits >> 32 == TAG && (uint32_t)bits < used; }
 int cagd_code_is_single(uint32_t bits) { return bits >= SINGLE_TAG && bits - SINGLE_TAG < used_singles; }
 

@@ -37,6 +37,13 @@ struct cagd_code_machine {
 extern struct cagd_code_machine cagd_code_machine;
 
 void cagd_code_values_open(void);
+/* Which numbers there are; and from then on the later ones are none any more. */
+struct cagd_code_mark {
+    uint32_t used, used_singles;
+    cagd_region_mark region;
+};
+struct cagd_code_mark cagd_code_values_mark(void);
+void cagd_code_values_back(struct cagd_code_mark *mark);
 cagd_code_value cagd_code_value_of(double x); /* ends the run for a number that was never computed           */
 double cagd_code_number(cagd_code_value v);   /* the double that carries it                                   */
 int cagd_code_is_one(uint64_t bits);          /* whether the bits are those of a number in the table          */
@@ -85,6 +92,8 @@ cagd_code_value cagd_code_negative(cagd_code_value a);
 
 /* The relation between a and b, one of 1, 2, 4, 8; noted as the condition "the predicate is true (or false)". */
 int cagd_code_relation(cagd_code_value a, cagd_code_value b, int predicate);
+/* What was decided, a truth or the whole number that was made of a number, is part of the path, whether or not it is told. */
+void cagd_code_follow(long outcome);
 /* -1, 0, 1, and the condition that says so. */
 int cagd_code_sign(cagd_code_value a);
 

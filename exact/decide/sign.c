@@ -10,6 +10,11 @@ static int sign_somewhere_inside(poly p, num_q a, num_q b)
     return s;
 }
 
+int cagd_is_nonnegative(enum cagd_sign_pattern sign)
+{
+    return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
+}
+
 enum cagd_sign_pattern cagd_sign_on(poly p, num_q a, num_q b, enum cagd_ends ends)
 {
     int order = cagd_compare_q(a, b);
@@ -31,3 +36,5 @@ enum cagd_sign_pattern cagd_sign_on(poly p, num_q a, num_q b, enum cagd_ends end
         return s > 0 ? SIGN_NONNEGATIVE : SIGN_NONPOSITIVE;
     return s > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
 }
+
+int cagd_is_nonnegative_on(poly p, num_q a, num_q b) { return cagd_is_nonnegative(cagd_sign_on(p, a, b, CLOSED)); }

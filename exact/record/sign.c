@@ -20,3 +20,8 @@ enum cagd_sign_pattern cagd_testify_sign_on(poly p, num_q a, num_q b, enum cagd_
     }
     return answer;
 }
+
+int cagd_testify_is_nonnegative_on(poly p, num_q a, num_q b)
+{
+    return cagd_is_nonnegative(cagd_testify_sign_on(p, a, b, CLOSED));
+}

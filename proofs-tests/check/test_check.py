@@ -370,15 +370,15 @@ g(s,t) = s^2 t^3
 
     def test_every_relation_and_every_part_counts(self):
         """Relations that turn around what they say of, denominators of either sign, parts of which one is open, and poles that a case has."""
-        motzkin = "x^4 y^2 + x^2 y^4 + u^6 - 3 x^2 y^2 u^2"
+        choi_lam = "x^4 y^2 + y^4 u^2 + u^4 x^2 - 3 x^2 y^2 u^2"  # it is nonnegative, and no sum of squares
         for printed, ranges, expected in (
                 ("0 < x^2", "n = 1", "fails"), ("x^2 > 0", "n = 1", "fails"), ("0 \\le x^2", "n = 1", "holds"), ("x^2 \\ge 0", "n = 1", "holds"),
                 ("x^2 + 1 \\ne 0", "n = 1", "holds"), ("x^2 \\ne 0", "n = 1", "fails"), ("x^2 < y^2 + 1", "0 \\le x \\le 1", "fails"),
                 ("x^2 < y^2 + 1", "0 \\le x < 1", "holds"), ("\\frac{1}{x-2} < 0", "0 \\le x \\le 1", "holds"), ("\\frac{1}{x-2} > 0", "0 \\le x \\le 1", "fails"),
                 ("\\frac{1}{x} > 0", "-1 \\le x \\le 1", "fails"), ("\\frac{x}{x^2+1} \\le \\frac12", "n = 1", "holds"),
-                ("\\frac{|x|}{x} \\le 1", "n = 1", "holds"), ("\\frac{|x|}{x} \\le 0", "n = 1", "fails"), (f"{motzkin} \\ge -1", "n = 1", "undecided"),
-                (f"{motzkin} \\ge -1 \\ge -2", "n = 1", "undecided"), (f"-2 \\le -1 \\le {motzkin}", "n = 1", "undecided"),
-                (f"{motzkin} \\ge -1, x = x", "n = 1", "undecided"), (f"x = x, {motzkin} \\ge -1", "n = 1", "undecided")):
+                ("\\frac{|x|}{x} \\le 1", "n = 1", "holds"), ("\\frac{|x|}{x} \\le 0", "n = 1", "fails"), (f"{choi_lam} \\ge -1", "n = 1", "undecided"),
+                (f"{choi_lam} \\ge -1 \\ge -2", "n = 1", "undecided"), (f"-2 \\le -1 \\le {choi_lam}", "n = 1", "undecided"),
+                (f"{choi_lam} \\ge -1, x = x", "n = 1", "undecided"), (f"x = x, {choi_lam} \\ge -1", "n = 1", "undecided")):
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, ranges)["verdict"], expected)
 

@@ -319,7 +319,7 @@ class Places(Case):
     REFUSED = {"loop": ("choose another name",) * 2, "dangling": ("make it first", "choose another name"), "file/x": ("choose another name",) * 2,
                "x" * 300: ("choose another name",) * 2, "": ("give one",) * 2, "-": ("takes the name of a file", "takes the name of a folder"),
                "input": ("is read",) + ("is no folder; choose another name",), "file": (None, "is no folder; choose another name"),
-               "folder": ("name a file in it", None), "none/x": ("make it first", None), "/dev/full": (None, "is no folder; choose another name")}
+               "folder": ("name a file in it", None), "none/x": ("make it first", None), "no\nne\x1b/x": ("make it first", None), "file/\ny": ("choose another name",) * 2, "/dev/full": (None, "is no folder; choose another name")}
     OF_OTHERS = {"locked": ("name a file in it", "choose another"), "locked/x": ("choose another",) * 2,
                  "unreadable/x": ("choose another",) * 2, "readonly": ("choose another name or change what it permits", "is no folder")}
 
@@ -371,10 +371,21 @@ class Places(Case):
                     r = subprocess.run([program, command, *file, option, name], capture_output=True, text=True, cwd=self.folder, timeout=20, **options)
                     self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (2, "", 1), r)
                     self.assertTrue(r.stderr.startswith("cagd: "), r.stderr)
-                    self.assertIn(name or "''", r.stderr)
+                    self.assertIn(re.sub("[\0-\x1f]", "?", name) or "''", r.stderr)
                     self.assertIn(words[is_folder], r.stderr)
         self.assertEqual(self.state(), before)
         return tried
+
+    def test_a_name_does_not_break_the_line(self):
+        """Of a file that is not there, of a claim, a command, a lab, an option."""
+        name = "a\nb\x1b[31m\tc"
+        for args in [name], ["show", name], ["figures", name], ["fit", name], ["curve", name], ["check", name], ["exactly", name], ["verify", name], \
+                ["ledger", name], ["lab", name], ["lab", "start", name], ["lab", "check", name], ["lab", "new", name], ["lab", "test", name], \
+                ["lab", "grade", name, "--lab", name, "--out", name], ["fit", ARCH, "--degree", name], ["fit", ARCH, "--" + name], ["fit", ARCH, "--initial", name]:
+            with self.subTest(args=args):
+                line = self.refuses(*args, cwd=self.folder)
+                self.assertIn("a?b?[31m?c", line)
+                self.assertNotRegex(line, "[\0-\x1f]")
 
     def test_of_anybody(self):
         self.assertGreater(self.refused(CAGD, self.REFUSED), 60)

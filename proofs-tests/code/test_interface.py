@@ -62,6 +62,72 @@ class Interface(unittest.TestCase):
                              output="r[2]")
             self.assertEqual(code(x=F(1, 2)), {"r[0]": F(1, 6), "r[1]": F(1, 4)})
 
+    def remembering(self, text, call="double R = next();"):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        source = pathlib.Path(folder.name) / "remembers.c"
+        source.write_text(text)
+        return self.code(source=str(source), declare="double next(void);", input="x", call=call, output="R")
+
+    def processes(self, code):
+        """Of the session: those of the code that wait for another call."""
+        pid = code._process.pid
+        return pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+
+    def test_no_call_knows_of_another(self):
+        for says, text in [
+                ("a static variable", "static double n; double next(void) { return n += 1; }"),
+                ("one in a function", "double next(void) { static int n; n++; return n; }"),
+                ("memory of a constructor", "#include <stdlib.h>\nstatic double *p; __attribute__((constructor)) static void make(void) "
+                                            "{ p = malloc(sizeof *p); *p = 0; } double next(void) { return *p += 1; }"),
+                ("a static pointer", "#include <stdlib.h>\nstatic double *p; double next(void) { if (!p) p = calloc(1, sizeof *p); return *p += 1; }"),
+                ("the library", "#include <stdlib.h>\ndouble next(void) { static const double one = 1; int first = rand(); srand(1); "
+                                "return first == rand() ? one : 2; }"),
+                ("what lies on the stack", "double next(void) { double a[50]; a[7] = 1; return a[7]; }")]:
+            with self.subTest(says):
+                code = self.remembering(text)
+                self.assertEqual([code(x=k)["R"] for k in range(4)], [1] * 4)
+
+    def test_what_was_never_computed_is_found_in_later_calls_too(self):
+        code = self.remembering("#include <stdlib.h>\nstatic double of(double x) { double *p = malloc(64); p[3] = x; double r = p[x == 7 ? 4 : 3]; free(p); "
+                                "return r; }\ndouble next(void) { return 0; }\ndouble part(double x) { return of(x); }",
+                                "double part(double); double R = part(x);")
+        for k in range(10):
+            if k == 7:
+                with self.assertRaisesRegex(Refused, "never computed"):
+                    code(x=k)
+            else:
+                self.assertEqual(code(x=k)["R"], k)
+
+    def test_one_process_serves_many_calls(self):
+        code = self.casteljau()
+        p = [F(1), F(-2, 3), F(5, 11), F(7)]
+        code(p=p, t=0)
+        first = self.processes(code)
+        self.assertEqual(len(first), 1)
+        for k in range(200):
+            self.assertEqual(code(p=p, t=F(k, 200))["R"], sum(
+                b * x * F(k, 200)**i * (1 - F(k, 200)) ** (3 - i) for i, (b, x) in enumerate(zip([1, 3, 3, 1], p))))
+        self.assertEqual(self.processes(code), first)
+        os.kill(int(first[0]), 9)  # from outside: the next call has another
+        while self.processes(code) == first and pathlib.Path(f"/proc/{first[0]}/stat").read_text().split()[2] != "Z":
+            pass
+        self.assertEqual(code(p=p, t=1)["R"], 7)
+        self.assertNotEqual(self.processes(code), first)
+        leaking = self.remembering("#include <stdlib.h>\ndouble next(void) { double *p = malloc(8); *p = 3; return *p; }")
+        leaking(x=0)
+        first = self.processes(leaking)
+        for _ in range(5000):
+            self.assertEqual(leaking(x=0)["R"], 3)
+        self.assertNotEqual(self.processes(leaking), first)
+
+    def test_the_call_after_one_that_crashed_is_answered(self):
+        code = self.remembering("double next(void) { return 0; }", "double R = x; if (x == 1) { int *p = 0; *p = 1; }")
+        self.assertEqual(code(x=2)["R"], 2)
+        with self.assertRaises(Refused):
+            code(x=1)
+        self.assertEqual(code(x=3)["R"], 3)
+
     def test_what_goes_wrong_is_told(self):
         with tempfile.TemporaryDirectory() as folder:
             source = pathlib.Path(folder) / "bad.c"

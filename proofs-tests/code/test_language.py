@@ -106,18 +106,61 @@ class Language(unittest.TestCase):
     def test_further(self):
         self.exact("further.c", flags=["-std=c17"])
 
+    def test_rarer(self):
+        self.exact("rarer.c", flags=["-std=gnu17"])
+
+    def test_rarer_cpp(self):
+        self.exact("rarer.cc", flags=["-std=c++17"])
+
     def test_further_cpp(self):
         self.exact("further.cc", flags=["-std=c++17"])
 
-    def test_several_files_and_an_archive(self):
-        folder = pathlib.Path(self.folder.name)
+    def bitcode(self, name, *flags):
+        """A file of language/ as bitcode, called .o, as makefiles do."""
+        made = pathlib.Path(self.folder.name) / (pathlib.Path(name).stem + ".o")
         tools = subprocess.run([COMPILER, "--tools"], capture_output=True, text=True, check=True).stdout.strip()
-        members = ["archived", "archived_too", "archived_twice"]
-        for member in members:
-            subprocess.run([tools + "/clang", "-O0", "-ffp-model=strict", "-g", "-fPIC", "-c", "-emit-llvm",
-                            FOLDER / f"{member}.c", "-o", folder / f"{member}.o"], check=True)
-        subprocess.run(["ar", "rc", folder / "archive.a", *[folder / f"{member}.o" for member in members]], check=True)
-        self.exact("several.c", FOLDER / "other.c", folder / "archive.a")
+        compiler = ["clang"] if name.endswith(".c") else ["clang++", "-std=c++17"]
+        subprocess.run([tools + "/" + compiler[0], *compiler[1:], *(flags or ["-O0", "-ffp-model=strict"]), "-g", "-fPIC", "-c",
+                        "-emit-llvm", FOLDER / name, "-o", made], check=True)
+        return made
+
+    def archive(self, name, members, kind="rc"):
+        made = pathlib.Path(self.folder.name) / name
+        subprocess.run(["ar", kind, made, *members], check=True)
+        return made
+
+    def test_several_files_and_an_archive(self):
+        members = [self.bitcode(name) for name in ["archived.c", "archived_too.c", "archived_twice.c"]]
+        self.exact("several.c", FOLDER / "other.c", self.archive("archive.a", members))
+
+    def test_several_files_of_cpp(self):
+        parts = ["parts_plain.c", "parts_one.cc", "parts_constructor.cc", "parts_instance.cpp", "parts_two.cpp"]
+        with self.subTest("sources; of the flags each language takes its own"):
+            self.exact("several.cc", *[FOLDER / name for name in parts], flags=["-std=c++17", "-std=c11"])
+        made = [self.bitcode(name) for name in parts]
+        with self.subTest("bitcode"):
+            self.exact("several.cc", *made)
+        with self.subTest("archives that miss each other's members, whatever their order; one is thin: its members lie beside it"):
+            self.exact("several.cc", self.archive("plain.a", made[:1]), self.archive("thin.a", made[1:4], "rcT"), self.archive("two.a", made[4:]))
+        with self.subTest("optimised, where constructors are aliases"):
+            self.exact("several.cc", self.archive("optimised.a", [self.bitcode(name, "-O1") for name in parts]))
+
+    def test_what_is_no_archive_of_bitcode_is_told(self):
+        folder = pathlib.Path(self.folder.name)
+        source, native = FOLDER / "several.c", folder / "native.o"
+        subprocess.run(["cc", "-c", FOLDER / "archived.c", "-o", native], check=True)
+        cut = self.archive("cut.a", [self.bitcode("archived.c")])
+        cut.write_bytes(cut.read_bytes()[:-100])
+        (folder / "text.a").write_text("no archive at all")
+        thin = self.archive("away.a", [self.bitcode("archived_too.c")], "rcT")
+        (folder / "archived_too.o").unlink()
+        for file, says in [(self.archive("native.a", [native]), "the member native.o of the archive is no bitcode"), (cut, "ends too early"),
+                           (folder / "text.a", "no archive"), (thin, "archived_too.o"), (native, "a source in C or C.., bitcode or an archive")]:
+            with self.subTest(file.name):
+                made = subprocess.run([COMPILER, "-o", folder / "object.so", source, file], capture_output=True, text=True)
+                self.assertIn(made.returncode, (1, 2))
+                self.assertRegex(made.stderr, says)
+                self.assertEqual(made.stderr.count("\n"), 1)
 
     def test_long_double_as_double(self):
         for program, answer in self.lines("rational", "refused.c", flags=["-mlong-double-64"]):

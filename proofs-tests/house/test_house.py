@@ -68,6 +68,12 @@ class Arrows(unittest.TestCase):
             again = re.findall(r"^static (?:inline )?[\w ]+?\b(%s)\([^G]" % "|".join(words), path.read_text(), re.M)
             self.assertEqual(again, [], f"{path} has words of figures/words.h")
 
+    def test_commands_refuse_by_one_function(self):
+        """Which keeps what it says in one line.  A terminal's progress and the place in a document, below that line, are none."""
+        for path in sorted((ROOT / "cli").rglob("*.c")):
+            for text in re.findall(r'(?:printf|fputs|fputc|perror)\([^;]*?stderr[^;]*;|perror\([^;]*;', path.read_text()):
+                self.assertTrue(path.name in ("refuse.c", "progress.c", "waiting.c", "document.c") or "verifying" in text, f"{path}: {text}")
+
     def test_commands_are_given_their_register(self):
         knowing = [p.relative_to(ROOT).as_posix() for p in SOURCES if '"chapters/chapters.h"' in includes(p)]
         self.assertEqual([p for p in knowing if p.startswith("cli/")], ["cli/main.c"])

@@ -500,7 +500,7 @@ static void pages_say(void **state)
         const char *id, *says[6];
     } list[] = {
         {"book:1",
-         {"It holds as printed: argued, each step for its own cases.",
+         {"It holds as printed: argued, each step for its own cases (the stated instance).",
           "An identity, proved for all points, all other positive data.", "A decision, argued for the stated instance.",
           "An identity, a decision and an argument in words decide it together."}},
         {"book:2",

@@ -137,6 +137,8 @@ static void decisions(void **state)
     assert_int_equal(cagd_testify_sign_on(p, q(1), q(3), OPEN_LEFT), SIGN_POSITIVE);
     assert_int_equal(cagd_testify_sign_on(p, q(1), q(3), OPEN_RIGHT), SIGN_NONNEGATIVE);
     assert_int_equal(cagd_testify_sign_on(p, q(-1), q(1), OPEN), SIGN_NEGATIVE);
+    assert_int_equal(cagd_testify_is_nonnegative_on(p, q(1), q(3)), 1);
+    assert_int_equal(cagd_testify_is_nonnegative_on(p, q(-1), q(3)), 0);
     assert_int_equal(cagd_testify_poly_degree(p), 2);
     assert_int_equal(cagd_testify_poly_is_zero(p), 0);
     assert_int_equal(cagd_testify_poly_equal(p, p), 1);
@@ -183,6 +185,8 @@ static void decisions(void **state)
           "{\"fact\":\"sign\",\"p\":14,\"from\":[5,7],\"with_ends\":[0,1],\"is\":1},"
           "{\"fact\":\"sign\",\"p\":14,\"from\":[5,7],\"with_ends\":[1,0],\"is\":2},"
           "{\"fact\":\"sign\",\"p\":14,\"from\":[3,5],\"with_ends\":[0,0],\"is\":4},"
+          "{\"fact\":\"sign\",\"p\":14,\"from\":[5,7],\"with_ends\":[1,1],\"is\":2},"
+          "{\"fact\":\"sign\",\"p\":14,\"from\":[3,7],\"with_ends\":[1,1],\"is\":5},"
           "{\"fact\":\"degree\",\"of\":[14,-1],\"is\":2},{\"fact\":\"pequal\",\"of\":[14,-1],\"is\":0},"
           "{\"fact\":\"pequal\",\"of\":[14,14],\"is\":1},{\"fact\":\"pequal\",\"of\":[17,-1],\"is\":1},"
           "{\"fact\":\"pequal\",\"of\":[18,-1],\"is\":0},{\"fact\":\"pequal\",\"of\":[14,-1],\"is\":0},"

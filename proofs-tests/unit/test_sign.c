@@ -49,7 +49,11 @@ static void planted_signs(void **state)
         if (cagd_compare_q(a, b) < 0)
             for (enum cagd_ends e = CLOSED; e <= OPEN_RIGHT; e++) {
                 enum cagd_sign_pattern s = cagd_sign_on(f.p, a, b, e);
+                assert_int_equal(cagd_is_nonnegative(s),
+                                 s != SIGN_MIXED && s != SIGN_NEGATIVE && s != SIGN_NONPOSITIVE);
                 assert_int_equal(s, planted_pattern(&f, a, b, e));
+                if (e == CLOSED)
+                    assert_int_equal(cagd_is_nonnegative_on(f.p, a, b), cagd_is_nonnegative(s));
                 met[s]++;
             }
         region_drop(m);

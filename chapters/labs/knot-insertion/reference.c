@@ -21,11 +21,13 @@ void refine(int n, int p, const double *u, const double *c, int m, const double 
         else
             v[i + j] = u[i], i++;
     for (int i = 0; i < n + m; i++) {
-        /* any old span between v[i] and v[i+p+1] that is not empty */
+        /* any old span between v[i] and v[i+p+1] that is not empty; where they lie beyond an end, the one beside it */
         int s = -1;
-        for (int k = p; k < n; k++)
-            if (s < 0 && u[k] < u[k + 1] && v[i] <= u[k + 1] && u[k] <= v[i + p + 1] && v[i] < u[k + 1] && u[k] < v[i + p + 1])
-                s = k;
+        for (int touching = 0; touching <= 1; touching++)
+            for (int k = p; k < n; k++)
+                if (s < 0 && u[k] < u[k + 1] && v[i] <= u[k + 1] && u[k] <= v[i + p + 1] &&
+                    (touching || (v[i] < u[k + 1] && u[k] < v[i + p + 1])))
+                    s = k;
         d[i] = polar(p, u, c, s, v + i + 1);
     }
 }

@@ -1,0 +1,374 @@
+/*
+# The proof of theorem 4.4.1 (定理 4.4.1 的证明)
+
+The theorem writes a B-spline as a divided difference of a truncated power and collects the powers of $u$.  Its proof is three lines, of which the second
+and the third lose a condition that the theorem has.  Here they are decided line by line; order, span and $u$ are those of the section before.
+*/
+#include "chapters/nurbs/spans.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} wang-ch4:thm-4.4.1-step-1
+:title: The B-spline as a sum of derivatives of truncated powers
+:zh: 证明第一行:截断幂的导数之和
+:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}
+  \left.\frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\right|_{x=\tau_\lambda}
+:holds-by: truncated_power_gives_the_basis
+:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at
+  such a knot the derivative of order $k-1$ of the truncated power does not exist
+:figure: zero_power_at_a_knot
+
+The reason that is given, property 2.7.4 with lemma 4.4.1, is in a section that is not at hand; it is computed here.  The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.
+:::
+*/
+
+/* (k-1)!/(k-1-mu)! (tau - t)^{degree - mu}, with degree = k-1 */
+static num G(power_datum)(int k, int mu, num tau, num t, int degree)
+{
+    return mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(power)(sub(tau, t), degree - mu));
+}
+
+/*
+The proof begins with the truncated power (截断幂).  Seen from a $t$ of the span it has the data 0 at the nodes on the
+left and those of an ordinary power at the nodes on the right; that is all that the divided difference needs.
+
+:::{claim} truncated_power_gives_the_basis
+:title: The divided difference of the truncated power is the B-spline
+:zh: 截断幂的差商即 B 样条基
+:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $t$ variables;
+  random patterns for greater $k$
+:then: $(t_{i+k}-t_i)[t_i,\dots,t_{i+k}](x-t)_+^{k-1}=N_{i,k}(t)$ on the span, by the table of divided differences and
+  by the sum with the weights $\alpha$
+:method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$
+  right of the span and 0 left of it.
+:degrees: 0..4 sampled 7
+:scope: every multiplicity of the knots of a function
+:over: t#: knots
+:control: the data right and left of the span exchanged
+:::
+*/
+CLAIM(truncated_power_gives_the_basis)
+{
+    int k = T->degree + 1;
+    num x[LARGEST_ORDER + 1], t = parameter(T, "t");
+    G(increasing)(T, k + 1, x);
+    for (int count = G(function_patterns)(k), m = 0; m < count; m++) {
+        int pattern = G(function_pattern)(T, k, m), groups = 1;
+        for (int a = 0; a < k; a++)
+            groups += pattern >> a & 1;
+        for (int g = 0; g + 1 < groups; g++) {
+            struct G(span) S = G(span_of_function)(k, pattern, g, x);
+            struct G(nodes) n = G(nodes_of)(&S);
+            num data[LARGEST_ORDER + 1], alpha[LARGEST_ORDER + 1], sum = from_int(0), length = sub(S.t[k], S.t[0]);
+            for (int i = 0, row = 0; i < n.d; i++)
+                for (int mu = 0; mu < n.l[i]; mu++, row++) {
+                    int counts = fault(T, n.right[i], !n.right[i]);
+                    data[row] = counts ? G(power_datum)(k, mu, n.tau[i], t, k - 1) : from_int(0);
+                }
+            num N = G(basis_value)(&S, 0, k, t);
+            about(T, "by the table");
+            /* (t_i+k - t_i) [t_i, ..., t_i+k] (x - t)_+^(k-1) = N_i,k(t) */
+            same(T, mul(length, G(divided_difference)(n.d, n.l, n.tau, data)), N);
+            about(T, "by the weights");
+            G(divided_weights)(n.d, n.l, n.tau, alpha);
+            for (int row = 0; row <= k; row++)
+                sum = add(sum, mul(alpha[row], data[row]));
+            same(T, mul(length, sum), N);
+        }
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} zero_power_at_a_knot_of_multiplicity_k
+:title: At a knot of multiplicity k the power 0 of 0 decides
+:zh: k 重节点处的零次截断幂
+:kind: counterexample
+:given: $k=1$, the two knots $t_i$ of $N_{i,1}$, at $t=t_r$, the first of them; a value of $0_+^0$
+:data: t_i = 0 1; 0_+^0 = 1
+:instead: 0_+^0 = 0
+:then: $(t_{r+1}-t_r)$ times the divided difference of $(\cdot-t_r)_+^0$ is 0, but $N_{i,1}(t_r)=1$
+:result: first line = 0
+:method: The printed first line, with the value of $0_+^0$ at the first knot and 1 at the second.
+:control: the other value
+:::
+*/
+CLAIM(zero_power_at_a_knot_of_multiplicity_k)
+{
+    int l[2] = {1, 1};
+    num tau[2], data[2];
+    given_points(T, "t_i", 2, 1, tau);
+    data[0] = given(T, "0_+^0");
+    data[1] = from_int(1);
+    num line = mul(sub(tau[1], tau[0]), G(divided_difference)(2, l, tau, data));
+    found(T, "first line", line);
+    about(T, "the first line at t = t_r, and N_{i,1}(t_r)");
+    same(T, line, from_int(1));
+}
+#endif
+
+/*
+:::{statement} wang-ch4:thm-4.4.1-step-2
+:title: The truncated powers replaced by powers
+:zh: 证明第二行:截断幂换成幂
+:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+  (\tau_\lambda-t)^{k-1-\mu}
+:class: invalid-proof
+:refuted-by: full_powers_sum_to_nothing
+:corrected: the same sum over the $\lambda$ with $\tau_\lambda>t_r$ only; over all $\lambda$ it is 0, a divided difference
+  of order $k$ of a polynomial of degree $k-1$
+:corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing
+:figure: full_powers
+:::
+*/
+
+/* The printed second line, over all nodes or over those right of t_r. */
+static num G(second_line)(const struct G(span) * S, int only_right, num t, int degree)
+{
+    struct G(nodes) n = G(nodes_of)(S);
+    num alpha[LARGEST_ORDER + 1], sum = from_int(0);
+    G(divided_weights)(n.d, n.l, n.tau, alpha);
+    for (int i = 0, row = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++, row++)
+            if (!only_right || n.right[i])
+                sum = add(sum, mul(alpha[row], G(power_datum)(S->k, mu, n.tau[i], t, degree)));
+    return mul(sub(S->t[S->k], S->t[0]), sum);
+}
+
+/*
+Then the truncation is forgotten in the print.  A divided difference of order $k$ of a polynomial of degree $k-1$ is
+0, so the second and third lines of the proof are 0 for all $t$.  The formula at the end is right nevertheless,
+because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
+
+:::{claim} all_full_powers_sum_to_nothing
+:title: With the full powers the sum is always 0
+:zh: 不截断则和恒为零
+:given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables
+:then: the printed second line is 0 for every $t$
+:method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
+:degrees: 0..4 sampled 7
+:scope: every multiplicity of the knots of a function
+:over: t#: knots
+:control: powers of one degree more
+:::
+*/
+CLAIM(all_full_powers_sum_to_nothing)
+{
+    int k = T->degree + 1;
+    num x[LARGEST_ORDER + 1], t = parameter(T, "t");
+    G(increasing)(T, k + 1, x);
+    for (int count = G(function_patterns)(k), m = 0; m < count; m++) {
+        int pattern = G(function_pattern)(T, k, m);
+        if (pattern == 0) /* k+1 equal knots are the knots of no function */
+            continue;
+        struct G(span) S = G(span_of_function)(k, pattern, 0, x);
+        vanishes(T, G(second_line)(&S, 0, t, fault(T, k - 1, k)));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} full_powers_sum_to_nothing
+:title: The printed second line is 0 where the B-spline is not
+:zh: 证明第二行恒为零
+:kind: counterexample
+:given: $k=2$, the three knots $t_i$ of $N_{i,2}$, and a $t$ of the first span, which is $[0,1)$, so that $u=t$
+:data: t_i = 0 1 2; t = 1/2
+:then: the sum over all $\lambda$ is 0, which $N_{i,2}(t)$ is not; so is the third line, which is the second expanded
+:result: second line = 0; third line = 0; N_i,2(t) = 1/2
+:method: Both lines by their letter, with the weights of the divided difference.
+:control: only the $\tau_\lambda>t_r$
+:::
+*/
+/* The printed third line at u, over all nodes or over those right of t_r. */
+static num G(third_line)(const struct G(span) * S, int only_right, num u)
+{
+    int k = S->k;
+    struct G(nodes) n = G(nodes_of)(S);
+    num alpha[LARGEST_ORDER + 1], t_r = S->t[S->r], step = sub(t_r, S->t[S->r + 1]), sum = from_int(0);
+    G(divided_weights)(n.d, n.l, n.tau, alpha);
+    for (int i = 0, row = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++, row++)
+            for (int j = 0; j <= k - mu - 1 && (!only_right || n.right[i]); j++) {
+                num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
+                num powers = mul(G(power)(sub(n.tau[i], t_r), k - 1 - mu - j), G(power)(mul(step, u), j));
+                sum = add(sum, mul(alpha[row], mul(factor, powers)));
+            }
+    return mul(sub(S->t[k], S->t[0]), sum);
+}
+
+CLAIM(full_powers_sum_to_nothing)
+{
+    num x[3];
+    given_points(T, "t_i", 3, 1, x);
+    num t = given(T, "t");
+    struct G(span) S = G(span_of_function)(2, 3, 0, x);
+    num line = G(second_line)(&S, fault(T, 1, 0), t, 1), third = G(third_line)(&S, fault(T, 1, 0), t);
+    num value = G(basis_value)(&S, 0, 2, t);
+    found(T, "second line", line);
+    found(T, "third line", third);
+    found(T, "N_i,2(t)", value);
+    about(T, "whether the second line or the third is N_i,2(t)");
+    refute(T, !equal_q(line, value) && !equal_q(third, value));
+}
+#endif
+
+/*
+:::{statement} wang-ch4:thm-4.4.1-step-3
+:title: The powers expanded in u
+:zh: 证明第三行:按 u 展开
+:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+  \sum_{j=0}^{k-\mu-1}\binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j=N_{i,k}(t)
+:class: invalid-proof
+:refuted-by: full_powers_sum_to_nothing
+:corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
+:corrected-by: binomial_theorem_in_every_degree printed_double_sum_gives_the_basis
+:confirmed-by: powers_expand_in_the_parameter
+:figure: full_powers
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-step-expansion
+:title: From the second line to the third
+:zh: 由第二行到第三行的二项展开
+:printed: \frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}=\frac{(k-1)!}{(k-1-\mu)!}\sum_{j=0}^{k-\mu-1}
+  \binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
+:holds-by: binomial_theorem_in_every_degree
+:confirmed-by: powers_expand_in_the_parameter
+:figure: full_powers
+:::
+
+The binomial theorem is an induction on the exponent, whose step is Pascal's rule.  So it is computed for all exponents at
+once.
+
+:::{claim} binomial_theorem_in_every_degree
+:title: From one power of a sum to the next, whatever the exponent
+:zh: 二项式定理(任意次数)
+:types: field rational
+:given: $x$ and $y$, once $t_r$ and $(t_{r+1}-t_r)u$, and once $\tau-t_r$ and $(t_r-t_{r+1})u$; integers $i,h\ge1$, $n=i+h-1$
+:let: $c=\binom ni$, so that $\binom n{i-1}=c\frac ih$ and $\binom{n+1}i=c\frac{i+h}h$; $U=x^{h-1}y^{i-1}$
+:then: $x+y$ is $t$, and $\tau-t$, for $t=t_r+(t_{r+1}-t_r)u$; and $x\binom nix^{n-i}y^i+y\binom n{i-1}x^{n+1-i}y^{i-1}=\binom{n+1}ix^{n+1-i}y^i$
+:method: The step of an induction on $n$, in which $i$, $h$, $c$ and $U$ are variables: $(x+y)^{n+1}$ is $x+y$ times $(x+y)^n$, and for $i=0$ and
+  $i=n+1$ there is one term on either side.  $(x+y)^0=1$.
+:degrees: all
+:over: t#: knots; i h c U: -
+:control: $i+1$ for $i$ in $\binom n{i-1}$
+:::
+*/
+CLAIM(binomial_theorem_in_every_degree)
+{
+    num i = whole(T, "i", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), U = unknown(T, "U", 0), t[2];
+    num u = parameter(T, "u"), tau = unknown(T, "tau", 0), one = from_int(1);
+    G(increasing)(T, 2, t);
+    num step = mul(u, sub(t[1], t[0])), at = add(t[0], step);
+    num x[2] = {t[0], sub(tau, t[0])}, y[2] = {step, neg(step)}, total[2] = {at, sub(tau, at)};
+    for (int k = 0; k < 2; k++) {
+        about(T, "the sum of the two");
+        same(T, add(x[k], y[k]), total[k]);
+        about(T, "from one exponent to the next");
+        num here = mul(c, mul(U, y[k])), before = mul(div(mul(c, fault(T, i, add(i, one))), h), mul(U, x[k]));
+        same(T, add(mul(x[k], here), mul(y[k], before)), mul(div(mul(c, add(i, h)), h), mul(U, mul(x[k], y[k]))));
+    }
+}
+
+/*
+:::{claim} powers_expand_in_the_parameter
+:title: The expansion of a power of tau - t in powers of u
+:zh: (τ-t) 的幂按 u 展开
+:given: every $\mu<k$, with $\tau,t_r,t_{r+1},u$ variables
+:then: the two sides agree, and $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{j!(k-1-\mu-j)!}$
+:method: Both sides at $t=t_r+u(t_{r+1}-t_r)$.
+:degrees: 0..6 sampled 12
+:over: t#: knots
+:control: $t_{r+1}-t_r$ in the place of $t_r-t_{r+1}$
+:::
+*/
+CLAIM(powers_expand_in_the_parameter)
+{
+    int k = T->degree + 1;
+    num t[2], tau = unknown(T, "tau", 0), u = parameter(T, "u");
+    G(increasing)(T, 2, t);
+    num at = add(t[0], mul(u, sub(t[1], t[0]))), step = fault(T, sub(t[0], t[1]), sub(t[1], t[0]));
+    for (int mu = 0; mu < k; mu++) {
+        num sum = from_int(0);
+        for (int j = 0; j <= k - mu - 1; j++) {
+            num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
+            /* (k-1)!/(k-1-μ)! C(k-1-μ, j) = (k-1)!/(j! (k-1-μ-j)!) */
+            same(T, factor, div(G(factorial)(k - 1), mul(G(factorial)(j), G(factorial)(k - 1 - mu - j))));
+            num term = mul(G(power)(sub(tau, t[0]), k - 1 - mu - j), mul(G(power)(step, j), G(power)(u, j)));
+            sum = add(sum, mul(factor, term));
+        }
+        same(T, G(power_datum)(k, mu, tau, at, k - 1), sum);
+    }
+}
+
+/*
+:::{statement} wang-ch4:thm-4.4.1-step-collect
+:title: The sums exchanged
+:zh: 整理和式
+:printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
+:holds-by: summation_limits_agree_in_every_order binomial_theorem_in_every_degree
+:confirmed-by: summation_orders_agree powers_expand_in_the_parameter
+:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is
+  put back
+:figure: full_powers
+:::
+
+In the end the powers of $u$ are collected, which exchanges two sums.  The new limits are found by asking for which
+$\mu$ a given $j$ occurs.
+
+:::{claim} summation_limits_agree_in_every_order
+:title: The limit of mu is the lesser of the two that it had, whatever the order
+:zh: 求和上限(任意阶数)
+:types: field rational
+:given: $1\le l\le k$, an exponent $j\ge0$, once $j=k-l+d$ and once $k-l=j+d$ with $d\ge0$
+:harmless: with $d\ge0$ | one of the two is the greater, and $d$ the difference
+:let: $m=\max(j,k-l)$, the first of these in one case, the second in the other
+:then: $k-1-m$ is $k-1-j$, which is $d$ less than $l-1$, in the first case; in the second it is $l-1$, which is $d$ less than $k-1-j$
+:method: Identities in $k$, $l$, $j$ and $d$.  So $\mu\le l-1$ and $\mu\le k-1-j$, which is $j\le k-\mu-1$, say together
+  $\mu\le k-1-\max(j,k-l)$.
+:degrees: all
+:over: l j d k: -
+:control: $\max$ replaced by $\min$
+:::
+*/
+CLAIM(summation_limits_agree_in_every_order)
+{
+    num l = whole(T, "l", 1, 9), j = whole(T, "j", 0, 9), d = whole(T, "d", 1, 9), one = from_int(1);
+    for (int second = 0; second <= 1; second++) {
+        num less = second ? j : whole(T, "k", 0, 9), more = add(less, d); /* of j and k - l */
+        num k = add(l, second ? more : less), mine = second ? less : more;
+        num limit = sub(sub(k, one), fault(T, more, less)), first = sub(l, one), other = sub(sub(k, one), mine);
+        about(T, second ? "k - l is the greater" : "j is the greater");
+        same(T, limit, second ? first : other);
+        same(T, sub(second ? other : first, limit), d);
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} summation_orders_agree
+:title: The pairs of mu and j are the same in both orders of summation
+:zh: 两种求和次序的指标集相同
+:kind: decision
+:given: $1\le l\le k$
+:then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
+:method: Both sets are listed.
+:degrees: k = 1..12
+:control: $\max$ replaced by $\min$
+:::
+*/
+CLAIM(summation_orders_agree)
+{
+    int k = T->degree;
+    for (int l = 1; l <= k; l++)
+        for (int mu = 0; mu <= k; mu++)
+            for (int j = 0; j <= k; j++) {
+                int larger = fault(T, j > k - l ? j : k - l, j < k - l ? j : k - l);
+                int printed = mu <= l - 1 && j <= k - mu - 1, collected = j <= k - 1 && mu <= k - 1 - larger;
+                agree(T, printed == collected);
+            }
+}
+#endif
+
+#include "chapters/judge/claims_off.h"
