@@ -193,7 +193,8 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     int from = r->token[-1].from;
     const cagd_token *first = r->token;
     const cagd_tree *a = cagd_read_sum(r);
-    if (a != NULL && close[0] == ']' && !(a->kind == CAGD_PRODUCT && a->juxtaposed) && has_wide_space(r, first))
+    if (a != NULL && close[0] == ']' && a->kind != CAGD_MIXED && !(a->kind == CAGD_PRODUCT && a->juxtaposed) &&
+        has_wide_space(r, first))
         return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
