@@ -858,7 +858,8 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
     cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
     if (region_faults != 0) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-        return fail(c, t, FAULT_UNABLE, "a root that is no rational number or function: write a name, r with r^2 = 2 in :for:");
+        return fail(c, t, FAULT_UNABLE,
+                    "a root that is no rational number or function: write a name, r with r^2 = 2 in :for:");
     }
     int positive = a.rational || n % 2 == 1 ? 1 : cagd_compare_values(c, r, CAGD_GREATER_OR_EQUAL, cagd_value_int(0));
     if (positive < 0)

@@ -193,7 +193,8 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     int from = r->token[-1].from;
     const cagd_token *first = r->token;
     const cagd_tree *a = cagd_read_sum(r);
-    if (a != NULL && close[0] == ']' && !(a->kind == CAGD_PRODUCT && a->juxtaposed) && has_wide_space(r, first))
+    if (a != NULL && close[0] == ']' && a->kind != CAGD_MIXED && !(a->kind == CAGD_PRODUCT && a->juxtaposed) &&
+        has_wide_space(r, first))
         return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
@@ -418,36 +419,6 @@ static int pass_operator_det(cagd_reader *r)
     return 1;
 }
 
-static const cagd_tree *base(cagd_reader *r)
-{
-    int from = r->token->from;
-    if (pass_operator_det(r))
-        return det(r, from);
-    if (cagd_next_is(r, "\\mathbf") && (strcmp(r->token[1].word, "0") == 0 || strcmp(r->token[2].word, "0") == 0)) {
-        r->token++; /* the vector 0 */
-        return cagd_read_argument(r, 0);
-    }
-    if (cagd_begins_name(r))
-        return cagd_read_name(r);
-    if (r->token->kind == CAGD_TOKEN_NUMBER)
-        return number(r);
-    if (r->token->kind == CAGD_TOKEN_WORD)
-        return word(r);
-    if (cagd_pass(r, "("))
-        return group(r, ")");
-    if (cagd_pass(r, "["))
-        return group(r, "]");
-    if (cagd_pass(r, "{"))
-        return group(r, "}");
-    if (cagd_pass(r, "\\{"))
-        return group(r, "\\}");
-    if (cagd_pass(r, "|"))
-        return bracketed(r, CAGD_ABSOLUTE, "|", from);
-    if (cagd_pass(r, "\\|"))
-        return bracketed(r, CAGD_NORM, "\\|", from);
-    return cagd_refuse_token(r, "expected a number, a name or a bracket, not %s", cagd_name_of_next(r));
-}
-
 /* The value of t at a place, f|_{x=a}, the bar being passed. */
 static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
 {
@@ -468,6 +439,40 @@ static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
     if (value != NULL)
         value->head = head;
     return value;
+}
+
+static const cagd_tree *base(cagd_reader *r)
+{
+    int from = r->token->from;
+    if (pass_operator_det(r))
+        return det(r, from);
+    if (cagd_next_is(r, "\\mathbf") && (strcmp(r->token[1].word, "0") == 0 || strcmp(r->token[2].word, "0") == 0)) {
+        r->token++; /* the vector 0 */
+        return cagd_read_argument(r, 0);
+    }
+    if (cagd_begins_name(r))
+        return cagd_read_name(r);
+    if (r->token->kind == CAGD_TOKEN_NUMBER)
+        return number(r);
+    if (r->token->kind == CAGD_TOKEN_WORD)
+        return word(r);
+    if (cagd_pass(r, "\\left.")) { /* all that is up to the bar */
+        const cagd_tree *t = cagd_read_sum(r);
+        return t != NULL && cagd_expect(r, "\\right|", "the bracket") ? at_a_place(r, t, from) : NULL;
+    }
+    if (cagd_pass(r, "("))
+        return group(r, ")");
+    if (cagd_pass(r, "["))
+        return group(r, "]");
+    if (cagd_pass(r, "{"))
+        return group(r, "}");
+    if (cagd_pass(r, "\\{"))
+        return group(r, "\\}");
+    if (cagd_pass(r, "|"))
+        return bracketed(r, CAGD_ABSOLUTE, "|", from);
+    if (cagd_pass(r, "\\|"))
+        return bracketed(r, CAGD_NORM, "\\|", from);
+    return cagd_refuse_token(r, "expected a number, a name or a bracket, not %s", cagd_name_of_next(r));
 }
 
 /* t with what stands behind ^. */
@@ -515,7 +520,7 @@ static int begins_factor(const cagd_reader *r)
         return 0;
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
            (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) || cagd_next_is(r, "(") ||
-           cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{") ||
+           cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{") || cagd_next_is(r, "\\left.") ||
            (r->norms == 0 && cagd_next_is(r, "\\|")) ||
            (r->amounts == 0 && cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") != 0);
 }

@@ -41,6 +41,8 @@ static const struct {
 
 enum { SAME = sizeof same / sizeof *same, GREEK = sizeof greek / sizeof *greek };
 
+enum { MOST_BARS = 16, FARTHEST_BAR = 4000 };
+
 static int is(const char *s, int n, const char *word)
 {
     return (int)strlen(word) == n && memcmp(s, word, (size_t)n) == 0;
@@ -99,10 +101,30 @@ static int recognise(const char *s, int n, cagd_token *t)
            (n == 2 && strchr("\\{}|", s[1]) != NULL);
 }
 
+/* The bar of \left. ... \right|_{t=a}, whose \left. ends at `at`; -1 where it is another bracket, or far. */
+static int bar_behind(const char *text, int at, int to)
+{
+    static const char *const left = "\\left", *const right = "\\right";
+    int n = (int)strlen(left), m = (int)strlen(right), depth = 1;
+    for (int stop = to - at > FARTHEST_BAR ? at + FARTHEST_BAR : to; at + m < stop; at++) {
+        depth += memcmp(text + at, left, (size_t)n) == 0 && !isalpha((unsigned char)text[at + n]);
+        if (memcmp(text + at, right, (size_t)m) != 0 || isalpha((unsigned char)text[at + m]) || --depth > 0)
+            continue;
+        for (at += m; at + 1 < stop && isspace((unsigned char)text[at]);)
+            at++;
+        int below = at + 1;
+        while (below < stop && isspace((unsigned char)text[below]))
+            below++;
+        return at < stop && text[at] == '|' && below < stop && text[below] == '_' ? at : -1;
+    }
+    return -1;
+}
+
 cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *error)
 {
     int count = 0, room = (to - from < CAGD_MOST_TOKENS ? to - from : CAGD_MOST_TOKENS) + 1;
     cagd_token *list = cagd_region_array(room, 1, sizeof *list);
+    int bar[MOST_BARS], bars = 0; /* that end what \left. begins */
     for (int at = from; list != NULL && at < to;) {
         const char *s = text + at;
         int n = to - at;
@@ -133,8 +155,16 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
             }
         }
         at = t.to;
-        if (at < to && text[at] == '.' && is(s, t.to - t.from, "\\left")) /* a bracket that is none */
+        if (at < to && text[at] == '.' && is(s, t.to - t.from, "\\left")) { /* a bracket that is none, or up to a bar */
+            int end = bars < MOST_BARS ? bar_behind(text, at + 1, to) : -1;
             at++;
+            if (end >= 0) {
+                bar[bars++] = end;
+                t.kind = CAGD_TOKEN_SIGN, t.word = "\\left.", t.to = at;
+            }
+        }
+        for (int k = 0; k < bars; k++)
+            t.word = bar[k] == t.from ? "\\right|" : t.word;
         if (t.word[0] == '\0')
             continue;
         if (count == room - 1) {

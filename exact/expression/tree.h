@@ -71,7 +71,7 @@ typedef struct cagd_tree {
     const char *head; /* "t", "\\hat{B}_" of a name with lower indices: t and t_i are different names */
     int lower, upper, arguments, order;
     int before_semicolon; /* of a name: so many of its arguments; the others are parameters, which may be left out */
-    int dimension; /* of a vector; rows + CAGD_MATRIX columns of a matrix; 0 of a number or a truth */
+    int dimension;        /* of a vector; rows + CAGD_MATRIX columns of a matrix; 0 of a number or a truth */
     const struct cagd_tree *times;
     int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij} */
     int count;

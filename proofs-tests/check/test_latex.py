@@ -87,7 +87,7 @@ FORMULAS = [
     ("\\left( x + y \\right)^2 - \\bigl[ x^2 + y^2 \\bigr] = 2 x y", "\\left( x + y \\right)^2 - \\bigl[ x^2 + y^2 \\bigr] = x y"),
     ("x +{}\\mathstrut\\phantom{y} x = 2 x", "x + \\phantom{y} x + y = 2 x"),
     ("\\begin{vmatrix} x & y \\\\ u & 1 \\end{vmatrix} = x - u y", "\\begin{vmatrix} x & y \\\\ u & 1 \\end{vmatrix} = x + u y"),
-    ("x = x, \\quad y + y = 2 y", "x = x, \\quad y + y = y"),
+    ("x = x, \\quad y + y = 2 y", "x = x, \\quad |y| = y"),
     ("|x_1|^2 = x_1^2", "|x_1|^2 = x_1"),
 ]
 # What is no formula, or no source: the body, the line and column, and the beginning of what is told.

@@ -4,7 +4,8 @@
 
 Builds the preset `fuzz` and runs every fuzzer N times, 20 000 if nothing is said: some seconds each.  With --keep the inputs
 that reach something new are kept in FOLDER/NAME, and what was found wrong in FOLDER/NAME-crash-...; otherwise they are forgotten.
-The exit status is 1 when a fuzzer found something.  Weave and the parser of arguments free nothing where they give up: a
+The exit status is 1 when a fuzzer found something.  On record for the readers of cagd check, in one process beside other work: 199 636
+executions of `formula` and 82 675 of `latex`, nothing found but two sources that were slow; ten million are still to be run.  Weave and the parser of arguments free nothing where they give up: a
 fuzzer begins anew every 100 000 runs.
 """
 import argparse
