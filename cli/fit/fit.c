@@ -85,22 +85,19 @@ static int complain(const struct fit *f, cagd_status status, int where)
     int n = f->data.count, dim = f->data.dim, asked = unknowns_asked(&f->options, dim);
     int more = has_measured_ends(&f->options) ? 2 : 0, equations = n * (dim - 1) + more;
     if (status == CAGD_TOO_FEW)
-        fprintf(
-            stderr,
-            "cagd: %s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points%s\n",
-            name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", equations, equations == 1 ? "" : "s",
-            asked, asked == 1 ? "" : "s", asked - more <= 2 * (dim - 1) ? 2 : (asked - more + dim - 2) / (dim - 1),
-            more ? "; --ends exact takes the first and the last one for the ends" : "");
+        refuse_line("%s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points%s",
+                    name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", equations,
+                    equations == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
+                    asked - more <= 2 * (dim - 1) ? 2 : (asked - more + dim - 2) / (dim - 1),
+                    more ? "; --ends exact takes the first and the last one for the ends" : "");
     else if (status == CAGD_BAD_OPTION && asked == 0 && f->options.free != 0)
         refuse_line("%s: nothing is free: of what --free names the curve has nothing that could move", name);
     else if (status == CAGD_BAD_DATA && where >= 0)
         refuse_line("%s: line %d: %s", name, f->points.line[where], cagd_status_text(status));
     else if (status == CAGD_OVERFLOW)
-        fprintf(
-            stderr,
-            "cagd: %s: coordinates or standard deviations are so large or so small that squared distances leave the "
-            "range of numbers\n",
-            name);
+        refuse_line("%s: coordinates or standard deviations are so large or so small that squared distances leave the "
+                    "range of numbers",
+                    name);
     else
         refuse_line("%s: %s", name, cagd_status_text(status));
     return status == CAGD_NO_MEMORY ? EXIT_INTERNAL : EXIT_USAGE;

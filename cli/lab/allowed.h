@@ -28,4 +28,11 @@
     NAME(exit)                                                                                                         \
     NAME(abort)                                                                                                        \
     NAME(__assert_fail)
+
+/* Of those in names.h, what an assignment may not call. */
+#define LAB_TEXTS(NAME)                                                                                                \
+    NAME(sprintf)                                                                                                      \
+    NAME(snprintf)                                                                                                     \
+    NAME(vsprintf)                                                                                                     \
+    NAME(vsnprintf)
 #endif

@@ -232,6 +232,10 @@ static int is_allowed(const char *name, size_t length)
 #define NUMBERS(name) #name, #name "f", #name "l",
     static const char *const names[] = {LAB_ALLOWED(NAME) CAGD_CODE_ONE(NUMBERS) CAGD_CODE_TWO(NUMBERS)
                                             CAGD_CODE_OTHER(NAME)};
+    static const char *const texts[] = {LAB_TEXTS(NAME)}; /* of numbers, which would decide by digits */
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        if (strlen(texts[k]) == length && strncmp(texts[k], name, length) == 0)
+            return 0;
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         if (strlen(names[k]) == length && strncmp(names[k], name, length) == 0)
             return 1;
@@ -244,7 +248,9 @@ struct tree {
     json_t *notes;
     char refused[LAB_CAUSE], file[256];
     long line;
-    int converted; /* the depth of a conversion of an integer to a number, or -1 */
+    int converted;   /* the depth of a conversion of an integer to a number, or -1 */
+    char unset[100]; /* a variable that is used and never got a value, or "" */
+    long unset_line;
 };
 
 static void note(struct tree *t, const char *text)
@@ -298,6 +304,8 @@ static void look(struct tree *t, const char *node, size_t length, int depth)
         if (strncmp(node, tricks[k], strlen(tricks[k])) == 0)
             refuse(t, strstr(tricks[k], "Asm") != NULL ? "assembly is no part of an assignment"
                                                        : "an attribute that is no part of an assignment");
+    if (contains(node, length, "<PointerToIntegral>"))
+        refuse(t, "an address is no number in an assignment");
     if (t->converted >= 0 && depth <= t->converted)
         t->converted = -1;
     if (contains(node, length, "<IntegralToFloating>"))
@@ -319,10 +327,24 @@ static void look(struct tree *t, const char *node, size_t length, int depth)
     }
 }
 
+/* "FILE:3:4: warning: variable 'k' is uninitialized when used here" */
+static void look_at_warning(struct tree *t, const char *row, size_t length)
+{
+    static const char words[] = "is uninitialized when used";
+    const char *name = memchr(row, '\'', length), *line = memchr(row, ':', length);
+    if (t->unset[0] != 0 || name == NULL || line == NULL || !contains(row, length, words) ||
+        !contains(row, (size_t)(line - row), t->lab->file))
+        return;
+    t->unset_line = strtol(line + 1, NULL, 10);
+    snprintf(t->unset, sizeof t->unset, "%.*s", (int)strcspn(name + 1, "'"), name + 1);
+}
+
 static void read_tree(struct tree *t, const char *said)
 {
     for (const char *row = said; *row != 0;) {
         size_t length = strcspn(row, "\n"), indent = strspn(row, " |`-");
+        if (contains(row, length, " warning: "))
+            look_at_warning(t, row, length);
         const char *node = row + indent, *end = row + length, *open = memchr(node, '<', (size_t)(end - node));
         if (open != NULL && indent < length && isalpha((unsigned char)*node)) {
             long begun = -1;
@@ -419,14 +441,16 @@ json_t *lab_inspect(const struct lab *lab, const struct lab_place *place)
     struct tree t = {.lab = lab, .notes = json_array(), .converted = -1};
     char *const dump[] = {(char *)(uintptr_t)tool("clang", clang),
                           (char *)(uintptr_t) "-fsyntax-only",
-                          (char *)(uintptr_t) "-w",
+                          (char *)(uintptr_t) "-fno-caret-diagnostics",
                           (char *)(uintptr_t) "-fno-color-diagnostics",
+                          (char *)(uintptr_t) "-Wno-everything",
+                          (char *)(uintptr_t) "-Wuninitialized",
+                          (char *)(uintptr_t) "-Wno-sometimes-uninitialized",
                           (char *)(uintptr_t) "-Xclang",
                           (char *)(uintptr_t) "-ast-dump",
                           (char *)(uintptr_t) "check.c",
                           NULL};
-    char *const plain[] = {dump[0], dump[1], dump[2], dump[3], (char *)(uintptr_t) "-fno-caret-diagnostics",
-                           dump[6], NULL};
+    char *const plain[] = {dump[0], dump[1], dump[2], dump[3], (char *)(uintptr_t) "-w", dump[9], NULL};
     json_t *result = json_object();
     snprintf(path, sizeof path, "%s/written", place->folder);
     char *source = lab_file(path);
@@ -444,6 +468,9 @@ json_t *lab_inspect(const struct lab *lab, const struct lab_place *place)
     }
     if (t.refused[0] != 0)
         json_object_set_new(result, "refused", json_string(t.refused));
+    if (t.unset[0] != 0)
+        json_object_set_new(result, "unset",
+                            json_pack("{s:I, s:s}", "line", (json_int_t)t.unset_line, "name", t.unset));
     json_object_set_new(result, "notes", t.notes);
     free(said);
     free(source);
@@ -498,6 +525,7 @@ static json_t *report_of(const struct lab *lab, const char *said)
                  {"division by zero", "divides an integer by zero"},
                  {"signed integer overflow", "an integer overflows"},
                  {"shift exponent", "shifts by too much"},
+                 {"uninitialized-value", "decides by a value that was never computed"},
                  {"runtime error", "does what C does not define"}};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         if (strstr(said, kinds[k].there) == NULL)
@@ -520,17 +548,26 @@ static unsigned long long secret(void)
     return value;
 }
 
-/* A source as an object for the sanitizers; the exit code. */
-static int compile_native(const struct lab_place *place, const char *source, const char *object, const char *define,
-                          char **said)
+/* Memory that is there, and what C defines; and values that were computed, for which other code is made. */
+struct sanitizer {
+    const char *program, *flag, *driver, *answer, *object;
+};
+static const struct sanitizer of_memory = {"cagd-run-sanitized", "-fsanitize=address,undefined", "native-driver.o",
+                                           "native-answer.o", "native.so"};
+static const struct sanitizer of_values = {"cagd-run-initialised", "-fsanitize=memory", "values-driver.o",
+                                           "values-answer.o", "values.so"};
+
+/* A source as an object for the sanitizer; the exit code. */
+static int compile_native(const struct lab_place *place, const struct sanitizer *s, const char *source,
+                          const char *object, const char *define)
 {
-    char clang[LAB_MOST_PATH];
+    char clang[LAB_MOST_PATH], *said;
     char *const word[] = {(char *)(uintptr_t)tool("clang", clang),
                           (char *)(uintptr_t) "-g",
                           (char *)(uintptr_t) "-O0",
                           (char *)(uintptr_t) "-w",
                           (char *)(uintptr_t) "-fPIC",
-                          (char *)(uintptr_t) "-fsanitize=address,undefined",
+                          (char *)(uintptr_t)s->flag,
                           (char *)(uintptr_t) "-fno-sanitize-recover=all",
                           (char *)(uintptr_t) "-c",
                           (char *)(uintptr_t) "-o",
@@ -538,99 +575,100 @@ static int compile_native(const struct lab_place *place, const char *source, con
                           (char *)(uintptr_t)source,
                           (char *)(uintptr_t)define,
                           NULL};
-    return lab_run(place, word, COMPILE_SECONDS, said);
-}
-
-/* In the answer's object only the functions that are asked for can be seen: it stands in for no function of the library or of the
- * sanitizers. */
-static int hide_names(const struct lab *lab, const struct lab_place *place)
-{
-    char objcopy[LAB_MOST_PATH], *said, *list = NULL;
-    char *const word[] = {(char *)(uintptr_t)tool("llvm-objcopy", objcopy),
-                          (char *)(uintptr_t) "--keep-global-symbols=asked", (char *)(uintptr_t) "native-answer.o",
-                          NULL};
-    size_t size, k;
-    const json_t *value;
-    FILE *out = open_memstream(&list, &size);
-    json_array_foreach(json_object_get(lab->head, "declare"), k, value)
-    {
-        const char *text = json_string_value(value), *open = strchr(text, '('), *end = open;
-        while (open != NULL && end > text && end[-1] == ' ')
-            end--;
-        const char *name = end;
-        while (open != NULL && name > text && (isalnum((unsigned char)name[-1]) || name[-1] == '_'))
-            name--;
-        if (open != NULL)
-            fprintf(out, "%.*s\n", (int)(end - name), name);
-    }
-    fclose(out);
-    put_file(place, "asked", list);
-    free(list);
     int code = lab_run(place, word, COMPILE_SECONDS, &said);
     free(said);
     return code;
 }
 
-/* The driver for the sanitizers, made once in the place of the lab and copied. */
-static int take_driver(const struct lab_place *place, const struct lab_place *ready)
+/* The driver for the sanitizer, made once in the place of the lab and copied. */
+static int take_driver(const struct lab_place *place, const struct sanitizer *s, const struct lab_place *ready)
 {
-    char path[LAB_MOST_PATH + 32], *said;
-    snprintf(path, sizeof path, "%s/native-driver.o", ready->folder);
+    char path[LAB_MOST_PATH + 32];
+    snprintf(path, sizeof path, "%s/%s", ready->folder, s->driver);
     if (access(path, R_OK) != 0) {
-        int code = compile_native(ready, "driver.c", "native-driver.o", "-DLAB_NATIVE", &said);
-        free(said);
+        int code = compile_native(ready, s, "driver.c", s->driver, "-DLAB_NATIVE");
         if (code != 0)
             return code;
     }
-    return copy_file(ready, place, "native-driver.o");
+    return copy_file(ready, place, s->driver);
 }
 
 static json_t *told(const char *text) { return json_pack("{s:i, s:s}", "line", 0, "text", text); }
 
-/* native.so, the driver and the answer.  NULL, or a report. */
-static json_t *build_native(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready)
+/* The object of the driver and the answer.  Nothing of it but the driver's table can be seen: it stands in for no function of the
+ * library or of the sanitizers.  NULL, or a report. */
+static json_t *build_native(const struct lab *lab, const struct lab_place *place, const struct sanitizer *s,
+                            const struct lab_place *ready)
 {
     char *said;
     char *const link[] = {(char *)(uintptr_t) "ld",
                           (char *)(uintptr_t) "-shared",
                           (char *)(uintptr_t) "-Bsymbolic",
+                          (char *)(uintptr_t) "--version-script=shown",
                           (char *)(uintptr_t) "-o",
-                          (char *)(uintptr_t) "native.so",
-                          (char *)(uintptr_t) "native-driver.o",
-                          (char *)(uintptr_t) "native-answer.o",
+                          (char *)(uintptr_t)s->object,
+                          (char *)(uintptr_t)s->driver,
+                          (char *)(uintptr_t)s->answer,
                           NULL};
-    int code = compile_native(place, lab->file, "native-answer.o", NULL, &said);
-    free(said);
-    if (code != 0)
+    if (compile_native(place, s, lab->file, s->answer, NULL) != 0)
         return told("cannot be compiled with the sanitizers");
-    if (hide_names(lab, place) != 0)
-        return told("its names cannot be hidden");
-    if (take_driver(place, ready) != 0)
+    if (take_driver(place, s, ready) != 0)
         return told("there is no driver for the sanitizers");
-    code = lab_run(place, link, COMPILE_SECONDS, &said);
+    put_file(place, "shown", "{ global: lab_table; local: *; };\n");
+    int code = lab_run(place, link, COMPILE_SECONDS, &said);
     free(said);
     return code == 0 ? NULL : told("cannot be linked with the sanitizers");
+}
+
+/* Whether there is such a program: what is no C has no arrays to read outside of, and there may be no sanitizers. */
+static int has_sanitizer(const struct lab *lab, const struct sanitizer *s)
+{
+    char program[LAB_MOST_PATH];
+    return strcmp(lab->language, "c") == 0 && access(beside(s->program, program), X_OK) == 0;
+}
+
+/* What is said while the jobs are run; the exit code. */
+static int run_native(const struct lab_place *place, const struct sanitizer *s, const json_t *jobs, const char *end,
+                      char **said)
+{
+    char program[LAB_MOST_PATH], object[LAB_MOST_PATH + 32];
+    beside(s->program, program);
+    snprintf(object, sizeof object, "%s/%s", place->folder, s->object);
+    char *const run[] = {program, object, (char *)(uintptr_t) "native.in", (char *)(uintptr_t)end, NULL};
+    write_jobs(place, jobs);
+    return lab_run_sanitized(place, run, NATIVE_SECONDS, said);
 }
 
 json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
                      const json_t *jobs)
 {
-    char program[LAB_MOST_PATH], object[LAB_MOST_PATH + 16], end[40], *said;
-    beside("cagd-run-sanitized", program);
-    /* What is no C has no arrays to read outside of; and there may be no sanitizers. */
-    if (strcmp(lab->language, "c") != 0 || access(program, X_OK) != 0)
+    char end[40], *said;
+    if (!has_sanitizer(lab, &of_memory))
         return NULL;
     snprintf(end, sizeof end, "end-%016llx", secret());
-    snprintf(object, sizeof object, "%s/native.so", place->folder);
-    char *const run[] = {program, object, (char *)(uintptr_t) "native.in", end, NULL};
-    json_t *report = build_native(lab, place, ready);
+    json_t *report = build_native(lab, place, &of_memory, ready);
     if (report != NULL)
         return report;
-    write_jobs(place, jobs);
-    int code = lab_run_sanitized(place, run, NATIVE_SECONDS, &said);
+    int code = run_native(place, &of_memory, jobs, end, &said);
     report = code != 0 ? report_of(lab, said) : NULL;
     if (report == NULL && strstr(said, end) == NULL)
         report = told("ends the program, or does not come to an end, in binary64");
+    free(said);
+    return report;
+}
+
+json_t *lab_look_for_values(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
+                            const json_t *jobs)
+{
+    char *said;
+    json_t *report = has_sanitizer(lab, &of_values) ? build_native(lab, place, &of_values, ready) : NULL;
+    if (!has_sanitizer(lab, &of_values) || report != NULL) {
+        json_decref(report); /* it was compiled with the others */
+        return NULL;
+    }
+    int code = run_native(place, &of_values, jobs, "end", &said);
+    if (code != 0 && strstr(said, "use-of-uninitialized-value") != NULL)
+        report = report_of(lab, said);
     free(said);
     return report;
 }

@@ -86,6 +86,16 @@ static char *story_of(const json_t *row)
     return text;
 }
 
+/* In a box, unless it is nothing. */
+static void put_told(FILE *out, const char *text)
+{
+    if (*text == 0)
+        return;
+    fputs("<pre>", out);
+    put_xml(out, text);
+    fputs("</pre>", out);
+}
+
 static int write_page(const char *path, const char *student, const json_t *result)
 {
     struct output *o = output_open(path);
@@ -97,29 +107,43 @@ static int write_page(const char *path, const char *student, const json_t *resul
     fputs("<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>", out);
     put_xml(out, student);
     fputs(
-        "</title><style>body{font:16px/1.4 sans-serif;max-width:50em;margin:2em auto}pre{background:#8881;padding:.6em;"
-        "white-space:pre-wrap}</style><h1>",
+        "</title><style>body{font:16px/1.5 sans-serif;max-width:52em;margin:2em auto;padding:0 1em}"
+        "pre{background:#8881;padding:.6em;white-space:pre-wrap;margin:.4em 0}h2{font-size:1.05em;margin:1.4em 0 .2em}"
+        ".zh{margin:0;color:#666}.mark{float:right;font-weight:normal}.full{color:#17692c}.none{color:#a3261b}"
+        "svg{max-width:100%;height:auto}</style><h1>",
         out);
     put_xml(out, student);
-    fprintf(out, "</h1><p>");
+    fputs("</h1><p>", out);
     put_xml(out, member(result, "title"));
-    fprintf(out, ": %lld of %lld points</p>", (long long)json_integer_value(json_object_get(result, "points")),
+    fprintf(out, ": <strong>%lld of %lld points</strong></p>",
+            (long long)json_integer_value(json_object_get(result, "points")),
             (long long)json_integer_value(json_object_get(result, "of")));
-    fputs("<pre>", out);
-    put_xml(out, *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused"));
-    fputs("</pre>", out);
+    const char *whole = *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused");
+    put_told(out, whole);
     json_array_foreach(json_object_get(result, "requirements"), k, row)
     {
         char *story = story_of(row);
-        fputs("<h2>", out);
-        put_xml(out, member(row, "title"));
-        fprintf(out, " (%lld of %lld)</h2><p>", (long long)json_integer_value(json_object_get(row, "points")),
+        int full = json_equal(json_object_get(row, "points"), json_object_get(row, "of"));
+        fprintf(out, "<h2><span class=\"mark %s\">%lld of %lld</span>", full ? "full" : "none",
+                (long long)json_integer_value(json_object_get(row, "points")),
                 (long long)json_integer_value(json_object_get(row, "of")));
+        put_xml(out, member(row, "title"));
+        fputs("</h2><p class=\"zh\">", out);
         put_xml(out, member(row, "zh"));
-        fputs("</p><pre>", out);
-        put_xml(out, story);
-        fputs("</pre>", out);
+        fputs("</p>", out);
+        if (strcmp(story, whole) != 0) /* which was told above */
+            put_told(out, story);
         free(story);
+    }
+    char *picture = lab_picture("difference", result);
+    if (picture != NULL)
+        fputs(strstr(picture, "<svg"), out);
+    free(picture);
+    json_array_foreach(json_object_get(result, "notes"), k, row)
+    {
+        fprintf(out, "<p>line %lld: ", (long long)json_integer_value(json_object_get(row, "line")));
+        put_xml(out, member(row, "text"));
+        fputs("</p>", out);
     }
     fputs("</html>\n", out);
     return output_close(o);
@@ -238,6 +262,7 @@ static int work(const struct class *c, struct board *board, int lock)
     struct lab_bench *bench = calloc(1, sizeof *bench);
     if (bench == NULL || lab_bench_open(bench, c->lab, cause) != 0)
         return 1;
+    bench->draws = 1;
     for (int k; !board->stopped && (k = atomic_fetch_add(&board->next, 1)) < c->count;) {
         char *answer = answer_of(c, c->name[k]);
         json_t *result = answer != NULL ? lab_judge(bench, answer, 1) : nothing(c, "there is no file that can be read");

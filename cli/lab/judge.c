@@ -6,6 +6,7 @@
  * the field; other ways, and inputs for which the code divides by 0, are looked for as ways.c says. */
 #include "cli/lab/lab.h"
 #include "cli/point_json.h"
+#include "exact/code/border.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -24,6 +25,8 @@ struct trial {
     json_t *jobs;      /* what the sanitizers are shown                                  */
     char manners[300]; /* what the code does besides computing; empty: nothing was seen  */
     int manners_line;
+    char unset[150]; /* what is seen of values that were never computed, before anything runs; or empty */
+    int unset_line;
 };
 
 /* ---- one run of both -------------------------------------------------------------------------------------- */
@@ -460,6 +463,84 @@ static const char *ended(const json_t *outcome, char text[LAB_CAUSE])
     return text;
 }
 
+/* Where a variable goes in a picture: over what is given for it, or over the interval from 0 to 1 and the value at the counterexample; 0
+ * where that is one place. */
+static int range_of(const struct lab_case *c, const struct cagd_code_point *p, int input, cagd_num_q *from,
+                    cagd_num_q *to)
+{
+    const struct cagd_code_asked_input *in = &c->h->input[input];
+    cagd_num_q at = cagd_from_string_q(p->input[input].value[0]), zero = cagd_from_int_q(0), one = cagd_from_int_q(1);
+    *from = cagd_compare_q(at, zero) < 0 ? at : zero, *to = cagd_compare_q(at, one) > 0 ? at : one;
+    if (in->shape == CAGD_CODE_BETWEEN)
+        *from = cagd_code_evaluate(in->low, p, NULL, zero), *to = cagd_code_evaluate(in->high, p, NULL, zero);
+    return from->at != NULL && to->at != NULL && cagd_compare_q(*from, *to) < 0;
+}
+
+/* The value of the result of that name; null where there is none. */
+static json_t *value_named(const json_t *outcome, const char *name)
+{
+    size_t k;
+    const json_t *row;
+    if (finished(outcome))
+        json_array_foreach(json_object_get(outcome, "results"), k,
+                           row) if (strcmp(member(row, "name"), name) == 0) return json_string(member(row, "got"));
+    return json_null();
+}
+
+/* The results of that name where the input is x. */
+static void put_sample(struct trial *t, const struct lab_case *c, const struct cagd_code_point *point, int input,
+                       cagd_num_q x, const char *name, json_t *at, json_t *got, json_t *wanted)
+{
+    struct cagd_code_point *p = cagd_code_point_copy(point);
+    cagd_code_point_set(p, input, 0, cagd_to_string_q(x));
+    struct pair both = ask_both(t, job_of(c, p, "rational", "lab_entry"));
+    json_array_append_new(at, json_string(p->input[input].value[0]));
+    json_array_append_new(got, value_named(both.got, name));
+    json_array_append_new(wanted, value_named(both.want, name));
+    forget(&both);
+    cagd_code_point_free(p);
+}
+
+/* What a picture of the difference shows: the first result that differs over the last input that is a single variable; where there is no
+ * such input, all results in their order. */
+static json_t *graph_of(struct trial *t, const struct lab_case *c, const struct found *f)
+{
+    enum { SAMPLES = 32 };
+    json_t *at = json_array(), *got = json_array(), *wanted = json_array();
+    const json_t *results = json_object_get(f->at.want, "results"), *row;
+    int first = first_difference(f->at.got, f->at.want, "got", 0), over = -1;
+    const char *name = member(json_array_get(results, first >= 0 ? (size_t)first : 0), "name");
+    cagd_region_mark mark = cagd_region_open();
+    cagd_num_q from = {NULL}, to = {NULL};
+    for (int i = 0; i < c->h->inputs; i++)
+        over = f->point->input[i].variable && f->point->input[i].count == 0 ? i : over;
+    if (over >= 0 && range_of(c, f->point, over, &from, &to)) {
+        cagd_num_q x = from, here = cagd_from_string_q(f->point->input[over].value[0]);
+        for (int k = 0; k <= SAMPLES; k++) {
+            cagd_num_q end = cagd_add_q(from, cagd_mul_q(cagd_sub_q(to, from), cagd_from_ratio_q(k, SAMPLES)));
+            if (k > 0 && cagd_compare_q(x, here) < 0 && cagd_compare_q(here, end) < 0)
+                put_sample(t, c, f->point, over, here, name, at, got, wanted);
+            put_sample(t, c, f->point, over, end, name, at, got, wanted);
+            x = end;
+        }
+    } else {
+        size_t k;
+        over = -1;
+        json_array_foreach(results, k, row) if (!is_input(c, member(row, "name")))
+        {
+            json_array_append_new(at, json_string(cagd_to_string_q(cagd_from_int_q((long)json_array_size(at)))));
+            json_array_append_new(got, value_named(f->at.got, member(row, "name")));
+            json_array_append_new(wanted, value_named(f->at.want, member(row, "name")));
+        }
+    }
+    cagd_region_drop(mark);
+    json_t *graph = json_pack("{s:s, s:s, s:o, s:o, s:o}", "of", name, "over",
+                              over >= 0 ? f->point->input[over].name : "", "at", at, "got", got, "expected", wanted);
+    if (graph != NULL && over >= 0)
+        json_object_set_new(graph, "here", json_string(f->point->input[over].value[0]));
+    return graph;
+}
+
 static void tell_wrong(struct trial *t, const struct lab_case *c, const struct found *f, json_t *row)
 {
     char text[LAB_CAUSE];
@@ -473,6 +554,8 @@ static void tell_wrong(struct trial *t, const struct lab_case *c, const struct f
     }
     json_object_set_new(row, "text", json_string("another result"));
     json_object_set_new(row, "differences", differences_json(c, &f->at));
+    if (t->bench->draws)
+        json_object_set_new(row, "graph", graph_of(t, c, f));
     json_t *hint = hint_for(t, c, f);
     if (hint != NULL)
         json_object_set_new(row, "hint", hint);
@@ -605,6 +688,33 @@ static json_t *measure(struct trial *t)
                      ours, "reference_operations", theirs);
 }
 
+/* Where rounding turns a comparison, so that the result is another one exactly, in no way the fault of the last digits: told, as exact
+ * arithmetic does not see it. */
+static void look_for_turns(struct trial *t, json_t *notes)
+{
+    enum { POINTS = 3 };
+    for (int k = 0; k < t->lab->cases; k++) {
+        const struct lab_case *c = &t->lab->at[k];
+        if (k + 1 < t->lab->cases && t->lab->at[k + 1].requirement == c->requirement)
+            continue;
+        for (long j = 0; j < POINTS; j++) {
+            struct cagd_code_point *p = cagd_code_point_new(c->h, j, 1);
+            struct pair at = ask_both(t, job_of(c, p, "rounding", "lab_entry"));
+            int turned = finished(at.got) && finished(at.want) && json_is_integer(json_object_get(at.got, "turned")) &&
+                         first_difference(at.got, at.want, "got", 0) >= 0;
+            json_int_t line = json_integer_value(json_object_get(at.got, "turned"));
+            forget(&at);
+            cagd_code_point_free(p);
+            if (turned) {
+                json_array_append_new(notes, json_pack("{s:I, s:s}", "line", line, "text",
+                                                       "in binary64 this comparison goes another way than exactly, and "
+                                                       "the result is another one"));
+                return;
+            }
+        }
+    }
+}
+
 /* ---- a submission -------------------------------------------------------------------------------------------- */
 
 static json_t *blank(const json_t *requirement)
@@ -647,6 +757,9 @@ static void judge_all(struct trial *t, json_t *rows)
         json_array_append_new(rows, row);
     }
     json_t *report = lab_sanitize(t->lab, &t->place, &t->bench->own, t->jobs);
+    if (report == NULL && wrong == 0 && t->manners[0] == 0) /* otherwise it was said where it mattered */
+        report = t->unset[0] != 0 ? json_pack("{s:i, s:s}", "line", t->unset_line, "text", t->unset)
+                                  : lab_look_for_values(t->lab, &t->place, &t->bench->own, t->jobs);
     if (report != NULL) {
         snprintf(t->manners, sizeof t->manners, "%s", member(report, "text"));
         t->manners_line = (int)json_integer_value(json_object_get(report, "line"));
@@ -697,6 +810,11 @@ static char *prepare(struct trial *t, const char *source, json_t *result)
     }
     json_t *seen = lab_inspect(t->lab, &t->place);
     const char *compiler = member(seen, "compiler"), *refused = member(seen, "refused");
+    const json_t *unset = json_object_get(seen, "unset");
+    if (unset != NULL) {
+        snprintf(t->unset, sizeof t->unset, "uses %.100s, which has no value yet", member(unset, "name"));
+        t->unset_line = (int)json_integer_value(json_object_get(unset, "line"));
+    }
     json_object_set(result, "notes", json_object_get(seen, "notes"));
     if (*compiler != 0 || (*refused == 0 && errors != NULL)) {
         free(errors == NULL || *compiler != 0 ? errors : NULL);
@@ -740,8 +858,10 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
                 keep_object(&t, source);
             judge_all(&t, rows);
             mark(result);
-            if (json_equal(json_object_get(result, "points"), json_object_get(result, "of")))
+            if (json_equal(json_object_get(result, "points"), json_object_get(result, "of"))) {
                 json_object_set_new(result, "measured", measure(&t));
+                look_for_turns(&t, json_object_get(result, "notes"));
+            }
             lab_player_close(&t.student);
         }
         free(errors);

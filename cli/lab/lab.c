@@ -1,6 +1,8 @@
 /* lab.c -- cagd lab: assignments, and a grader that decides by exact computation. */
 #include "cli/lab/lab.h"
 #include "cli/commands.h"
+#include "cli/layout.h"
+#include "cli/output.h"
 #include "cli/refuse.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
@@ -16,7 +18,7 @@
 
 struct arguments {
     struct asked asked;
-    const char *play, *out, *seed, *lab;
+    const char *play, *out, *seed, *lab, *svg;
     int watch;
 };
 
@@ -71,12 +73,16 @@ static int points_of(const struct lab *lab)
     return sum;
 }
 
+enum { MOST_WIDTH = 100, LIST_INDENT = 6, RUBRIC_INDENT = 33 };
+
 static void print_head(const struct lab *lab)
 {
-    printf("%s%-22s%s %2d points  %s  %s\n", style(stdout, BOLD), lab->name, style(stdout, PLAIN), points_of(lab),
-           lab_text(lab->head, "title"), lab_text(lab->head, "zh"));
-    printf("%22s %s, chapter %s: %s\n", "", lab->language, lab_text(lab->head, "chapter"),
-           lab_text(lab->head, "learn"));
+    int used = printf("%s%-22s%s %2d points  ", style(stdout, BOLD), lab->name, style(stdout, PLAIN), points_of(lab)) -
+               (int)strlen(style(stdout, BOLD)) - (int)strlen(style(stdout, PLAIN));
+    put_behind(stdout, lab_text(lab->head, "title"), used, used, page_width(MOST_WIDTH));
+    put_paragraph(stdout, lab_text(lab->head, "zh"), used, page_width(MOST_WIDTH));
+    used = printf("%*s%s, chapter %s: ", LIST_INDENT, "", lab->language, lab_text(lab->head, "chapter"));
+    put_behind(stdout, lab_text(lab->head, "learn"), used, LIST_INDENT, page_width(MOST_WIDTH));
 }
 
 /* What each requirement is worth: a lab gives its points by them, all or none of each. */
@@ -89,8 +95,9 @@ static void print_rubric(const struct lab *lab)
         const char *name = json_string_value(json_object_get(block, "name"));
         if (strcmp(json_string_value(json_object_get(block, "kind")), "requirement") != 0)
             continue;
-        printf("  %-20s %2d        %s\n", name, lab_points(block), lab_text(block, "title"));
-        printf("%33s%s\n", "", lab_text(block, "zh"));
+        int used = printf("  %-20s %2d        ", name, lab_points(block));
+        put_behind(stdout, lab_text(block, "title"), used, RUBRIC_INDENT, page_width(MOST_WIDTH));
+        put_paragraph(stdout, lab_text(block, "zh"), RUBRIC_INDENT, page_width(MOST_WIDTH));
     }
 }
 
@@ -141,8 +148,19 @@ static int list(const char *only, int as_json)
 
 /* ---- check ----------------------------------------------------------------------------------------------- */
 
+/* Both curves of what is wrong; where nothing is, a line says so and nothing is written. */
+static int write_picture(const char *path, const json_t *result)
+{
+    char *text = lab_picture("difference", result);
+    if (text == NULL)
+        fprintf(stderr, "cagd: %s: is not written; there is no other result to be drawn\n", path);
+    int status = text != NULL ? write_text_file(path, text) : 0;
+    free(text);
+    return status;
+}
+
 /* The exit code. */
-static int check_once(struct lab_bench *bench, const char *folder, int as_json)
+static int check_once(struct lab_bench *bench, const char *folder, const char *svg, int as_json)
 {
     char path[LAB_MOST_PATH + 128];
     snprintf(path, sizeof path, "%s/%s", folder, bench->lab->file);
@@ -157,6 +175,8 @@ static int check_once(struct lab_bench *bench, const char *folder, int as_json)
     json_t *result = lab_judge(bench, answer, 0);
     int all = json_equal(json_object_get(result, "points"), json_object_get(result, "of"));
     free(answer);
+    if (svg != NULL && write_picture(svg, result) != 0)
+        return EXIT_INTERNAL;
     if (as_json) {
         print_json(result);
     } else {
@@ -167,7 +187,7 @@ static int check_once(struct lab_bench *bench, const char *folder, int as_json)
 }
 
 /* Again whenever the file is another one, until interrupted. */
-static void watch(struct lab_bench *bench, const char *folder)
+static void watch(struct lab_bench *bench, const struct arguments *a, const char *folder)
 {
     char path[LAB_MOST_PATH + 128];
     struct timespec seen = {0};
@@ -177,7 +197,7 @@ static void watch(struct lab_bench *bench, const char *folder)
         if (stat(path, &is) == 0 && (is.st_mtim.tv_sec != seen.tv_sec || is.st_mtim.tv_nsec != seen.tv_nsec)) {
             seen = is.st_mtim;
             fputs(is_terminal(stdout) ? "\033[2J\033[H" : "\n", stdout);
-            check_once(bench, folder, 0);
+            check_once(bench, folder, a->svg, 0);
             fflush(stdout);
         }
         nanosleep(&(struct timespec){0, 200000000}, NULL);
@@ -197,9 +217,10 @@ static int check(const struct arguments *a, const char *folder)
     if (lab_bench_open(bench, lab, cause) != 0) {
         refuse_line("%s: %s", lab->name, cause);
     } else {
+        bench->draws = a->svg != NULL;
         if (a->watch)
-            watch(bench, folder);
-        code = check_once(bench, folder, a->asked.json);
+            watch(bench, a, folder);
+        code = check_once(bench, folder, a->svg, a->asked.json);
         lab_bench_close(bench);
     }
     free(bench);
@@ -262,7 +283,7 @@ static int run_test(const struct arguments *a, const char *folder, const char *n
     return lab_test(folder, a->asked.json);
 }
 
-enum { LAB = 1, OUT = 2, SEED = 4, WATCH = 8, JSON = 16 };
+enum { LAB = 1, OUT = 2, SEED = 4, WATCH = 8, JSON = 16, SVG = 32 };
 
 /* What each word takes: so many words with itself, and these options. */
 static const struct form {
@@ -271,7 +292,7 @@ static const struct form {
     int (*run)(const struct arguments *a, const char *first, const char *second);
 } forms[] = {{"list", "list [NAME]", 0, 2, JSON, run_list},
              {"start", "start NAME [DIR]", 2, 3, 0, start},
-             {"check", "check DIR", 2, 2, LAB | SEED | WATCH | JSON, run_check},
+             {"check", "check DIR", 2, 2, LAB | SEED | WATCH | JSON | SVG, run_check},
              {"grade", "grade SUBMISSIONS", 2, 2, LAB | OUT | SEED, run_grade},
              {"new", "new NAME", 2, 2, 0, run_new},
              {"test", "test DIR", 2, 2, JSON, run_test}};
@@ -311,11 +332,9 @@ static int takes(const struct form *f, const struct arguments *a)
     const struct {
         const char *name;
         int option, given;
-    } options[] = {{"lab", LAB, a->lab != NULL},
-                   {"out", OUT, a->out != NULL},
-                   {"seed", SEED, strcmp(a->seed, "0") != 0},
-                   {"watch", WATCH, a->watch},
-                   {"json", JSON, a->asked.json}};
+    } options[] = {
+        {"lab", LAB, a->lab != NULL}, {"out", OUT, a->out != NULL}, {"seed", SEED, strcmp(a->seed, "0") != 0},
+        {"watch", WATCH, a->watch},   {"svg", SVG, a->svg != NULL}, {"json", JSON, a->asked.json}};
     if (words < f->fewest || words > f->most) {
         refuse_line("lab: expected 'cagd lab %s'; cagd help lab has examples", f->usage);
         return 0;
@@ -353,6 +372,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'l':
         a->lab = arg;
         return 0;
+    case 'g':
+        a->svg = arg;
+        return 0;
     case 'w':
         a->watch = 1;
         return 0;
@@ -382,6 +404,7 @@ static const struct argp_option options[] = {
     {"lab", 'l', "NAME", 0, "The lab, or a folder with a slash in its name (default: by the file that is in DIR)", 0},
     {"out", 'o', "DIR", 0, "Where grade writes its results", 0},
     {"seed", 's', "TEXT", 0, "What the numbers that decide are drawn from (0)", 0},
+    {"svg", 'g', "FILE", 0, "Draw what is wrong: the results of check over what is expected", 0},
     {"watch", 'w', 0, 0, "Check again whenever the file is saved", 0},
     {"play", 'P', "OBJECT", OPTION_HIDDEN, "Run the code of a submission for the grader", 0},
     {0}};
@@ -396,13 +419,16 @@ const struct command command_lab = {
         "numbers and formulas; it is run in exact arithmetic and on rational functions of its inputs, so a requirement "
         "is right for all inputs of a shape, or there are small numbers for which it is wrong.\n\n"
         "Without words, or with list: the labs; with the name of one also what each requirement is worth. start writes "
-        "an assignment; check judges the solution in DIR; grade judges a folder of them, each in a sandbox; new and "
-        "test make labs of one's own.\n\n"
+        "an assignment into a folder, by default of its name, with a file to begin with: NAME.c, NAME.py or NAME.txt; "
+        "check judges that file in DIR; grade judges a folder of them, each in a sandbox; new and test make labs of "
+        "one's own.\n\n"
         "Examples:\n"
         "  cagd lab\n"
         "  cagd lab list de-casteljau\n"
         "  cagd lab start de-casteljau\n"
         "  cagd lab check de-casteljau --watch\n"
+        "  cagd lab check de-casteljau --svg difference.svg\n"
+        "  cagd lab start de-casteljau-python\n"
         "  cagd lab grade submissions --lab de-casteljau --out results --seed 2026\n",
     .arguments = WORDS,
     .shared = TAKES_JSON | TAKES_JOBS,

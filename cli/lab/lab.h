@@ -104,11 +104,15 @@ char *lab_build_driver(const struct lab *lab, const struct lab_place *place);
  * frees.  reason: unless NULL, whether it was refused before it was compiled. */
 char *lab_build(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready, const char *source,
                 const char *object, enum lab_reason *reason);
-/* What is seen in the source before it runs: {"refused": text or absent, "notes": [{"line", "text"}]}. */
+/* What is seen in the source before it runs: {"refused": text or absent, "unset": a variable without a value, {"line", "name"}, or absent,
+ * "notes": [{"line", "text"}]}. */
 json_t *lab_inspect(const struct lab *lab, const struct lab_place *place);
 /* What the sanitizers say about the code in binary64; NULL: nothing.  A list of jobs, as for a player. */
 json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
                      const json_t *jobs);
+/* The same for values that were never computed, integers among them, by which something is decided. */
+json_t *lab_look_for_values(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
+                            const json_t *jobs);
 /* The text of a wrong solution: of the file that the block names, with what it replaces.  NULL and a cause. */
 char *lab_wrong_source(const struct lab *lab, const json_t *wrong, char cause[LAB_CAUSE]);
 
@@ -172,11 +176,18 @@ struct lab_bench {
     struct lab_player wrong[64];
     int built[64];
     int points; /* how many at least are tried */
+    int draws;  /* whether results have what a picture needs */
 };
 int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE]);
 void lab_bench_close(struct lab_bench *b);
 /* The result for the source text: see cli/schemas/cagd-lab-1.schema.json.  shut: as in lab_place. */
 json_t *lab_judge(struct lab_bench *b, const char *source, int shut);
+
+/* ---- picture.c ------------------------------------------------------------------------------------------- */
+
+/* Of each requirement with another result a panel, what was got over what was expected; NULL where there is none, or it cannot be drawn.
+ * name: of the picture, as svg_new has it.  The caller frees it. */
+char *lab_picture(const char *name, const json_t *result);
 
 /* ---- page.c, grade.c, make.c ------------------------------------------------------------------------------ */
 

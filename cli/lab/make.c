@@ -51,9 +51,24 @@ static int copy(const struct lab *lab, const char *from, const char *folder, con
     return status;
 }
 
+/* How this program is called: by its name where that finds it, else by its path. */
+static const char *called(char path[LAB_MOST_PATH])
+{
+    char other[LAB_MOST_PATH];
+    struct stat self, there;
+    ssize_t length = readlink("/proc/self/exe", path, LAB_MOST_PATH - 1);
+    path[length > 0 ? length : 0] = 0;
+    for (const char *at = getenv("PATH"); at != NULL && *at != 0; at += strcspn(at, ":"), at += *at == ':') {
+        snprintf(other, sizeof other, "%.*s/cagd", (int)strcspn(at, ":"), at);
+        if (stat(other, &there) == 0) /* the first one is called */
+            return stat(path, &self) == 0 && self.st_ino == there.st_ino && self.st_dev == there.st_dev ? "cagd" : path;
+    }
+    return length > 0 ? path : "cagd";
+}
+
 int lab_begin(const struct lab *lab, const char *folder)
 {
-    char start[80], makefile[1000], path[LAB_MOST_PATH + 16];
+    char start[80], makefile[LAB_MOST_PATH + 1000], path[LAB_MOST_PATH + 16], program[LAB_MOST_PATH];
     snprintf(path, sizeof path, "%s/figure.svg", lab->folder);
     int has_figure = access(path, R_OK) == 0;
     const char *const names[] = {"README.md", lab->file, "Makefile", has_figure ? "figure.svg" : NULL, NULL};
@@ -63,17 +78,19 @@ int lab_begin(const struct lab *lab, const char *folder)
     snprintf(makefile, sizeof makefile,
              "# make: does it compile?  make check: is it right?\n"
              "all:\n\t%s\n"
-             "check:\n\tcagd lab check .\n"
+             "check:\n\t\"%s\" lab check .\n"
              ".PHONY: all check\n",
              strcmp(lab->language, "python") == 0 ? "python3 -m py_compile $(wildcard *.py)"
              : strcmp(lab->language, "c") == 0    ? "cc -Wall -Wextra -c $(wildcard *.c)"
-                                                  : "@echo nothing to compile");
+                                                  : "@echo nothing to compile",
+             called(program));
     if (copy(lab, "README.md", folder, "README.md") != 0 || copy(lab, start, folder, lab->file) != 0 ||
         put(folder, "Makefile", makefile) != 0 || (has_figure && copy(lab, "figure.svg", folder, "figure.svg") != 0))
         return EXIT_INTERNAL;
-    printf("%s/README.md is the assignment, %s/%s the place for the answer; cagd lab check %s judges it\n"
-           "cagd lab list %s: what each requirement is worth\n",
-           folder, folder, lab->file, folder, lab->name);
+    printf("%s/README.md is the assignment, %s/%s the place for the answer\n"
+           "%s lab check %s judges it\n"
+           "%s lab list %s tells what each requirement is worth\n",
+           folder, folder, lab->file, called(program), folder, called(program), lab->name);
     return EXIT_AS_EXPECTED;
 }
 

@@ -1,4 +1,5 @@
-/* native.c -- the program cagd-run-sanitized: an answer in binary64 under the sanitizers, called by the driver of its lab.
+/* native.c -- the programs cagd-run-sanitized and cagd-run-initialised: an answer in binary64 under sanitizers, called by the driver of its
+ * lab.
  *
  *     cagd-run-sanitized OBJECT JOBS END
  *
@@ -26,6 +27,7 @@ void cagd_code_expect(const char *name, long count, const double *got, const dou
 void cagd_code_output(const char *name, long count, const double *x);
 void cagd_code_input(const char *name, long count, double *x);
 const char *__asan_default_options(void);
+const char *__msan_default_options(void);
 
 void cagd_code_given(int on) { (void)on; }
 void cagd_code_where(int truth) { (void)truth; }
@@ -55,6 +57,8 @@ const char *__asan_default_options(void)
 {
     return "detect_leaks=0:hard_rss_limit_mb=1024:external_symbolizer_path=" SYMBOLIZER;
 }
+
+const char *__msan_default_options(void) { return "external_symbolizer_path=" SYMBOLIZER; }
 
 static int read_inputs(FILE *jobs)
 {

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { WIDTH = 100, NAME = 14, INDENT = 16 };
+enum { MOST_WIDTH = 100, NAME = 14, INDENT = 16 };
 
 static const char *member(const json_t *row, const char *key)
 {
@@ -16,7 +16,7 @@ static const char *member(const json_t *row, const char *key)
 static void print_named(const char *name, const char *text)
 {
     int used = printf("%*s%-8s ", INDENT, "", name);
-    put_behind(stdout, text, used, used, WIDTH);
+    put_behind(stdout, text, used, used, page_width(MOST_WIDTH));
 }
 
 /* "n = 1   p = 0, 1   t = 1/2" */
@@ -45,9 +45,11 @@ static void print_requirement(const json_t *row)
     const json_t *one, *hint = json_object_get(row, "hint");
     printf("  %s", style(stdout, BOLD));
     put_padded(stdout, member(row, "name"), NAME - 2);
-    printf("%s  %2d of %2d  ", style(stdout, PLAIN), (int)json_integer_value(json_object_get(row, "points")),
-           (int)json_integer_value(json_object_get(row, "of")));
-    puts(member(row, "title"));
+    int points =
+        printf("%s  %2d of %2d  ", style(stdout, PLAIN), (int)json_integer_value(json_object_get(row, "points")),
+               (int)json_integer_value(json_object_get(row, "of"))) -
+        (int)strlen(style(stdout, PLAIN));
+    put_behind(stdout, member(row, "title"), NAME + points, NAME + points, page_width(MOST_WIDTH));
     int used = printf("%*s", INDENT, "");
     fputs(style(stdout, right ? GOOD : BAD), stdout);
     char text[1000];
@@ -57,7 +59,7 @@ static void print_requirement(const json_t *row)
              member(row, "text"));
     if (line > 0 && !told)
         snprintf(text + strlen(text), sizeof text - strlen(text), ", in line %ld", line);
-    put_behind(stdout, text, used, INDENT, WIDTH);
+    put_behind(stdout, text, used, INDENT, page_width(MOST_WIDTH));
     fputs(style(stdout, PLAIN), stdout);
     print_inputs(row);
     json_array_foreach(json_object_get(row, "differences"), k, one)
@@ -90,16 +92,21 @@ void lab_print(const struct lab *lab, const json_t *result)
                        row) if (!all || strstr(member(row, "text"), "division") == NULL)
     {
         int line = (int)json_integer_value(json_object_get(row, "line"));
-        printf(line > 0 ? "  line %d: %s\n" : "  %.0d%s\n", line, member(row, "text"));
+        int used = line > 0 ? printf("  line %d: ", line) : printf("  ");
+        put_behind(stdout, member(row, "text"), used, 4, page_width(MOST_WIDTH));
     }
-    if (measured != NULL)
-        printf("  %-12s  %.3g ulps from the exact value at worst, the reference %.3g; %d operations, the reference "
-               "%d%s%s\n",
-               "binary64", json_real_value(json_object_get(measured, "ulps")),
-               json_real_value(json_object_get(measured, "reference_ulps")),
-               (int)json_integer_value(json_object_get(measured, "operations")),
-               (int)json_integer_value(json_object_get(measured, "reference_operations")),
-               *member(measured, "case") != 0 ? " for " : "", member(measured, "case"));
+    if (measured != NULL) {
+        char text[300];
+        snprintf(text, sizeof text,
+                 "%.3g ulps from the exact value at worst, the reference %.3g; %d operations, the reference %d%s%.100s",
+                 json_real_value(json_object_get(measured, "ulps")),
+                 json_real_value(json_object_get(measured, "reference_ulps")),
+                 (int)json_integer_value(json_object_get(measured, "operations")),
+                 (int)json_integer_value(json_object_get(measured, "reference_operations")),
+                 *member(measured, "case") != 0 ? " for " : "", member(measured, "case"));
+        int used = printf("  %-*s", INDENT - 2, "binary64");
+        put_behind(stdout, text, used, INDENT, page_width(MOST_WIDTH));
+    }
     printf("%s%d of %d points%s\n", style(stdout, all ? GOOD : PLAIN),
            (int)json_integer_value(json_object_get(result, "points")),
            (int)json_integer_value(json_object_get(result, "of")), style(stdout, PLAIN));

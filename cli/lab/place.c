@@ -67,7 +67,8 @@ const char *lab_cannot_shut(void)
  * and nothing of the environment. */
 static int shut_in(const struct lab_place *p, char *word[])
 {
-    static char self[LAB_MOST_PATH], here[LAB_MOST_PATH], sanitized[LAB_MOST_PATH], labs[LAB_MOST_PATH], real[PATH_MAX];
+    static char self[LAB_MOST_PATH], here[LAB_MOST_PATH], sanitized[LAB_MOST_PATH], initialised[LAB_MOST_PATH],
+        labs[LAB_MOST_PATH], real[PATH_MAX];
     static const char *const always[] = {BUBBLEWRAP,
                                          "--unshare-all",
                                          "--die-with-parent",
@@ -111,6 +112,7 @@ static int shut_in(const struct lab_place *p, char *word[])
     char *slash = strrchr(self, '/');
     snprintf(here, sizeof here, "%.*s/cagd-compile-exactly", (int)(slash - self), self);
     snprintf(sanitized, sizeof sanitized, "%.*s/cagd-run-sanitized", (int)(slash - self), self);
+    snprintf(initialised, sizeof initialised, "%.*s/cagd-run-initialised", (int)(slash - self), self);
     for (size_t k = 0; k < sizeof always / sizeof *always; k++)
         word[words++] = (char *)(uintptr_t)always[k];
     /* The labs, which have the right answers, where they lie among what is seen. */
@@ -127,6 +129,9 @@ static int shut_in(const struct lab_place *p, char *word[])
                            (char *)(uintptr_t) "--ro-bind-try",
                            sanitized,
                            sanitized,
+                           (char *)(uintptr_t) "--ro-bind-try",
+                           initialised,
+                           initialised,
                            (char *)(uintptr_t) "--bind",
                            (char *)(uintptr_t)p->folder,
                            (char *)(uintptr_t)p->folder,

@@ -6,7 +6,7 @@
  * and its outcome
  *     {"end": "finished", "message": "", "line": 0, "results": [{"name", "got", "field", "ulps"}], "conditions": [...],
  *      "denominators": ["t-1"], "operations": 12, "path": "1f...", "printed": 0, "kept": "", "kept_line": 0}
- * where kept is a variable of static storage that the code puts something into. */
+ * where kept is a variable of static storage that the code puts something into; "turned", where rounding turned a comparison, its line. */
 #include "cli/lab/lab.h"
 #include "exact/code/run.h"
 
@@ -188,6 +188,8 @@ static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
                             "line", o->line, "results", results_of(o), "conditions", conditions_of(o), "denominators",
                             denominators_of(o), "operations", (json_int_t)o->operations, "path", path, "printed",
                             (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
+    if (row != NULL && o->decided_otherwise > 0)
+        json_object_set_new(row, "turned", json_integer(o->turned.line));
     return row != NULL ? row : json_pack("{s:s, s:s}", "end", "crashed", "message", "what came back is no text");
 }
 

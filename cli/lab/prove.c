@@ -1,4 +1,5 @@
-/* prove.c -- whether a lab is well made: right solutions pass, wrong ones get their verdict, every requirement catches one. */
+/* prove.c -- whether a lab is well made: what a student begins with can be judged, right solutions pass, wrong ones get their verdict, every
+ * requirement catches one. */
 #include "cli/commands.h"
 #include "cli/lab/lab.h"
 #include "cli/refuse.h"
@@ -78,6 +79,29 @@ static void try_right(struct proof *p, const char *name)
     free(text);
 }
 
+/* What a student begins with: it can be judged, and is worth less than half of the points. */
+static void try_start(struct proof *p)
+{
+    char name[40], path[LAB_MOST_PATH + 60], what[LAB_CAUSE] = "";
+    snprintf(name, sizeof name, "start%s", strrchr(p->lab->file, '.'));
+    snprintf(path, sizeof path, "%s/%s", p->lab->folder, name);
+    char *text = lab_file(path);
+    double begun = cagd_seconds();
+    json_t *result = text != NULL ? lab_judge(p->bench, text, 0) : json_object();
+    const char *unread = *member(result, "compiler") != 0 ? member(result, "compiler") : member(result, "refused");
+    json_int_t points = json_integer_value(json_object_get(result, "points")),
+               of = json_integer_value(json_object_get(result, "of"));
+    if (text == NULL)
+        snprintf(what, sizeof what, "there is none");
+    else if (*unread != 0)
+        snprintf(what, sizeof what, "%.500s", unread);
+    else if (2 * points >= of)
+        snprintf(what, sizeof what, "it has %lld of %lld points already", (long long)points, (long long)of);
+    tell(p, name, "start", cagd_seconds() - begun, what, result);
+    json_decref(result);
+    free(text);
+}
+
 /* Whether some text of the result has it. */
 static int says(const json_t *result, const char *words)
 {
@@ -114,6 +138,7 @@ static void try_all(struct proof *p)
     char path[LAB_MOST_PATH + 16], name[300], words[100];
     size_t k;
     const json_t *block;
+    try_start(p);
     snprintf(path, sizeof path, "%s/right", p->lab->folder);
     DIR *d = opendir(path);
     for (const struct dirent *e; d != NULL && (e = readdir(d)) != NULL;)

@@ -273,29 +273,76 @@ static int has_others(const char *expression, const struct cagd_code_point *p, i
     return 0;
 }
 
-/* Points on the border of the condition and on all sides of it, near and far, for one variable after the other.  Where the difference has no
- * zero in a variable, that variable goes to where it is nearest to 0 before the next one is looked at: so a border that closes around
- * a small region is met.  Whether the border was found, or there is none: a difference of one variable that has no zero. */
-static int put_border(struct lab_ways *w, const struct cagd_code_point *p, const char *difference)
+/* Points where the difference is 0, with small numbers for one variable and a rational zero in another; how many. */
+static int put_zeros(struct lab_ways *w, const struct cagd_code_point *p, const char *difference)
 {
-    int any = 0;
+    enum { MOST_FOUND = 6, MOST_TRIALS = 300 };
+    static const char *const small[] = {"0",   "1",   "-1",  "2",   "-2",  "3",   "1/2",
+                                        "3/2", "1/3", "2/3", "1/4", "3/4", "5/4", "5/3"};
+    int found = 0, trials = 0;
+    for (int i = 0; i < p->inputs; i++)
+        for (int j = 0; p->input[i].variable && j < elements_of(&p->input[i]); j++) {
+            char name[64];
+            snprintf(name, sizeof name, p->input[i].count > 0 ? "%s[%d]" : "%s", p->input[i].name, j);
+            for (size_t v = 0; strstr(difference, name) != NULL && v < sizeof small / sizeof *small; v++)
+                for (int k = 0; k < p->inputs; k++)
+                    for (int l = 0; p->input[k].variable && l < elements_of(&p->input[k]); l++) {
+                        if ((k == i && l == j) || found >= MOST_FOUND || trials++ >= MOST_TRIALS)
+                            continue;
+                        struct cagd_code_point *at = cagd_code_point_copy(p);
+                        cagd_code_point_set(at, i, j, small[v]);
+                        cagd_region_mark mark = cagd_region_open();
+                        struct cagd_code_border b = cagd_code_border(difference, at, k, l);
+                        for (int z = 0; b.rational > 0 && z < b.values; z++)
+                            put_beside(w, at, k, l, b.at[z]);
+                        found += b.rational > 0;
+                        cagd_region_drop(mark);
+                        cagd_code_point_free(at);
+                    }
+        }
+    return found;
+}
+
+/* What is known of a border: that it was met, and that points were met that lie on it. */
+struct met {
+    int any, real, zeros; /* a border, or none to be met; points on it; rational ones */
+};
+
+/* Points on the border of the condition and on all sides of it, near and far, for one variable after the other.  Before the next one is
+ * looked at, that variable goes to where the difference is nearest to 0, always or where it has no zero: so a border that closes around a
+ * small region is met. */
+static void put_border(struct lab_ways *w, const struct cagd_code_point *p, const char *difference, int always,
+                       struct met *met)
+{
     struct cagd_code_point *at = cagd_code_point_copy(p);
     for (int i = 0; i < p->inputs; i++)
         for (int j = 0; p->input[i].variable && j < elements_of(&p->input[i]); j++) {
             cagd_region_mark mark = cagd_region_open();
             struct cagd_code_border here = cagd_code_border(difference, p, i, j),
                                     there = cagd_code_border(difference, at, i, j);
-            for (int k = 0; k < here.values; k++)
+            for (int k = 0; k < here.values && !always; k++)
                 put_beside(w, p, i, j, here.at[k]);
             for (int k = 0; k < there.values; k++)
                 put_beside(w, at, i, j, there.at[k]);
-            any |= here.zeros > 0 || there.zeros > 0 || (here.varies && !has_others(difference, p, i, j));
-            if (there.zeros == 0 && there.least.at != NULL)
+            met->any |= here.zeros > 0 || there.zeros > 0 || (here.varies && !has_others(difference, p, i, j));
+            met->real |= here.zeros > 0 || there.zeros > 0;
+            met->zeros += here.rational + there.rational;
+            if ((always || there.zeros == 0) && there.least.at != NULL)
                 cagd_code_point_set(at, i, j, cagd_to_string_q(there.least));
             cagd_region_drop(mark);
         }
     cagd_code_point_free(at);
-    return any;
+}
+
+/* Points for the other branch of a condition; whether it is known where that is: on a border that was met, for an equation at points that
+ * are rational. */
+static int put_candidates(struct lab_ways *w, const struct cagd_code_point *p, const struct cagd_code_condition *c)
+{
+    struct met met = {0};
+    put_border(w, p, c->difference, 0, &met);
+    put_border(w, p, c->difference, 1, &met);
+    int alone = met.any && met.zeros == 0 && c->holding == NOT_ZERO;
+    return met.any && (!alone || put_zeros(w, p, c->difference) > 0 || !met.real);
 }
 
 /* ---- the search ----------------------------------------------------------------------------------------------- */
@@ -378,7 +425,7 @@ struct cagd_code_point *lab_ways_next(struct lab_ways *w)
             if (w->bordered || w->tries == MOST_TRIES)
                 break;
             w->bordered = 1;
-            if (!put_border(w, way->point, way->condition[w->k].difference))
+            if (!put_candidates(w, way->point, &way->condition[w->k]))
                 way->state[w->k] |= NO_BORDER;
         }
         w->is_open = 0;

@@ -316,8 +316,10 @@ struct cagd_code_border cagd_code_border(const char *difference, const struct ca
         return b;
     b.varies = 1;
     b.zeros = zeros_of(both, root);
-    for (int k = 0; k < b.zeros; k++)
+    for (int k = 0; k < b.zeros; k++) {
+        b.rational += cagd_equal_q(root[k].lo, root[k].hi);
         put_around(&b, root, k, b.zeros);
+    }
     b.least = least_of(f);
     return b;
 }

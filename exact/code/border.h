@@ -15,6 +15,7 @@ enum { CAGD_CODE_MOST_ZEROS = 16 };
 struct cagd_code_border {
     int varies;                              /* whether it depends on the variable, and is understood               */
     int zeros;                               /* how many real zeros and poles it has, at most CAGD_CODE_MOST_ZEROS  */
+    int rational;                            /* those of them that are rational, and were found as such             */
     int values;                              /* of the variable, which show all of its signs:                       */
     cagd_num_q at[5 * CAGD_CODE_MOST_ZEROS]; /* each zero that is rational, near it on both sides, between, and far */
     cagd_num_q

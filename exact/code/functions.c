@@ -426,6 +426,7 @@ double cagd_code_lib_frexp(double x, int *n)
         guess++;
     cagd_code_compare(size, cagd_code_power(2, (int32_t)guess - 1), 3); /* both are true, and conditions */
     cagd_code_compare(size, cagd_code_power(2, (int32_t)guess), 4);
+    cagd_code_follow(guess);
     *n = (int)guess;
     return cagd_code_lib_scalbln(x, -guess);
 }

@@ -256,11 +256,10 @@ static int relation_of_doubles(double a, double b)
     return a == b ? SAME : a > b ? GREATER : a < b ? LESS : UNORDERED;
 }
 
-/* What was decided is part of the path, whether or not it is told. */
-static void follow(int outcome)
+void cagd_code_follow(long outcome)
 {
     unsigned long long *path = &cagd_code_machine.outcome->path;
-    *path = (*path ^ (unsigned long long)(outcome + 1)) * 0x100000001B3u;
+    *path = (*path ^ ((unsigned long long)outcome + 1)) * 0x100000001B3u;
     *path = (*path ^ (unsigned long long)(cagd_code_at ? cagd_code_at->line : 0)) * 0x100000001B3u;
 }
 
@@ -379,7 +378,7 @@ int cagd_code_relation(cagd_code_value a, cagd_code_value b, int predicate)
         relation = decide(a, b);
     }
     if (!cagd_code_machine.given)
-        follow((relation & predicate) != 0);
+        cagd_code_follow((relation & predicate) != 0);
     return relation;
 }
 
@@ -519,6 +518,7 @@ cagd_code_value cagd_code_whole(cagd_code_value a, enum cagd_code_rounding how)
     }
     cagd_num_q n = whole_of(a.q, how);
     cagd_code_value whole = cagd_code_constant(n);
+    cagd_code_follow(mpz_get_si(mpq_numref(n.at)));
     if (a.f.at == NULL)
         return whole;
     cagd_num_q one = cagd_from_int_q(1), half = cagd_from_ratio_q(1, 2);

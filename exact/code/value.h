@@ -92,6 +92,8 @@ cagd_code_value cagd_code_negative(cagd_code_value a);
 
 /* The relation between a and b, one of 1, 2, 4, 8; noted as the condition "the predicate is true (or false)". */
 int cagd_code_relation(cagd_code_value a, cagd_code_value b, int predicate);
+/* What was decided, a truth or the whole number that was made of a number, is part of the path, whether or not it is told. */
+void cagd_code_follow(long outcome);
 /* -1, 0, 1, and the condition that says so. */
 int cagd_code_sign(cagd_code_value a);
 

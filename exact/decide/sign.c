@@ -36,3 +36,5 @@ enum cagd_sign_pattern cagd_sign_on(poly p, num_q a, num_q b, enum cagd_ends end
         return s > 0 ? SIGN_NONNEGATIVE : SIGN_NONPOSITIVE;
     return s > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
 }
+
+int cagd_is_nonnegative_on(poly p, num_q a, num_q b) { return cagd_is_nonnegative(cagd_sign_on(p, a, b, CLOSED)); }

@@ -17,4 +17,6 @@ enum cagd_sign_pattern {
 enum cagd_sign_pattern cagd_sign_on(cagd_poly p, cagd_num_q a, cagd_num_q b, enum cagd_ends ends);
 /* Whether such a sign says p >= 0. */
 int cagd_is_nonnegative(enum cagd_sign_pattern sign);
+/* Whether p >= 0 on [a,b]. */
+int cagd_is_nonnegative_on(cagd_poly p, cagd_num_q a, cagd_num_q b);
 #endif

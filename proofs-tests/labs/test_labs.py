@@ -62,14 +62,6 @@ class Student(InFolder):
         self.assertEqual(run("start", "de-casteljau", self.folder).returncode, 0)
         self.assertEqual(run("start", "de-casteljau", self.folder).returncode, 2)
 
-    def test_every_file_that_students_begin_with_compiles_and_is_worth_nothing(self):
-        for lab in sorted(LABS.glob("*/start.*")):
-            (self.folder / (lab.parent.name + lab.suffix)).write_text(lab.read_text())
-            ran = run("check", self.folder, "--lab", lab.parent.name, "--json")
-            result = json.loads(ran.stdout)
-            self.assertNotIn("compiler", result, lab)
-            self.assertLess(result["points"], result["of"] / 2, lab)
-
     def test_a_small_counterexample_and_its_misconception(self):
         result = self.checked(RIGHT.replace("(1 - t) * b[i] + t * b[i + 1]", "t * b[i] + (1 - t) * b[i + 1]"))
         row = result["requirements"][0]
@@ -105,6 +97,51 @@ class Student(InFolder):
             self.assertEqual(str(row.get("line", "")), line)
         table = "static double one[2] = {1, 1}; if (one[n > 1] != 1) return 7;"
         self.assertEqual(self.checked(RIGHT.replace("double b[n + 1];", table + "\n    double b[n + 1];", 1))["points"], 10)
+
+    def test_a_picture_of_what_is_wrong(self):
+        picture = self.folder / "difference.svg"
+        wrong = RIGHT.replace("(1 - t) * b[i] + t * b[i + 1]", "t * b[i] + (1 - t) * b[i + 1]").replace("right[n - r]", "right[0]")
+        graph = self.checked(wrong, "--svg", picture)["requirements"][0]["graph"]
+        self.assertEqual((graph["of"], graph["over"], graph["at"][0], graph["at"][-1]), ("R", "t", "0", "1"))
+        self.assertIn(graph["here"], graph["at"])
+        self.assertNotEqual(graph["got"], graph["expected"])
+        self.assertEqual(xml.dom.minidom.parse(str(picture)).documentElement.tagName, "svg")
+        picture.unlink()
+        (self.folder / "de-casteljau.c").write_text(RIGHT)
+        ran = run("check", self.folder, "--svg", picture)
+        self.assertEqual((ran.returncode, len(ran.stderr.splitlines()), picture.exists()), (0, 1, False))
+
+    def test_a_value_that_was_never_computed_is_bad_manners(self):
+        for top, inside, says in (("", "int calls; if (calls == 77) return 7; calls = 77;", "uses calls, which has no value yet"),
+                                  ("", "int k[3]; if (k[1] == 77) return 7; k[1] = 77;", "decides by a value that was never computed"),
+                                  ("#include <stdlib.h>\n", "int *m = malloc(8); if (*m == 77) { free(m); return 7; } *m = 77; free(m);",
+                                   "decides by a value that was never computed")):
+            row = self.checked(top + RIGHT.replace("double b[n + 1];", inside + "\n    double b[n + 1];", 1))["requirements"][-1]
+            self.assertEqual((row["points"], row["text"]), (0, says))
+            self.assertEqual(row["line"], RIGHT[:RIGHT.index("double b[n + 1];")].count("\n") + 1 + (top != ""))
+
+    def test_a_division_by_zero_is_found_and_what_the_reference_divides_by_is_none(self):
+        result = self.checked(RIGHT.replace("double b[n + 1];", "double s = (7 * t - 2) / (7 * t - 2);\n    t *= s;\n    double b[n + 1];", 1))
+        row = result["requirements"][0]
+        self.assertEqual((row["verdict"], row["text"], row["inputs"]["t"]), ("stopped", "divides by zero, in line 6", ["2/7"]))
+
+    def test_all_ways_are_closed(self):
+        lab = LABS / "basis-functions"
+        (self.folder / "basis-functions.c").write_text((lab / "right/iterative.c").read_text())
+        rows = json.loads(run("check", self.folder, "--json").stdout)["requirements"]
+        self.assertEqual([r["text"].split(" ways ")[-1] for r in rows[:3]], ["that there are"] * 3)
+
+    def test_an_equation_with_irrational_solutions_alone_stays_open(self):
+        circle = (LABS / "nurbs-circle/right/plain.c").read_text()
+        changed = circle.replace("w[i] = i % 2 == 0 ? 1 : s;", "w[i] = i % 2 == 0 ? 1 : s * s == 0.5 ? 1 : s;")
+        self.assertNotEqual(circle, changed)
+        (self.folder / "nurbs-circle.c").write_text(changed)
+        rows = json.loads(run("check", self.folder, "--json").stdout)["requirements"]
+        self.assertEqual(rows[1]["verdict"], "sampled")
+
+    def test_a_comparison_that_rounding_turns_is_told(self):
+        result = self.checked(RIGHT.replace("double b[n + 1];", "if ((1e16 + t) - 1e16 != t) return 7;\n    double b[n + 1];", 1))
+        self.assertEqual([(n["line"], "another way" in n["text"]) for n in result["notes"]], [(6, True)])
 
     def test_a_right_branch_stays_right(self):
         result = self.checked(RIGHT.replace("double b[n + 1];", "if (t == 0) return p[0];\n    double b[n + 1];", 1))
@@ -160,6 +197,11 @@ class InPython(InFolder):
     def test_a_branch_that_no_random_point_takes_is_found(self):
         result = self.judged(PYTHON.replace("b = list(p)", "b = list(p)\n    if 4 * t > 3 and t < 0.750000000001:\n        return 7"))
         self.assertEqual(result["requirements"][0]["verdict"], "wrong", result["requirements"][0])
+
+    def test_a_pole_and_a_division_by_zero_are_found(self):
+        for condition in ("t != 0.25 and 1 / (t - 0.25) > 10 ** 20", "(3 * t - 1) ** 2 == 0", "1 / (3 * t - 1) == 0"):
+            result = self.judged(PYTHON.replace("b = list(p)", f"b = list(p)\n    if {condition}:\n        return 7"))
+            self.assertIn(result["requirements"][0]["verdict"], ("wrong", "stopped"), condition)
 
     def test_a_right_branch_stays_right(self):
         result = self.judged(PYTHON.replace("b = list(p)", "b = list(p)\n    if t == 0:\n        return p[0]"))

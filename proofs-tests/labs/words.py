@@ -1,7 +1,7 @@
 """Which word a right solution gets, for every lab and requirement: a table, kept in chapters/labs/README.md.
 
-    python3 words.py CAGD ROOT             is the table there what is decided now?
-    python3 words.py CAGD ROOT --write     put it there
+    python3 words.py CAGD ROOT LAB         cagd lab test of that lab, and: are its rows there what was decided?
+    python3 words.py CAGD ROOT --write     all rows are put there
 """
 import json
 import pathlib
@@ -18,11 +18,16 @@ def rows_of(cagd, lab):
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / (lab.name + right.suffix)).write_text(right.read_text())
         ran = subprocess.run([cagd, "lab", "check", folder, "--lab", lab.name, "--json"], capture_output=True, text=True, timeout=300)
-    rows = json.loads(ran.stdout)["requirements"]
-    for row in rows:
-        if row["verdict"] not in ("proved", "clean", "sampled"):
-            raise SystemExit(f"{lab.name}: {right.name} fails {row['name']}: {row['text']}")
-    return rows
+    return json.loads(ran.stdout)["requirements"]
+
+
+def rows_of_test(cagd, lab):
+    """The same by cagd lab test, whose words are printed and whose complaints end this program."""
+    ran = subprocess.run([cagd, "lab", "test", str(lab), "--json"], stdout=subprocess.PIPE, text=True, timeout=900)
+    if ran.returncode != 0:
+        raise SystemExit(ran.returncode)
+    results = {row["name"]: row["result"] for row in json.loads(ran.stdout)["solutions"]}
+    return results["right/" + sorted((lab / "right").iterdir())[0].name]["requirements"]
 
 
 def word_of(row):
@@ -33,28 +38,33 @@ def word_of(row):
     if row["verdict"] == "sampled":
         text = "right in exact cases" + (text[text.index(","):] if "," in text else "")
         return text + (": " + row["because"] if "because" in row else ": not every way through the code was closed")
-    return text.split(", on each")[0] + (", on each way that was found" if ", on each" in text else "")
+    end = ", on each way that there is" if text.endswith("ways that there are") else ", on each way that was found"
+    return text.split(", on each")[0] + (end if ", on each" in text else "")
 
 
-def table(cagd, root):
-    lines = ["| lab | requirement | points | word |\n", "|---|---|---|---|\n"]
-    for lab in sorted(p.parent for p in (root / "chapters/labs").glob("*/lab.md")):
-        for k, row in enumerate(rows_of(cagd, lab)):
-            lines.append(f"| {'`' + lab.name + '`' if k == 0 else ''} | {row['name']} | {row['of']} | {word_of(row)} |\n")
-    return "".join(lines)
+def rows_of_table(lab, rows):
+    for row in rows:
+        if row["verdict"] not in ("proved", "clean", "sampled"):
+            raise SystemExit(f"{lab.name}: a right solution fails {row['name']}: {row['text']}")
+    return "".join(f"| {'`' + lab.name + '`' if k == 0 else ''} | {row['name']} | {row['of']} | {word_of(row)} |\n" for k, row in enumerate(rows))
 
 
 def main():
     cagd, root = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2])
-    page = root / "chapters/labs/README.md"
+    page, labs = root / "chapters/labs/README.md", root / "chapters/labs"
     text = page.read_text()
     begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
-    made = table(cagd, root)
     if "--write" in sys.argv:
+        made = "| lab | requirement | points | word |\n|---|---|---|---|\n"
+        for lab in sorted(p.parent for p in labs.glob("*/lab.md")):
+            made += rows_of_table(lab, rows_of(cagd, lab))
         page.write_text(text[:begin] + made + text[end:])
-    elif text[begin:end] != made:
+        return
+    lab = labs / sys.argv[3]
+    made = rows_of_table(lab, rows_of_test(cagd, lab))
+    if made not in text[begin:end]:
         sys.stdout.write(made)
-        raise SystemExit(f"{page}: the table of words is another one; words.py --write puts it there")
+        raise SystemExit(f"{page}: the rows of {lab.name} are others; words.py --write puts them there")
 
 
 main()

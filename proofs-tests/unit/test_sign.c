@@ -52,6 +52,8 @@ static void planted_signs(void **state)
                 assert_int_equal(cagd_is_nonnegative(s),
                                  s != SIGN_MIXED && s != SIGN_NEGATIVE && s != SIGN_NONPOSITIVE);
                 assert_int_equal(s, planted_pattern(&f, a, b, e));
+                if (e == CLOSED)
+                    assert_int_equal(cagd_is_nonnegative_on(f.p, a, b), cagd_is_nonnegative(s));
                 met[s]++;
             }
         region_drop(m);
