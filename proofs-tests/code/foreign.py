@@ -51,13 +51,18 @@ def asked(shop, row, build):
     return line
 
 
-def version_of(cagd):
-    """With the commit that is checked out, where the programs were built from it."""
+def version_of(cagd, kept):
+    """With the commit that was checked out when these programs answered first; that is in the file `kept`."""
+    if kept.exists():
+        return kept.read_text().strip()
+
     def git(*words):
         return subprocess.run(["git", *words], capture_output=True, text=True, cwd=pathlib.Path(__file__).parent).stdout.strip()
     version = subprocess.run([cagd, "--version"], capture_output=True, text=True, check=True).stdout.strip()
     changed = git("status", "--porcelain", "--", ":/core", ":/exact", ":/cli")
-    return f"{version} ({git('log', '-1', '--format=%h of %cs')}{', with changes' if changed else ''})"
+    told = f"{version} ({git('log', '-1', '--format=%h of %cs')}{', with changes' if changed else ''})"
+    kept.write_text(told + "\n")
+    return told
 
 
 def introduction(version, shop, lines):
@@ -82,8 +87,9 @@ def main():
     folder = pathlib.Path(a.folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     fetch(folder)
-    shop, version = Workshop(a.cagd, a.compiler, folder), version_of(a.cagd)
+    shop = Workshop(a.cagd, a.compiler, folder)
     build, lines = shop.build(), []
+    version = version_of(a.cagd, shop.work / f"version-{build}.txt")
     rows = [row for row in foreign_rows.every_row() if fnmatch.fnmatch(row.name, a.rows)]
     for library in dict.fromkeys(row.library for row in rows):  # no row's time
         shop.made[library] = getattr(shop, library)()
