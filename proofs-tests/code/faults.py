@@ -109,8 +109,10 @@ class Shop(foreign_sources.Workshop):
     def __init__(self, *folders):
         super().__init__(*folders)
         self.made = {"sisl": self.sisl(), "gsl": self.gsl()}
+        source, flags, headers = self.made["gsl"]  # a copy lies elsewhere, and asks for the header beside the original
+        self.made["gsl"] = source, f"{flags} -I{self.unpacked('gsl')}/bspline", headers
         self.sources = {"sisl": sorted((self.unpacked("sisl") / "src").glob("*.c")), "gsl": self.gsl_sources()}
-        self.folders = {"sisl": [self.unpacked("sisl") / "include"], "gsl": [self.gsl_headers(), self.unpacked("gsl")]}
+        self.folders = {"sisl": [self.unpacked("sisl") / "include"], "gsl": [self.gsl_headers(), self.unpacked("gsl"), self.unpacked("gsl") / "bspline"]}
 
     def gcc(self, library, flags, arguments):
         subprocess.run(["gcc", "-O0", "-g", "-w", *flags, *(f"-I{f}" for f in self.folders[library]), f"-I{self.work}", *arguments], check=True,
