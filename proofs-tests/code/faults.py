@@ -23,8 +23,7 @@ SEED, POINTS, WORST = 1, 3000, 1e-6  # the seed is that of the points; faults ar
 PLANTED = {"s1219.c": ["s1219_from_0", "s1219_from_3", "s1219_from_5"], "s1220.c": ["s1220_degree_2", "s1221_degree_3"], "s1221.c": ["s1221_degree_2"],
            "s1227.c": ["s1227_degree_2"], "s6ratder.c": ["s1221_rational_degree_1"], "s1018.c": ["s1018_degree_2"],
            # the second choice
-           "s1421.c": ["s1421_degree_2"], "s1424.c": ["s1421_degree_2"], "s1730.c": ["s1730_full_ends_degree_2"], "s1731.c": ["s1730_full_ends_degree_2"],
-           "s1701.c": ["s1730_full_ends_degree_2"],
+           "s1421.c": ["s1421_degree_2"], "s1730.c": ["s1730_full_ends_degree_2"], "s1701.c": ["s1730_full_ends_degree_2"],
            "bspline.c": ["gsl_bspline_deriv_eval_degree_2", "gsl_bspline_eval_degree_3"]}
 FAULTS = [(r" \+ | \+(?=\w)", " - "), (r"(?<=[\w\)\]]) ?- ?(?=\w)", " + "), (r"(?<=[\w\)\]]) ?\* ?(?=[\w(])", " + "), (r"(?<=[\w\)\]]) ?/ ?(?=[\w(])", " * "),
           (r"<=", "<"), (r"(?<=\w) ?< ?(?=\w)", " <= "), (r">=", ">"), (r"==", "!="), (r"\+=", "-="), (r"\*=", "/="),
@@ -48,7 +47,7 @@ def point(inputs, chance):
         for _ in range(int(count or 1) - len(values)):
             if said.startswith("in "):
                 low, high = map(end, said[2:].strip()[1:-1].split(","))
-                at_knots = [k for k in known.get("k", []) if low < k < high] if not count else []
+                at_knots = [k for k in known.get("k", known.get("x", [])) if low < k < high] if not count else []
                 if said.rstrip().endswith("]"):
                     at_knots += [high]
                 if said[2:].strip()[0] == "[":
