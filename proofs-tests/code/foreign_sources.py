@@ -65,12 +65,10 @@ class Workshop:
 
     def versions(self):
         """Of the packages, by the names of what was fetched."""
-        def field(name, text):
-            return next(line.partition(": ")[2] for line in text.splitlines() if line.partition(": ")[0] == name)
         found = {}
         for dsc in sorted(self.folder.glob("*.dsc")):
-            text = dsc.read_text(errors="replace")
-            found[field("Source", text)] = field("Version", text)
+            field = dict(re.findall(r"^(\w+): (.*)$", dsc.read_text(errors="replace"), re.M))
+            found[field["Source"]] = field["Version"]
         for deb in sorted(self.folder.glob("*.deb")):
             name, version, _ = deb.name.split("_")
             found[name] = version.replace("%3a", ":")
