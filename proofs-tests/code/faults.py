@@ -1,8 +1,8 @@
 """Faults planted in copies of a library that others wrote: is each one found that changes the mathematics?  Not a test: see foreign.py.
 
-    python3 faults.py CAGD CAGD-COMPILE-EXACTLY FOLDER [COUNT [SEED [FILE]]]
+    python3 faults.py CAGD CAGD-COMPILE-EXACTLY FOLDER [COUNT [SEED [FILE...]]]
 
-In FOLDER/exactly, copies of source files of SISL get one fault each: an operator, a comparison, an index or a constant is another one, in
+In FOLDER/exactly, copies of source files of SISL and GSL get one fault each: an operator, a comparison, an index or a constant is another one, in
 a line that runs.  Who says what a fault changes is apart from what is tried: gcc compiles the copy and the original, and both run in
 binary64 at 3000 points (the parameter also at the knots); the fault changes the mathematics if a number differs by more than 1e-6 of
 its size, is none, or the program ends otherwise (by the address sanitizer, or after ten seconds).  Found it is if `cagd exactly` does not
@@ -15,12 +15,16 @@ import re
 import subprocess
 import sys
 
-import foreign
+import foreign_rows
+import foreign_sources
 
 SEED, POINTS, WORST = 1, 3000, 1e-6  # the seed is that of the points; faults are chosen by the one that is asked for
 # Which row asks for which file: small ones, that each use all of it that they can.
 PLANTED = {"s1219.c": ["s1219_from_0", "s1219_from_3", "s1219_from_5"], "s1220.c": ["s1220_degree_2", "s1221_degree_3"], "s1221.c": ["s1221_degree_2"],
-           "s1227.c": ["s1227_degree_2"], "s6ratder.c": ["s1221_rational_degree_1"], "s1018.c": ["s1018_degree_2"]}
+           "s1227.c": ["s1227_degree_2"], "s6ratder.c": ["s1221_rational_degree_1"], "s1018.c": ["s1018_degree_2"],
+           # the second choice
+           "s1421.c": ["s1421_degree_2"], "s1730.c": ["s1730_full_ends_degree_2"], "s1701.c": ["s1730_full_ends_degree_2"],
+           "bspline.c": ["gsl_bspline_deriv_eval_degree_2", "gsl_bspline_eval_degree_3"]}
 FAULTS = [(r" \+ | \+(?=\w)", " - "), (r"(?<=[\w\)\]]) ?- ?(?=\w)", " + "), (r"(?<=[\w\)\]]) ?\* ?(?=[\w(])", " + "), (r"(?<=[\w\)\]]) ?/ ?(?=[\w(])", " * "),
           (r"<=", "<"), (r"(?<=\w) ?< ?(?=\w)", " <= "), (r">=", ">"), (r"==", "!="), (r"\+=", "-="), (r"\*=", "/="),
           (r"(?<=[\w\)])\]", "+1]"), (r"(?<=\w)\]", "-1]"), (r"(?<![\w.])0(?![\w.])", "1"), (r"(?<![\w.])1(?![\w.])", "2"),
@@ -39,11 +43,11 @@ def point(inputs, chance):
         return float(over) / float(under or 1)
     for part in inputs.split(";"):
         name, count, said = re.fullmatch(r"\s*(\w+)(?:\[(\d+)\])?\s*(.*)", part).groups()
-        values = []
-        for _ in range(int(count or 1)):
+        values = list(map(float, said[1:].split())) if said.startswith("=") else []
+        for _ in range(int(count or 1) - len(values)):
             if said.startswith("in "):
                 low, high = map(end, said[2:].strip()[1:-1].split(","))
-                at_knots = [k for k in known.get("k", []) if low < k < high] if not count else []
+                at_knots = [k for k in known.get("k", known.get("x", [])) if low < k < high] if not count else []
                 if said.rstrip().endswith("]"):
                     at_knots += [high]
                 if said[2:].strip()[0] == "[":
@@ -74,13 +78,14 @@ class Native:
             array = re.fullmatch(r"(\w+)\[(\d+)\]", left)
             told += f"for (int i_ = 0; i_ < {array[2]}; i_++) printf(\"%.17g \", {array[1]}[i_]); " if array else f"printf(\"%.17g \", {left}); "
         self.program = shop.work / f"native_{row.name}.c"
-        self.program.write_text('#include <stdio.h>\n#include "sislP.h"\n#include "reference.h"\n'
+        headers = "".join(f"#include {h}\n" for h in shop.made[row.library][2])
+        self.program.write_text(f'#include <stdio.h>\n{headers}#include "reference.h"\n'
                                 f"int main(void) {{ for (;;) {{ {read} {row.statements} {told} puts(\"\"); }} }}\n")
         self.numbers = None
 
     def run(self, source, extra=(), apart=""):
         made = self.shop.work / f"native_{self.row.name}{apart}"
-        self.shop.built([*extra, self.program, source, self.archive, "-o", made])
+        self.shop.built(self.row.library, [*extra, self.program, source, self.archive, "-o", made])
         try:
             ran = subprocess.run([made], input=self.points, capture_output=True, text=True, timeout=10,
                                  env={"ASAN_OPTIONS": "detect_leaks=0"})
@@ -99,18 +104,34 @@ class Native:
             not abs(a - b) <= WORST * max(1, abs(a)) for a, b in zip(self.numbers, now))
 
 
-class Shop(foreign.Workshop):
-    def built(self, arguments):
-        subprocess.run(["gcc", "-O0", "-g", "-w", "-fsanitize=address", f"-I{self.unpacked('sisl')}/include", f"-I{self.work}",
-                        *arguments, "-lm"], check=True, stderr=subprocess.PIPE, text=True)
+class Shop(foreign_sources.Workshop):
+    def __init__(self, *folders):
+        super().__init__(*folders)
+        self.made = {"sisl": self.sisl(), "gsl": self.gsl()}
+        source, flags, headers = self.made["gsl"]  # a copy lies elsewhere, and asks for the header beside the original
+        self.made["gsl"] = source, f"{flags} -I{self.unpacked('gsl')}/bspline", headers
+        self.sources = {"sisl": sorted((self.unpacked("sisl") / "src").glob("*.c")), "gsl": self.gsl_sources()}
+        self.folders = {"sisl": [self.unpacked("sisl") / "include"], "gsl": [self.gsl_headers(), self.unpacked("gsl"), self.unpacked("gsl") / "bspline"]}
 
-    def native_archive(self):
-        made, parts = self.work / "native.a", self.work / "native"
+    def gcc(self, library, flags, arguments):
+        subprocess.run(["gcc", "-O0", "-g", "-w", *flags, *(f"-I{f}" for f in self.folders[library]), f"-I{self.work}", *arguments], check=True,
+                       stderr=subprocess.PIPE, text=True)
+
+    def built(self, library, arguments):
+        self.gcc(library, ["-fsanitize=address"], [*arguments, "-lm"])
+
+    def source(self, name):
+        return next((library, file) for library, files in self.sources.items() for file in files if file.name == name)
+
+    def native_archive(self, library):
+        made, parts = self.work / f"native_{library}.a", self.work / f"native_{library}"
         if not made.exists():
             parts.mkdir(exist_ok=True)
-            for source in sorted((self.unpacked("sisl") / "src").glob("*.c")):
-                subprocess.run(["gcc", "-O0", "-g", "-w", f"-I{self.unpacked('sisl')}/include", "-c", source, "-o",
-                                parts / (source.stem + ".o")], stderr=subprocess.DEVNULL)
+            for source in self.sources[library]:
+                try:
+                    self.gcc(library, [], ["-c", source, "-o", parts / f"{source.parent.name}_{source.stem}.o"])
+                except subprocess.CalledProcessError:
+                    pass  # left out, as of the bitcode
             subprocess.run(["ar", "rc", made, *parts.glob("*.o")], check=True)
         return made
 
@@ -120,8 +141,8 @@ class Shop(foreign.Workshop):
         counted.mkdir(exist_ok=True)
         for old in counted.glob("*"):
             old.unlink()
-        source = self.unpacked("sisl") / "src" / name
-        self.built(["--coverage", "-c", source, "-o", counted / "part.o"])
+        library, source = self.source(name)
+        self.built(library, ["--coverage", "-c", source, "-o", counted / "part.o"])
         native.run(counted / "part.o", ["--coverage"])
         told = subprocess.run(["gcov", "-t", "-o", counted, counted / "part.o"], capture_output=True, text=True, cwd=counted).stdout
         ran = re.compile(r"\s*\d+\*?:\s*(\d+):")
@@ -141,7 +162,7 @@ def faults(text, lines):
     in the questions whether inputs are legal."""
     begin = 0
     for number, line in enumerate(without_comments(text).splitlines(keepends=True), 1):
-        if number in lines and not re.match(r"\s*(#|if .*goto err|int |double |unsigned )", line):
+        if number in lines and not re.match(r"\s*(#|if .*goto err|int |double |unsigned |size_t |const )", line):
             for pattern, instead in FAULTS:
                 for m in re.finditer(pattern, line):
                     if "->" not in line[m.start():m.end() + 1] and m[0] != instead:
@@ -164,7 +185,7 @@ def word_of(answer):
 def try_fault(shop, rows, natives, number, name, fault):
     """Whether it changes the mathematics, what cagd exactly says, and a row of the table; None where it does not compile."""
     line, begin, end, instead = fault
-    text = (shop.unpacked("sisl") / "src" / name).read_text(errors="replace")
+    text = shop.source(name)[1].read_text(errors="replace")
     copy = shop.work / "planted" / str(number) / name
     copy.parent.mkdir(parents=True, exist_ok=True)
     copy.write_text(text[:begin] + instead + text[end:])
@@ -182,11 +203,11 @@ def main():
     shop, count = Shop(*sys.argv[1:4]), int(sys.argv[4]) if len(sys.argv) > 4 else 60
     chance = random.Random(int(sys.argv[5]) if len(sys.argv) > 5 else SEED)
     planted = {name: asked for name, asked in PLANTED.items() if name in sys.argv[6:] or len(sys.argv) <= 6}
-    rows = {r.name: r for r in [*foreign.search_rows(), *foreign.sisl_rows()]}
-    natives = {n: Native(shop, rows[n], shop.native_archive()) for names in planted.values() for n in names}
+    rows = {r.name: r for r in foreign_rows.every_row()}
+    natives = {n: Native(shop, rows[n], shop.native_archive(rows[n].library)) for names in planted.values() for n in names}
     waiting = []
     for name, asked in planted.items():
-        source = shop.unpacked("sisl") / "src" / name
+        source = shop.source(name)[1]
         for n in asked:
             natives[n].run_original(source)
         run = set().union(*(shop.lines_that_run(name, natives[n]) for n in asked))

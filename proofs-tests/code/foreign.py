@@ -1,7 +1,7 @@
 """Libraries that others wrote, executed exactly, routine by shape by verdict.  Not a test: it takes half an hour, and their sources.
 
     cmake --build build/release --target foreign
-    python3 foreign.py CAGD CAGD-COMPILE-EXACTLY FOLDER [--rows PATTERN] [--record PAGE]
+    python3 foreign.py CAGD CAGD-COMPILE-EXACTLY FOLDER [--rows PATTERN] [--jobs N] [--record PAGE]
 
 From nothing to the table, FOLDER/table.md: the packages are fetched from Debian into FOLDER (foreign_sources.py), compiled to bitcode, and
 each row of foreign_rows.py is asked: does a routine compute, for a degree, what the recursion of the basis functions says?  The points, the
@@ -9,11 +9,11 @@ weights, the knots and the parameter are variables.  What was answered by the sa
 goes on; what others answered is asked again.  --record puts the table into PAGE (foreign.md), between its marks.  Nothing of the
 libraries is part of this project."""
 import argparse
+import concurrent.futures
 import fnmatch
 import json
 import pathlib
 import re
-import resource
 import subprocess
 
 import foreign_rows
@@ -21,11 +21,6 @@ from foreign_sources import Workshop, fetch
 
 MARKS = "<!-- the table begins -->", "<!-- the table ends -->"
 HEAD = ["routine", "verdict", "ways proved", "conditions, most", "ulps, worst", "seconds", "remark"]
-
-
-def seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def told(name, v, took):
@@ -51,21 +46,23 @@ def asked(shop, row, build):
     key = [build, list(row)]
     if kept.exists() and json.loads(kept.read_text())["key"] == key:
         return json.loads(kept.read_text())["line"]
-    if row.library not in shop.made:
-        shop.made[row.library] = getattr(shop, row.library)()  # once, and not counted as this row's time
-    before = seconds()
-    line = told(row.name, shop.ask(row, rounding=40), seconds() - before)
+    line = told(row.name, shop.ask(row, rounding=40), shop.took[row.name])
     kept.write_text(json.dumps({"key": key, "line": line}))
     return line
 
 
-def version_of(cagd):
-    """With the commit that is checked out, where the programs were built from it."""
+def version_of(cagd, kept):
+    """With the commit that was checked out when these programs answered first; that is in the file `kept`."""
+    if kept.exists():
+        return kept.read_text().strip()
+
     def git(*words):
         return subprocess.run(["git", *words], capture_output=True, text=True, cwd=pathlib.Path(__file__).parent).stdout.strip()
     version = subprocess.run([cagd, "--version"], capture_output=True, text=True, check=True).stdout.strip()
     changed = git("status", "--porcelain", "--", ":/core", ":/exact", ":/cli")
-    return f"{version} ({git('log', '-1', '--format=%h of %cs')}{', with changes' if changed else ''})"
+    told = f"{version} ({git('log', '-1', '--format=%h of %cs')}{', with changes' if changed else ''})"
+    kept.write_text(told + "\n")
+    return told
 
 
 def introduction(version, shop, lines):
@@ -85,16 +82,21 @@ def main():
         words.add_argument(name)
     words.add_argument("--rows", default="*")
     words.add_argument("--record")
+    words.add_argument("--jobs", type=int, default=2, help="rows at once")
     a = words.parse_args()
     folder = pathlib.Path(a.folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     fetch(folder)
-    shop, version = Workshop(a.cagd, a.compiler, folder), version_of(a.cagd)
+    shop = Workshop(a.cagd, a.compiler, folder)
     build, lines = shop.build(), []
-    for row in foreign_rows.every_row():
-        if fnmatch.fnmatch(row.name, a.rows):
-            lines.append(asked(shop, row, build))
-            print("|", " | ".join(lines[-1]), "|", flush=True)
+    version = version_of(a.cagd, shop.work / f"version-{build}.txt")
+    rows = [row for row in foreign_rows.every_row() if fnmatch.fnmatch(row.name, a.rows)]
+    for library in dict.fromkeys(row.library for row in rows):  # no row's time
+        shop.made[library] = getattr(shop, library)()
+    with concurrent.futures.ThreadPoolExecutor(a.jobs) as pool:
+        for line in pool.map(lambda row: asked(shop, row, build), rows):
+            lines.append(line)
+            print("|", " | ".join(line), "|", flush=True)
     table = "\n".join(["| " + " | ".join(HEAD) + " |", "|" + "---|" * len(HEAD), *["| " + " | ".join(line) + " |" for line in lines]])
     text = f"{introduction(version, shop, lines)}\n\n{table}\n"
     (folder / "table.md").write_text(text)

@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import subprocess
+import tempfile
 
 from foreign_rows import BOOST, EIGEN, REFERENCE
 
@@ -56,6 +57,7 @@ class Workshop:
         self.work.mkdir(parents=True, exist_ok=True)
         (self.work / "reference.h").write_text(REFERENCE)
         self.made = {}
+        self.took = {}  # of a row, seconds of the processor, its processes together
 
     def build(self):
         """The programs that answer, by what they are: rows of another build are not told."""
@@ -157,8 +159,14 @@ class Workshop:
                         + f":flag: {flags} -w\n" + "".join(f":include: {h}\n" for h in [*headers, '"reference.h"'])
                         + f":input: {row.inputs}\n:call: {row.statements}\n"
                         + "".join(f":expect: {e}\n" for e in row.expected) + row.keys + f":points: {points}\n:::\n")
-        ran = subprocess.run([self.cagd, "exactly", page, "--json"] + [f"--rounding={rounding}"] * (rounding > 0),
-                             capture_output=True, text=True)
-        if ran.returncode in (0, 1):
-            return json.loads(ran.stdout)["blocks"][0]
-        return (ran.stderr.strip().splitlines() or ["it ended without a word"])[-1]
+        asking = [self.cagd, "exactly", page, "--json"] + [f"--rounding={rounding}"] * (rounding > 0)
+        with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as errors:
+            started = subprocess.Popen(asking, stdout=out, stderr=errors)
+            _, status, used = os.wait4(started.pid, 0)
+            started.returncode = os.waitstatus_to_exitcode(status)
+            self.took[row.name] = used.ru_utime + used.ru_stime
+            for file in (out, errors):
+                file.seek(0)
+            if started.returncode in (0, 1):
+                return json.loads(out.read())["blocks"][0]
+            return (errors.read().strip().splitlines() or ["it ended without a word"])[-1]
