@@ -153,7 +153,7 @@ static int write_picture(const char *path, const json_t *result)
 {
     char *text = lab_picture("difference", result);
     if (text == NULL)
-        fprintf(stderr, "cagd: %s: is not written; there is no other result to be drawn\n", path);
+        refuse_line("%s: is not written; there is no other result to be drawn", path);
     int status = text != NULL ? write_text_file(path, text) : 0;
     free(text);
     return status;
