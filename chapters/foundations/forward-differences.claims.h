@@ -240,8 +240,8 @@ CLAIM(differences_by_alternating_sums)
 :refuted-by: step_from_zero_reaches_one_step_only
 :class: misprint
 :corrected: They are the differences at $t=\delta$.
-:corrected-by: step_takes_differences_to_the_next_place
-:confirmed-by: additions_step_along_the_curve
+:corrected-by: printed_lines_step_a_cubic
+:confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
 
 For $i=1$ it is true.

@@ -83,7 +83,7 @@ derivative continuous; the three conditions of the source say what this requires
 :refuted-by: joined_pieces_are_not_closed
 :class: misprint
 :corrected: P_{\mathrm{II}}(0)=P_{\mathrm I}(1)
-:corrected-by: quotient_of_a_power_tends_to_its_derivative
+:corrected-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero
 :confirmed-by: pieces_tend_to_their_ends
 :figure: joined_and_closed
 

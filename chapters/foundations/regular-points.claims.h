@@ -92,12 +92,10 @@ direction; each of the two parameters has its one tangent, the point has two.
 :title: At a regular point there is one tangent
 :zh: 正则点处切线唯一
 :printed: At regular points of a curve a unique tangent can be determined.
-:holds-by: quotient_of_a_power_tends_to_its_derivative
+:holds-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero direction_is_near_where_the_vector_is
 :confirmed-by: chord_turns_into_the_derivative
-:meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve.
-:argued: | A polynomial in $h$ tends with $h$ to its value for $h=0$: so the directions of the chords, on either side, tend to that of $\dot P(t_0)$ where it is not 0.
-:reading: quotient_of_a_power_tends_to_its_derivative | A regular point is a parameter, as in the definition: it has one tangent. | A polynomial in $h$ tends with
-  $h$ to its value for $h=0$.
+:meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve, and its tangent the limit of the chords.
+:reading: direction_is_near_where_the_vector_is | A regular point is a parameter, as in the definition: it has one tangent.
 :reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
   though both parameters are regular.
 :figure: regular_double_point
@@ -128,6 +126,82 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
     same(T, sub(mul(there, add(t, h)), mul(p, t)), mul(h, bracket));
     about(T, "the bracket for h = 0");
     same(T, add(mul(t, mul(k, before)), p), mul(add(k, from_int(1)), p));
+}
+
+/*
+:::{claim} polynomial_without_constant_is_small_near_zero
+:title: A polynomial without a constant is as small as one likes near zero, in every degree
+:zh: 无常数项的多项式在零附近任意小(任意次数)
+:given: $0<h<1$; a sum of some terms $c_kh^k$, $k\ge1$, of a size of at most $E$, the sum $S$ of the sizes of their coefficients, $hS-E=g\ge0$; one more
+  coefficient, of the size $a$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
+:harmless: $0<h<1$ | near zero, on either side
+:harmless: $hS-E=g\ge0$ | the induction keeps it
+:harmless: $0<p<1$ | $k>1$
+:harmless: $\varepsilon>0$, $0<y<1$ | as small as one likes
+:then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_kh^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
+  $\varepsilon\,(1-y)$
+:method: One step with everything a variable; then induction over the terms.
+:degrees: all
+:over: h g S a p e y: -
+:control: $h\,(S-a)$ in the place of $h\,(S+a)$
+:::
+*/
+CLAIM(polynomial_without_constant_is_small_near_zero)
+{
+    num h = inside(T, "h"), g = positive(T, "g", 0), S = positive(T, "S", 0), a = positive(T, "a", 0),
+        one = from_int(1);
+    num E = sub(mul(h, S), g), sum = add(S, fault(T, a, neg(a)));
+    for (int first = 0; first < 2; first++) {
+        num p = first ? one : inside(T, "p"), left = add(g, mul(mul(a, h), sub(one, p)));
+        about(T, first ? "the first term" : "a further term");
+        same(T, sub(mul(h, sum), add(E, mul(mul(a, h), p))), left);
+        nonnegative(T, left);
+    }
+    num epsilon = positive(T, "e", 0), y = inside(T, "y"), rest = mul(epsilon, sub(one, y));
+    about(T, "as small as one likes");
+    same(T, sub(epsilon, mul(div(mul(y, epsilon), S), S)), rest);
+    nonnegative(T, rest);
+}
+
+/*
+:::{claim} direction_is_near_where_the_vector_is
+:title: A vector that differs little from another one has nearly its direction
+:zh: 矢量相近则方向相近
+:given: a vector $d\ne0$ of space, and another one, $q=d+e$, any $e$
+:where: $\dot P\ne0$
+:harmless: $d\ne0$ | it is the derivative
+:then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
+  $\frac{|e|}{|q|}$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
+:method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ is a polynomial in $h$ without a constant by
+  `quotient_of_a_power_tends_to_its_derivative`, and as small as one likes by `polynomial_without_constant_is_small_near_zero`, for $h$ on
+  either side of 0: so the directions of the chords tend to that of $d$, and to no other.
+:scope: polynomial curves
+:over: u# v#: -
+:control: the vector product taken in the other order
+:::
+*/
+CLAIM(direction_is_near_where_the_vector_is)
+{
+    enum { space = 3 };
+    num d[space], e[space], q[space], of_q[space], of_e[space];
+    for (int j = 0; j < space; j++) {
+        d[j] = unknown(T, "u", j);
+        e[j] = unknown(T, "v", j);
+        q[j] = add(d[j], e[j]);
+    }
+    G(cross3)(q, d, of_q);
+    if (T->faulty)
+        G(cross3)(d, e, of_e);
+    else
+        G(cross3)(e, d, of_e);
+    about(T, "the vector products");
+    for (int j = 0; j < space; j++)
+        same(T, of_q[j], of_e[j]);
+    num along = G(dot)(space, e, d), squares = mul(G(norm_squared)(space, e), G(norm_squared)(space, d));
+    about(T, "the square of the vector product");
+    same(T, sub(squares, G(norm_squared)(space, of_e)), mul(along, along));
+    about(T, "the scalar product");
+    same(T, G(dot)(space, q, d), add(G(norm_squared)(space, d), along));
 }
 
 #if FIELD
@@ -455,7 +529,8 @@ CLAIM(natural_line_is_regular)
 :given: the printed $\phi$, with the coefficients $c$, on $[0,1]$
 :data: c = 0 6 -15 10
 :instead: c = 0 7 -15 10
-:then: $0\le\phi\le1$, and both ends are reached: by continuity the same segment; moreover $\phi(1-t)=1-\phi(t)$
+:then: $0\le\phi\le1$, and both ends are reached: every $x$ of $[0,1]$ is a value, as $\phi-x$ is not positive at 0 and not negative at 1, and so
+  has a zero between; moreover $\phi(1-t)=1-\phi(t)$
 :result: φ(0), φ(1) = 0 1
 :method: Signs of $\phi$ and $1-\phi$ on the interval by root counts; the symmetry as polynomials.
 :scope: 0 ≤ t ≤ 1

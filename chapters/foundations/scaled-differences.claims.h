@@ -218,8 +218,8 @@ CLAIM(table_is_whole_in_units_of_the_cube)
     G(free_points)(T, 3, 1, c);
     G(power_differences)(3, 1, c, div(from_int(1), N), d);
     num six_A = mul(from_int(6), c[3]);
-    num rows[4] = {mul(cube, c[0]), add(add(c[3], mul(c[2], N)), mul(c[1], NN)), add(six_A, mul(from_int(2), mul(c[2], N))),
-                   six_A};
+    num rows[4] = {mul(cube, c[0]), add(add(c[3], mul(c[2], N)), mul(c[1], NN)),
+                   add(six_A, mul(from_int(2), mul(c[2], N))), six_A};
     for (int k = 0; k < 4; k++)
         same(T, mul(cube, d[k]), rows[k]);
 }

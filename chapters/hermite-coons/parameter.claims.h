@@ -298,15 +298,14 @@ of its cylinders, and for a circle that is tilted against all three axes and any
 :zh: 空间曲线与两张柱面的交线
 :printed: Explicit equations without a parameter describe plane curves only; a space curve has to be defined as the intersection of two
   cylinders.
-:holds-by: graphs_over_one_axis_meet_in_one_curve
-:argued: all functions f and g | The points $(t,f(t),g(t))$ satisfy both equations, and of the points with $x=t$ no other does.
+:holds-by: both_equations_hold_at_one_point
 :hypothesis: closed_curve_is_no_pair_of_graphs | each value of one coordinate has one point: explicit equations $y=f(x)$,
   $z=g(x)$ are that, or those of another coordinate
 :hypothesis: no_two_projections_give_the_circle | the curve is all that the cylinders over two of its projections have in
   common; for some curves no choice of two will do
 :hypothesis: two_cylinders_hold_more_than_the_curve | the curve is all that the cylinders over two of its projections have in
   common: for others two projections will do and two others will not
-:confirmed-by: two_cylinders_are_two_ellipses two_cylinders_of_the_circle_hold_an_ellipse
+:confirmed-by: graphs_over_one_axis_meet_in_one_curve two_cylinders_are_two_ellipses two_cylinders_of_the_circle_hold_an_ellipse
 :figure: two_cylinders
 
 The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse:
@@ -316,6 +315,26 @@ circle $x^2+y^2+z^2=2$, $x+y+z=0$ have in common the circle and an ellipse of a 
 The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
 :::
 
+:::{claim} both_equations_hold_at_one_point
+:title: For each value of x the equations of the two cylinders hold at one point, that of the curve
+:zh: 两显式方程对每个 x 恰有一公共点
+:given: any functions $f$ and $g$ of $x$, with the values $f$ and $g$ at $t$; any point $(t,y,z)$
+:then: $(y-f)^2+(z-g)^2$ is the square of its distance from $(t,f,g)$: so $y=f(x)$ and $z=g(x)$ hold both exactly where it is that point
+:method: An identity, the values of the functions variables; a sum of two squares is 0 only where both are.
+:scope: all functions f and g
+:over: t y z f g: -
+:control: another abscissa of the point of the curve
+:::
+*/
+CLAIM(both_equations_hold_at_one_point)
+{
+    num t = parameter(T, "t"), y = unknown(T, "y", 0), z = unknown(T, "z", 0);
+    num f = unknown(T, "f", 0), g = unknown(T, "g", 0), a = sub(y, f), b = sub(z, g);
+    num gap[space] = {sub(t, fault(T, t, add(t, from_int(1)))), a, b};
+    same(T, G(norm_squared)(space, gap), add(mul(a, a), mul(b, b)));
+}
+
+/*
 :::{claim} graphs_over_one_axis_meet_in_one_curve
 :title: Two graphs over one axis are two cylinders that meet in one curve
 :zh: 两个显式方程所表示的柱面之交线
@@ -552,13 +571,56 @@ CLAIM(segment_in_its_parameter)
 :zh: 可对参数方程直接进行几何变换
 :printed: Geometric transformations, such as translation, scaling and rotation, can be applied directly to the parametric equations of curves
   and surfaces.
-:holds-by: matrices_pass_to_the_points image_of_a_power_curve_is_one
-:confirmed-by: bezier_curve_moves_with_its_points
-:argued: other functions, and surfaces | In both claims a function, or a power, is any number; so it may be any function of the parameter, or of two, such as a
-  product $u^iw^k$.
+:holds-by: maps_of_the_equations_are_one_matrix
+:confirmed-by: matrices_pass_to_the_points image_of_a_power_curve_is_one bezier_curve_moves_with_its_points
 
-A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$, and thereby to the points or coefficients from which it is computed.
+A matrix and a shift are applied to the vector $P(t)$ or $P(u,w)$.
 :::
+
+:::{claim} maps_of_the_equations_are_one_matrix
+:title: Maps of the parametric equations give parametric equations, and two in a row are one map
+:zh: 参数方程的几何变换可合成为一个矩阵
+:given: the values $x,y,z$ of the parametric equations of a curve or surface, any numbers; two maps, $P\mapsto PT+m$ and $P\mapsto PS+k$, any matrices $T$, $S$ of
+  three rows and any $m$, $k$
+:then: $(PT+m)S+k=P\,(TS)+(mS+k)$: three equations again, in the same parameters, by one matrix and one vector
+:method: Both sides entry by entry, everything a variable.  Translations, scalings and rotations are such maps; what functions $x$, $y$, $z$ are, and of how many
+  parameters, is not used.
+:scope: every parametric curve and surface
+:over: x y z: -; t# s#: matrices; m# k#: translations
+:control: the two matrices exchanged
+:::
+*/
+/* out = v M + m */
+static void G(mapped)(const num v[], const num M[], const num m[], num out[])
+{
+    for (int j = 0; j < space; j++) {
+        out[j] = m[j];
+        for (int k = 0; k < space; k++)
+            out[j] = add(out[j], mul(v[k], M[k * space + j]));
+    }
+}
+
+CLAIM(maps_of_the_equations_are_one_matrix)
+{
+    num P[space] = {unknown(T, "x", 0), unknown(T, "y", 0), unknown(T, "z", 0)}, M[9], S[9], m[space], k[space];
+    for (int i = 0; i < 9; i++)
+        M[i] = unknown(T, "t", i), S[i] = unknown(T, "s", i);
+    for (int i = 0; i < space; i++)
+        m[i] = unknown(T, "m", i), k[i] = unknown(T, "k", i);
+    num once[space], twice[space], product[9], shift[space], by_one[space], zero[space];
+    G(mapped)(P, M, m, once);
+    G(mapped)(once, S, k, twice);
+    for (int i = 0; i < space; i++)
+        zero[i] = from_int(0);
+    for (int i = 0; i < space; i++) /* the rows of T S, or of S T */
+        G(mapped)((T->faulty ? S : M) + i * space, T->faulty ? M : S, zero, product + i * space);
+    G(mapped)(m, S, k, shift);
+    G(mapped)(P, product, shift, by_one);
+    for (int i = 0; i < space; i++)
+        same(T, by_one[i], twice[i]);
+}
+
+/*
 
 :::{statement} slides-ch4:1-freedom
 :title: More freedom for the shape

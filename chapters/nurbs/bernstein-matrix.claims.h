@@ -179,7 +179,7 @@ begins with $i$ zeros.
 :title: The corrected entries are those of the coefficient matrix
 :zh: 改正后的 Bernstein 系数矩阵
 :given: orders $k=p+1$, $t$ variable
-:then: the columns of `bernstein_matrix` are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
+:then: `bernstein_matrix` has the entries $(-1)^{i+j}\binom{k-1}j\binom ji$ for $j\ge i$ and $0$ for $j<i$; its columns are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
   (4.4.17) at these knots
 :method: The kernel against the Bernstein polynomials at a variable $t$, and against `bspline_matrix_by_marsden`.
 :degrees: 0..7 sampled 8
@@ -198,6 +198,8 @@ CLAIM(bernstein_matrix_is_the_matrix)
         num sum = from_int(0);
         for (int j = 0; j < k; j++) {
             num a = fault(T, A[j * k + i], A[i * k + j]);
+            about(T, "the entry by its formula");
+            same(T, a, j < i ? from_int(0) : G(signed_by)(i + j, mul(G(choose)(k - 1, j), G(choose)(j, i))));
             about(T, "the entry from Marsden's identity");
             same(T, a, B[j * k + i]);
             sum = add(sum, mul(a, G(power)(t, j)));

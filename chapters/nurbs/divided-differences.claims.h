@@ -214,7 +214,8 @@ is seen to say what osculation means.
 :title: Row b(i,j) of the kernel has the j-th derivatives of the powers
 :zh: 合流 Vandermonde 矩阵的元素
 :given: every set of multiplicities of $k+1$ nodes, the nodes variables
-:then: entry $(b(i,j),c)$ of `confluent_vandermonde` is $\frac{d^j}{dt^j}t^c$ at $\tau_i$
+:then: entry $(b(i,j),c)$ of `confluent_vandermonde` is $\frac{d^j}{dt^j}t^c$ at $\tau_i$; so the last entry of the last row of $\tau_i$ is
+  $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$
 :method: In the field the other side is the formal derivative, elsewhere the falling factorial times the power.
 :degrees: k = 0..5 sampled 8
 :over: t#: nodes; x: -
@@ -230,6 +231,13 @@ CLAIM(confluent_vandermonde_holds_derivatives)
     for (int count = G(compositions)(k, 6), m = 0; m < count; m++) {
         int d = G(composition)(k, G(pattern_number)(T, k, m), l), row = 0;
         G(confluent_vandermonde)(d, l, tau, H);
+        for (int i = 0, last = -1; i < d; i++) {
+            num factor = div(G(factorial)(k), G(factorial)(k - l[i] + 1));
+            last += l[i];
+            about(T, "the last entry of a node");
+            same(T, H[last * (k + 1) + k], mul(factor, G(power)(tau[i], k - l[i] + 1)));
+        }
+        about(T, "the entries");
         for (int i = 0; i < d; i++)
             for (int j = 0; j < l[i]; j++, row++)
                 for (int c = 0; c <= k; c++) {

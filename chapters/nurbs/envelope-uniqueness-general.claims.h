@@ -54,9 +54,8 @@ vanishing curvature or torsion, and its members have them.
 :striking: 2
 :figure: nurbs_envelope_square
 
-Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
-$\mathbf r'\times\mathbf r''=0$ at $\tau$.  As $f[\tau^r,t^{k-1-r}]$ says, $r$ and $k-1-r$ have the same solutions
-with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have to be fulfilled, so as a rule single
+Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  As $f[\tau^r,t^{k-1-r}]$ says (`member_of_span_is_polar`), $r$ and $k-1-r$ have the same solutions
+with $t$ and $\tau$ exchanged, in every dimension: for $r=k-2$ they are the $\tau$ with $\mathbf r'\times\mathbf r''=0$, and any $t$.  In space two equations have to be fulfilled, so as a rule single
 pairs are left and no curve; for $k=7$ there can be a curve.
 :::
 

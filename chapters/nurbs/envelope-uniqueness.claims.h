@@ -43,14 +43,13 @@ inflection: it is touched by every member.
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
   convex_polygon_of_span_has_one_envelope
 :argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
-  is a polar form of the level before.
+  is a polar form of the level before.  And that an extra segment is more than $\mathbf r$: a rational curve that is not straight has finitely many points on a tangent.
 :striking: 2
 :figure: nurbs_second_line
 
 For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its
 own.  A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
-its pairs have the point $\mathbf r(t_0)$. If $\mathbf r$ is not straight, only finitely many points of a segment of a
-tangent are on it.
+its pairs have the point $\mathbf r(t_0)$.
 :::
 
 :::{statement} wang-ch4:formula-4.3.9

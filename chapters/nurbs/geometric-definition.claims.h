@@ -22,7 +22,7 @@ envelope.
   NURBS curve $\mathbf r(t)$, $t_2\le t\le t_{n+1}$, of order 2 (degree 1) of the knot vector $T$ with the control points $\{\mathbf r_i\}_{i=1}^n$ and the weights
   $\{w_i\}_{i=1}^n$; its segments are the straight segments $\mathbf r_{j-1}\mathbf r_j$
 :definition: yes
-:checked-by: leg_of_every_polygon_is_the_curve_of_order_two legs_are_run_through
+:checked-by: leg_of_every_polygon_is_the_curve_of_order_two outer_functions_are_made_of_outer_ones legs_are_run_through
 :confirmed-by: polygon_is_the_curve_of_order_two
 :hypothesis: double_knot_skips_a_leg | $t_2<t_3<\dots<t_{n+1}$; where two of these knots are one the curve jumps over
   a leg of the polygon
@@ -37,7 +37,7 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :zh: 每一段的方程
 :printed: \mathbf r(t)=\frac{(t_{j+1}-t)w_{j-1}\mathbf r_{j-1}+(t-t_j)w_j\mathbf
   r_j}{(t_{j+1}-t)w_{j-1}+(t-t_j)w_j},\quad t_j\le t<t_{j+1},\ j=2,3,\dots,n
-:holds-by: leg_of_every_polygon_is_the_curve_of_order_two
+:holds-by: leg_of_every_polygon_is_the_curve_of_order_two outer_functions_are_made_of_outer_ones
 :confirmed-by: polygon_is_the_curve_of_order_two
 :figure: nurbs_polygons
 :::
@@ -49,7 +49,7 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :then: of the four functions of order 2 that these knots have the two outer ones are 0 on the span, and the sum of all is the printed quotient of the
   two points between
 :method: The sums by the recursion of de Boor and Cox as it is defined.  Every other function of order 2 is made from two functions of order 1
-  of other spans, which are 0 on this one, as is seen from the two outer functions here; so the number of points is in nothing.
+  of other spans, which are 0 on this one (`outer_functions_are_made_of_outer_ones`); so the number of points is in nothing.
 :degrees: 1..1
 :scope: every pattern of the knots around a span
 :control: the weights of the two points exchanged
@@ -197,7 +197,7 @@ CLAIM(double_knot_skips_a_leg)
 :title: The polygon as one sum
 :zh: 多边形的统一表示
 :printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
-:holds-by: leg_of_every_polygon_is_the_curve_of_order_two
+:holds-by: leg_of_every_polygon_is_the_curve_of_order_two outer_functions_are_made_of_outer_ones
 :confirmed-by: polygon_is_the_curve_of_order_two
 :meant: the range $t_2\le t\le t_{n+1}$ is printed closed | At its end the limit from the left, as `def-4.1.1-interval` says once for all
   curves.

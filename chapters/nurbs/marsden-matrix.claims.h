@@ -450,8 +450,7 @@ CLAIM(empty_span_makes_g_singular)
   $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$
 :corrected-by: singular_g_makes_powers_dependent
 
-The independence of $k$ functions does not say that $k$ combinations of them are independent; that of the combinations does.  The
-independence of the B-splines is then a consequence.
+The independence of $k$ functions does not say that $k$ combinations of them are independent.
 :::
 
 The reason that the source gives is one of two halves.  The rows of $G$ express the powers by the B-splines, so a

@@ -200,13 +200,13 @@ CLAIM(control_point_of_space_is_not_enough)
 :class: misprint
 :refuted-by: polygon_begun_elsewhere_misses_the_start
 :corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
-:corrected-by: leg_of_every_polygon_is_the_curve_of_order_two
+:corrected-by: leg_of_every_polygon_is_the_curve_of_order_two outer_functions_are_made_of_outer_ones
 :confirmed-by: polygon_is_the_curve_of_order_two moved_point_changes_its_support clamped_end_is_the_first_point
 :argued: every order | The control points are $\tilde r_1,\dots,\tilde r_n$ by the beginning of the sentence, and the polygon is that of definition 4.3.1, whose curve of
   order 2 is $r_1r_2\cdots r_n$ whatever the order of the curve that it controls.
 :figure: polygon_begun_elsewhere
 
-Each of the $n$ points acts on the curve, the first one, too, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
+The first point acts on the curve where its support meets the domain, as every other, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
 :::
 */
 

@@ -222,8 +222,9 @@ The preface confuses the size of the expression with the number of operations; b
 :refuted-by: recursion_is_not_exponential
 :class: false
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
-  dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying
-:corrected-by: recursion_is_quadratic
+  dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m$,
+  and an exponential does not
+:corrected-by: recursion_is_quadratic twice_the_degree_takes_less_than_four_times_the_steps
 :meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.
 :reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
   occurs again: then the time does double with the order.  Nobody needs to do so, and algorithm 4.1.1, level after
@@ -266,6 +267,34 @@ CLAIM(recursion_is_quadratic)
     }
 }
 
+#endif
+
+/*
+:::{claim} twice_the_degree_takes_less_than_four_times_the_steps
+:title: From order m+1 to order 2m+1 a number of steps c k(k-1)/2 grows less than fourfold
+:zh: 阶数由 m+1 增至 2m+1 时步数不足四倍
+:types: field rational
+:given: $m\ge1$, the steps $c\,\frac{k(k-1)}2$ for order $k$, or $c\,(k-1)$, with $c>0$; all variables
+:then: $4\,c\,\frac{(m+1)m}2-c\,\frac{(2m+1)\,2m}2=c\,m>0$, and $2m=2\cdot m$: the first are less than four times, the second twice as many
+:method: Identities in $m$ and $c$.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by $a^m$ from order $m+1$ to order $2m+1$, which is more than $4$ for
+  great $m$.
+:harmless: $c>0$ | it is a number of operations
+:degrees: all
+:over: m c: -
+:control: three times in the place of four
+:::
+*/
+CLAIM(twice_the_degree_takes_less_than_four_times_the_steps)
+{
+    num m = whole(T, "m", 1, 99), c = positive(T, "c", 0), one = from_int(1), two = from_int(2), more = add(m, m);
+    num here = div(mul(c, mul(add(m, one), m)), two), there = div(mul(c, mul(add(more, one), more)), two);
+    about(T, "a point");
+    same(T, sub(mul(from_int(fault(T, 4, 3)), here), there), mul(c, m));
+    about(T, "an insertion");
+    same(T, mul(c, more), mul(two, mul(c, m)));
+}
+
+#if RATIONAL
 /*
 :::{claim} recursion_is_not_exponential
 :title: De Boor's algorithm of order 17 is far below the smallest doubling
@@ -275,9 +304,7 @@ CLAIM(recursion_is_quadratic)
 :data: k = 9; k' = 17
 :then: doubling with each order means $2^{k'-k}$ times the steps for $k$, and the steps for $k'$ are fewer
 :result: operations, order k = 504; operations, order k' = 1904; plain recursion, order k = 6885; plain recursion, order k' = 1769445
-:method: The steps are counted in the kernel.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by
-  $a^{k'-k}$ for these two, and by $a^{m}$ from order $m+1$ to order $2m+1$; the quotient of the steps is $\frac{2(2m+1)}{m+1}<2^2$
-  for every $m$.
+:method: The steps are counted in the kernel.  Other factors than 2 are the matter of the corrected statement.
 :control: the plain recursion, in which everything is computed again
 :::
 */

@@ -148,7 +148,7 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$: so
   read it is $-N_{i,k}$ for odd $k$
 :corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
-:corrected-by: simple_basis_from_weights
+:corrected-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
 :confirmed-by: printed_simple_matrix_differs_by_the_parity_sign
 :figure: simple_knots_sign
 

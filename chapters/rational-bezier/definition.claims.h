@@ -84,8 +84,7 @@ static inline void G(positive_weights)(trial *T, int n, num w[])
 :::{claim} homogeneous_points_carry_their_weight
 :title: Points with weights and homogeneous points determine each other
 :zh: 带权点与齐次点互相确定
-:given: weights $\omega_i\ne0$ and points $R_i$ of one, two and three coordinates; homogeneous points $H_i$ of as many and
-  one more
+:given: weights $\omega_i\ne0$ and points $R_i$ of one, two and three coordinates; homogeneous points $H_i$ of as many and one more
 :where: no weight is 0
 :then: $(R_i,\omega_i)\mapsto(\omega_iR_i,\omega_i)$ has the quotients $R_i$ by its last coordinate, and
   $H_i\mapsto(R_i,\omega_i)$ has the products $H_i=(\omega_iR_i,\omega_i)$
@@ -746,8 +745,7 @@ weights together.  Other readings are tried, and they fail already for a segment
 :printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: affine_image_of_the_curve_is_the_curve_of_the_images
-:meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The map is applied to the points
-  $R_i$.
+:meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The map is applied to the points $R_i$.
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
   of definition 3.2.1, to whose first three coordinates the map is applied.  A linear map still maps the curve; a
   translation need not, when the weights are not $1$.

@@ -18,7 +18,7 @@ entries of degree one; the source takes another way, by operations on columns, a
 :printed: $F(x,y)$ in (3.4.1) is a polynomial in two variables of degree at most $n$.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
-  variables_stay_in_the_first_columns top_form_is_a_resultant_row_by_row top_form_is_a_resultant
+  variables_stay_in_the_first_columns top_form_is_a_resultant_row_by_row top_form_is_a_resultant common_zero_makes_the_equation_vanish
 :figure: implicit_degree
 
 The claim is the proof of the source, with the recursion corrected: after its column operations $x$ and $y$ stand in $n$ columns only, in degree one, and a product of one

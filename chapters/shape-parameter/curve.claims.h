@@ -518,7 +518,8 @@ CLAIM(second_derivative_takes_over_at_minus_seven)
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         G(bezier_points_of)(printed_ones, 7, dim, P, from_int(-7), Q);
         for (int end = 0; end <= 1; end++) {
-            const num *point = P + (end ? 7 : 0) * dim, *next = P + (end ? 6 : 1) * dim, *other = P + (end ? 5 : 2) * dim;
+            const num *point = P + (end ? 7 : 0) * dim, *next = P + (end ? 6 : 1) * dim,
+                      *other = P + (end ? 5 : 2) * dim;
             G(bezier_derivatives)(8, dim, Q, from_int(end), 2, D);
             for (int c = 0; c < dim; c++) {
                 about(T, "the first derivative");

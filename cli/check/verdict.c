@@ -122,7 +122,7 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
             text = append(text, "%sall $%s$", comma, f->name[k]), comma = ", ";
     }
     for (const cagd_definition *value = s->scope.definitions; value != NULL; value = value->next)
-        if (is_given_here(d, value))
+        if (is_given_here(d, value) && cagd_depends_on(&s->scope, s->tree, value->left->head))
             text = append(text, "%s$%s = %s$", comma, source(d, value->left), source(d, value->body)), comma = ", ";
     for (int k = 0; k < s->scope.condition_count; k++) {
         if (!is_about_names(f, s->scope.conditions[k]))

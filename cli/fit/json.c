@@ -271,9 +271,10 @@ json_t *fit_json(const struct fit *f)
                   "message", r->message, "iterations", r->iterations, "best_start", r->best_start, "agreeing_starts",
                   r->agreeing_starts, "initial_cost", real(r->initial_cost), "cost", real(r->cost), "gradient",
                   real(r->gradient_norm), "history", history_json(r));
-    json_t *distances = json_pack("{s:o, s:o, s:i, s:i, s:i, s:i}", "rms", real(r->rms), "largest", real(r->largest),
-                                  "largest_point", r->largest_at + 1, "largest_line", f->points.line[r->largest_at],
-                                  "feet_at_ends", r->feet_at_ends, "feet_out_of_order", r->out_of_order);
+    json_t *distances =
+        json_pack("{s:o, s:o, s:i, s:i, s:i, s:i, s:i}", "rms", real(r->rms), "largest", real(r->largest),
+                  "largest_point", r->largest_at + 1, "largest_line", f->points.line[r->largest_at], "feet_at_ends",
+                  r->feet_at_ends, "feet_out_of_order", r->out_of_order, "feet_shared", r->tied);
     double cusp;
     int has_cusp = cagd_fit_has_cusp(r, &cusp);
     int robust = o->loss != CAGD_FIT_SQUARES; /* the sum of losses has no known distribution */

@@ -33,6 +33,7 @@ enum {
     KEY_OPEN,
     KEY_WITHIN,
     KEY_SMOOTH,
+    KEY_MONOTONE,
     MOST_CONTROL_POINTS = 10000,
     MOST_ROUNDS = 1000000
 };
@@ -142,6 +143,10 @@ static void choose(struct argp_state *state, struct fit_arguments *a)
 {
     cagd_fit_options *o = &a->options;
     cagd_fit_choices *c = &a->choices;
+    if (o->monotone && (o->unordered || o->loss != CAGD_FIT_SQUARES || (a->free_given && o->free == 0)))
+        refuse_call(state->name,
+                    "--monotone is for points in order, squares and a curve that is fitted; --unordered, --loss and "
+                    "--free none do not go with it");
     const int smoothed = a->smooth || o->smooth > 0, counted = a->knots != NULL || o->count != 0;
     if (a->initial != NULL && (a->closed > 0 || a->automatic || a->within > 0 || smoothed))
         refuse_call(state->name,
@@ -166,9 +171,11 @@ static void choose(struct argp_state *state, struct fit_arguments *a)
     if (c->closed < 0 &&
         (a->ends != NULL || a->knots != NULL || a->initial != NULL || (a->free_given && o->free & CAGD_FIT_END_POINTS)))
         c->closed = 0;
-    c->form = !a->degree_given && !counted && !a->automatic && !(a->within > 0) && !smoothed && !a->free_given &&
-              a->initial == NULL && o->weight_low == 0 && isinf(o->weight_high);
-    c->count = !counted && (c->form || c->degree || a->automatic || a->within > 0 || smoothed || a->closed > 0);
+    c->form = !o->monotone && !a->degree_given && !counted && !a->automatic && !(a->within > 0) && !smoothed &&
+              !a->free_given && a->initial == NULL && o->weight_low == 0 && isinf(o->weight_high);
+    const int monotone_spline = o->monotone && !a->degree_given && a->initial == NULL;
+    c->count = !counted &&
+               (c->form || monotone_spline || c->degree || a->automatic || a->within > 0 || smoothed || a->closed > 0);
     c->weights = !a->free_given;
     if (c->count && !c->form && !a->degree_given)
         o->degree = 3;
@@ -260,6 +267,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->smooth = strcmp(arg, "auto") == 0;
         o->smooth = a->smooth ? 0 : positive(state, "--smooth", arg);
         break;
+    case KEY_MONOTONE:
+        o->monotone = 1;
+        break;
     case KEY_UNORDERED:
         o->unordered = 1;
         break;
@@ -348,6 +358,10 @@ static const struct argp_option options[] = {
     {"scale", KEY_SCALE, "A", 0,
      "Of the loss, in standard deviations where these are given (default: estimated from the median of the distances)",
      2},
+    {"monotone", KEY_MONOTONE, 0, 0,
+     "Feet in the order of the points: where one would fall back it is that of the point before, which keeps a curve "
+     "with few points from going back and forth between them",
+     2},
     {"unordered", KEY_UNORDERED, 0, 0, "The points come in no order", 2},
     {"dim", KEY_DIM, "D", 0, "So many coordinates, 2 or 3, where columns have no names", 3},
     {"sigma-column", KEY_SIGMA_COLUMN, "C", 0, "The column, by name or number, of standard deviations", 3},
@@ -386,7 +400,9 @@ static const struct topic topics[] = {
      "that they explain something. A "
      "spline that does not converge, or has excursions that no points show, is given knots that the points place, and "
      "smoothed where these do not help, which is told; --smooth does "
-     "so always. Of weights, inner points and end points those in --free move, and with none only the distances from "
+     "so always. With --monotone the feet follow the order of the points: where one would fall back it is shared with "
+     "the point before, whose distance then counts along the curve as well; intervals are not sought then. Of weights, "
+     "inner points and end points those in --free move, and with none only the distances from "
      "the curve of --initial are told. The first and the last point are measurements of the ends of the curve, with "
      "errors as the others have: their distances count along the curve as well. With --ends exact, or without ends in "
      "--free, the curve begins and ends in these two points as they are, and no interval knows of their errors; with "

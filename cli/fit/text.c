@@ -478,6 +478,11 @@ static void print_distances(const struct fit *f)
         fprintf(out, "; %d foot point%s at an end of the curve", r->feet_at_ends, plural(r->feet_at_ends));
     if (r->out_of_order > 0)
         fprintf(out, "; %d of the feet overtake%s the one before", r->out_of_order, r->out_of_order == 1 ? "s" : "");
+    if (f->options.monotone && r->tied > 0)
+        fprintf(out, "; %d point%s share%s the foot of the one before, which theirs would fall behind", r->tied,
+                plural(r->tied), r->tied == 1 ? "s" : "");
+    else if (f->options.monotone && r->out_of_order == 0)
+        fprintf(out, "; every foot lies behind the one before by itself");
     end(&l, "Distances");
 }
 
@@ -589,6 +594,9 @@ static void print_statistics(const struct fit *f)
         say("No intervals", "%s",
             r->found.smoothed || f->options.smooth > 0
                 ? "how far smoothing moves the curve by itself is in no standard error"
+            : r->tied > 0 ? "which feet are shared was decided by these points, and standard errors for given ones "
+                            "know nothing of "
+                            "that"
             : r->found.weights == 1
                 ? "that weights are fitted was decided by these points, and standard errors know nothing of that: they "
                   "are "

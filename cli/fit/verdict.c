@@ -213,7 +213,8 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
         add(sentence, &count, "control point P%d lies far outside of the points (%s)", q->far, smoother);
     if (q->problems & CAGD_FIT_BACKWARDS)
         add(sentence, &count,
-            "%d of the feet go%s back by more than six times the rms (--unordered, where the points are not in order)",
+            "%d of the feet go%s back by more than six times the rms (--unordered, where the points are not in order; "
+            "--monotone, where they are)",
             q->backwards, q->backwards == 1 ? "es" : "");
     if (q->problems & CAGD_FIT_COARSE && smoothed)
         add(sentence, &count,

@@ -15,6 +15,8 @@ cagd_status fit_check_options(const cagd_fit_options *o)
     REQUIRE(isfinite(o->tolerance) && o->tolerance > 0, CAGD_BAD_OPTION);
     REQUIRE(isfinite(o->smooth) && o->smooth >= 0 && (o->closed == 0 || o->closed == 1), CAGD_BAD_OPTION);
     REQUIRE(o->smooth == 0 || !(o->free & CAGD_FIT_WEIGHTS), CAGD_BAD_OPTION);
+    REQUIRE(o->monotone == 0 || (o->monotone == 1 && o->free != 0 && !o->unordered && o->loss == CAGD_FIT_SQUARES),
+            CAGD_BAD_OPTION);
     REQUIRE(o->count <= CAGD_FIT_MAX_CONTROL_POINTS, CAGD_BAD_OPTION);
     REQUIRE(o->initial == NULL || o->initial->count <= CAGD_FIT_MAX_CONTROL_POINTS, CAGD_BAD_CURVE);
     REQUIRE(o->initial != NULL || (o->free & CAGD_FIT_INNER_POINTS) || (o->free != 0 && o->degree == 1),

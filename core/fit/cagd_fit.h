@@ -47,6 +47,17 @@
  * scale_squared H^-1 J^T J H^-1, that of the smoothed curve: how far smoothing moves the curve by itself is not in it.
  * Source: eilers-marx-1996; wahba-1990.
  *
+ * Feet in order (保序垂足).  With `monotone` the feet do not fall back, t_1 <= t_2 <= ... <= t_N, on a closed curve but for the
+ * seam; so a curve gains nothing by going back and forth between its points, as one with much freedom and few points does.  An
+ * excursion between two neighbouring feet is against no order, and a matter of smoothing.  Where a foot would fall back behind the one
+ * before both are at the same t, and the distances there count along the curve as well as across.  Of squares, for points in order,
+ * and with something free.
+ * What it changes in the statistics: a foot that is shared is one unknown less, so that there are `tied` more degrees of freedom, and
+ * distances that are not orthogonal are in chi_squared.  Which feet are shared was decided by the same points, of which no standard
+ * error knows: in simulations (cubic, 60 points whose errors are 1 to 3 times as large as they are apart, a fifth to a half of the feet
+ * shared) the variance comes out 7 to 12 % too small, and intervals would cover 86 to 94 %; they are not sought.  Where no foot is shared
+ * the curve is a minimum without `monotone`, too.  Source: barlow-1972.
+ *
  * Nothing free (只求垂足).  With an initial curve and free = 0 the distances of the points from that curve are told, and
  * nothing is estimated.  One point is enough then.  The foot of each is the nearest point of the whole curve,
  * whatever the order of the points, which only says how many feet overtake the one before.  The curve, its gauge with
@@ -103,6 +114,7 @@ typedef struct cagd_fit_options {
     cagd_fit_ends ends;         /* of free ends                                                          */
     double smooth;              /* >= 0: the weight of the smoothing term; see above                     */
     int closed;                 /* 1: a closed curve; see above                                          */
+    int monotone;               /* 1: the feet follow the order of the points; see above                 */
     int unordered;              /* 0: the points come in order along the curve; 1: in any order          */
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0; 0: estimated, with the fit, from the median of the distances     */
@@ -135,7 +147,7 @@ typedef struct cagd_fit_step {
 /* How a 95 % interval was found: value +- quantile * error, LINEAR; by the profile of the cost, which is not quadratic
  * over that interval, PROFILE; or not at all, since the points hardly determine the unknown, NONE.  NOT_SOUGHT: a
  * standard error, and no interval, since none was asked for, or since none is known that covers the truth 95 times in a hundred:
- * with a smoothing term, whose bias is in no error, and where cagd_fit_choose has found the knots, or that weights are fitted, by the same points. */
+ * with a smoothing term, whose bias is in no error, where feet are shared, and where cagd_fit_choose has found the knots, or that weights are fitted, by the same points. */
 typedef enum cagd_fit_interval {
     CAGD_FIT_INTERVAL_LINEAR,
     CAGD_FIT_INTERVAL_PROFILE,
@@ -209,6 +221,7 @@ typedef struct cagd_fit_result {
     int *
         foot_at_end; /* 1 where the foot is an end of the domain and the distance is not orthogonal; 0 for end points */
     int feet_at_ends;    /* how many of them                                                            */
+    int tied;            /* how many points share the foot of the one before, since it would fall back; see above */
     int out_of_order;    /* how many feet are smaller than the one before; 0 for unordered points        */
     double rms, largest; /* of the distances, unscaled                                                  */
     int largest_at;      /* index of the point it belongs to                                            */
@@ -249,7 +262,7 @@ typedef struct cagd_fit_result {
     int ends_are_exact;      /* 1: the ends are measured points whose errors no standard error knows of          */
     double chi_squared, reduced_chi_squared, aic, bic;
     int end_points[2];      /* the points that are measurements of the ends of the curve; -1: none              */
-    int degrees_of_freedom; /* N (dim-1) - rank, and one more for each of the end points                       */
+    int degrees_of_freedom; /* N (dim-1) - rank, and one more for each of the end points and for each shared foot  */
     double quantile;        /* 95 % intervals are value +- quantile * standard error: normal with given standard */
                             /* deviations, else Student's t                                                */
     int invariants;         /* of a curve of one span, p-1: I_j = w_j^2/(w_{j-1} w_{j+1}), with standard errors */

@@ -149,7 +149,7 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     }
     const int free_ends =
         options->closed || (options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED);
-    if (free_ends && data->count * (data->dim - 1) > 3 * data->dim) {
+    if (free_ends && !options->monotone && data->count * (data->dim - 1) > 3 * data->dim) {
         status = fit_ellipse_result(data, options, &one);
         REQUIRE(status == CAGD_OK, status);
         compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse",

@@ -14,6 +14,7 @@ void fit_curve_free(fit_curve *c)
     free(c->weights);
     free(c->span);
     free(c->inverse);
+    free(c->begin);
     free(c->bezier);
     free(c->choose);
     free(c);
@@ -31,10 +32,11 @@ fit_curve *fit_curve_new(int degree, int count, int period, int dim, const doubl
     c->span = malloc(n * sizeof *c->span);
     c->choose = malloc(p * sizeof *c->choose);
     c->inverse = malloc(n * sizeof *c->inverse);
+    c->begin = malloc(n * sizeof *c->begin);
     c->bezier = malloc((n - p) * (p + 1) * (d + 1) * sizeof *c->bezier);
     c->spline = (cagd_spline){degree, count, dim, u, c->points, c->weights};
     c->period = period;
-    if (!u || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier || !c->choose) {
+    if (!u || !c->points || !c->weights || !c->span || !c->inverse || !c->begin || !c->bezier || !c->choose) {
         fit_curve_free(c);
         return NULL;
     }
@@ -45,6 +47,7 @@ fit_curve *fit_curve_new(int degree, int count, int period, int dim, const doubl
         c->choose[i] = (double)binomial(degree - 1, i);
     for (int mu = degree; mu < count; mu++)
         if (knots[mu] < knots[mu + 1]) {
+            c->begin[c->pieces] = knots[mu];
             c->inverse[c->pieces] = 1 / (knots[mu + 1] - knots[mu]);
             c->span[c->pieces++] = mu;
         }
@@ -75,13 +78,11 @@ void fit_curve_update(fit_curve *c)
 
 int fit_curve_piece(const fit_curve *c, double t)
 {
-    int low = 0, high = c->pieces;
-    while (high - low > 1) {
-        int middle = low + (high - low) / 2;
-        if (t < c->spline.knots[c->span[middle]])
-            high = middle;
-        else
-            low = middle;
+    int low = 0;
+    for (int left = c->pieces; left > 1;) { /* one of the pieces low, ..., low + left - 1; no branch to guess */
+        const int half = left / 2;
+        low += t >= c->begin[low + half] ? half : 0;
+        left -= half;
     }
     return low;
 }

@@ -14,7 +14,7 @@ typedef struct fit_curve {
     int period;               /* of a closed curve: point i+period is point i; 0: open   */
     double *points, *weights; /* those of the spline, to be changed                      */
     int pieces, *span;        /* of each piece: u_span < u_{span+1}                      */
-    double *inverse;          /* of each piece: 1/(u_{span+1} - u_span)                  */
+    double *begin, *inverse;  /* of each piece: u_span, 1/(u_{span+1} - u_span)          */
     double *bezier;           /* (p+1)(dim+1) homogeneous coordinates of each piece      */
     double *choose;           /* binomial coefficients of p-1                            */
 } fit_curve;

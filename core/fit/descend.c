@@ -75,10 +75,11 @@ int fit_descend_near(fit_attempt *a)
 {
     const fit_problem *p = a->problem;
     fit_objective *f = a->objective;
-    f->limit = p->strategy.taylor_reach;
+    f->limit = FOOT_EXACT; /* at the start, whose cost is told */
     f->newton = 0;
     fit_objective_begin(f, a->curve, a->feet);
     a->initial_cost = f->cost;
+    f->limit = p->strategy.taylor_reach;
     return run_ceres(a, fmax(p->strategy.handover, p->options->tolerance));
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/fit/arguments.h"
 #include "core/fit/minimum.h"
+#include "core/fit/monotone.h"
 #include "core/fit/outliers.h"
 #include "core/fit/profile.h"
 #include "core/fit/result.h"
@@ -151,6 +152,8 @@ cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options 
     REQUIRE(data != NULL && options != NULL && data->points != NULL, CAGD_NULL);
     cagd_status status = check(data, options, where);
     REQUIRE(status == CAGD_OK, status);
+    if (options->monotone)
+        return fit_monotone(data, options, strategy, fit_with_scale, result, where);
     return options->loss != CAGD_FIT_SQUARES && options->loss_scale == 0
                ? fit_and_scale(data, options, strategy, result, where)
                : fit_with_scale(data, options, strategy, result, where);

@@ -2,6 +2,7 @@
 
 #include "core/fit/ceres.h"
 #include "core/fit/feet.h"
+#include "core/fit/rank.h"
 #include "core/fit/reduction.h"
 #include "core/fit/smoothing.h"
 #include "core/kernels/kernels_d.h"
@@ -134,12 +135,19 @@ static void add_smoothing(const fit_problem *p, const fit_curve *curve, const fr
         }
 }
 
-/* Moves the free points by the solution of smallest length of the triangle T = (R z), by the singular values of R
- * that count.  work has room for 3 m^2 + m numbers, m free points.  Returns 0 when there is no memory. */
+/* Moves the free points by the solution of smallest length of the triangle T = (R z): by R^-1, or where R may lose a rank by the
+ * singular values of R that count.  work has room for 3 m^2 + m numbers, m free points.  Returns 0 when there is no memory. */
 static int move_points(const fit_problem *p, const free_points *f, const double T[], double work[], fit_curve *curve)
 {
     int m = f->support.unknowns, dim = p->dim, n = m + dim;
     double *A = work, *U = A + m * m, *V = U + m * m, *s = V + m * m;
+    if (fit_rank_inverse(m, p->points, 0, T, n, A)) {
+        for (int k = 0; k < (p->period > 0 ? p->period : p->count); k++)
+            for (int i = f->column[k]; i >= 0 && i < m; i++)
+                for (int c = 0; c < dim; c++)
+                    curve->points[k * dim + c] += A[f->column[k] * m + i] * T[i * n + m + c];
+        return 1;
+    }
     for (int i = 0; i < m; i++)
         for (int j = 0; j < m; j++)
             A[i * m + j] = T[i * n + j];

@@ -45,19 +45,22 @@ static cagd_status inscribe(const cagd_fit_result *r, polygon *p)
     for (int mu = near.degree; mu < near.count; mu++)
         segments += near.knots[mu] < near.knots[mu + 1];
     const int per = segments * PER_PIECE > SIDES ? SIDES / segments + 1 : PER_PIECE;
-    REQUIRE(polygon_new(segments * per + 1, near.dim, p), CAGD_NO_MEMORY);
-    for (int mu = near.degree; mu < near.count; mu++) {
+    cagd_status status = CAGD_OK;
+    cagd_curve *curve = cagd_curve_new(&near, &status, NULL);
+    if (status == CAGD_OK && !polygon_new(segments * per + 1, near.dim, p))
+        status = CAGD_NO_MEMORY;
+    for (int mu = near.degree; status == CAGD_OK && mu < near.count; mu++) {
         const double a = near.knots[mu], b = near.knots[mu + 1];
         for (int i = at == 0 ? 0 : 1; i <= per && a < b; i++, at++) {
             p->t[at] = i < per ? a + (b - a) * i / per : b;
-            cagd_status status =
-                cagd_spline_point(&near, p->t[at], i < per ? CAGD_RIGHT : CAGD_LEFT, p->at + at * near.dim);
-            REQUIRE(status == CAGD_OK, status);
+            if (status == CAGD_OK)
+                status = cagd_curve_point(curve, p->t[at], i < per ? CAGD_RIGHT : CAGD_LEFT, p->at + at * near.dim);
             p->way[at] =
                 at > 0 ? p->way[at - 1] + distance(near.dim, p->at + at * near.dim, p->at + (at - 1) * near.dim) : 0;
         }
     }
-    return CAGD_OK;
+    cagd_curve_free(curve);
+    return status;
 }
 
 /* The polygon of the means of neighbours, of SIDES at most. */

@@ -12,6 +12,7 @@ enum { ROWS = 128 }; /* taken in at once */
 typedef struct triangle {
     int columns, rows; /* rows: new ones */
     double *a;
+    int *filled; /* of that of all: 1 where the new rows have numbers other than 0 in a column; NULL: everywhere */
 } triangle;
 
 struct fit_reduction {
@@ -33,14 +34,17 @@ static int triangle_new(triangle *t, int columns)
     return t->a != NULL;
 }
 
-/* Householder's reflections of the new rows into the triangle: column k has the vector (a_kk + sign |.|, new rows). */
+/* Householder's reflections of the new rows into the triangle: column k has the vector (a_kk + sign |.|, new rows).  Columns in
+ * which a reflection has nothing to change, as most of them in a spline of many pieces, are passed over. */
 WIDE static void absorb(triangle *t)
 {
     int n = t->columns, stride = stride_of(t), rows = (t->rows + WIDE_SUMS - 1) / WIDE_SUMS * WIDE_SUMS;
     for (int k = 0; k < n; k++)
-        for (int i = t->rows; i < rows; i++)
+        for (int i = t->rows; i < rows && t->filled == NULL; i++)
             t->a[k * stride + i] = 0;
     for (int k = 0; k < n; k++) {
+        if (t->filled != NULL && !t->filled[k])
+            continue;
         double *column = t->a + k * stride, at = column[ROWS + k];
         const double square = wide_dot(rows, column, column);
         if (square == 0)
@@ -49,12 +53,21 @@ WIDE static void absorb(triangle *t)
         const double factor = 2 / (head * head + square);
         for (int j = k + 1; j < n; j++) {
             double *w = t->a + j * stride;
+            if (t->filled != NULL && !t->filled[j] && w[ROWS + k] == 0)
+                continue;
+            if (t->filled != NULL)
+                t->filled[j] = 1;
             const double share = factor * (head * w[ROWS + k] + wide_dot(rows, column, w));
             w[ROWS + k] -= share * head;
             wide_subtract(rows, share, column, w);
         }
         column[ROWS + k] = at > 0 ? -length : length;
     }
+    for (int k = 0; k < n && t->filled != NULL; k++)
+        if (t->filled[k]) {
+            memset(t->a + k * stride, 0, (size_t)rows * sizeof *t->a);
+            t->filled[k] = 0;
+        }
     t->rows = 0;
 }
 
@@ -73,6 +86,7 @@ void fit_reduction_free(fit_reduction *r)
         free(r->piece[k].a);
     free(r->piece);
     free(r->all.a);
+    free(r->all.filled);
     free(r->by_rows);
     free(r);
 }
@@ -86,7 +100,8 @@ fit_reduction *fit_reduction_new(const fit_support *support, int sides)
     r->support = support, r->sides = sides;
     r->piece = calloc((size_t)support->pieces, sizeof *r->piece);
     r->by_rows = malloc((size_t)columns * (size_t)columns * sizeof *r->by_rows);
-    int good = r->piece && r->by_rows && triangle_new(&r->all, columns);
+    r->all.filled = calloc((size_t)columns, sizeof *r->all.filled);
+    int good = r->piece && r->by_rows && r->all.filled && triangle_new(&r->all, columns);
     for (int k = 0; good && k < support->pieces; k++)
         good = triangle_new(&r->piece[k], first[k + 1] - first[k] + sides);
     if (!good) {
@@ -130,17 +145,17 @@ double *fit_reduction_rows(fit_reduction *r, int piece, int count, int *stride)
 static void join(fit_reduction *r, int k)
 {
     const fit_support *support = r->support;
-    const int n = support->unknowns + r->sides, stride = stride_of(&r->all),
-              *unknown = support->unknown + support->first[k];
+    const int stride = stride_of(&r->all), *unknown = support->unknown + support->first[k];
     triangle *t = &r->piece[k];
     const int own = t->columns - r->sides;
     absorb(t);
     for (int i = 0; i < t->columns; i++) {
         double *row = next_row(&r->all);
-        for (int j = 0; j < n; j++)
-            row[j * stride] = 0;
-        for (int j = i; j < t->columns; j++)
-            row[(j < own ? unknown[j] : support->unknowns + j - own) * stride] = t->a[j * stride_of(t) + ROWS + i];
+        for (int j = i; j < t->columns; j++) {
+            const int column = j < own ? unknown[j] : support->unknowns + j - own;
+            row[column * stride] = t->a[j * stride_of(t) + ROWS + i];
+            r->all.filled[column] = 1;
+        }
     }
 }
 

@@ -15,7 +15,7 @@ static int directions_of(const cagd_fit_data *data, const cagd_fit_result *resul
 
 static int equations(const cagd_fit_data *data, const cagd_fit_result *result)
 {
-    return data->count * (data->dim - 1) + (result->end_points[0] >= 0) + (result->end_points[1] >= 0);
+    return data->count * (data->dim - 1) + result->tied + (result->end_points[0] >= 0) + (result->end_points[1] >= 0);
 }
 
 static double scaled_square(const cagd_fit_data *data, const cagd_fit_result *result, int i)

@@ -2,7 +2,7 @@
  *
  * The model.  Every point lies on the curve but for independent errors of one size in all coordinates.  Along the curve
  * an error only moves the foot point; across it there are dim-1 residuals a point, so that the equations are
- * n = N (dim-1) in number; the points of measured ends have dim residuals each, and then n = N (dim-1) + 2.  k is the rank of the problem, d = n - k its degrees of freedom (自由度).
+ * n = N (dim-1) in number, and one more for each foot that is shared with the point before; the points of measured ends have dim residuals each, and then n = N (dim-1) + 2.  k is the rank of the problem, d = n - k its degrees of freedom (自由度).
  *
  *     s_i = |Q_i - C(t_i)|^2 / s_i^2   (unknown standard deviations: s_i^2 = 1)
  *     chi_squared          sum_i rho(s_i), which is twice the cost; for squares the sum of the s_i

@@ -53,7 +53,7 @@ cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *
     cagd_fit_found *found = &r->found;
     found->weights = -1;
     if (!cagd_fit_is_minimum(r) || found->ellipse.known || options->loss != CAGD_FIT_SQUARES || r->points_on_curve ||
-        options->smooth > 0 || found->smoothed || r->curve.count == r->curve.degree + 1 || r->rank < r->unknowns)
+        options->smooth > 0 || found->smoothed || options->monotone || r->curve.count == r->curve.degree + 1 || r->rank < r->unknowns)
         return CAGD_OK;
     cagd_fit_options free = *options;
     free.initial = &r->curve;

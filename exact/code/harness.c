@@ -118,7 +118,7 @@ static int is_end(const struct cagd_code_harness *h, const char *text)
         return 1;
     if (read_name(&at, name) != 0)
         return 0;
-    for (int k = 0; k < h->inputs; k++)
+    for (int k = 0; k < h->inputs - 1; k++) /* the last one is that whose range it is */
         if (strcmp(h->input[k].name, name) == 0) {
             if (h->input[k].count == 0)
                 return *at == 0;

@@ -65,6 +65,8 @@ static int is_index(const cagd_tree *t, int k)
         return k < t->lower + t->upper;
     case CAGD_SUM_OVER:
     case CAGD_PRODUCT_OVER:
+    case CAGD_MAXIMUM_OVER:
+    case CAGD_MINIMUM_OVER:
         return k < 2;
     case CAGD_POWER:
     case CAGD_AT:

@@ -68,6 +68,11 @@ static int uses(const cagd_scope *scope, const cagd_tree *t, const char *head, i
     return 0;
 }
 
+int cagd_depends_on(const cagd_scope *scope, const cagd_tree *statement, const char *head)
+{
+    return uses(scope, statement, head, 0);
+}
+
 int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room)
 {
     int count = 0;
@@ -285,6 +290,51 @@ static cagd_answer compared_in_cell(struct run *r, cagd_context *c, const cagd_t
     return answer == CAGD_HOLDS ? CAGD_HOLDS : undecided(r, c, "an inequality that was neither proved nor refuted");
 }
 
+/* p with x^2 = q: even and odd powers of x, A + B x. */
+static num_f with_square(num_f p, num_f x, num_f q)
+{
+    num_f part[2] = {from_int_f(0), from_int_f(0)}, power = from_int_f(1);
+    for (int e = 0; e <= cagd_degree_f(p, x); e++) {
+        part[e % 2] = add_f(part[e % 2], mul_f(cagd_coefficient_f(p, x, e), power));
+        power = e % 2 == 1 ? mul_f(power, q) : power;
+    }
+    return add_f(part[0], mul_f(part[1], x));
+}
+
+/* Uses a condition such as r^2 = 2, or c^2 + s^2 = 1: a name whose square it tells. */
+static void use_square(cagd_context *c, const cagd_tree *t, num_f *p)
+{
+    if (t->kind != CAGD_RELATION || t->count != 2 || t->relation[0] != CAGD_EQUAL)
+        return;
+    const char *trouble = c->trouble;
+    cagd_value d = cagd_value_sub(cagd_evaluate(c, t->at[0]), cagd_evaluate(c, t->at[1]));
+    unsigned faults = region_faults;
+    region_faults &= FAULT_CROWDED | FAULT_MEMORY;
+    c->trouble = trouble;
+    for (int m = 0; m < c->count && faults == 0 && !d.rational; m++) {
+        const cagd_binding *b = &c->binding[m];
+        num_f x = b->value.f, n = cagd_numerator_f(d.f);
+        if (!b->unknown || b->value.rational || cagd_degree_f(n, x) != 2 ||
+            !cagd_is_zero_f(cagd_coefficient_f(n, x, 1)) || !cagd_is_constant_f(cagd_coefficient_f(n, x, 2), NULL))
+            continue;
+        *p = with_square(*p, x, neg_f(div_f(cagd_coefficient_f(n, x, 0), cagd_coefficient_f(n, x, 2))));
+        return;
+    }
+}
+
+/* Whether d is 0 where the conditions tell squares of names, as of a root r with r^2 = 2: what is not needed to be rational. */
+static int is_zero_with_squares(cagd_context *c, num_f d)
+{
+    num_f p = cagd_numerator_f(d);
+    for (int k = 0; k < c->scope->condition_count; k++)
+        use_square(c, c->scope->conditions[k], &p);
+    if (c->premise != NULL)
+        use_square(c, c->premise, &p);
+    for (int k = 0; c->premise != NULL && c->premise->kind == CAGD_ALL && k < c->premise->count; k++)
+        use_square(c, c->premise->at[k], &p);
+    return region_faults == 0 && cagd_is_zero_f(p);
+}
+
 /* The relation number k of the chain t for two values. */
 static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
 {
@@ -303,6 +353,8 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
                     : relation == CAGD_NOT_EQUAL                        ? sign != 0
                     : relation == CAGD_LESS || relation == CAGD_GREATER ? sign > 0
                                                                         : sign >= 0;
+        if (!holds && relation == CAGD_EQUAL && !d.rational && is_zero_with_squares(c, d.f))
+            holds = r->unnoted = 1;
         if (!holds)
             return refuted(r, c, t, k, NULL, NULL, 0);
         weaken(r->out, names > 0 && relation == CAGD_EQUAL ? CAGD_BY_IDENTITY : CAGD_BY_DECISION);
@@ -703,9 +755,57 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
                                                                                                    : CAGD_HOLDS;
 }
 
+/* Names without meaning and numbers alone: a condition, if it is no statement. */
+static int is_of_plain_names(const cagd_scope *scope, const cagd_tree *t, int *names)
+{
+    int plain = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
+                t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION;
+    if (t->kind == CAGD_NAME)
+        return ++*names, t->order == 0 && cagd_defined(scope, t->head) == NULL;
+    for (int k = 0; k < t->count && plain; k++)
+        plain = is_of_plain_names(scope, t->at[k], names);
+    return plain;
+}
+
+/* "A, \quad u + v = 1" with the parts of plain names behind the first supposed; NULL where there are none. */
+static const cagd_tree *with_parts_supposed(const cagd_scope *scope, const cagd_tree *t, const cagd_tree **first)
+{
+    cagd_tree *said = cagd_tree_new(CAGD_ALL, t->from, t->to, t->count),
+              *supposed = cagd_tree_new(CAGD_ALL, t->from, t->to, t->count),
+              *both = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
+    if (t->kind != CAGD_ALL || said == NULL || supposed == NULL || both == NULL)
+        return NULL;
+    said->count = supposed->count = 0;
+    for (int k = 0; k < t->count; k++) {
+        int names = 0, plain = k > 0 && is_of_plain_names(scope, t->at[k], &names) && names > 0;
+        cagd_tree *to = plain ? supposed : said;
+        to->at[to->count++] = t->at[k];
+    }
+    if (supposed->count == 0)
+        return NULL;
+    *first = supposed->at[0];
+    both->at[0] = supposed->count == 1 ? supposed->at[0] : supposed;
+    both->at[1] = said->count == 1 ? said->at[0] : said;
+    return both;
+}
+
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
+    const cagd_tree *where = NULL;
     check(scope, statement, seconds, 0, out);
+    const cagd_tree *other = out->answer == CAGD_FAILS ? with_parts_supposed(scope, statement, &where) : NULL;
+    if (other == NULL)
+        return;
+    cagd_finding *second = region_bytes(sizeof *second);
+    if (second == NULL)
+        return;
+    check(scope, other, seconds, 0, second);
+    if (second->answer == CAGD_FAILS) { /* in both readings, with numbers that satisfy what can be a condition */
+        *out = *second;
+        return;
+    }
+    *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = where};
+    out->why = "it fails if this is said, and not where it is supposed: then write \\text{for} before it";
 }
 
 /* ---- certificates --------------------------------------------------------------------------------------- */

@@ -83,6 +83,8 @@ typedef struct cagd_found {
 void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
                cagd_found *out);
 
+/* Whether the name occurs in the statement, or in the definitions that it uses. */
+int cagd_depends_on(const cagd_scope *scope, const cagd_tree *statement, const char *head);
 /* The whole numbers that the statement depends on, in the order in which they were declared; their number. */
 int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room);
 #endif

@@ -55,12 +55,19 @@ static int factorial(cagd_search *s, num_f v, num_f *out)
     return 1;
 }
 
-/* C(a,b) for a whole number b, or a - b; otherwise of factorials. */
+/* Whether a = p n + c is at least 0 for every n. */
+static int is_never_negative(cagd_search *s, num_f a)
+{
+    int p, c;
+    return with_n(s, a, &p, &c) && p >= 0 && p * s->from + c >= 0;
+}
+
+/* C(a,b) for a whole number b, or a - b where a is not negative, which makes it C(a,a-b); otherwise of factorials. */
 static int binomial(cagd_search *s, num_f a, num_f b, num_f *out)
 {
     num_q lower;
     num_f other = sub_f(a, b), x, y, z;
-    if (is_constant_f(b, &lower) || is_constant_f(other, &lower)) {
+    if (is_constant_f(b, &lower) || (is_constant_f(other, &lower) && is_never_negative(s, a))) {
         long m = cagd_is_whole_q(lower) && mpz_cmpabs_ui(mpq_numref(lower.at), MOST_SHIFT) <= 0
                      ? mpz_get_si(mpq_numref(lower.at))
                      : -1;
@@ -142,6 +149,17 @@ static int is_defined_for_every(const cagd_search *s, num_f value)
 
 /* ---- values ------------------------------------------------------------------------------------------------ */
 
+/* F(high+1) from F(high), as of a binomial coefficient that is 0 there: for high >= low. */
+static int last_by_ratio(cagd_search *s, const cagd_tree *term, cagd_frame *inner, num_f high,
+                         const cagd_product *terms, num_f *out)
+{
+    inner->value = cagd_value_f(high);
+    if (!cagd_closed(s, term, inner, out))
+        return 0;
+    *out = mul_f(*out, substitute_f(terms->ratio.by_k, s->k, high));
+    return region_faults == 0;
+}
+
 static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *out)
 {
     num_f low, high, F;
@@ -170,7 +188,7 @@ static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
     num_f G[2];
     for (int i = 0; i < 2; i++) {
         inner.value = cagd_value_f(at[i]);
-        if (!cagd_closed(s, t->at[2], &inner, &F))
+        if (!cagd_closed(s, t->at[2], &inner, &F) && (i == 0 || !last_by_ratio(s, t->at[2], &inner, high, &terms, &F)))
             return 0;
         G[i] = mul_f(substitute_f(T.R, s->k, at[i]), F);
     }

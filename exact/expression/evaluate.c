@@ -446,6 +446,8 @@ static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
         c->binding[c->count - 1].near = 0; /* it is anywhere between the ends */
     num_f F = cagd_in_field(with_letter(c, t->at[2], t->head, (cagd_value){.f = x}, f));
     forget(c, known);
+    if (region_faults == FAULT_UNABLE) /* whatever it was: for one value of the letter it would be known */
+        c->trouble = "an integral of what has pieces, or of no polynomial", c->where = t;
     if (region_faults != 0)
         return sum;
     if (cagd_denominator_degree_f(F, x) > 0)
@@ -856,7 +858,7 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
     cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
     if (region_faults != 0) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-        return fail(c, t, FAULT_UNABLE, "a root that is no rational number or function");
+        return fail(c, t, FAULT_UNABLE, "a root that is no rational number or function: write a name, r with r^2 = 2 in :for:");
     }
     int positive = a.rational || n % 2 == 1 ? 1 : cagd_compare_values(c, r, CAGD_GREATER_OR_EQUAL, cagd_value_int(0));
     if (positive < 0)
@@ -905,16 +907,27 @@ static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
     return result;
 }
 
+/* The greater or the smaller one of the values before and the next, the `count`-th. */
+static cagd_value better_of(cagd_context *c, const cagd_tree *t, cagd_value before, cagd_value next, int count)
+{
+    if (region_faults != 0 || count == 1)
+        return next;
+    int is = cagd_compare_values(c, next, t->kind == CAGD_MAXIMUM_OVER ? CAGD_GREATER : CAGD_LESS, before);
+    return is < 0 ? fail(c, t, FAULT_UNABLE, "which is larger depends on variables") : is ? next : before;
+}
+
 static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     long low, high;
     cagd_value first = evaluate(c, t->at[0], f), last = evaluate(c, t->at[1], f);
-    int is_sum = t->kind == CAGD_SUM_OVER;
-    cagd_value r = cagd_value_int(is_sum ? 0 : 1);
+    cagd_value r = cagd_value_int(t->kind == CAGD_PRODUCT_OVER ? 1 : 0);
+    int is_extremum = t->kind == CAGD_MAXIMUM_OVER || t->kind == CAGD_MINIMUM_OVER, count = 0;
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high))
-        return fail(c, t, FAULT_UNABLE, "a sum runs between whole numbers");
+        return fail(
+            c, t, FAULT_UNABLE,
+            "a sum runs between whole numbers: n \\ge 1 says nothing of that, n = 1.. or n \\in \\mathbb{N} does");
     if (high - low > MOST_TERMS)
         return fail(c, t, FAULT_UNABLE, "a sum of too many terms");
     for (long k = low; k <= high && region_faults == 0; k++) {
@@ -927,8 +940,13 @@ static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
         if (!counted)
             continue;
         cagd_value term = evaluate(c, t->at[2], &inner);
-        r = is_sum ? cagd_value_add(r, term) : cagd_value_mul(r, term);
+        count++;
+        r = is_extremum                ? better_of(c, t, r, term, count)
+            : t->kind == CAGD_SUM_OVER ? cagd_value_add(r, term)
+                                       : cagd_value_mul(r, term);
     }
+    if (is_extremum && count == 0 && region_faults == 0)
+        return fail(c, t, FAULT_UNDEFINED, "the greatest or smallest of nothing");
     return r;
 }
 
@@ -1027,6 +1045,8 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return rounded(c, t, f);
     case CAGD_SUM_OVER:
     case CAGD_PRODUCT_OVER:
+    case CAGD_MAXIMUM_OVER:
+    case CAGD_MINIMUM_OVER:
         return over(c, t, f);
     case CAGD_DERIVATIVE:
         return derivative(c, t, f);

@@ -159,11 +159,42 @@ static const cagd_tree *bracketed(cagd_reader *r, cagd_tree_kind kind, const cha
     return a != NULL && cagd_expect(r, close, "the bracket") ? cagd_new_of(r, kind, from, 1, &a) : NULL;
 }
 
+/* (x)_+^p behind the bracket with x, a truncated power: x^p where x is not negative, and else 0. */
+static const cagd_tree *truncated(cagd_reader *r, const cagd_tree *x, int from)
+{
+    const cagd_tree *p = cagd_tree_number(1, from, from), *zero = cagd_tree_number(0, from, from);
+    r->token += 2;
+    if (cagd_pass(r, "^"))
+        p = cagd_read_argument(r, 1);
+    const cagd_tree *power = cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){x, p});
+    static const cagd_relation relation[] = {CAGD_GREATER_OR_EQUAL};
+    cagd_tree *where = cagd_new_of(r, CAGD_RELATION, from, 2, (const cagd_tree *[]){x, zero});
+    if (where != NULL)
+        where->relation = relation;
+    return cagd_new_of(r, CAGD_CASES, from, 3, (const cagd_tree *[]){power, where, zero});
+}
+
+/* Whether \quad or \; stands between tokens from `first` to the next one, outside of brackets. */
+static int has_wide_space(const cagd_reader *r, const cagd_token *first)
+{
+    int depth = 0;
+    for (const cagd_token *t = first; t + 1 < r->token; t++) {
+        depth += (strchr("([{", t->word[0]) != NULL) - (strchr(")]}", t->word[0]) != NULL);
+        for (int k = t->to; depth == 0 && k + 1 < t[1].from; k++)
+            if (r->text[k] == '\\' && (r->text[k + 1] == 'q' || r->text[k + 1] == ';'))
+                return 1;
+    }
+    return 0;
+}
+
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
     int from = r->token[-1].from;
+    const cagd_token *first = r->token;
     const cagd_tree *a = cagd_read_sum(r);
+    if (a != NULL && close[0] == ']' && !(a->kind == CAGD_PRODUCT && a->juxtaposed) && has_wide_space(r, first))
+        return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
     if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over"))) {
@@ -177,6 +208,8 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     if (a == NULL || !cagd_expect(r, close, "the bracket") ||
         (!cagd_is_bare_function(r, a) && cagd_refuse_argument(r, a)))
         return NULL;
+    if (close[0] == ')' && cagd_next_is(r, "_") && strcmp(r->token[1].word, "+") == 0)
+        return truncated(r, a, from);
     return cagd_read_primed_group(r, a);
 }
 
@@ -184,15 +217,24 @@ static const cagd_tree *extremum(cagd_reader *r, cagd_tree_kind kind, int from)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
+    cagd_tree_kind over = kind == CAGD_MAXIMUM ? CAGD_MAXIMUM_OVER : CAGD_MINIMUM_OVER;
+    if (cagd_next_is(r, "_"))
+        return cagd_read_over(r, over, from);
     const char *close = cagd_pass(r, "(") ? ")" : cagd_pass(r, "\\{") ? "\\}" : NULL;
     if (close == NULL)
-        return cagd_refuse_token(r, "expected a list such as (a, b), not %s", cagd_name_of_next(r));
+        return cagd_refuse_token(r, "expected a list such as (a, b), or a range such as _{0 \\le i \\le n}, not %s",
+                                 cagd_name_of_next(r));
     do {
+        const cagd_token *dots = r->token;
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "a list of more than %d", CAGD_MOST_CHILDREN);
-        list[count] = cagd_read_sum(r);
-        if (list[count++] == NULL)
+        int start = count, filled = count > 0 && cagd_pass(r, "\\dots") && cagd_pass(r, ",");
+        const cagd_tree *next = cagd_read_sum(r);
+        if (next != NULL && filled)
+            next = cagd_fill_dots(r, over, dots, list, count, next, 0, &start);
+        if (next == NULL)
             return NULL;
+        list[start] = next, count = start + 1;
     } while (cagd_pass(r, ","));
     return cagd_expect(r, close, "the list") ? cagd_new_of(r, kind, from, count, list) : NULL;
 }

@@ -51,7 +51,10 @@ static int is_left_side(cagd_reader *r, const cagd_tree *left)
                                     index ? "an index is a letter or a number" : "an argument is a letter") != NULL;
         for (int m = 0; letter && m < k; m++)
             if (left->at[m]->kind == CAGD_NAME && strcmp(left->at[m]->head, t->head) == 0)
-                return cagd_refuse_tree(r, t, "the letter %s stands there twice", t->head) != NULL;
+                return cagd_refuse_tree(r, t,
+                                        "the letter %s stands there twice: take another one, and say where they are "
+                                        "equal behind \\quad",
+                                        t->head) != NULL;
     }
     if (left->upper > 0 && left->lower + left->arguments == 0)
         return cagd_refuse_tree(r, left, "a power is no name: define %s", cagd_spelled(left->head)) != NULL;

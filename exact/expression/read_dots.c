@@ -501,9 +501,13 @@ static cagd_tree *refuse(cagd_reader *r, const cagd_token *dots, cagd_tree_kind 
 {
     enum { MOST_SHOWN = 40 };
     struct terms s;
-    const char *sign = kind == CAGD_SUM_OVER ? "\\sum" : "\\prod";
+    const char *sign = kind == CAGD_SUM_OVER       ? "\\sum"
+                       : kind == CAGD_PRODUCT_OVER ? "\\prod"
+                       : kind == CAGD_MAXIMUM_OVER ? "\\max"
+                                                   : "\\min";
     r->token = dots;
-    if (kind == CAGD_SUM_OVER && term_of(&s, r, &first, 0, 1, last) != NULL && s.places == 1 && s.place[0].step == 1) {
+    if (kind != CAGD_PRODUCT_OVER && term_of(&s, r, &first, 0, 1, last) != NULL && s.places == 1 &&
+        s.place[0].step == 1) {
         const cagd_tree *low = s.place[0].at[0], *high = s.place[0].at[1];
         int before = high->from - last->from, behind = last->to - high->to;
         const char *start = low->kind == CAGD_NUMBER ? to_string_q(low->number)

@@ -43,7 +43,7 @@ int cagd_may_be_unknown(const cagd_reader *r) { return r->declaring || (r->suppo
 
 struct parts {
     const char *head;
-    int lower, upper, arguments, primes, transposed;
+    int lower, upper, arguments, before_semicolon, primes, transposed;
     const cagd_tree *of_lower[CAGD_MOST_INDICES], *of_upper[CAGD_MOST_INDICES], *argument[MOST_ARGUMENTS];
     const cagd_tree *power, *times;
 };
@@ -77,30 +77,22 @@ static int begins_known_name(const cagd_scope *scope, const char *beginning)
     return 0;
 }
 
-/* \Delta P, \Delta^2 P: differences that are known under such a name; the head goes to p->head, or nothing was passed. */
+/* \Delta P, \Delta^2 P, \Delta^r P: differences that are known, of which the order is an upper index; the head goes to p->head, or nothing
+ * was passed. */
 static int difference(cagd_reader *r, struct parts *p)
 {
     const cagd_token *start = r->token;
     int depth = r->depth;
     struct parts of = {0};
-    const char *order = "";
     r->token++;
-    if (cagd_pass(r, "^")) {
-        int braces = cagd_pass(r, "{");
-        if (r->token->kind == CAGD_TOKEN_NUMBER)
-            order = (r->token++)->word;
-        if (braces)
-            cagd_pass(r, "}");
-    }
-    if ((order[0] != '\0' || strcmp(r->token[-1].word, "\\Delta") == 0) && cagd_begins_name(r) && letter(r, &of) &&
-        of.lower + of.upper == 0) {
-        char before[24];
-        snprintf(before, sizeof before, order[0] != '\0' ? "\\Delta^%.8s{" : "\\Delta%.8s{", order);
-        const char *head = joined(r, before, of.head, "}");
+    const cagd_tree *order = cagd_pass(r, "^") ? cagd_read_argument(r, 1) : cagd_tree_number(1, start->from, start->to);
+    if (order != NULL && cagd_begins_name(r) && letter(r, &of) && of.lower + of.upper == 0) {
+        const char *head = joined(r, "\\Delta{", of.head, "}");
         if (head == NULL)
             return 0;
         if (r->declaring || begins_known_name(r->scope, head)) {
             p->head = head;
+            p->of_upper[p->upper++] = order;
             return 1;
         }
     }
@@ -262,7 +254,7 @@ static int list(cagd_reader *r, int *count, const cagd_tree *out[], int wanted, 
     return good;
 }
 
-/* w_i and w_i^{[r]}, or w_i^r(t), are different names where w_i was made known without an upper index. */
+/* w_i and w_i^{[r]}, w_i^{(r)}, or w_i^r(t), are different names where w_i was made known without an upper index. */
 static int with_upper(cagd_reader *r, struct parts *p, const char *upper)
 {
     const char *with = known_upper(r, p->head) == 0 ? joined(r, "", p->head, upper) : p->head;
@@ -300,6 +292,9 @@ static int superscript(cagd_reader *r, struct parts *p)
         return 1;
     }
     if (braces && strcmp(t->word, "[") == 0 && p->upper == 0 && !with_upper(r, p, "^[]"))
+        return 0;
+    if (braces && strcmp(t->word, "(") == 0 && p->upper == 0 && known_arguments(r, p->head) == 0 &&
+        !with_upper(r, p, "^{()}"))
         return 0;
     if (p->upper == 0 && strcmp(behind(r->token)->word, "(") == 0 && !with_upper(r, p, "^()"))
         return 0;
@@ -355,7 +350,8 @@ static int arguments(cagd_reader *r, struct parts *p, int most)
     if (p->power != NULL && p->power->kind == CAGD_NEGATIVE)
         return cagd_refuse_tree(r, p->power, "the inverse of %s, or 1 over it? write \\frac{1}{...}",
                                 cagd_spelled(p->head)) != NULL;
-    r->token++;
+    const cagd_token *first = r->token++;
+    p->before_semicolon = 0;
     do {
         if (p->arguments == MOST_ARGUMENTS || p->arguments == most)
             return cagd_refuse_token(r,
@@ -364,8 +360,22 @@ static int arguments(cagd_reader *r, struct parts *p, int most)
         p->argument[p->arguments] = cagd_read_sum(r);
         if (p->argument[p->arguments++] == NULL)
             return 0;
+        if (cagd_next_is(r, ";") && p->before_semicolon == 0)
+            p->before_semicolon = p->arguments;
     } while (cagd_pass(r, ",") || cagd_pass(r, ";"));
-    return cagd_expect(r, ")", "the arguments");
+    if (p->before_semicolon == 0)
+        p->before_semicolon = p->arguments;
+    if (!cagd_expect(r, ")", "the arguments"))
+        return 0;
+    const cagd_definition *d = most > 0 ? cagd_defined(r->scope, p->head) : NULL;
+    if (d == NULL || p->arguments >= d->left->before_semicolon)
+        return 1;
+    r->token = first;
+    return cagd_refuse_token(
+               r,
+               "%s was defined with %d arguments, of which %d stand here: write all of them, or \\cdot "
+               "before a factor; parameters that may be left out stand behind a semicolon where it is defined",
+               cagd_spelled(p->head), d->left->arguments, p->arguments) != NULL;
 }
 
 /* Primes belong to the name where it is known with them; of a function they are derivatives. */
@@ -440,7 +450,8 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     cagd_tree *t = cagd_new(r, CAGD_NAME, from, p.lower + p.upper + p.arguments);
     if (t == NULL)
         return NULL;
-    t->head = p.head, t->lower = p.lower, t->upper = p.upper, t->arguments = p.arguments;
+    t->head = p.head, t->lower = p.lower, t->upper = p.upper, t->arguments = p.arguments,
+    t->before_semicolon = p.before_semicolon;
     t->order = p.primes, t->times = p.times;
     t->dimension = r->declaring || cagd_is_bound(r, p.head) ? 0 : cagd_dimension_of(r->scope, p.head);
     for (int k = 0; k < p.lower; k++)
@@ -475,7 +486,8 @@ const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t)
     const cagd_tree **at = whole->at;
     *whole = *t;
     whole->at = at, whole->to = r->token[-1].to;
-    whole->order += p.primes, whole->arguments = p.arguments, whole->count += p.arguments;
+    whole->order += p.primes, whole->arguments = p.arguments, whole->before_semicolon = p.before_semicolon;
+    whole->count += p.arguments;
     for (int k = 0; k < t->count; k++)
         at[k] = t->at[k];
     for (int k = 0; k < p.arguments; k++)
@@ -498,18 +510,29 @@ static int has_bare_function(const cagd_reader *r, const cagd_tree *t)
     return 0;
 }
 
+/* What is in the bracket that comes next: 1 where it has functions without arguments, which makes it a factor; -1 where it does not end. */
+static int bracket_has_function(const cagd_reader *r)
+{
+    int depth = 0, deepest = 0, has = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        char head[MOST_HEAD];
+        if (t->kind == CAGD_TOKEN_LETTER && snprintf(head, sizeof head, "%s_", t->word) < MOST_HEAD)
+            has |= known_arguments(r, t->word) > 0 || known_arguments(r, head) > 0;
+        depth += (strcmp(t->word, "(") == 0) - (strcmp(t->word, ")") == 0);
+        deepest = depth > deepest ? depth : deepest;
+        if (depth == 0)
+            return has && deepest == 1;
+    }
+    return -1;
+}
+
 int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t)
 {
-    const cagd_token *inside = r->token;
-    if (!cagd_next_is(r, "("))
-        return 0;
-    do {
-        inside++;
-        if (inside->kind != CAGD_TOKEN_LETTER && inside->kind != CAGD_TOKEN_NUMBER)
-            return 0;
-        inside++;
-    } while (strcmp(inside->word, ",") == 0 || strcmp(inside->word, ";") == 0);
-    if (strcmp(inside->word, ")") != 0 || !has_bare_function(r, t))
+    if (t->kind != CAGD_NAME && cagd_next_is(r, "'") && has_bare_function(r, t)) {
+        cagd_refuse_token(r, "a prime stands behind one function: write it behind each, or \\frac{d}{dt} before");
+        return 1;
+    }
+    if (!cagd_next_is(r, "(") || !has_bare_function(r, t) || bracket_has_function(r) != 0)
         return 0;
     cagd_refuse_token(r, "arguments of what stands before, or a factor? write them behind the name, or \\cdot between");
     return 1;

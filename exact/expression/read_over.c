@@ -190,32 +190,62 @@ static const char *index_letter(cagd_reader *r)
     return head;
 }
 
-/* The second index, where there is one, is from second_low to high. */
+enum { MOST_CONDITIONS = 6 };
+
+/* The indices, the first outside; each runs from its low to its high end, in which those before it may stand.  The high end of all is
+ * `end` where they have none of their own. */
 struct range {
-    const char *head, *second;
-    const cagd_tree *low, *high, *second_low, *condition[4];
+    int count;
+    const char *head[CAGD_MOST_INDICES];
+    const cagd_tree *low[CAGD_MOST_INDICES], *high[CAGD_MOST_INDICES], *end;
+    const cagd_tree *condition[MOST_CONDITIONS];
     int conditions;
-    struct cagd_bound bound[2];
+    struct cagd_bound bound[CAGD_MOST_INDICES];
 };
 
-static void bind_both(cagd_reader *r, struct range *a)
+static void bind_all(cagd_reader *r, struct range *a)
 {
-    a->bound[0] = (struct cagd_bound){a->head, r->bound};
-    a->bound[1] = (struct cagd_bound){a->second, &a->bound[0]};
-    r->bound = &a->bound[a->second != NULL];
+    for (int k = 0; k < a->count; k++) {
+        a->bound[k] = (struct cagd_bound){a->head[k], r->bound};
+        r->bound = &a->bound[k];
+    }
+}
+
+/* One more index, which has to be another one. */
+static int add_index(cagd_reader *r, struct range *a)
+{
+    if (a->count == CAGD_MOST_INDICES)
+        return cagd_refuse_token(r, "more than %d indices", CAGD_MOST_INDICES) != NULL;
+    const char *head = index_letter(r);
+    for (int k = 0; k < a->count && head != NULL; k++)
+        if (strcmp(head, a->head[k]) == 0)
+            return cagd_refuse_token(r, "the index %s is there twice", head) != NULL;
+    if (head != NULL)
+        a->head[a->count++] = head;
+    return head != NULL;
 }
 
 /* i=0, or i,j=0. */
 static int from_one_end(cagd_reader *r, struct range *a)
 {
-    a->head = index_letter(r);
-    if (a->head == NULL || (cagd_pass(r, ",") && (a->second = index_letter(r)) == NULL))
+    do
+        if (!add_index(r, a))
+            return 0;
+    while (cagd_pass(r, ","));
+    if (!cagd_expect(r, "=", "the index"))
         return 0;
-    if (a->second != NULL && strcmp(a->head, a->second) == 0)
-        return cagd_refuse_token(r, "the index %s is there twice", a->head) != NULL;
-    r->token++;
-    a->low = a->second_low = cagd_read_sum(r);
-    return a->low != NULL;
+    r->ends++;
+    const cagd_tree *low = cagd_read_sum(r);
+    r->ends--;
+    for (int k = 0; k < a->count; k++)
+        a->low[k] = low;
+    if (low == NULL || !cagd_next_is(r, ",") || strcmp(r->token[1].word, "\\dots") != 0)
+        return low != NULL;
+    r->token += 2; /* i = 0, \dots, n */
+    if (!cagd_expect(r, ",", "\\dots"))
+        return 0;
+    a->end = cagd_read_sum(r);
+    return a->end != NULL;
 }
 
 /* The next token is < or \le, and is passed; whether it is <. */
@@ -223,7 +253,7 @@ static int pass_less(cagd_reader *r, int *strict)
 {
     cagd_relation relation;
     if (!cagd_relation_next(r, &relation) || (relation != CAGD_LESS_OR_EQUAL && relation != CAGD_LESS))
-        return cagd_refuse_token(r, "expected a range such as {i=0} or {0 \\le i \\le n}") != NULL;
+        return cagd_refuse_token(r, "expected a range such as {i=0}, {0 \\le i \\le n} or {i+j=n}") != NULL;
     *strict = relation == CAGD_LESS;
     r->token++;
     return 1;
@@ -237,57 +267,140 @@ static const cagd_tree *moved(cagd_reader *r, const cagd_tree *end, long by)
     return cagd_new_of(r, CAGD_SUM, end->from, 2, (const cagd_tree *[]){end, cagd_tree_number(by, end->to, end->to)});
 }
 
-/* 0 \le i \le n, 0 \le i < j \le n. */
+static const cagd_tree *name_of_index(cagd_reader *r, const char *head)
+{
+    cagd_tree *t = cagd_new(r, CAGD_NAME, r->token->from, 0);
+    if (t != NULL)
+        t->head = head;
+    return t;
+}
+
+/* 0 \le i \le n, 0 \le i < j \le n, 0 \le i, j \le n. */
 static int between_ends(cagd_reader *r, struct range *a)
 {
-    int strict;
+    int strict, first = 1;
     const cagd_tree *low = cagd_read_sum(r);
     if (low == NULL || !pass_less(r, &strict))
         return 0;
-    a->low = moved(r, low, strict);
-    a->head = index_letter(r);
-    if (a->low == NULL || a->head == NULL || !pass_less(r, &strict))
-        return 0;
-    if (r->token->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, r->token->word) &&
-        strcmp(r->token->word, a->head) != 0 &&
-        (strcmp(r->token[1].word, "<") == 0 || strcmp(r->token[1].word, "\\le") == 0)) {
-        cagd_tree *first = cagd_new(r, CAGD_NAME, r->token->from, 0);
-        if (first == NULL)
+    low = moved(r, low, strict);
+    do {
+        do {
+            if (!add_index(r, a))
+                return 0;
+            a->low[a->count - 1] = low;
+        } while (cagd_pass(r, ","));
+        if (low == NULL || !pass_less(r, &strict))
             return 0;
-        first->head = a->head;
-        a->second_low = moved(r, first, strict);
-        a->second = index_letter(r);
-        if (a->second_low == NULL || a->second == NULL || !pass_less(r, &strict))
-            return 0;
-    }
-    a->high = moved(r, cagd_read_sum(r), strict ? -1 : 0);
-    return a->high != NULL;
+        first = a->count;
+        low = moved(r, name_of_index(r, a->head[first - 1]), strict);
+    } while (r->token->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, r->token->word) &&
+             strcmp(r->token->word, a->head[first - 1]) != 0 &&
+             (strcmp(r->token[1].word, "<") == 0 || strcmp(r->token[1].word, "\\le") == 0));
+    a->end = moved(r, cagd_read_sum(r), strict ? -1 : 0);
+    return a->end != NULL;
 }
 
-/* What stands below: i=0, or 0 \le i \le n, and conditions behind commas, or below one another. */
+/* How many letters stand here with + between and a relation behind them, as in i+j=n; 0 where they do not. */
+static int letters_of_amount(const cagd_reader *r)
+{
+    int count = 1;
+    const cagd_token *t = r->token;
+    for (; t->kind == CAGD_TOKEN_LETTER && strcmp(t[1].word, "+") == 0; t += 2)
+        count++;
+    return count > 1 && t->kind == CAGD_TOKEN_LETTER &&
+                   (strcmp(t[1].word, "=") == 0 || strcmp(t[1].word, "<") == 0 || strcmp(t[1].word, "\\le") == 0)
+               ? count
+               : 0;
+}
+
+/* i + j = n, i + j + k \le n, all at least 0: the ends are n, n - i, n - i - j, and with = the last one has this value alone. */
+static int of_one_amount(cagd_reader *r, struct range *a)
+{
+    do
+        if (!add_index(r, a))
+            return 0;
+    while (cagd_pass(r, "+"));
+    int strict = 0, equal = cagd_pass(r, "="), from = r->token->from;
+    if (!equal && !pass_less(r, &strict))
+        return 0;
+    const cagd_tree *rest = moved(r, cagd_read_sum(r), strict ? -1 : 0);
+    for (int k = 0; k < a->count && rest != NULL; k++) {
+        a->low[k] = cagd_tree_number(0, from, from), a->high[k] = rest;
+        if (equal && k + 1 == a->count) { /* where n - i - j is below 0 there is none */
+            a->low[k] = cagd_new_of(r, CAGD_MAXIMUM, from, 2, (const cagd_tree *[]){a->low[k], rest});
+            continue;
+        }
+        const cagd_tree *index = name_of_index(r, a->head[k]);
+        const cagd_tree *minus = cagd_new_of(r, CAGD_NEGATIVE, from, 1, &index);
+        rest = cagd_new_of(r, CAGD_SUM, from, 2, (const cagd_tree *[]){rest, minus});
+    }
+    return rest != NULL && a->low[a->count - 1] != NULL;
+}
+
+/* One condition; i, j \ge 0 is one of each. */
+static int read_condition(cagd_reader *r, struct range *a)
+{
+    const char *other[CAGD_MOST_INDICES];
+    int others = 0;
+    while (r->token->kind == CAGD_TOKEN_LETTER && strcmp(r->token[1].word, ",") == 0 &&
+           cagd_is_bound(r, r->token->word) && others < CAGD_MOST_INDICES) {
+        other[others++] = r->token->word;
+        r->token += 2;
+    }
+    const cagd_tree *said = cagd_read_relations(r);
+    for (int k = -1; said != NULL && k < others; k++) {
+        if (a->conditions == MOST_CONDITIONS)
+            return cagd_refuse_token(r, "more than %d conditions", MOST_CONDITIONS) != NULL;
+        const cagd_tree *condition = said;
+        if (k >= 0) {
+            cagd_tree *copy = said->kind == CAGD_RELATION ? cagd_new(r, CAGD_RELATION, said->from, said->count) : NULL;
+            if (copy == NULL)
+                return cagd_refuse_tree(r, said, "expected a condition such as i, j \\ge 0") != NULL;
+            for (int m = 0; m < said->count; m++)
+                copy->at[m] = m > 0 ? said->at[m] : name_of_index(r, other[k]);
+            copy->relation = said->relation;
+            condition = copy;
+        }
+        a->condition[a->conditions++] = condition;
+    }
+    return said != NULL;
+}
+
+/* What stands below: i=0, or 0 \le i \le n, or i+j=n, and conditions behind commas, or below one another. */
 static int below(cagd_reader *r, struct range *a)
 {
-    if (!cagd_expect(r, "{", "_"))
-        return 0;
+    static const char *const expected = "expected a range such as {i=0}, {0 \\le i \\le n} or {i+j=n}";
+    if (!cagd_pass(r, "{"))
+        return cagd_refuse_token(r, "%s, not %s", expected, cagd_name_of_next(r)) != NULL;
     int stack = cagd_pass(r, "\\substack");
     if (stack && !cagd_expect(r, "{", "\\substack"))
         return 0;
     int pair = r->token->kind == CAGD_TOKEN_LETTER && strcmp(r->token[1].word, ",") == 0 &&
-               r->token[2].kind == CAGD_TOKEN_LETTER && strcmp(r->token[3].word, "=") == 0;
+               r->token[2].kind == CAGD_TOKEN_LETTER;
     int one_end = pair || (cagd_begins_name(r) && strcmp(r->token[1].word, "=") == 0);
-    if (!(one_end ? from_one_end : between_ends)(r, a))
+    if (!one_end && letters_of_amount(r) == 0 &&
+        (cagd_next_is(r, "|") || (r->token->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, r->token->word))))
+        return cagd_refuse_token(r, "%s", expected) != NULL;
+    if (!(one_end ? from_one_end : letters_of_amount(r) > 0 ? of_one_amount : between_ends)(r, a))
         return 0;
     const struct cagd_bound *outside = r->bound;
-    bind_both(r, a);
-    while (cagd_pass(r, ",") || (stack && cagd_pass(r, "\\\\"))) {
-        if (a->conditions == 4)
-            return cagd_refuse_token(r, "more than four conditions") != NULL;
-        a->condition[a->conditions] = cagd_read_relations(r);
-        if (a->condition[a->conditions++] == NULL)
+    bind_all(r, a);
+    while (cagd_pass(r, ",") || (stack && cagd_pass(r, "\\\\")))
+        if (!read_condition(r, a))
             return 0;
-    }
     r->bound = outside;
     return (!stack || cagd_expect(r, "}", "the range")) && cagd_expect(r, "}", "the range");
+}
+
+/* _{t \in [0,1]}, _{0 \le t \le 1} for a letter that has a meaning. */
+static int is_over_a_number(const cagd_reader *r)
+{
+    int is = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && strcmp(t->word, "}") != 0; t++)
+        is |= strcmp(t->word, "\\in") == 0 ||
+              (t > r->token && t->kind == CAGD_TOKEN_LETTER && strcmp(t[-1].word, "\\le") == 0 &&
+               strcmp(t[1].word, "\\le") == 0 && cagd_is_known(r, t->word));
+    return is;
 }
 
 static const cagd_tree *over_one(cagd_reader *r, cagd_tree_kind kind, int from, const char *head,
@@ -307,31 +420,34 @@ static const cagd_tree *over_one(cagd_reader *r, cagd_tree_kind kind, int from, 
 const cagd_tree *cagd_read_over(cagd_reader *r, cagd_tree_kind kind, int from)
 {
     struct range a = {0};
-    const char *sign = kind == CAGD_SUM_OVER ? "sum" : "product";
+    int is_extremum = kind == CAGD_MAXIMUM_OVER || kind == CAGD_MINIMUM_OVER;
+    const char *sign = kind == CAGD_SUM_OVER       ? "sum"
+                       : kind == CAGD_PRODUCT_OVER ? "product"
+                                                   : "greatest or smallest value";
     if (!cagd_pass(r, "_"))
         return cagd_refuse_token(r, "over what is the %s? expected _{i=0}^{n}", sign);
+    if (is_extremum && is_over_a_number(r))
+        return cagd_refuse_token(
+            r, "the greatest value for all of a variable is not computed: say f(t) \\le c for all, and where f(t) = c");
     if (!below(r, &a))
         return NULL;
-    if (a.high == NULL) {
+    if (a.end == NULL && a.high[0] == NULL) {
         if (!cagd_pass(r, "^"))
             return cagd_refuse_token(r, "up to what is the %s? expected ^{n}", sign);
-        a.high = cagd_read_argument(r, 1);
-        if (a.high == NULL)
+        a.end = cagd_read_argument(r, 1);
+        if (a.end == NULL)
             return NULL;
     }
     const struct cagd_bound *outside = r->bound;
-    bind_both(r, &a);
-    const cagd_tree *body = cagd_read_product_in(r, kind, a.head);
+    bind_all(r, &a);
+    const cagd_tree *body = cagd_read_product_in(r, kind, a.head[0]);
     r->bound = outside;
-    int conditions = a.conditions;
-    if (body != NULL && a.second != NULL) { /* the conditions are of both, and stand with the inner one */
-        body = over_one(r, kind, from, a.second, (const cagd_tree *[]){a.second_low, a.high}, body, conditions,
-                        a.condition);
-        conditions = 0;
-    }
-    if (body == NULL)
-        return NULL;
-    return over_one(r, kind, from, a.head, (const cagd_tree *[]){a.low, a.high}, body, conditions, a.condition);
+    int conditions = a.conditions; /* they are of all indices, and stand with the innermost */
+    for (int k = a.count - 1; k >= 0 && body != NULL; k--, conditions = 0)
+        body =
+            over_one(r, kind, from, a.head[k], (const cagd_tree *[]){a.low[k], a.high[k] != NULL ? a.high[k] : a.end},
+                     body, conditions, a.condition);
+    return body;
 }
 
 const cagd_tree *cagd_read_integral(cagd_reader *r, int from)

@@ -9,6 +9,8 @@
 
 #include <string.h>
 
+enum { MOST_NAMES = 2 * CAGD_MOST_INDICES };
+
 /* Whether these words come next, as text; then they are passed. */
 static int pass_words(cagd_reader *r, const char *const words[])
 {
@@ -153,48 +155,66 @@ int cagd_next_is_member(const cagd_reader *r)
         cagd_reader at = *r;
         at.token = t;
         depth += (strcmp(t->word, "{") == 0) - (strcmp(t->word, "}") == 0);
-        if (depth == 0 && (cagd_relation_next(&at, &relation) || strchr("+-*/([", t->word[0]) != NULL))
+        int bracket = strcmp(t->word, ")") == 0 || (strcmp(t->word, "(") == 0 && t == r->token);
+        if (depth == 0 && !bracket && (cagd_relation_next(&at, &relation) || strchr("+-*/([", t->word[0]) != NULL))
             return 0;
     }
-    return t->kind != CAGD_TOKEN_END && cagd_begins_name(r);
+    return t->kind != CAGD_TOKEN_END && (cagd_begins_name(r) || cagd_next_is(r, "("));
 }
 
-/* x \in [a, b], x, y \in (a, b): a \le x \le b and so on. */
+/* [a, b], and with round brackets an end that does not belong to it. */
+static int read_interval(cagd_reader *r, const cagd_tree *end[2], cagd_relation relation[2])
+{
+    int open = cagd_pass(r, "(");
+    if (!open && !cagd_pass(r, "["))
+        return cagd_refuse_token(r, "expected an interval such as [0,1]; other sets stand in :for:") != NULL;
+    end[0] = cagd_read_sum(r);
+    if (end[0] == NULL || !cagd_expect(r, ",", "the low end"))
+        return 0;
+    end[1] = cagd_read_sum(r);
+    int open_above = end[1] != NULL && cagd_pass(r, ")");
+    relation[0] = open ? CAGD_LESS : CAGD_LESS_OR_EQUAL;
+    relation[1] = open_above ? CAGD_LESS : CAGD_LESS_OR_EQUAL;
+    return end[1] != NULL && (open_above || cagd_expect(r, "]", "the high end"));
+}
+
+/* The names before \in, in brackets or not. */
+static int read_names(cagd_reader *r, const cagd_tree *name[], int *names, int *bracket)
+{
+    *names = 0, *bracket = cagd_pass(r, "(");
+    do {
+        if (*names == MOST_NAMES)
+            return cagd_refuse_token(r, "too many names before \\in") != NULL;
+        name[*names] = cagd_read_name(r);
+        if (name[(*names)++] == NULL)
+            return 0;
+    } while (cagd_pass(r, ","));
+    return (!*bracket || cagd_expect(r, ")", "the names")) && cagd_expect(r, "\\in", "the names");
+}
+
+/* x \in [a, b], x, y \in (a, b), (x, y) \in [a, b] \times [c, d], (x, y) \in [a, b]^2: a \le x \le b and so on. */
 const cagd_tree *cagd_read_members(cagd_reader *r)
 {
-    const cagd_tree *name[CAGD_MOST_INDICES * 2], *list[CAGD_MOST_CHILDREN];
-    int from = r->token->from, count = 0;
+    static const char *const and[] = {"and", NULL};
+    const cagd_tree *name[MOST_NAMES], *list[CAGD_MOST_CHILDREN], *end[2];
+    cagd_relation relation[2];
+    int from = r->token->from, count = 0, names, bracket;
     do {
-        int names = 0;
-        do {
-            if (names == CAGD_MOST_INDICES * 2)
-                return cagd_refuse_token(r, "too many names before \\in");
-            name[names] = cagd_read_name(r);
-            if (name[names++] == NULL)
-                return NULL;
-        } while (cagd_pass(r, ","));
-        if (!cagd_expect(r, "\\in", "the names"))
+        if (!read_names(r, name, &names, &bracket) || !read_interval(r, end, relation))
             return NULL;
-        int open = cagd_pass(r, "(");
-        if (!open && !cagd_pass(r, "["))
-            return cagd_refuse_token(r, "expected an interval such as [0,1]; other sets stand in :for:");
-        const cagd_tree *low = cagd_read_sum(r);
-        if (low == NULL || !cagd_expect(r, ",", "the low end"))
-            return NULL;
-        const cagd_tree *high = cagd_read_sum(r);
-        int open_above = high != NULL && cagd_pass(r, ")");
-        if (high == NULL || (!open_above && !cagd_expect(r, "]", "the high end")))
-            return NULL;
-        const cagd_relation relation[2] = {open ? CAGD_LESS : CAGD_LESS_OR_EQUAL,
-                                           open_above ? CAGD_LESS : CAGD_LESS_OR_EQUAL};
+        int same = !bracket || names == 1 || cagd_pass(r, "^"); /* one interval for all */
+        if (bracket && names > 1 && same && (r->token->word[0] != '0' + names || r->token++->word[1] != '\0'))
+            return cagd_refuse_token(r, "expected ^%d for %d names", names, names);
         for (int k = 0; k < names; k++) {
+            if (!same && k > 0 && (!cagd_expect(r, "\\times", "the interval") || !read_interval(r, end, relation)))
+                return NULL;
             if (count == CAGD_MOST_CHILDREN)
                 return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-            list[count] = cagd_relate(r, from, 3, (const cagd_tree *[]){low, name[k], high}, relation);
+            list[count] = cagd_relate(r, from, 3, (const cagd_tree *[]){end[0], name[k], end[1]}, relation);
             if (list[count++] == NULL)
                 return NULL;
         }
-    } while (cagd_pass(r, ",") && cagd_next_is_member(r));
+    } while ((cagd_pass(r, ",") || cagd_pass(r, "\\land") || pass_words(r, and)) && cagd_next_is_member(r));
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 

@@ -78,7 +78,7 @@ const cagd_tree *cagd_vector_product(cagd_reader *r, const char *sign, const cag
 const cagd_tree *cagd_read_point(cagd_reader *r, const cagd_tree *first, const char *close, int from);
 /* What stands in square brackets: [x \; y] is a point, [a b c] of three vectors their mixed product; else t itself. */
 const cagd_tree *cagd_in_square_brackets(cagd_reader *r, const cagd_tree *t);
-/* Dots between before[0..count) and the last term, or factor: the sum or product over an index that stands for the terms from
+/* Dots between before[0..count) and the last term, factor or member: the sum, product, greatest or smallest over an index that stands for the terms from
  * before[*start] to the last; where the signs before and behind the dots differ, the terms alternate.  An error at the dots, and NULL, where what they leave out is not evident. */
 const cagd_tree *cagd_fill_dots(cagd_reader *r, cagd_tree_kind kind, const cagd_token *dots,
                                 const cagd_tree *const before[], int count, const cagd_tree *last, int signs_differ,
@@ -122,8 +122,8 @@ int cagd_begins_name(const cagd_reader *r);
 const cagd_tree *cagd_read_name(cagd_reader *r);
 /* {B_i^n}'(t): a name in brackets, and primes and arguments behind them. */
 const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t);
-/* Whether t is a function without its arguments; whether such a one is in it, and a bracket with letters or numbers alone comes
- * next, which can be its arguments or a factor: then an error. */
+/* Whether t is a function without its arguments; whether such a one is in it, and a bracket comes next, which can be its arguments or a
+ * factor, or primes: then an error.  A bracket with functions is a factor. */
 int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t);
 int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t);
 /* The letter with its faces: "t", "\hat{\omega}". */

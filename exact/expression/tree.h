@@ -26,6 +26,8 @@ typedef enum cagd_tree_kind {
     CAGD_MINIMUM,   /* [a, b, ...] */
     CAGD_SUM_OVER,  /* [low, high, body, conditions ...] over the index `head`                                    */
     CAGD_PRODUCT_OVER,
+    CAGD_MAXIMUM_OVER,
+    CAGD_MINIMUM_OVER,
     CAGD_DERIVATIVE,     /* [a]: `order` times by the variable `head`                                                 */
     CAGD_INTEGRAL,       /* [low, high, a] by the variable `head`                                                     */
     CAGD_AT,             /* [a, b]: a with b in the place of the variable `head`                                      */
@@ -68,6 +70,7 @@ typedef struct cagd_tree {
     cagd_num_q number;
     const char *head; /* "t", "\\hat{B}_" of a name with lower indices: t and t_i are different names */
     int lower, upper, arguments, order;
+    int before_semicolon; /* of a name: so many of its arguments; the others are parameters, which may be left out */
     int dimension; /* of a vector; rows + CAGD_MATRIX columns of a matrix; 0 of a number or a truth */
     const struct cagd_tree *times;
     int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij} */

@@ -410,6 +410,9 @@ static double *extend(const cagd_fit_result *result, cagd_spline *curve)
 cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
                                                   const cagd_fit_result *result)
 {
+    if (result->tied > 0)
+        return (cagd_stationary_verdict){
+            .bound = -1, .where = -1, .reason = "points share a foot, and the verification takes every foot by itself"};
     size_t numbers = (size_t)data->count * (size_t)data->dim;
     int count = 0, *held = malloc(((size_t)result->unknowns + 1) * sizeof *held);
     double *points = malloc(numbers * sizeof *points), *extended = NULL;

@@ -202,12 +202,13 @@ g(s,t) = s^2 t^3
 
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
-        for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3"):
+        for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3",
+                        "(f - F)(1-t) = (f(t) - F(t)) (1-t)"):
             with self.subTest(printed=printed):
                 r = check(document(printed, "n = 2", let))
                 self.assertEqual(r.returncode, 2)
                 self.assertIn(r"arguments of what stands before, or a factor?", r.stderr)
-        self.assertEqual(verdict("(f - F)(1-t) = (f(t) - F(t)) (1-t)", "n = 2", let)["verdict"], "holds")
+        self.assertEqual(verdict("(f - F) \\cdot (1-t) = (f(t) - F(t)) (1-t)", "n = 2", let)["verdict"], "holds")
 
     def test_implications_and_quantifiers(self):
         for printed, expected in (
@@ -293,6 +294,63 @@ g(s,t) = s^2 t^3
         let = "p \\in [0, 1]\n"
         self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
+
+    def test_what_is_taken_over_several_indices(self):
+        for printed, ranges, expected in (
+                ("\\sum_{i+j=n} x^i y^j = \\sum_{i=0}^n x^i y^{n-i}", "n = 0..3", "holds"), ("\\sum_{i+j=n} x^i y^j = \\sum_{i=0}^n x^i y^i", "n = 0..3", "fails"),
+                ("\\sum_{i+j+k=n} \\frac{n!}{i! j! k!} x^i y^j u^k = (x+y+u)^n", "n = 0..3", "holds"), ("\\sum_{i+j+k=n} 1 = \\binom{n+2}{2}", "n = -2..4", "holds"),
+                ("\\sum_{i+j \\le n} 1 = \\binom{n+2}{2}", "n = 0..4", "holds"), ("\\sum_{i+j < n} 1 = \\binom{n+1}{2}", "n = 0..4", "holds"), ("\\sum_{i+j<n} 1 = \\binom{n+2}{2}", "n = 0..4", "fails"),
+                ("\\sum_{i+j=n, i,j \\ge 1} 1 = n - 1", "n = 1..4", "holds"), ("\\sum_{\\substack{i+j+k=n \\\\ i,j,k \\ge 1}} 1 = \\binom{n-1}{2}", "n = 1..5", "holds"),
+                ("\\sum_{i+j=n, i,j \\ge 1} 1 = n", "n = 1..4", "fails"), ("\\sum_{1 \\le i, j \\le n} 1 = n^2", "n = 0..3", "holds"), ("\\sum_{0 \\le i < j < k \\le n} 1 = \\binom{n+1}{3}", "n = 0..5", "holds"),
+                ("\\sum_{i=1,\\dots,n} i = \\frac{n(n+1)}{2}", "n = 0..4", "holds"), ("\\prod_{i+j=n} x = x^{n+1}", "n = 0..3", "holds"),
+                ("\\max_{0 \\le i \\le n} x_i \\ge x_1", "n = 1..3", "holds"), ("\\max_{0 \\le i \\le n} x_i \\ge x_{n+1}", "n = 1..3", "fails"), ("\\min_{i=0}^n x_i \\le x_n", "n = 0..3", "holds"),
+                ("\\max(x_1, \\dots, x_n) \\ge \\min\\{x_1, x_2, \\dots, x_n\\}", "n = 2..3", "holds"), ("\\max(x, x_1, x_2, \\dots, x_n) \\ge x", "n = 2..3", "holds"),
+                ("\\max(x, x_1, x_2, \\dots, x_n) > x", "n = 2..3", "fails"), ("\\max_{i=1}^{n} x_i = x_1", "n = 0", "undecided"), ("\\max_{0 \\le i \\le n, i \\ne 1} x_i \\ge x_1", "n = 1..2", "fails"),
+                ("\\max_{0 \\le i \\le n} i (n-i) = 4", "n = 4", "holds")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, ranges)["verdict"], expected)
+
+    def test_what_can_be_a_condition(self):
+        """Behind a comma u + v = 1 can be said and can be supposed: both are tried."""
+        s = verdict("\\sum_{i+j=n} \\binom{n}{i} u^i v^j = 1, \\quad u + v = 1", "n = 1..3")
+        self.assertEqual(s["verdict"], "undecided")
+        self.assertIn("write \\text{for} before it", s["reason"])
+        self.assertEqual(verdict("\\sum_{i+j=n} \\binom{n}{i} u^i v^j = 1 \\text{ for } u + v = 1", "n = 1..3")["verdict"], "holds")
+        s = verdict("\\sum_{i+j=n} \\binom{n}{i} u^i v^j = 2, \\quad u + v = 1", "n = 1..3")
+        x = {v["name"]: fractions.Fraction(v["value"]) for v in s["counterexample"]["values"]}
+        self.assertEqual((s["verdict"], x["u"] + x["v"]), ("fails", 1))
+        self.assertEqual(verdict("F(x) = x^2, F(y) = y", "n = 1")["verdict"], "fails")
+
+    def test_arguments_are_left_out_behind_a_semicolon_alone(self):
+        self.assertEqual(verdict("G(t) = 2 t y", "n = 1", "G(t;y) = 2 t y\n")["verdict"], "holds")
+
+    def test_differences_and_truncated_powers(self):
+        differences = "\\Delta^0 x_i = x_i\n\\Delta^r x_i = \\Delta^{r-1} x_{i+1} - \\Delta^{r-1} x_i, \\quad r \\ge 1\n"
+        self.assertEqual(verdict("\\Delta^r x_i = \\sum_{j=0}^r (-1)^{r-j} \\binom{r}{j} x_{i+j}", "r = 0..4, i = 0..2", differences)["verdict"], "holds")
+        self.assertEqual(verdict("\\Delta^2 x_i = \\Delta x_{i+1} - \\Delta x_{i}", "i = 0..2", differences)["verdict"], "holds")
+        self.assertEqual(verdict("\\Delta^r x_i = \\sum_{j=0}^r (-1)^j \\binom{r}{j} x_{i+j}", "r = 0..4, i = 0..2", differences)["verdict"], "fails")
+        self.assertEqual(verdict("x_i^{(1)} = x_{i+1}", "i = 0..2", "x_i^{(r)} = x_{i+r}\n")["verdict"], "holds")
+        for printed, expected in (("(x-1)_+^2 = \\max(x-1,0)^2", "holds"), ("(x-1)_+ - (1-x)_+ = x - 1", "holds"), ("(x-1)_+^0 = 1", "fails"), ("(x-1)_+^0 + (1-x)_+^0 = 1", "fails"), ("(x)_+^3 \\ge 0", "holds")):
+            self.assertEqual(verdict(printed, "n = 1")["verdict"], expected, printed)
+
+    def test_names_whose_squares_are_told(self):
+        x = "((1-t)^2 + x t (1-t))^2 + (x t (1-t) + t^2)^2"
+        self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 2")["verdict"], "holds")
+        self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 3")["verdict"], "undecided")
+        self.assertEqual(verdict("x^4 - 1 = -y^2 (x^2 + 1)", "x^2 + y^2 = 1")["verdict"], "holds")
+        self.assertEqual(verdict("x^4 - 1 = y^2 (x^2 + 1)", "x^2 + y^2 = 1")["verdict"], "fails")
+        self.assertEqual(verdict("x^4 = 1", "x^2 = -1")["verdict"], "undecided")
+
+    def test_intervals_behind_a_formula(self):
+        for behind in ("x \\in [0,1], y \\in [0,1]", "x, y \\in [0,1]", "(x,y) \\in [0,1] \\times [0,1]", "(x, y) \\in [0,1]^2", "x \\in [0,1] \\text{ and } y \\in [0,1]"):
+            with self.subTest(behind=behind):
+                self.assertEqual(verdict(f"x y \\ge 0, \\quad {behind}", "n = 1")["verdict"], "holds")
+                self.assertEqual(verdict(f"x y \\ge 0 \\text{{ for }} {behind.replace('0,1', '-1,1', 1)}", "n = 1")["verdict"], "fails")
+                self.assertEqual(verdict(f"x y < 1 \\text{{ for }} {behind}", "n = 1")["verdict"], "fails")
+        self.assertEqual(verdict("x y < 1, \\quad (x,y) \\in [0,1) \\times (0,1]", "n = 1")["verdict"], "holds")
+
+    def test_a_bracket_with_functions_is_a_factor(self):
+        self.assertEqual(verdict("(F + 1)(F - 1) = F^2 - 1", "n = 1")["verdict"], "holds")
 
     def test_every_relation_and_every_part_counts(self):
         """Relations that turn around what they say of, denominators of either sign, parts of which one is open, and poles that a case has."""
@@ -796,14 +854,15 @@ class Verdicts(unittest.TestCase):
 
     def test_a_value_that_is_given_is_in_the_scope(self):
         self.assertIn("x = 1/2", verdict("x y = y x", "x = 1/2")["scope"].replace("\\frac12", "1/2"))
-        self.assertNotIn("x", verdict("y = 2 u", "x = 1/2, y = 2 u")["scope"].replace("x = 1/2", ""))
+        self.assertNotIn("x", verdict("y = 2 u", "x = 1/2, y = 2 u")["scope"])
+        self.assertIn("x = 2", verdict("G(t) = 2 t", "x = 2", "G(t) = x t\n")["scope"])
 
     def test_closed_forms_for_every_number(self):
         for printed, ranges in (("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.."), ("\\sum_{i=0}^n i = \\frac{n(n+1)}{2} = \\binom{n+1}{2}", "n = 0.."),
                                 ("\\sum_{i=1}^n \\frac{1}{i(i+1)} = \\frac{n}{n+1}", "n = 0.."),
                                 ("\\sum_{i=1}^n i x^i = \\frac{x (1 - (n+1) x^n + n x^{n+1})}{(1-x)^2}", "n = 1.."),
                                 ("\\sum_{i=0}^{n-1} x^{n-1-i} y^i = \\frac{x^n - y^n}{x - y}", "n = 1.."), ("\\sum_{i=1}^n i \\, i! = (n+1)! - 1", "n = 1.."),
-                                ("\\sum_{i=0}^n (-1)^i = \\frac{1 + (-1)^n}{2}", "n = 0.."), ("6^n = 2^n 3^n", "n = 0.."), ("(2n+2)! = (2n+2)(2n+1)(2n)!", "n = 0..")):
+                                ("\\sum_{i=0}^n (-1)^i = \\frac{1 + (-1)^n}{2}", "n = 0.."), ("6^n = 2^n 3^n", "n = 0.."), ("\\binom{n}{n-2} = \\frac{n(n-1)}{2}", "n = 0.."), ("\\sum_{i=0}^n (-1)^i \\binom{n}{i} = 0", "n = 1.."), ("(2n+2)! = (2n+2)(2n+1)(2n)!", "n = 0..")):
             s = verdict(printed, ranges)
             self.assertEqual((s["verdict"], s["evidence"]), ("holds", "proved"), s)
             self.assertIn("every n", s["scope"])
@@ -815,7 +874,8 @@ class Verdicts(unittest.TestCase):
 
     def test_what_is_not_defined_for_some_number_is_not_proved(self):
         for printed in ("\\sum_{i=0}^n \\binom{n}{i} \\frac{n-20}{n-20} = 2^n", "\\sum_{i=0}^n \\binom{n}{i} \\frac{i-20}{i-20} = 2^n",
-                        "\\sum_{i=0}^n \\binom{n}{i} = 2^n (n-20) (n-20)^{-1}", "\\sum_{i=0}^n i = \\frac{n(n+1)(n-20)}{2(n-20)}", "\\frac{n! - 7! n! / 7!}{n! - 20!} = 0"):
+                        "\\sum_{i=0}^n \\binom{n}{i} = 2^n (n-20) (n-20)^{-1}", "\\sum_{i=0}^n i = \\frac{n(n+1)(n-20)}{2(n-20)}", "\\frac{n! - 7! n! / 7!}{n! - 20!} = 0",
+                        "n (n-1)(n-2)(n-3)(n-4)(n-5)(n-6)(n-7) \\binom{n-20}{n-22} = n (n-1)(n-2)(n-3)(n-4)(n-5)(n-6)(n-7) \\frac{(n-20)(n-21)}{2}"):
             self.assertEqual(verdict(printed, "n = 0..")["verdict"], "undecided", printed)
 
     def test_a_telescoper_is_an_identity_of_rational_functions(self):

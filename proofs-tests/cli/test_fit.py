@@ -1239,6 +1239,34 @@ class Fits(Case):
         self.assertGreater(stiff["distances"]["rms"], 3 * d["distances"]["rms"])
         self.assertIn("how far smoothing moves it is not in them", self.text(rows, "--smooth", "auto"))
 
+    def test_feet_in_order(self):
+        """A track with stops, whose errors are as large as its points are apart: with --monotone no foot falls back, and a curve with more
+        control points than the points determine is no longer wild; where no foot does there is nothing to share."""
+        r = random.Random(5)
+        track, x = [], 0
+        for i in range(40):
+            x += 0.15 if 15 < i < 25 else 1
+            track.append([x + r.gauss(0, 0.6), 4 * math.sin(x / 6) + r.gauss(0, 0.6)])
+        options = ["--degree", "3", "--control-points", "8", "--free", "inner,ends"]
+        ratio = {}
+        for more in [], ["--monotone"]:
+            table_of = os.path.join(self.folder, "residuals.csv")
+            d = json.loads(run("fit", self.file(table(track)), "--json", "--residuals", table_of, *options, *more).stdout)
+            with open(table_of) as file:
+                feet = [float(row["t"]) for row in csv.DictReader(file)]
+            falls = sum(b < a for a, b in zip(feet, feet[1:]))
+            self.assertEqual(falls, d["distances"]["feet_out_of_order"])
+            self.assertEqual((falls == 0, d["distances"]["feet_shared"] > 0), (bool(more), bool(more)))
+            ratio[bool(more)] = d["length_ratio"]
+        self.assertEqual(sum(a == b for a, b in zip(feet, feet[1:])), d["distances"]["feet_shared"])
+        self.assertGreater(ratio[False], 2 * ratio[True])
+        said = self.text(track, "--monotone")
+        for words in ("points share the foot of the one before, which theirs would fall behind", "the verification takes every foot by itself",
+                      "which feet are shared was decided by these points"):
+            self.assertIn(words, said)
+        self.assertIn("every foot lies behind the one before by itself", self.text(quadratic(20, 0.75, 0.01), "--monotone"))
+        self.assertEqual(self.fit(table(track), "--monotone", "--smooth", "auto", code=None)["quality"]["problems"], [])
+
     def test_many_control_points_converge(self):
         """Splines with more control points than the points determine come to a minimum by default, and how is said."""
         r = random.Random(8)
@@ -1254,6 +1282,7 @@ class Fits(Case):
         for options, words in ((["--smooth", "auto", "--free", "weights,inner,ends"], "--smooth leaves weights out"),
                                (["--tolerance-distance", "1", "--control-points", "5"], "--tolerance-distance chooses the control points"),
                                (["--closed", "--ends", "exact"], "a closed curve has no ends"), (["--smooth", "1", "--degree", "1"], "a degree of 2 or more"),
+                               (["--monotone", "--unordered"], "--monotone is for points in order"), (["--monotone", "--loss", "huber"], "--monotone is for points in order"),
                                (["--smooth", "-1"], "--smooth takes a number > 0"), (["--closed", "--initial", path], "do not go with --initial")):
             with self.subTest(options=options):
                 said = run("fit", path, *options)

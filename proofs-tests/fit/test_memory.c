@@ -146,6 +146,7 @@ static void ends_in_any_order(cagd_fit_options *o)
     measured_ends(o);
     o->unordered = 1;
 }
+static void in_order(cagd_fit_options *o) { o->monotone = 1; }
 static void feet_alone(cagd_fit_options *o)
 {
     o->free = 0;
@@ -160,6 +161,7 @@ static const struct kind kinds[] = {{"usual", 2, 0, as_usual},
                                     {"unordered", 2, 0, unordered},
                                     {"feet alone", 2, 1, feet_alone},
                                     {"measured ends", 2, 1, measured_ends},
+                                    {"in order", 2, 1, in_order},
                                     {"ends in any order", 2, 0, ends_in_any_order}};
 
 static cagd_status fit(const struct kind *kind, cagd_fit_result **result)
@@ -167,6 +169,11 @@ static cagd_status fit(const struct kind *kind, cagd_fit_result **result)
     cagd_fit_data data = arc(kind->dim, kind->sigma);
     cagd_fit_options options = options_with_exact_ends();
     kind->change(&options);
+    for (int c = 0; c < kind->dim && options.monotone; c++) { /* two points change places, and share a foot */
+        const double at = points[5 * kind->dim + c];
+        points[5 * kind->dim + c] = points[6 * kind->dim + c];
+        points[6 * kind->dim + c] = at;
+    }
     return cagd_fit(&data, &options, result, NULL);
 }
 

@@ -109,7 +109,16 @@ static void values_show_all_signs(void **state)
             }
         assert_string_equal(seen, list[k].signs);
     }
-    struct cagd_code_border b = cagd_code_border("(t - 1/3)^2 + 5", &point, 0, 0);
+    /* of two zeros each, one below the first, one between and one above the last, 1 away or half of the way */
+    static const long at[][2] = {{-2, 3}, {1, 3}, {7, 6}, {2, 1}, {3, 1}};
+    struct cagd_code_border b = cagd_code_border("(3*t - 1)*(t - 2)", &point, 0, 0);
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+        int there = 0;
+        for (int j = 0; j < b.values; j++)
+            there |= cagd_equal_q(b.at[j], from_ratio_q(at[k][0], at[k][1]));
+        assert_true(there);
+    }
+    b = cagd_code_border("(t - 1/3)^2 + 5", &point, 0, 0);
     assert_true(b.varies && b.zeros == 0 && cagd_equal_q(b.least, from_ratio_q(1, 3)));
 }
 

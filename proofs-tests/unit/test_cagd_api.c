@@ -134,6 +134,9 @@ static void bad_arguments_are_refused(void **state)
     assert_int_equal(cagd_rational_standard_form(0, w, out), CAGD_DEGREE);
     assert_int_equal(cagd_rational_standard_form(2, (double[]){1, 1, -1}, out), CAGD_SIGN);
     assert_int_equal(cagd_rational_standard_form(2, (double[]){0, 1, 1}, out), CAGD_SIGN);
+    assert_int_equal(cagd_rational_standard_form(2, (double[]){1, 1, 0}, out), CAGD_SIGN);
+    assert_int_equal(cagd_rational_standard_form(2, (double[]){0, -1, -1}, out), CAGD_SIGN);
+    assert_int_equal(cagd_rational_standard_form(2, (double[]){-1, -1, 0}, out), CAGD_SIGN);
     assert_int_equal(cagd_rational_invariants(1, w, out), CAGD_DEGREE);
     assert_int_equal(cagd_rational_invariants(2, (double[]){0, 1, 1}, out), CAGD_UNDEFINED);
     assert_int_equal(cagd_conic_implicit(NULL, w, out), CAGD_NULL);

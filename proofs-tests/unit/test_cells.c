@@ -48,6 +48,36 @@ static void begin_cell(const char *names, const struct limit limit[])
         assert_true(cagd_limit_cell(&cell, form(limit[k].form), limit[k].strict));
 }
 
+/* A point of a cell meets all its limits; an empty cell has none. */
+static void points_of_cells(void **state)
+{
+    (void)state;
+    static const struct {
+        struct limit limit[MOST];
+        int is_empty;
+    } list[] = {{{{"x - y", 1}, {"y - 1/3", 0}, {"1/2 - x", 1}}, 0},
+                {{{"x - y", 1}, {"x + y - 7", 0}, {"9 - x - y", 0}}, 0},
+                {{{"x - 5 y", 1}, {"y + 2 - x", 1}}, 0},
+                {{{"2 x + 3 y - 100", 0}, {"101 - 2 x - 3 y", 1}, {"-y", 1}}, 0},
+                {{{"x - y", 0}, {"y - x", 0}, {"x - 2/7", 1}}, 0},
+                {{{"x - y", 1}, {"y - x", 1}}, 1},
+                {{{"x + y - 1", 1}, {"-x", 0}, {"-y", 0}}, 1}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        num_q value[CAGD_MOST_UNKNOWNS];
+        begin_cell("xy", list[k].limit);
+        assert_int_equal(cagd_point_of_cell(&cell, value), !list[k].is_empty);
+        for (int m = 0; !list[k].is_empty && m < MOST && list[k].limit[m].form != NULL; m++) {
+            num_f f = form(list[k].limit[m].form);
+            for (int n = 0; n < cell.count; n++)
+                f = substitute_f(f, cell.binding[n].value.f, cagd_from_rational_f(value[n]));
+            num_q at;
+            assert_true(cagd_is_constant_f(f, &at));
+            assert_true(list[k].limit[m].strict ? cagd_sign_q(at) > 0 : cagd_sign_q(at) >= 0);
+        }
+        field_close();
+    }
+}
+
 static void bounds_of_a_name(void **state)
 {
     (void)state;
@@ -185,7 +215,7 @@ static void sums_for_every_number(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(bounds_of_a_name), unit(more_is_known), unit(ordered_names),
-                                       unit(roots_at_infinity), unit(sums_for_every_number)};
+    const struct CMUnitTest tests[] = {unit(points_of_cells), unit(bounds_of_a_name),  unit(more_is_known),
+                                       unit(ordered_names),   unit(roots_at_infinity), unit(sums_for_every_number)};
     return run_unit_tests(tests);
 }

@@ -39,6 +39,34 @@ static void signs_of_all_coefficients(void **state)
     field_close();
 }
 
+/* x^1 y^2 z^3 u^4 over (x + 2y + 3z + 4u): degrees, coefficients, values and derivatives by each of four variables. */
+static void functions_of_each_of_four_variables(void **state)
+{
+    (void)state;
+    field_open(4);
+    const num_f x[4] = {variable_f("x"), variable_f("y"), variable_f("z"), variable_f("u")};
+    num_f product = from_int_f(1), sum = from_int_f(0);
+    for (int k = 0; k < 4; k++) {
+        for (int e = 0; e <= k; e++)
+            product = mul_f(product, x[k]);
+        sum = add_f(sum, mul_f(from_int_f(k + 1), x[k]));
+    }
+    num_f f = div_f(product, sum);
+    for (int k = 0; k < 4; k++) {
+        num_f rest = product; /* the coefficient of x_k^(k+1) in the product */
+        for (int e = 0; e <= k; e++)
+            rest = div_f(rest, x[k]);
+        assert_int_equal(degree_f(f, x[k]), k + 1);
+        assert_int_equal(denominator_degree_f(f, x[k]), 1);
+        assert_true(equal_f(coefficient_f(product, x[k], k + 1), rest));
+        assert_true(equal_f(substitute_f(product, x[k], from_int_f(1)), rest));
+        /* f' = (k+1) f / x_k - (k+1) f / sum */
+        num_f c = mul_f(from_int_f(k + 1), f);
+        assert_true(equal_f(derivative_f(f, x[k]), sub_f(div_f(c, x[k]), div_f(c, sum))));
+    }
+    field_close();
+}
+
 static void degrees_and_answers_without_a_variable(void **state)
 {
     (void)state;
@@ -194,6 +222,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         unit(signs_of_all_coefficients),
+        unit(functions_of_each_of_four_variables),
         unit(degrees_and_answers_without_a_variable),
         unit(as_many_variables_as_there_can_be),
         unit(a_field_that_nobody_opened),

@@ -92,6 +92,35 @@ static void every_degree_has_an_instance(void **state)
     free_results(r, 1);
 }
 
+/* The degree is shown once, and the order is one more. */
+static void the_degree_is_shown_once(void **state)
+{
+    (void)state;
+    for (int order = 0; order < 2; order++)
+        for (int shown_before = 0; shown_before < 2; shown_before++) {
+            const claim c = {
+                .name = "shown", .scope = "", .letter = order ? "k" : "n", .degree_low = 1, .degree_high = 5};
+            trial T = {.claim = &c, .degree = 3};
+            if (shown_before)
+                show_text(&T, c.letter, "%d", 7);
+            show_degree(&c, &T);
+            assert_int_equal(T.exhibits, 1);
+            assert_string_equal(T.shown[0].name, c.letter);
+            assert_string_equal(T.shown[0].value, shown_before ? "7" : order ? "4" : "3");
+            forget_exhibits(T.shown, T.exhibits);
+        }
+}
+
+static void a_whole_number_is_a_variable_of_the_field(void **state)
+{
+    (void)state;
+    static const claim c = {.name = "whole", .scope = ""};
+    trial T = {.claim = &c};
+    field_open(2);
+    assert_true(equal_f(whole_f(&T, "m", 0, 5), variable_f("m")));
+    field_close();
+}
+
 /* ---- data ---------------------------------------------------------------------------------------------- */
 
 enum { ENTRIES = 34 };
@@ -125,7 +154,7 @@ static void entries_beyond_the_bits_of_an_int(void **state)
 
 /* ---- scopes -------------------------------------------------------------------------------------------- */
 
-static char no_names[] = "";
+static char no_names[] = "", two_names[] = "x1 x10", tenth[] = "x10", knot_name[] = "t3";
 #define IN_FIELD(c, low, high)                                                                                         \
     {                                                                                                                  \
         .claim = &c, .as_expected = 1, .evidence = PROVED, .computed = PROVED,                                         \
@@ -142,6 +171,16 @@ static char no_names[] = "";
 static const claim from_one = {.name = "from_one", .scope = "", .all_degrees = 1, .degree_low = 1},
                    from_none = {.name = "from_none", .scope = "", .all_degrees = 1},
                    orders = {.name = "orders", .scope = "", .letter = "k", .all_degrees = 1, .degree_low = 2},
+                   orders_from_one = {.name = "orders_from_one",
+                                      .scope = "",
+                                      .letter = "k",
+                                      .all_degrees = 1,
+                                      .degree_low = 1},
+                   four_orders = {.name = "four_orders", .scope = "", .letter = "k"},
+                   tenth_weight = {.name = "tenth_weight", .scope = "", .over = "x10: weight; x#: lengths"},
+                   these_knots = {.name = "these_knots", .scope = "these knots", .over = "t#: knots"},
+                   spaced = {.name = "spaced", .scope = "", .over = "x# : lengths ; y#: weights"},
+                   the_knots = {.name = "the_knots", .scope = "the knots", .over = "t#: knots"},
                    low = {.name = "low", .scope = ""}, high = {.name = "high", .scope = ""},
                    few = {.name = "few", .scope = ""}, many = {.name = "many", .scope = ""},
                    against = {.name = "against", .kind = COUNTEREXAMPLE, .scope = ""};
@@ -150,6 +189,28 @@ static const claim_result results[] = {
     IN_FIELD(from_one, 1, 4),
     IN_FIELD(from_none, 0, 4),
     IN_FIELD(orders, 2, 4),
+    IN_FIELD(orders_from_one, 1, 4),
+    IN_FIELD(four_orders, 1, 4),
+    {.claim = &tenth_weight,
+     .as_expected = 1,
+     .evidence = PROVED,
+     .computed = PROVED,
+     .by = {[FIELD_TYPE] = {.ran = 1, .variables = two_names, .positive = tenth}}},
+    {.claim = &these_knots,
+     .as_expected = 1,
+     .evidence = PROVED,
+     .computed = PROVED,
+     .by = {[FIELD_TYPE] = {.ran = 1, .variables = knot_name, .positive = no_names}}},
+    {.claim = &spaced,
+     .as_expected = 1,
+     .evidence = PROVED,
+     .computed = PROVED,
+     .by = {[FIELD_TYPE] = {.ran = 1, .variables = two_names, .positive = no_names}}},
+    {.claim = &the_knots,
+     .as_expected = 1,
+     .evidence = PROVED,
+     .computed = PROVED,
+     .by = {[FIELD_TYPE] = {.ran = 1, .variables = knot_name, .positive = no_names}}},
     IN_FIELD(low, 1, 4),
     IN_FIELD(high, 7, 8),
     SAMPLES(few, 12),
@@ -201,6 +262,93 @@ static void a_correction_needs_a_case(void **state)
     free_statement_result(&r);
 }
 
+/* The order k is one more than the degree, from the first degree on. */
+static void orders_are_one_more(void **state)
+{
+    (void)state;
+    assert_scope("orders_from_one", "k", "every k");
+    assert_scope("orders_from_one", "n", "every n");
+    assert_scope("four_orders", "k", "k = 1 to 4");
+    assert_scope("four_orders", "n", "n = 0 to 3");
+}
+
+/* A name is among others as a whole: x1 is not, where x10 is. */
+static void names_are_whole_words(void **state)
+{
+    (void)state;
+    assert_scope("tenth_weight", "n", "all lengths, every positive weight");
+    assert_scope("these_knots", "n", "these knots; all knots");
+    assert_scope("the_knots", "n", "the knots");
+    assert_scope("spaced", "n", "all lengths");
+}
+
+/* What a phrase says of a Greek letter is not said once more of the variable that TeX writes out. */
+static void every_greek_letter_is_known(void **state)
+{
+    (void)state;
+    static const char *const greek[][2] = {{"alpha", "α"}, {"beta", "β"},      {"gamma", "γ"}, {"lambda", "λ"},
+                                           {"mu", "μ"},    {"tau", "τ"},       {"sigma", "σ"}, {"theta", "θ"},
+                                           {"rho", "ρ"},   {"omega", "ω"},     {"delta", "δ"}, {"kappa", "κ"},
+                                           {"chi", "χ"},   {"varepsilon", "ε"}};
+    for (size_t k = 0; k < sizeof greek / sizeof *greek; k++) {
+        char name[16], phrase[16];
+        snprintf(name, sizeof name, "%s", greek[k][0]);
+        snprintf(phrase, sizeof phrase, "0 < %s < 1", greek[k][1]);
+        const claim c = {.name = "greek", .scope = phrase, .over = name};
+        claim_result r = IN_FIELD(c, 0, 0);
+        r.by[FIELD_TYPE].variables = name;
+        finding f = finding_of(&r, "n");
+        assert_string_equal(f.scope, phrase);
+        free_finding(&f);
+    }
+}
+
+static void a_condition_that_says_nothing_is_none(void **state)
+{
+    (void)state;
+    scope s = {.within = NULL};
+    add_condition(&s, NULL);
+    add_condition(&s, "");
+    assert_int_equal(s.where.count, 0);
+    add_condition(&s, "t > 0");
+    assert_int_equal(s.where.count, 1);
+    free_scope(&s);
+}
+
+/* A decision runs in the degrees that it is for: what is sampled is an identity. */
+static void decisions_have_no_degrees_to_sample(void **state)
+{
+    (void)state;
+    const claim c = {.name = "decided",
+                     .scope = "",
+                     .kind = DECISION,
+                     .degree_low = 1,
+                     .degree_high = 3,
+                     .degree_sampled = 1,
+                     .body = {[RATIONAL_TYPE] = degree_q}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->by[RATIONAL_TYPE].cases, 3);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_low, 1);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_high, 3);
+    free_results(r, 1);
+}
+
+static void a_result_has_a_sign(void **state)
+{
+    (void)state;
+    static const char *const minus[] = {"-3"};
+    static const datum list[] = {
+        {.name = "m", .text = "-3", .rows = 1, .columns = 1, .value = minus, .place = IN_RESULT}, {.name = NULL}};
+    static const claim c = {.name = "minus", .scope = "", .kind = DECISION, .data = list};
+    for (int m = -3; m <= 3; m += 6) {
+        trial T = {.claim = &c};
+        found_whole(&T, "m", m);
+        assert_int_equal(T.mistaken != 0, m > 0);
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
 /* ---- what is written of a claim ------------------------------------------------------------------------ */
 
 /* 9000 sums in degree 1, one in degree 2. */
@@ -232,6 +380,44 @@ static void of_two_cases_the_long_one_is_left_out(void **state)
     free_results(r, 1);
 }
 
+/* Twelve conditions of two facts; two inputs, in whose names a bracket stands. */
+static void many_facts_q(trial *T)
+{
+    num_q x = unknown_q(T, "x]", 0), y = unknown_q(T, "y", 0);
+    for (int k = 0; k < 12; k++)
+        agree(T, cagd_testify_equal_q(add_q(x, from_int_q(T->planted)), x) && !is_zero_q(y));
+}
+static void what_is_recorded_is_counted(void **state)
+{
+    (void)state;
+    const claim c = {.name = "many facts", .scope = "", .kind = DECISION, .body = {[RATIONAL_TYPE] = many_facts_q}};
+    claim_result *r = judge_one(&c);
+    struct recorded_case recorded[MOST_RECORDED];
+    int count;
+    char *text = certificate_of_claim(r, &count, recorded);
+    assert_int_equal(count, 1);
+    assert_int_equal(recorded[0].inputs, 2);
+    assert_int_equal(recorded[0].facts, 24);
+    free(text);
+    free_results(r, 1);
+}
+
+/* Of whatever role the first link is, a comma stands before the second. */
+static void links_are_a_list(void **state)
+{
+    (void)state;
+    for (int first = 0; first < ROLES; first++) {
+        const statement_link links[] = {
+            {first, "against", "", "", NULL}, {HOLDS_BY, "low", "", "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
+        const statement s = {.id = "source:1", .class = "", .corrected = "", .links = links};
+        statement_result r = derive(&s, results, RESULTS);
+        char *text = certificate_of_statement(&r);
+        assert_non_null(strstr(text, "},\n{\"role\""));
+        free(text);
+        free_statement_result(&r);
+    }
+}
+
 static void is_two_q(trial *T) { same_q(T, unknown_q(T, "x", 0), from_int_q(2)); }
 static void the_search_for_a_witness_leaves_the_faults(void **state)
 {
@@ -247,13 +433,50 @@ static void the_search_for_a_witness_leaves_the_faults(void **state)
     region_faults = 0;
 }
 
+/* More inputs than the search remembers. */
+static void more_inputs_than_are_kept_q(trial *T)
+{
+    num_q sum = from_int_q(0);
+    for (int k = 0; k < 4100; k++)
+        sum = add_q(sum, unknown_q(T, "x", k));
+    same_q(T, sum, add_q(sum, from_int_q(1)));
+}
+static void a_search_among_more_inputs_than_are_kept(void **state)
+{
+    (void)state;
+    const claim c = {.name = "many inputs", .scope = "", .body = {[RATIONAL_TYPE] = more_inputs_than_are_kept_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_string_equal(shown[0].name, "x0 to x4095");
+    forget_exhibits(shown, count);
+    claim_result *r = judge_one(&c);
+    assert_string_equal(r->by[RATIONAL_TYPE].shown[0].name, "x0 to x4095");
+    free_results(r, 1);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        unit(in_a_crowded_field_nothing_is_refuted), unit(a_nan_is_the_worst),
-        unit(a_fault_of_an_early_case_is_kept),      unit(every_degree_has_an_instance),
-        unit(entries_beyond_the_bits_of_an_int),     unit(degrees_without_end),
-        unit(of_instances_the_fewest_are_told),      unit(a_correction_needs_a_case),
-        unit(of_two_cases_the_long_one_is_left_out), unit(the_search_for_a_witness_leaves_the_faults)};
+    const struct CMUnitTest tests[] = {unit(in_a_crowded_field_nothing_is_refuted),
+                                       unit(a_nan_is_the_worst),
+                                       unit(a_fault_of_an_early_case_is_kept),
+                                       unit(every_degree_has_an_instance),
+                                       unit(entries_beyond_the_bits_of_an_int),
+                                       unit(degrees_without_end),
+                                       unit(of_instances_the_fewest_are_told),
+                                       unit(a_correction_needs_a_case),
+                                       unit(orders_are_one_more),
+                                       unit(names_are_whole_words),
+                                       unit(every_greek_letter_is_known),
+                                       unit(a_condition_that_says_nothing_is_none),
+                                       unit(decisions_have_no_degrees_to_sample),
+                                       unit(a_result_has_a_sign),
+                                       unit(what_is_recorded_is_counted),
+                                       unit(links_are_a_list),
+                                       unit(the_degree_is_shown_once),
+                                       unit(a_whole_number_is_a_variable_of_the_field),
+                                       unit(a_search_among_more_inputs_than_are_kept),
+                                       unit(of_two_cases_the_long_one_is_left_out),
+                                       unit(the_search_for_a_witness_leaves_the_faults)};
     return run_unit_tests(tests);
 }

@@ -252,6 +252,13 @@ static void what_has_no_value_is_undefined(void **state)
     s.points = huge;
     s.weights = NULL;
     assert_int_equal(cagd_spline_derivatives(&s, 0.5, CAGD_RIGHT, 1, out), CAGD_OVERFLOW);
+    /* the length of the span is no number of binary64 */
+    const double wide[4] = {-DBL_MAX, -DBL_MAX, DBL_MAX, DBL_MAX}, ones[2] = {1, 1}, ends[4] = {1, 2, 3, 4};
+    for (int rational = 0; rational < 2; rational++) {
+        s = (cagd_spline){1, 2, 2, wide, ends, rational ? ones : NULL};
+        assert_int_equal(cagd_spline_point(&s, 0.5 * DBL_MAX, CAGD_RIGHT, out), CAGD_OVERFLOW);
+        assert_int_equal(cagd_spline_insert(&s, 0.5 * DBL_MAX, out, out + 64, out + 128), CAGD_OVERFLOW);
+    }
 }
 
 /* A knot p+2 times at the very end is too many; of the end of the domain, a knot twice that is no end of the knots, nothing is lowered. */

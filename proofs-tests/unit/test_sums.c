@@ -86,6 +86,37 @@ static void test_a_recurrence_of_order_two(void **state)
     field_close();
 }
 
+/* sum over k of (-1)^k (n choose k) (3k + 1) (3k + 2) ... (3k + n) / n! = (-3)^n, whose telescoper has the order 3. */
+static void test_a_sum_by_order_three(void **state)
+{
+    (void)state;
+    open_field();
+    num_f above = add_f(mul_f(whole(3), k), n), up = whole(1), down = whole(1);
+    for (int j = 1; j <= 3; j++) {
+        up = mul_f(up, add_f(above, whole(j)));
+        down = mul_f(down, add_f(mul_f(whole(3), k), whole(j)));
+    }
+    cagd_term F = {div_f(add_f(above, whole(1)), sub_f(add_f(n, whole(1)), k)),
+                   div_f(mul_f(sub_f(k, n), up), mul_f(add_f(k, whole(1)), down))};
+    proved(F, whole(1), whole(1), whole(-3), 3);
+    field_close();
+}
+
+/* A ratio of more factors than are looked at has no telescoper. */
+static void test_a_term_of_many_factors(void **state)
+{
+    (void)state;
+    open_field();
+    num_f up = whole(1), down = whole(1);
+    for (int j = 0; j < 66; j++)
+        up = mul_f(up, add_f(k, from_ratio_f(2 * j + 1, 2))), down = mul_f(down, add_f(k, from_ratio_f(3 * j + 1, 3)));
+    cagd_telescoper T;
+    cagd_term F = {whole(1), div_f(up, down)};
+    assert_false(cagd_telescope(F, n, k, 0, &T));
+    region_faults = 0;
+    field_close();
+}
+
 /* Gosper's case, order 0: sum of differences. */
 static void test_an_indefinite_sum(void **state)
 {
@@ -154,6 +185,8 @@ static void test_factors(void **state)
     assert_true(cagd_is_constant_f(div_f(factor[1 - first], b), NULL));
     assert_int_equal(cagd_factors_f(p, k, 1, factor, power), -1);
     assert_int_equal(cagd_factors_f(n, k, 4, factor, power), 0);
+    assert_int_equal(cagd_factors_f(p, add_f(k, n), 4, factor, power), -1); /* no variable */
+    expect_fault(FAULT_UNABLE);
     assert_true(cagd_equal_f(div_f(cagd_numerator_f(p), cagd_denominator_f(p)), p));
     assert_int_equal(cagd_denominator_degree_f(cagd_numerator_f(p), t), 0);
     field_close();
@@ -359,6 +392,8 @@ int main(void)
     const struct CMUnitTest tests[] = {unit(test_terms),
                                        unit(test_known_sums),
                                        unit(test_a_recurrence_of_order_two),
+                                       unit(test_a_sum_by_order_three),
+                                       unit(test_a_term_of_many_factors),
                                        unit(test_an_indefinite_sum),
                                        unit(test_late_differences),
                                        unit(test_factors),
