@@ -134,9 +134,7 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 :zh: 无常数项的多项式在零附近任意小(任意次数)
 :given: $0<h<1$; a sum of some terms $c_kh^k$, $k\ge1$, of a size of at most $E$, the sum $S$ of the sizes of their coefficients, $hS-E=g\ge0$; one more
   coefficient, of the size $a$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
-:harmless: $0<h<1$ | near zero, on either side
 :harmless: $hS-E=g\ge0$ | the induction keeps it
-:harmless: $0<p<1$ | $k>1$
 :harmless: $\varepsilon>0$, $0<y<1$ | as small as one likes
 :then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_kh^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
   $\varepsilon\,(1-y)$
@@ -169,7 +167,6 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
 :zh: 矢量相近则方向相近
 :given: a vector $d\ne0$ of space, and another one, $q=d+e$, any $e$
 :where: $\dot P\ne0$
-:harmless: $d\ne0$ | it is the derivative
 :then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
   $\frac{|e|}{|q|}$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
 :method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ is a polynomial in $h$ without a constant by

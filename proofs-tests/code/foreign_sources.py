@@ -65,8 +65,8 @@ class Workshop:
         """Of the packages, by the names of what was fetched."""
         found = {}
         for dsc in sorted(self.folder.glob("*.dsc")):
-            text = dsc.read_text(errors="replace")
-            found[re.search(r"^Source: (.*)$", text, re.M)[1]] = re.search(r"^Version: (.*)$", text, re.M)[1]
+            field = dict(re.findall(r"^(\w+): (.*)$", dsc.read_text(errors="replace"), re.M))
+            found[field["Source"]] = field["Version"]
         for deb in sorted(self.folder.glob("*.deb")):
             name, version, _ = deb.name.split("_")
             found[name] = version.replace("%3a", ":")
