@@ -204,13 +204,27 @@ static void watch(struct lab_bench *bench, const struct arguments *a, const char
     }
 }
 
+/* Whether the picture would take the place of the answer; a line says so. */
+static int is_answer(const struct lab *lab, const char *folder, const char *svg)
+{
+    char path[LAB_MOST_PATH + 128];
+    struct stat answer, picture;
+    snprintf(path, sizeof path, "%s/%s", folder, lab->file);
+    if (svg == NULL || stat(path, &answer) != 0 || stat(svg, &picture) != 0 || answer.st_dev != picture.st_dev ||
+        answer.st_ino != picture.st_ino)
+        return 0;
+    refuse_line("--svg %s: is the answer, which is read; choose another name", svg);
+    return 1;
+}
+
 static int check(const struct arguments *a, const char *folder)
 {
     char cause[LAB_CAUSE];
     struct lab *lab = a->lab != NULL ? lab_called(a->lab, a->seed) : lab_of(folder, a->seed);
     struct lab_bench *bench = calloc(1, sizeof *bench);
-    if (lab == NULL || bench == NULL) {
+    if (lab == NULL || bench == NULL || is_answer(lab, folder, a->svg)) {
         free(bench);
+        lab_free(lab);
         return EXIT_USAGE;
     }
     int code = EXIT_USAGE;

@@ -80,7 +80,9 @@ void lab_print(const struct lab *lab, const json_t *result)
     size_t k;
     const json_t *row, *measured = json_object_get(result, "measured");
     const char *compiler = member(result, "compiler"), *refused = member(result, "refused");
-    printf("%s%s%s  %s\n", style(stdout, BOLD), lab->name, style(stdout, PLAIN), member(result, "title"));
+    printf("%s%s%s  ", style(stdout, BOLD), lab->name, style(stdout, PLAIN));
+    int name = (int)strlen(lab->name) + 2;
+    put_behind(stdout, member(result, "title"), name, name, page_width(MOST_WIDTH));
     int all = json_equal(json_object_get(result, "points"), json_object_get(result, "of"));
     if (*compiler != 0)
         printf("%sit does not compile%s\n%s\n", style(stdout, BAD), style(stdout, PLAIN), compiler);

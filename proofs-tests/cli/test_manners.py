@@ -314,7 +314,9 @@ class Output(Case):
 class Places(Case):
     """Every option that writes, in every place where it cannot: as root, and as an ordinary user where root can be left."""
 
-    INPUTS = {"fit": ["in.csv"], "check": ["basis.md"], "exactly": ["harness.md"], "lab": ["grade", "subs", "--lab", "de-casteljau"]}
+    INPUTS = {"fit": ["in.csv"], "check": ["basis.md"], "exactly": ["harness.md"], "lab": ["grade", "subs", "--lab", "de-casteljau"],
+              "lab --svg": ["check", "answer"]}
+    READ = {"lab --svg": "answer/de-casteljau.c"}  # of what is given as a folder
     # Where a name leads, for what is to be a file and for what is to be a folder; None: it may be written.
     REFUSED = {"loop": ("choose another name",) * 2, "dangling": ("make it first", "choose another name"), "file/x": ("choose another name",) * 2,
                "x" * 300: ("choose another name",) * 2, "": ("give one",) * 2, "-": ("takes the name of a file", "takes the name of a folder"),
@@ -334,8 +336,9 @@ class Places(Case):
         return found
 
     def fill(self):
-        for name in "folder", "locked", "unreadable", "subs":
+        for name in "folder", "locked", "unreadable", "subs", "answer":
             (self.folder / name).mkdir()
+        shutil.copy(ROOT / "chapters/labs/de-casteljau/right/iterative.c", self.folder / "answer/de-casteljau.c")
         for name in "file", "readonly", "locked/old":
             (self.folder / name).write_text("kept")
         (self.folder / "loop").symlink_to("loop")
@@ -361,12 +364,15 @@ class Places(Case):
         self.fill()
         before, tried = self.state(), 0
         for command, option, is_folder in self.options():
-            file = self.INPUTS.get(command, [])
+            file = self.INPUTS.get(f"{command} {option}", self.INPUTS.get(command, []))
             for place, words in places.items():
                 if words[is_folder] is None or (place == "input" and not file):
                     continue
                 tried += 1
-                name = (file[0] if len(file) == 1 else "in.csv") if place == "input" else place
+                if place == "input" and self.theirs and f"{command} {option}" in self.READ:
+                    continue  # the copy of the program has no labs beside it
+                read = self.READ.get(f"{command} {option}", file[0] if len(file) == 1 else "in.csv")
+                name = read if place == "input" else place
                 with self.subTest(command=command, option=option, place=place[:20]):
                     r = subprocess.run([program, command, *file, option, name], capture_output=True, text=True, cwd=self.folder, timeout=20, **options)
                     self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (2, "", 1), r)
