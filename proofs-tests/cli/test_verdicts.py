@@ -153,6 +153,25 @@ class Lemmas(unittest.TestCase):
         self.assertGreater(leant, 80)
 
 
+    def test_what_any_text_leans_on_is_among_the_claims(self):
+        """Of an entry its note and every text of its options, of its claims all that is written in them: a claim that is named there to say that
+        something is so belongs to the entry; not so where it lends its data alone, "the curves of ...".  A counterexample may be named to say what is
+        not so; it stands where it is refuted."""
+        statements, claims = load(REGISTER_FILE)["statements"], {c["name"]: c for c in load(REGISTER_FILE)["claims"]}
+        plain, tried = {name for name, c in claims.items() if c["kind"] != "counterexample"}, 0
+        for s in statements:
+            own = {name for value in s["has"].values() for name in re.findall(r"\w+", words_of(value)) if name in claims}
+            deciding = {name for role in ("holds-by", "refuted-by", "corrected-by", "checked-by") for name in words_of(s["has"].get(role, "")).split()}
+            deciding |= {name for value in words_of(s["has"].get("reading", "")).split() for name in [value.strip("|")] if name in claims}
+            blocks = [s, *(claims[c] for c in deciding & plain)]
+            for text in [text for block in blocks for text in (block.get("note", ""), *map(words_of, block["has"].values()))]:
+                for name in set(re.findall(r"`(\w+)`", re.sub(r"the (polygons|curves) of `\w+`", "", text))) & plain:
+                    tried += 1
+                    with self.subTest(s["id"]):
+                        self.assertIn(name, own)
+        self.assertGreater(tried, 200)
+
+
 class Readings(unittest.TestCase):
     def test_a_decided_reading_has_evidence(self):
         for row in LEDGER:
