@@ -257,6 +257,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
         heading("Ways to read it");
         print_readings(s, results, count);
     }
+    print_deciding_claims(s, results, count);
     print_failing_readings(s, results, count);
     print_counterexamples(s, results, count);
     if (r->verdict != VERDICT_FAILS && r->as_printed.evidence != NO_EVIDENCE) {

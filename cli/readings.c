@@ -146,6 +146,40 @@ int has_reading(const statement *s)
     return l->claim != NULL || l->text != NULL;
 }
 
+/* Whether the steps of the page tell what the claim does. */
+static int is_a_step(const statement *s, const char *name)
+{
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
+        if ((l->role == HOLDS_BY || l->role == CHECKED_BY || l->role == CORRECTED_BY) && l->claim != NULL &&
+            strcmp(l->claim, name) == 0)
+            return 1;
+    return 0;
+}
+
+void print_deciding_claims(const statement *s, const claim_result *results, int count)
+{
+    int number = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        if (l->role != READING)
+            continue;
+        number++;
+        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (state_of(c) != READING_TRUE || is_shown_above(s, l) || is_a_step(s, l->claim))
+            continue;
+        enum { OF_LABEL = 7 };
+        char text[64];
+        snprintf(text, sizeof text, "What decides reading %d", number);
+        heading(text);
+        prose(c->claim->title, INDENT);
+        hanging("given", c->claim->given, OF_LABEL, INDENT);
+        hanging("let", c->claim->let, OF_LABEL, INDENT);
+        hanging("then", c->claim->then, OF_LABEL, INDENT);
+        prose(c->claim->method, INDENT);
+        labelled("An argument:", c->claim->argued, INDENT);
+        print_exhibits(c);
+    }
+}
+
 void print_failing_readings(const statement *s, const claim_result *results, int count)
 {
     int number = 0;

@@ -11,6 +11,8 @@ void print_undecided(const statement *s, const claim_result *results, int count)
 void print_meant(const statement *s);
 /* The ways to read it, with their numbers: behind whether it is true, how that is known. */
 void print_readings(const statement *s, const claim_result *results, int count);
+/* The claims by which readings are true, where no step of the page is the same claim. */
+void print_deciding_claims(const statement *s, const claim_result *results, int count);
 /* The numbers that show of a reading that it fails. */
 void print_failing_readings(const statement *s, const claim_result *results, int count);
 #endif

@@ -69,18 +69,49 @@ apart; neither depends on where the point began.
 :title: The first way computes points at equal angles on the circle
 :zh: 圆周上等角度分布的点
 :printed: By this method a sequence of points on the circle can be computed that are distributed at equal angles.
-:holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
+:holds-by: rotated_points_are_equally_spaced
+:confirmed-by: rotation_matrix_adds_the_angle
+:needs: centre_is_never_turned | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: three_generators
 :::
 */
 
+#if RATIONAL
+/*
+:::{claim} centre_is_never_turned
+:title: The centre stays under every rotation
+:zh: 旋转不动圆心
+:kind: counterexample
+:given: the rotation whose angle has the tangent $a$ of its half, and $P_0$
+:data: a = 1; P_0 = (0,0)
+:instead: P_0 = (1,0)
+:then: $P_1=P_0$, the centre of the rotation: between the two there is no angle
+:result: P_1 = (0,0)
+:method: One step; that it moves the point is refuted.
+:control: a point beside the centre
+:::
+*/
+CLAIM(centre_is_never_turned)
+{
+    num M[4], first[2], P[2];
+    given_points(T, "P_0", 1, 2, first);
+    P[0] = first[0], P[1] = first[1];
+    G(rotation)(G(turn_by)(given(T, "a")), M);
+    G(steps)(1, M, P);
+    found_points(T, "P_1", 1, 2, P);
+    about(T, "whether the point moves");
+    refute(T, equal_q(P[0], first[0]) && equal_q(P[1], first[1]));
+}
+#endif
+
 /*
 :::{claim} rotated_points_are_equally_spaced
-:title: All points are on the circle, at equal distances
-:zh: 点列在圆上且间距相等
+:title: All points are on the circle, at equal angles and distances
+:zh: 点列在圆上,夹角与间距相等
 :given: any point $P_n$, any angle with the tangent $a$ of its half
-:then: $x_{n+1}^2+y_{n+1}^2=x_n^2+y_n^2$ and $|P_{n+1}-P_n|^2=2(1-\cos\Delta\theta)\,|P_n|^2$; so all points are on one
-  circle, and all distances are equal
+:then: $x_{n+1}^2+y_{n+1}^2=x_n^2+y_n^2$, $P_n\cdot P_{n+1}=\cos\Delta\theta\,|P_n|^2$, $P_n\times P_{n+1}=\sin\Delta\theta\,|P_n|^2$ and
+  $|P_{n+1}-P_n|^2=2(1-\cos\Delta\theta)\,|P_n|^2$; so all points are on one circle, each is turned by $\Delta\theta$ from the one before, and all
+  distances are equal
 :method: One step, point and $a$ variables.  By induction every radius is $|P_0|$, and with it every distance is the same.
 :degrees: all
 :over: x y: point; a: angle but π
@@ -96,6 +127,9 @@ CLAIM(rotated_points_are_equally_spaced)
     G(steps)(1, M, Q);
     about(T, "the square of the radius");
     same(T, G(norm_squared)(2, Q), G(norm_squared)(2, P));
+    about(T, "the angle: its cosine and its sine times the square of the radius");
+    same(T, add(mul(P[0], Q[0]), mul(P[1], Q[1])), mul(angle.cos, G(norm_squared)(2, P)));
+    same(T, G(cross2)(P, Q), mul(angle.sin, G(norm_squared)(2, P)));
     about(T, "the square of the distance");
     num edge[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, factor = mul(from_int(2), sub(from_int(1), angle.cos));
     /* |P_{n+1} - P_n|² = 2 (1 - cos Δθ) |P_n|² */

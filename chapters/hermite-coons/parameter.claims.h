@@ -700,10 +700,12 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
 :holds-by: range_of_parameters_marks_a_part
 :confirmed-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power interval_kernel_gives_the_part surface_part_is_the_piece
-:meant: the formula $a\le t\le b$ beside it | Simply is: by the two numbers $a$ and $b$ alone, for each parameter.
+:meant: the formula $a\le t\le b$ beside it | Simply is: by the two numbers $a$ and $b$ alone, for each parameter; a part is what such
+  ranges mark off, of a surface a rectangle of its two parameters.
+:reading: range_of_parameters_marks_a_part | ranges mark off a part
+:reading: triangle_of_parameters_is_no_rectangle | every part can be marked off by ranges
 
-For a surface this is one range for each of the two parameters, when the part is a rectangle of them.  The part of a Bézier curve or surface is one of
-the same degree over $[0,1]$.
+The part of a Bézier curve or surface is one of the same degree over $[0,1]$.
 :::
 
 :::{claim} range_of_parameters_marks_a_part
@@ -738,6 +740,41 @@ CLAIM(range_of_parameters_marks_a_part)
         same(T, add(a, mul(h, one)), add(a, h));
     }
 }
+
+#if RATIONAL
+/*
+:::{claim} triangle_of_parameters_is_no_rectangle
+:title: A triangle of the parameters is marked off by no ranges
+:zh: 参数三角形不能由参数范围界定
+:kind: counterexample
+:data: c = 1; corners = (0,0) (1,0) (0,1); (s,t) = (1,1)
+:instead: c = 2
+:result: s + t at the corners = 0 1 1; s + t at (s,t) = 2
+:given: the part of a surface where $s+t\le c$, three places of it, and a fourth place $(s,t)$
+:then: ranges of the two parameters that have the three places have the fourth, which is not in the part
+:method: Each of the two parameters of the fourth place is one of those of the three; the sums are compared with $c$.
+:control: a part that has the fourth place
+:::
+*/
+CLAIM(triangle_of_parameters_is_no_rectangle)
+{
+    num c = given(T, "c"), corners[6], place[2], sums[3];
+    given_points(T, "corners", 3, 2, corners);
+    given_points(T, "(s,t)", 1, 2, place);
+    int in_part = 1, in_ranges[2] = {0, 0};
+    for (int k = 0; k < 3; k++) {
+        sums[k] = add(corners[2 * k], corners[2 * k + 1]);
+        in_part &= compare_q(sums[k], c) <= 0;
+        for (int m = 0; m < 2; m++)
+            in_ranges[m] |= equal_q(corners[2 * k + m], place[m]);
+    }
+    num sum = add(place[0], place[1]);
+    found_points(T, "s + t at the corners", 3, 1, sums);
+    found(T, "s + t at (s,t)", sum);
+    about(T, "whether ranges that have the three places mark off the part");
+    refute(T, in_part && in_ranges[0] && in_ranges[1] && compare_q(sum, c) > 0);
+}
+#endif
 
 /*
 

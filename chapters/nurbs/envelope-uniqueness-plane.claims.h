@@ -448,6 +448,11 @@ CLAIM(folded_line_has_another_solution)
 :holds-by: first_level_condition_factors member_of_span_touches_curve
 :hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
   identically is not enough
+:meant: (4.3.3) and (4.3.9), by which the section determines the envelope | All joint solutions, as in theorem 4.3.2.
+:reading: inflected_cubic_has_second_envelope | all joint solutions, if (4.3.14) does not hold identically
+:reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as (4.3.10) may be meant: then
+  it is enough that (4.3.14) does not hold identically | Away from the isolated zeros of $\mathbf r'\times\mathbf r''$ the condition leaves
+  $\tau=t$ only, and a continuous function has the same value at them.
 :figure: nurbs_envelope_extra
 :::
 

@@ -46,6 +46,7 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :title: On a span the sum is the printed leg, however many points there are
 :zh: 任意顶点数时二阶曲线的每一段
 :given: a span that is not empty and the three knots at either end of it, in every pattern; weights and points; any $t$
+:where: the common weight is not 0
 :then: of the four functions of order 2 that these knots have the two outer ones are 0 on the span, and the sum of all is the printed quotient of the
   two points between
 :method: The sums by the recursion of de Boor and Cox as it is defined.  Every other function of order 2 is made from two functions of order 1

@@ -326,8 +326,6 @@ CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
-
-More is true: $\det G=\prod_{a\le r<b,\ b-a\le k-1}(t_b-t_a)\big/\prod_{j=0}^{k-1}\binom{k-1}j>0$.
 :::
 
 The determinant of $G$ can be written as a product.  Only differences of a knot on the left and a knot on the right of

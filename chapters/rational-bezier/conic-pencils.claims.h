@@ -146,7 +146,7 @@ as $S_1-S_2$, has no $\lambda$.
 :hypothesis: two_common_points_allow_other_conics | $S_1=0$ and $S_2=0$ have four common points, no three on a line;
   through fewer there may be conics that are no members.
 :hypothesis: dependent_conics_have_no_pencil | $S_2$ is no multiple of $S_1$.
-:meant: (3.1.3) and (3.1.5), where every conic that touches two lines at given points has its $\lambda$ | The members are all the
+:meant: the sentence behind (3.1.4), by which a point $R$ of the curve determines $\lambda$ | The members are all the
   conics through the common points, which asks for the hypotheses.
 :reading: pencil_passes_through_common_points | Every member passes through the common points.  This needs none of the
   hypotheses.

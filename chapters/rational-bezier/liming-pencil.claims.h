@@ -308,7 +308,7 @@ CLAIM(three_lines_have_three_pencils)
   $\mathbf R=\mathbf R(x,y)=\mathbf R_1+x(\mathbf R_0-\mathbf R_1)+y(\mathbf R_2-\mathbf R_1)$.
 :holds-by: affine_coordinates_exist
 :needs: collinear_points_are_no_frame | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not
-  lie on a line: they form an affine frame.
+  lie on a line: they form an affine frame; on a line a point has more than one pair $(x,y)$.
 :::
 
 :::{claim} affine_coordinates_exist
@@ -346,24 +346,28 @@ CLAIM(affine_coordinates_exist)
 :title: Three points on a line are no frame of the plane
 :zh: 三点共线不成标架
 :kind: counterexample
-:data: R = (0,0) (1,0) (2,0); P = (0,1)
+:data: R = (0,0) (1,0) (2,0); (x,y) = (0,0) (1,1)
 :instead: R = (0,0) (1,0) (2,1)
-:result: determinant of the frame = 0
-:given: three points $R_0$, $R_1$, $R_2$ on a line, and a point $P$ off it
-:then: $(R_0-R_1)\times(R_2-R_1)=0$, and $P$ is no $R(x,y)$: these are all on the line
-:method: The determinant of the frame is computed; where it is 0, the point is asked to be on the line of the three points.
+:result: determinant of the frame = 0; R(x,y) = (1,0) (1,0)
+:given: three points $R_0$, $R_1$, $R_2$ on a line, and two pairs $(x,y)$
+:then: $(R_0-R_1)\times(R_2-R_1)=0$, and both pairs have the same point $R(x,y)$: it has no coordinates in the frame
+:method: The determinant of the frame and the two points are computed; that different pairs have different points is refuted.
 :control: $R_2$ moved off the line
 :::
 */
 CLAIM(collinear_points_are_no_frame)
 {
-    num R[6], P[2];
+    num R[6], pair[4], P[4];
     given_points(T, "R", 3, 2, R);
-    given_points(T, "P", 1, 2, P);
+    given_points(T, "(x,y)", 2, 2, pair);
     num d = G(area)(R + 2, R, R + 4);
+    for (int k = 0; k < 4; k += 2)
+        G(point_in_frame)(R, pair[k], pair[k + 1], P + k);
     found(T, "determinant of the frame", d);
-    about(T, "whether the point is some R(x, y): the determinant is not 0, or the point is on their line");
-    refute(T, is_zero_q(d) && !is_zero_q(G(area)(R, R + 2, P)));
+    found_points(T, "R(x,y)", 2, 2, P);
+    int pairs_differ = !equal_q(pair[0], pair[2]) || !equal_q(pair[1], pair[3]);
+    about(T, "whether different pairs have different points");
+    refute(T, is_zero_q(d) && pairs_differ && equal_q(P[0], P[2]) && equal_q(P[1], P[3]));
 }
 #endif
 

@@ -188,8 +188,8 @@ CLAIM(derivative_of_a_function_factors)
 :instead: range of β = -7 1
 :given: the true range of $\beta$, for the first function the printed one; the printed and the corrected functions
 :then: for $0<i<n$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
-  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-(n+1)\nu_0<0$ and
-  $-n\varphi_0\le0$ in the printed range, so that $B_0$ falls; $B_7$ is its mirror image
+  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-(n+1)\nu_0\le0$ and
+  $-n\varphi_0\le0$ in the printed range, not both $0$, so that $B_0$ falls; $B_7$ is its mirror image
 :method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
   $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
   root at 1.
