@@ -282,6 +282,7 @@ static int G(knots_below)(const struct G(refinement) * r, int place)
 :given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k-1$, values
   variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points, and $t'=x_1$ of the
   multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain
+:where: the new weights and the common weight are not 0
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$; the values from both sides agree
 :method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
   knots before $t'$.

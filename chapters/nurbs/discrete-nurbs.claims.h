@@ -122,6 +122,7 @@ itself. It is stronger than the equality of the quotients, which a common factor
 :title: The new points, weights and knots give the same curve
 :zh: 新的顶点、权因子与节点给出同一条曲线
 :given: the same pairs; weights and points; every interval of the domain, any $t$
+:where: the new weights and the common weight are not 0
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6

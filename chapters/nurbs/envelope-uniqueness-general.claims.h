@@ -70,6 +70,7 @@ recursions.
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$, every $r=1,\dots,k-1$
+:where: the weights of the levels are not 0
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
 :degrees: 1..6 sampled 7

@@ -219,6 +219,7 @@ and their derivatives its linear part.
 :given: $k=p+1$; simple knots, or the ends of the span $p$-fold, or its left end double, for $k\le4$ all patterns; weights
   and points, any $t$
   and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
+:where: the weights of the levels and of the member are not 0
 :then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by
   $t$ and by $\tau$ are those of $\mathbf r^{[k-r]}$ under $ax+by$
 :method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the

@@ -212,6 +212,7 @@ CLAIM(differences_of_span_give_the_derivative)
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$
+:where: the weights of the levels and of the member are not 0
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7

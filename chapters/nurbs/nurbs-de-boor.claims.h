@@ -72,6 +72,7 @@ end.
 :title: The levels of the kernel are those of (4.1.3) and (4.1.4)
 :zh: 核函数各层即 (4.1.3)、(4.1.4)
 :given: every segment, the distinct knots variables; weights and points of the plane, any $t$; every level
+:where: the weights of the levels are not 0
 :then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
   stay where they were
 :method: The kernel against the two recursions by their letter, in the indices of the source.
@@ -163,7 +164,7 @@ Better with $j$ in the place of $i$, as $i$ has been running up to here.
 :title: After k-1 levels the point of the curve is reached
 :zh: k-1 层之后得到曲线上的点
 :given: several segments, the distinct knots variables; every interval $[t_j,t_{j+1})$ of the domain; weights, points, any $t$
-:where: the common weights of the levels are not 0
+:where: the weights of the levels are not 0
 :then: $r_j^{[k-1]}(t)=r(t)$ and $w_j^{[k-1]}(t)=w(t)$, by the recursion and by the kernel
 :method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
   of $t$: at the right end of a closed interval the recursion gives the limit from the left.

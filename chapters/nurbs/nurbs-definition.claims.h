@@ -463,6 +463,7 @@ The equation of both forms is true wherever $w(t)\ne0$.  What the range of $t$ a
 :title: A point of the curve is the mean of the points with weights N_i w_i
 :zh: 曲线上的点是以 N_i w_i 为权的平均
 :given: several segments, the distinct knots variables; weights and points; any interval of the domain, any $t$
+:where: the common weight is not 0
 :then: the projection of the homogeneous spline, computed on the span by de Boor's algorithm, is
   $\sum_{i=1}^nN_{i,k}(t)w_ir_i/\sum_{i=1}^nN_{i,k}(t)w_i$
 :method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by

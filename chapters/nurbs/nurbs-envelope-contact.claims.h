@@ -155,7 +155,7 @@ this leg is a tangent.
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$; $r=k-2$
-:where: the weights of the level before and of the member are not 0
+:where: the weights of the levels and of the member are not 0
 :then: (4.3.3) is (4.3.8)
 :method: Both quotients by their letter, one coordinate.
 :degrees: 2..6 sampled 7

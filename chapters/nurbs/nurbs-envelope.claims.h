@@ -104,6 +104,7 @@ the places that are left.
 :given: $k=p+1$; a span of simple knots, one with a double knot, one whose ends are $(k-1)$-fold, and for $k\le4$ all patterns,
   the distinct
   knots variables for $k\le5$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
+:where: the weights of the levels are not 0
 :then: $\sum N_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$
 :method: The left side runs the recursion (4.1.3), (4.1.4), which divides by weights, and sums with the B-splines of
   order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,
@@ -207,6 +208,7 @@ it.
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$
+:where: the weights of the levels and of the member are not 0
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
 :degrees: 2..6 sampled 7
@@ -267,6 +269,7 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
+:where: the weights of the levels are not 0
 :then: both sums of level $r$ over $N_{i,k-r}(t)$ are those of level $r-1$ over $N_{i,k-r+1}(t)$ and those of level 0,
   $w(t)$ and $p(t)$
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
@@ -330,6 +333,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
+:where: the weights of the levels are not 0
 :then: the displays (4.3.6) and (4.3.7), each equality
 :method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
 :degrees: 2..6 sampled 7
@@ -423,6 +427,7 @@ the display is compared too.
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
+:where: the weights of the levels and of the member are not 0
 :then: $r^{[k-r]}(t,t)=r(t)$ and
   $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
@@ -544,6 +549,7 @@ to look out for.
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
+:where: the weights of the levels and of the member are not 0
 :then: at $\tau=t$: $\partial_\tau r^{[k-r]}=\frac r{k-1}r'$ and $\partial_tr^{[k-r]}=\frac{k-r-1}{k-1}r'$, so that
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
