@@ -176,7 +176,7 @@ void print_deciding_claims(const statement *s, const claim_result *results, int 
         hanging("then", c->claim->then, OF_LABEL, INDENT);
         prose(c->claim->method, INDENT);
         labelled("An argument:", c->claim->argued, INDENT);
-        print_exhibits(c);
+        print_numbers(c, INDENT);
     }
 }
 

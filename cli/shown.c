@@ -71,8 +71,8 @@ static void print_comparison(const exhibit *shown, int count)
     free(sentence);
 }
 
-/* The numbers, a line each, and what was compared. */
-static void print_shown(const exhibit *shown, int count)
+/* The numbers, a line each. */
+static void print_values(const exhibit *shown, int count, int indent)
 {
     int width = 0;
     for (int k = 0; k < count; k++) {
@@ -83,9 +83,22 @@ static void print_shown(const exhibit *shown, int count)
     for (int k = 0; k < count; k++) {
         if (is_of_comparison(shown[k].name))
             continue;
-        put_value(stdout, shown[k].name, shown[k].value, INDENT, width, page_width(WIDEST));
+        put_value(stdout, shown[k].name, shown[k].value, indent, width, page_width(WIDEST));
     }
+}
+
+/* The numbers, and what was compared. */
+static void print_shown(const exhibit *shown, int count)
+{
+    print_values(shown, count, INDENT);
     print_comparison(shown, count);
+}
+
+void print_numbers(const claim_result *r, int indent)
+{
+    const type_result *b = speaking_type(r);
+    if (b != NULL)
+        print_values(b->shown, b->exhibits, indent);
 }
 
 void print_exhibits(const claim_result *r)

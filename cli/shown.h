@@ -5,6 +5,8 @@
 #include "chapters/judge/run.h"
 
 void print_exhibits(const claim_result *r);
+/* The numbers alone: of what is true nothing is compared and found to differ. */
+void print_numbers(const claim_result *r, int indent);
 /* The same under a heading, and a small instance of an identity that fails unexpectedly, if one was found. */
 void print_failure(const claim_result *r);
 #endif

@@ -3,6 +3,7 @@
 #include "chapters/judge/memory_text.h"
 
 #include "cli/prose.h"
+#include "cli/shown.h"
 #include "cli/terminal.h"
 
 #include <stdio.h>
@@ -73,6 +74,8 @@ static void print_computed_step(struct steps *at, const claim_result *c)
     hanging("then", c->claim->then, OF_LABEL, at->indent);
     prose(c->claim->method, at->indent);
     labelled("An argument:", c->claim->argued, at->indent);
+    if (strstr(words, "the stated ") != NULL) /* the page is to state it */
+        print_numbers(c, at->indent);
     free(words), free(all), free_finding(&alone);
 }
 

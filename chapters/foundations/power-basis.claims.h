@@ -84,7 +84,7 @@ one abscissa cannot.
 :title: Two intervals of the parameter separate the two values
 :zh: 参数区间分开多值
 :kind: decision
-:given: the same parabola, whose abscissa has the coefficients $c$, on $[0,s]$ and on $[s,1]$
+:given: a parabola, whose abscissa has the coefficients $c$, on $[0,s]$ and on $[s,1]$
 :data: c = 1 -4 4; s = 1/2
 :instead: s = 3/4
 :then: each piece has one point over every $x$ of $[0,1]$: $x$ falls on the first piece and rises on the second

@@ -777,6 +777,8 @@ data with their blending functions.
 :printed: $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
 :holds-by: worked_hermite_curve
 :figure: worked_hermite_curve
+
+The signs of the coefficients and the primes are lost; of all choices of signs one has the data.
 :::
 
 :::{claim} worked_hermite_curve

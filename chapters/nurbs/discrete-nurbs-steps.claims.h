@@ -90,7 +90,8 @@ weights that the first has made. The printed formula does this, without saying w
 :::{claim} steps_of_refinement_compose
 :title: Points and weights of two steps are those of one
 :zh: 分步嵌入与一次嵌入所得顶点与权因子相同
-:given: the same triples; points and weights
+:given: triples $T$, $T_1$, $T_2$ of patterns of knots, values variables; points and weights
+:where: the new weights of both steps are not 0
 :then: (4.1.7), and the same for the weights
 :method: (4.1.6) for one step and for two, all sums by their letter.
 :degrees: 1..6 sampled 6
@@ -147,6 +148,7 @@ CLAIM(steps_of_refinement_compose)
 :title: Two knots may be inserted in either order
 :zh: 两个节点的嵌入次序可交换
 :given: $T=\{x_0^k,x_1^m,x_4^k\}$, $0\le m<k$, and two knots $x_1$ or $x_2$, and $x_3$; points and weights
+:where: the new weights of both steps are not 0
 :then: the points, weights and knots are the same
 :method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
 :degrees: 1..6 sampled 7
@@ -322,9 +324,9 @@ CLAIM(repeated_insertion_reaches_the_curve)
 :::{claim} fewer_insertions_suffice
 :title: An m-fold knot has to be inserted k-1-m times only
 :zh: m 重节点只需再嵌入 k-1-m 次
-:given: the same knots; $m=0,\dots,k-1$
+:given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k-1$; points and weights
 :then: $r_\mu^{(T,\{t'\}^{k-1-m})}=r(t')$
-:method: As before; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
+:method: (4.1.6) by its letter, against (4.1.2) on the interval on the left; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
 :degrees: 1..6 sampled 6
 :scope: a knot of every multiplicity below k between simple and clamped ones; the distinct knots variables up to order 6, numbers above
 :control: one insertion less, for $m<k-1$
@@ -349,9 +351,9 @@ CLAIM(fewer_insertions_suffice)
 :::{claim} right_value_with_the_other_interval
 :title: With the index of the interval that begins at or before t' the point is the limit from the right
 :zh: 取 t'∈[t_μ,t_{μ+1}) 时得到右极限
-:given: the same knots, $m=0,\dots,k$; also $t'=x_0$, the $k$-fold left end; $\mu$ the number of knots up to $t'$
+:given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k$; points and weights; also $t'=x_0$, the $k$-fold left end; $\mu$ the number of knots up to $t'$
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
-:method: As before.
+:method: (4.1.6) by its letter, against (4.1.2) on the interval on the right.
 :degrees: 1..6 sampled 6
 :scope: a knot of every multiplicity up to k between simple and clamped ones, and a clamped start; the distinct knots variables up to order 6, numbers above
 :control: the value from the left

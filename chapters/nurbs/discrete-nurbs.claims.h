@@ -53,7 +53,7 @@ shares $\alpha_i(j)w_i$. For these to be means the $\alpha_i(j)$ must not be neg
 :::{claim} discrete_bsplines_are_shares
 :title: The discrete B-splines of a point are nonnegative and sum up to 1
 :zh: 离散 B 样条非负且和为一
-:given: the same pairs with any positive gaps, all inserted knots in the domain; every new point $j$
+:given: pairs $T$, $T'$ of patterns of knots with any positive gaps, all inserted knots in the domain; every new point $j$
 :then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
@@ -121,7 +121,7 @@ itself. It is stronger than the equality of the quotients, which a common factor
 :::{claim} refined_data_give_the_same_curve
 :title: The new points, weights and knots give the same curve
 :zh: 新的顶点、权因子与节点给出同一条曲线
-:given: the same pairs; weights and points; every interval of the domain, any $t$
+:given: pairs $T$, $T'$ of patterns of knots; weights and points; every interval of the domain, any $t$
 :where: the new weights and the common weight are not 0
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
@@ -502,7 +502,7 @@ CLAIM(discrete_bsplines_refine_the_basis)
 :::{claim} discrete_bsplines_follow_definition
 :title: The kernel for discrete B-splines computes those that do not vanish
 :zh: 核函数所算即非零的离散 B 样条
-:given: the same pairs; every $j$ with $v_j$ in the domain
+:given: pairs $T$, $T'$ of patterns of knots; every $j$ with $v_j$ in the domain
 :then: `bspline_discrete` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
 :degrees: 1..6 sampled 6

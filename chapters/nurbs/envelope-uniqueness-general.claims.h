@@ -212,6 +212,8 @@ CLAIM(general_condition_is_that_of_the_level_before)
 :printed: in the joint solution of (4.3.3) and (4.3.15) $\tau=\tau(t)$
 :reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: an agreement, as
   (4.3.10)
+:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: for $r=1$ the lines $t=t_0$ with $\mathbf
+  r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: with
   $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form
 :confirmed-by: derivative_by_tau_is_that_of_the_level_before second_envelopes_of_spans

@@ -200,7 +200,7 @@ CLAIM(polygon_that_turns_back_loses_convexity) { lose_convexity(T, 4); }
 :instead: r = (0,0) (2,0) (0,2) (0,1) (0,0)
 :then: the points of the polygon are the sides of the triangle; the new polygon $r'$ has an edge inside its hull
 :result: r' = (0,0) (1,0) (3/2,1/2) (0,2) (0,0) (2,0)
-:method: As before.  With four points the three edges are different sides, if the polygon never turns back, and none runs over another.
+:method: By the printed formulas; an edge is on the boundary of the hull when no two vertices are on different sides of it.  With four points the three edges are different sides, if the polygon never turns back, and none runs over another.
 :control: the last two points on the third side: the polygon is closed and runs round once
 :::
 */

@@ -335,7 +335,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
   points, any $t$, every $r=1,\dots,k-2$
 :where: the weights of the levels are not 0
 :then: the displays (4.3.6) and (4.3.7), each equality
-:method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
+:method: The levels by (4.1.3), (4.1.4), the sums as printed, with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the factor $\frac{k-r}{k-r+1}$ for one level

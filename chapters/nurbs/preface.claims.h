@@ -169,7 +169,7 @@ CLAIM(circle_is_a_nurbs_curve)
 :::{claim} circle_is_run_through_once
 :title: The curve runs once around the circle, never back
 :zh: 曲线沿圆恰好绕行一周
-:given: the same curve; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval
+:given: order three, knots $x_0<x_1<\dots$ as many of each value as `multiplicities` says, points $r$ and weights $w$; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval
 :data: multiplicities = "32223"; r = (1,0) (1,1) (0,1) (-1,1) (-1,0) (-1,-1) (0,-1) (1,-1) (1,0); w = 1 1 2 1 1 1 2 1 1
 :instead: r = (1,0) (1,-1) (0,-1) (-1,-1) (-1,0) (-1,1) (0,1) (1,1) (1,0)
 :then: $x\,y'-y\,x'>0$; inside each quarter $x$ and $y$ have the signs of the middle one of its three points; and the quarters begin and end in every
@@ -408,9 +408,12 @@ CLAIM(recursion_subtracts_data_only)
 :holds-by: horner_takes_two_operations_a_degree matrices_take_polynomial_time
 :argued: every k | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
   loops inside loops, as many as the exponent of the bound says.
-:reading: determinant_written_out_is_factorial | the explicit form (4.4.17) with $\det\mathbf G$ written out as a sum over permutations,
-  as it is defined: then there are $k!$ terms, and the time is not polynomial
+:confirmed-by: determinant_written_out_is_factorial
+:meant: the word time, which is that of a computation | The time of computing with the matrices, by elimination and products.
 :figure: recursion_steps
+
+Not meant is to write $\det\mathbf G$ of (4.4.17) out as the sum over permutations that defines it: this has $k!$ terms, by
+`determinant_written_out_is_factorial`.
 :::
 */
 

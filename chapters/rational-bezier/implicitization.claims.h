@@ -224,6 +224,8 @@ CLAIM(curve_in_the_new_parameter)
 :confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
+:needs: start_is_the_point_of_no_number | theorem 3.4.1, its proof: or $a_0=b_0=0$ ($x=x_0$, $y=y_0$) | $t\ne a$: the parameter of this point
+  is $u=+\infty$, for which the equations have no meaning but $a_0=b_0=0$.
 
 Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ and $W(u)>0$.
 :::
@@ -262,6 +264,34 @@ CLAIM(equations_of_a_point)
 }
 
 #if RATIONAL
+/*
+:::{claim} start_is_the_point_of_no_number
+:title: The point of t = a satisfies the two equations for no number u
+:zh: 始点不对应任何有限的 u
+:kind: counterexample
+:data: R = (0,0) (1,0); ω = 1 1; t = 0
+:instead: t = 1/2
+:result: a_0, a_1 = 0 1; b_0, b_1 = 0 0
+:given: $n=1$, points and weights, and the point $(x,y)$ of the curve at $t$, $a=0$, $b=1$
+:then: $a_0=b_0=0$, and $a_0u+a_1=a_1\ne0$ for every number $u$
+:method: The coefficients are computed; that a number $u$ satisfies both equations is refuted where $a_0=0$ and $a_1\ne0$.
+:control: the middle of the curve, where $u=1$
+:::
+*/
+CLAIM(start_is_the_point_of_no_number)
+{
+    num R[4], w[2], P[2], a[2], b[2];
+    given_points(T, "R", 2, 2, R);
+    given_points(T, "ω", 2, 1, w);
+    G(rational_point)(1, 2, R, w, given(T, "t"), P);
+    G(implicit_coefficients)(1, R, w, 0, P[0], a);
+    G(implicit_coefficients)(1, R, w, 1, P[1], b);
+    found_points(T, "a_0, a_1", 2, 1, a);
+    found_points(T, "b_0, b_1", 2, 1, b);
+    about(T, "whether some number u satisfies both equations");
+    refute(T, is_zero_q(a[0]) && !is_zero_q(a[1]));
+}
+
 /*
 :::{claim} base_point_satisfies_the_equations
 :title: Where numerators and denominator vanish together both equations hold for every point
@@ -475,7 +505,7 @@ CLAIM(common_root_of_a_point_off_the_arc) { compare_with_the_arc(T, 1); }
 :given: the points $R$ of the cubic $(t^2,t^3+t)$, equal weights, and the point $P$ of the parameters $t=\pm\mathrm i$
 :then: the polynomials have a common factor of degree 2 with complex roots; $F$ is 0 at $P$, and the point is not on the
   curve, for no real parameter
-:method: As for the point off the arc.
+:method: The common root by the greatest common divisor in $u$; membership in the arc by the roots in $[0,1]$ of that in $t$.
 :control: roots $u\ge0$ only
 :::
 */
@@ -495,7 +525,7 @@ CLAIM(common_root_of_an_isolated_point) { compare_with_the_arc(T, 3); }
   points of the parameters $t$, inside and outside of $[0,1]$, the same moved off by the offset in the direction of
   the first axis, and the point $P$, isolated on the last curve
 :then: the criterion with roots $u\ge0$ agrees with membership in the arc
-:method: As above; the roots are counted in two ways.  For all curves with positive weights it follows from the
+:method: The common root by the greatest common divisor in $u$, membership in the arc by that in $t$; the roots are counted in two ways.  For all curves with positive weights it follows from the
   bijection $u=(b-t)/(t-a)$ of $(a,b]$ and $[0,\infty)$ and from $\sum a_iu^{n-i}=W(u)(X(u)-x)$, $W(u)>0$.
 :scope: 7 curves, 17 points each
 :control: any common root

@@ -546,6 +546,9 @@ the other end to symmetry.
 :meant: the sentence before the theorem, by which curves of one shape differ in their parameter alone | The same shape
   is the same point set.
 :reading: congruent_cubics_with_other_invariants | congruent curves, of which the starts need not correspond
+:needs: palindromes_of_degree_four | theorem 3.2.1, where the first three points are not collinear, and the first three edges not coplanar for
+  $n\ge3$ | the first edges are independent: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for $n=2$ and $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$
+  for $n\ge3$.  Otherwise the point set may be run backwards, and the start of one curve is the end of the other.
 :argued: | Steps (1) and (2) of theorem 3.2.1: the two curves correspond to each other, and start to start.  The source takes this for granted.
 
 As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.  The curvatures alone

@@ -643,7 +643,7 @@ polynomial, of degree $j$.
 :zh: B_{j,j} 在 t=0 的零点重数
 :given: any $\beta$, the functions $B_{n,n}$ of the family and $B_n^n$ of Bernstein
 :then: all their derivatives of orders $0,\dots,n-1$ vanish at $t=0$
-:method: As before, in degree $n$.
+:method: The derivatives of the polynomials by their Bernstein coefficients, $\beta$ a variable.
 :degrees: 2..9
 :control: the order $n$ as well
 :::

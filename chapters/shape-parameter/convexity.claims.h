@@ -137,7 +137,7 @@ CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 :given: the right end of the range of $\beta$, a flat convex polygon, and the line through $Q$ with the normal vector $u$,
   a little above its ends
 :then: the polygon is convex, and the curve crosses the line twice as often as the polygon
-:method: As before.
+:method: The common points and the crossings are counted exactly; `hull.h` decides that the polygon is convex.
 :control: the corrected functions
 :::
 */

@@ -247,8 +247,8 @@ CLAIM(printed_points_move_evenly_with_beta)
 :zh: 形状可调性
 :printed: with the vertices of the control polygon unchanged, different curves that approximate the polygon can be produced by adjusting the parameter
 :holds-by: points_move_evenly_with_beta printed_points_move_evenly_with_beta polygons_that_do_not_move
-:hypothesis: edges_that_do_not_move | $P_0,\dots,P_3$ are not all equal or $P_4,\dots,P_7$ are not: with the corrected
-  functions; with the printed ones not $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
+:hypothesis: edges_that_do_not_move | not $0,0,0,0,5v,v,v,v$ with the printed functions, and not $P,P,P,P,Q,Q,Q,Q$ with the
+  corrected ones: these polygons $P_0,\dots,P_7$, any $v$, $P$ and $Q$, have one curve for all $\beta$
 :figure: edges_that_do_not_move
 
 Different as parametrized curves; their sets of points are not compared.  For $n=7$ the number $a_4$ is 0.

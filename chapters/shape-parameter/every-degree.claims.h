@@ -362,7 +362,8 @@ CLAIM(cubic_of_larger_beta_is_farther)
 :result: t of a farther point = 31/64
 :given: a trapezoid, two values of $\beta$, and the square of a distance
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
-:method: As before; `hull.h` decides that the polygon is convex.
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
 :::
 */

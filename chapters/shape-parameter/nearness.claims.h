@@ -97,7 +97,8 @@ than the Bézier curve of $\beta=0$: on the way through the range the distance g
 :given: a convex polygon, the two ends of the true range of $\beta$, and the square of a distance; printed and corrected
   functions
 :then: for the left end every point of the curve is nearer to the polygon than $r$, for the right end some point is farther
-:method: As before; `hull.h` decides that the polygon is convex.
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
 :::
 */
@@ -115,7 +116,8 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
   the Bézier curve, and the square of a distance; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve,
   some point is farther
-:method: As before.
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
+  rational $t$ and all edges.
 :degrees: 7..7
 :scope: the stated polygon
 :control: the two values of $\beta$ exchanged
@@ -144,8 +146,6 @@ another one it is lost.
 :corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
 :confirmed-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
-
-For three points and $0<\beta\le1$ the curve is at least as near, which `every-degree` argues from the last two claims.
 :::
 
 :::{claim} convex_polygon_prefers_the_bezier_curve
@@ -158,7 +158,8 @@ For three points and $0<\beta\le1$ the curve is at least as near, which `every-d
 :given: another convex polygon, the $\beta$ of the Bézier curve and the right end of the range, and the square of a
   distance; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
-:method: As before.
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
+  rational $t$ and all edges.
 :control: the two values of $\beta$ exchanged
 :::
 */

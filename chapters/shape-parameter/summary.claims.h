@@ -60,9 +60,6 @@ For the end properties, the hull, the symmetry and the variation see the propert
 :corrected-by: convex_polygon_prefers_beta_one
 :confirmed-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
-
-For three points and $0<\beta\le1$ no point is farther from the polygon than that of the Bézier curve, which `every-degree` argues from the
-last two claims.
 :::
 
 :::{statement} deng-zhang-2022:abstract-features
