@@ -36,6 +36,7 @@ static void G(free_net)(trial *T, int n, int m, int coordinates, num P[])
 :then: `bezier_surface_point` gives $\sum_i\sum_jB_i^n(u)B_j^m(w)P_{ij}$
 :method: The kernel against the double sum from the definition, everything a variable.
 :degrees: 0..5 sampled 8
+:scope: m = ⌊n/2⌋ + 1
 :defines: bezier_surface_point
 :control: $u$ and $w$ exchanged
 :::
@@ -75,11 +76,12 @@ a curve in $w$.  At $u=0$ they are the first row of the net itself.
 :::{claim} parameter_lines_are_bezier_curves
 :title: The lines of the surface are curves, and the borders those of the borders of the net
 :zh: 等参线与边界曲线
-:given: a net of degrees $n$ and $m$ as before, any $u,w$
+:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$, any $u,w$
 :then: the curve of `bezier_surface_line` at $w$ is the double sum; for $u=0$ and $u=1$ its points are the first and the last row; with
   `bezier_surface_transpose` the same holds with $u$ and $w$ exchanged
 :method: The curve of the kernel's points, from the definition, against the double sum; everything a variable.
 :degrees: 0..4 sampled 8
+:scope: m = ⌊n/2⌋ + 1
 :over: t: u
 :defines: bezier_surface_line bezier_surface_transpose
 :control: the line at $1-u$
@@ -116,7 +118,7 @@ CLAIM(parameter_lines_are_bezier_curves)
 :::{claim} surface_functions_sum_to_one_and_are_positive
 :title: The surface lies in the hull of its net and moves with it
 :zh: 凸包性与仿射不变性
-:given: $u=\frac s{1+s}$, $w=\frac r{1+r}$, $r,s>0$, degrees $n$ and $m$ as before
+:given: $u=\frac s{1+s}$, $w=\frac r{1+r}$, $r,s>0$, degrees $n$ and $m=\lfloor\frac n2\rfloor+1$
 :then: $B_i^n(u)B_j^m(w)>0$, and their sum is 1
 :method: The functions are the surfaces of nets with one point 1 and the others 0, by the kernel; their coefficients in $r,s$ are positive.
 :degrees: 0..4 sampled 8
@@ -148,11 +150,12 @@ CLAIM(surface_functions_sum_to_one_and_are_positive)
 :::{claim} surface_derivatives_of_every_order
 :title: The kernel computes all partial derivatives
 :zh: 任意阶偏导矢
-:given: a net of degrees $n$ and $m$ as before in the plane, any $u,w$, orders $0,\dots,n+1$ in $u$ and $0,\dots,m+1$ in $w$
+:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$ in the plane, any $u,w$, orders $0,\dots,n+1$ in $u$ and $0,\dots,m+1$ in $w$
 :then: `bezier_surface_derivatives` gives $\frac{\partial^{k+l}P}{\partial u^k\partial w^l}$, 0 for $k>n$ and for $l>m$
 :method: The kernel against the double sum of derivatives of the basis from the definition: in the field of rational functions,
   in the other number types power by power.
 :degrees: 0..3 sampled 7
+:scope: m = ⌊n/2⌋ + 1
 :over: t: u
 :defines: bezier_surface_derivatives
 :control: the derivatives at $(w,u)$
@@ -202,12 +205,13 @@ with every vector is a volume.
 :::{claim} surface_normal_is_the_cross_product
 :title: The normal gives with every vector the volume of the two tangents and the vector
 :zh: 法矢
-:given: a net of degrees $n$ and $m$ as before in space, any $u,w$, any vector $v$
+:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$ in space, any $u,w$, any vector $v$
 :then: the result $N$ of `bezier_surface_normal` has $N\cdot v=\det(P_u,P_w,v)$; hence $N\cdot P_u=N\cdot P_w=0$
 :method: The determinant by its six products, of the partial derivatives from the definition; $v$ is each of three unit vectors, $P_u$
   and $P_w$.  The coordinates are variables but for one net of numbers, since $N$ is of degree two in the points: $x$ of all
   points is variable, then $y$, then $z$, the others being numbers.
 :degrees: 1..2 sampled 6
+:scope: m = ⌊n/2⌋ + 1
 :over: t: u
 :defines: bezier_surface_normal
 :control: the normal of the net with $u$ and $w$ exchanged
@@ -247,11 +251,12 @@ CLAIM(surface_normal_is_the_cross_product)
 :::{claim} corners_of_the_net_give_tangents_normal_and_twist
 :title: Tangents, normal and twist at a corner
 :zh: 角点处的切矢、法矢与扭矢
-:given: a net of degrees $n$ and $m$ as before in space
+:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$ in space
 :then: at $(0,0)$: $P_u=n(P_{10}-P_{00})$, $P_w=m(P_{01}-P_{00})$, $P_{uw}=nm(P_{11}-P_{10}-P_{01}+P_{00})$ and
   $N=nm\,(P_{10}-P_{00})\times(P_{01}-P_{00})$
 :method: The kernels at $(0,0)$, everything a variable; the other corners are those of the reversed nets.
 :degrees: 1..4 sampled 8
+:scope: m = ⌊n/2⌋ + 1
 :control: $P_{11}$ left out of the twist
 :::
 */
@@ -324,10 +329,11 @@ A piece between parameters $u_0,u_1$ and $w_0,w_1$ is found as for curves, in on
 :::{claim} surface_part_is_the_piece
 :title: The net of a piece
 :zh: 子曲面片的控制网格
-:given: a net of degrees $n$ and $m$ as before, any $u_0,u_1,w_0,w_1$, any $a,b$
+:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$, any $u_0,u_1,w_0,w_1$, any $a,b$
 :then: the surface of the net of `bezier_surface_part` at $(a,b)$ is $P\bigl((1-a)u_0+au_1,(1-b)w_0+bw_1\bigr)$
 :method: Both double sums from the definition; $a$ and $b$, the ends and the points are variables.
 :degrees: 0..3 sampled 6
+:scope: m = ⌊n/2⌋ + 1
 :over: u# w# a b t: parameter value; x#: points
 :defines: bezier_surface_part
 :control: $w_0$ and $w_1$ exchanged

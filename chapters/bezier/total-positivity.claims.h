@@ -145,7 +145,7 @@ positive.
 :title: A polynomial with p changes of sign does not vanish at p+1 parameters
 :zh: 系数有 p 次变号时,(0,1) 内至多 p 个不同的根
 :given: a decomposition of $0,\dots,n$ into consecutive blocks $0,\dots,p$, positive $g_0,\dots,g_n$, and
-  $0<t_0<\dots<t_p<1$ as above
+  $0<t_0<\dots<t_p<1$
 :then: $\det\Bigl(\sum_{j\in\text{block }k}g_jB_j^n(t_i)\Bigr)_{i,k=0}^p>0$; hence $\sum b_iB_i^n$ has at most $V(b)$ different
   roots in $(0,1)$, unless it is $0$
 :method: For each of the $2^n$ decompositions the determinant is a polynomial in the $g_j$ and the $x_i$, after each row was
@@ -284,7 +284,7 @@ are tried, with few sizes.
   it by an even number; the different ones are as many as Sturm's theorem counts
 :method: Of $b$ and $-b$ one is taken.  Each polynomial's roots are counted exactly, by subdivision and by Sturm's chain; the parity holds also where end
   coefficients vanish, because $t$ or $1-t$ is then a factor, and dividing by it
-  changes neither number.  For other sizes and every $n$ it is Descartes' rule, as above.
+  changes neither number.  For other sizes and every $n$ it is Descartes' rule.
 :degrees: 0..8
 :scope: all $3^{n+1}-1$ patterns of signs, up to $n=6$ with three choices of sizes, for $n=7,8$ with one
 :control: the roots counted in $[0,1]$

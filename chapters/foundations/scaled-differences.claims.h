@@ -259,7 +259,7 @@ CLAIM(stepping_reaches_the_other_end)
 :data: N = 3; b = 20; n = 256
 :instead: n = 255
 :then: every one of the $n+1$ points of each by `power_difference_step` in binary64 is the exact value
-:method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
+:method: The kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
   $2^8$, and so have no more bits than a binary64.
 :control: a number of steps that is no power of two
 :::

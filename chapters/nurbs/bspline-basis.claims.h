@@ -186,7 +186,7 @@ What remains are the knots themselves.
   support is $[u_i,u_{i+p+1}]$ and no less
 :method: The recursion by its letter, also outside the domain.  With $u_{j+1}-u_j=a+b$ on the interval of $t$ every value is
   a fraction of polynomials in the lengths with positive coefficients only; at a knot inside the support a value is the
-  limit from the right, whose sign the next claim decides.
+  limit from the right, whose sign `bspline_at_its_knots` decides.
 :degrees: 0..4 sampled 7
 :over: x: -; a b: distance of t from the ends of its interval
 :control: the B-spline before is taken

@@ -120,7 +120,8 @@ $v_{j+r}-u_i$ may be large and its partner negative. The signs are those of the 
 :::{claim} discrete_bsplines_are_nonnegative
 :title: No discrete B-spline is negative
 :zh: 离散 B 样条的非负性
-:given: several segments, the lengths between distinct knots positive variables; new knots as before, strictly between
+:given: several segments, the lengths between distinct knots positive variables; new knots in the first and the
+  last interval, strictly between its ends, the last one double, and one more at each inner knot of multiplicity at most $p$
 :then: $\alpha_i(j)\ge0$, and $\alpha_i(j)=0$ unless $u_i\le v_j$ and $v_{j+p+1}\le u_{i+p+1}$; so every point $d_j$ is a convex
   combination of $c_{\mu-p},\dots,c_\mu$
 :method: The values of the kernel are fractions of polynomials with positive coefficients only, or the zero element.

@@ -499,7 +499,7 @@ CLAIM(inflected_cubic_has_second_envelope)
 :then: (4.3.9) is satisfied at a point which is not on the curve
 :result: r_i = (-4,-44,105) (-2,2,-15) (0,0,9) (2,-2,-15) (4,44,105); point of the member = (1/8,0,0); its derivatives
   by t and τ = (3/4,0,0) (1/4,0,0); six times the volume of the first four points = 4608
-:method: As for the cubic.  The volume says that the first four points, and so the curve, are in no plane.
+:method: Member and derivatives by its points over the knots; the condition is found to be satisfied, and $y-x^3$ is compared with 0.  The volume says that the first four points, and so the curve, are in no plane.
 :control: $\tau=t$
 :::
 */

@@ -501,7 +501,7 @@ CLAIM(singular_g_makes_powers_dependent)
 :instead: M = (1,1) (0,1)
 :then: $(f_0,f_1)=(N_{r-1},N_r)M^T$ with $\det M=0$
 :result: det M = 0
-:method: The same shape as (4.4.21), without independent functions on the left.  That the determinant is not 0 is
+:method: The shape is that of (4.4.21), without independent functions on the left.  That the determinant is not 0 is
   compared.
 :control: $f_1=t$
 :::

@@ -410,7 +410,7 @@ times the one for the curve itself. This gives a formula for the other side of t
 :then: with $P=(x,y,w)$ the homogeneous curve, `nurbs_curvature_squared` gives
   $\kappa^2=\frac{w^6\det(P,P',P'')^2}{\bigl((x'w-xw')^2+(y'w-yw')^2\bigr)^3}$
 :method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
-  In the field the variables are, as before, the coefficients of $P$ in powers about $t$.  In a greater degree
+  In the field the variables are the coefficients of $P$ in powers about $t$.  In a greater degree
   there are further coefficients, on which $P$, $P'$ and $P''$ do not depend.
 :types: field rational
 :degrees: 1..4 sampled 6

@@ -417,7 +417,8 @@ CLAIM(cubic_member_meets_the_curve_twice)
 :given: the points $R$ of $(\tau,\tau^4)$ on $[0,1]$ with equal weights, the parameter $c$ in the middle, and two levels $r$
 :let: $f(\tau)$ and $g(\tau)$ be the left sides of the equations of the two members, with the point of the curve inserted
 :then: both have $\tau=c$ as a root of multiplicity 2, which is not $n-r$
-:method: As for the cubic.
+:method: The equation is the determinant (3.4.1) of the member's control points; the multiplicity is the number of times $\tau-c$ divides its
+  value on the curve.
 :control: the multiplicity 2
 :::
 */

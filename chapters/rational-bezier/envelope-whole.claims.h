@@ -258,7 +258,7 @@ static enum cagd_sign_pattern G(turning)(int n, const num R[])
   $[0,1]$; the equation of the quartic is given in `second_envelopes_by_elimination`
 :then: there the envelope condition is satisfied at a point that is not on the curve; the curve's curvature is positive
   throughout
-:method: As for the cubic; that $R'\times R''$ is positive on the closed interval is decided first, by its sign as a
+:method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$; the value of (3.4.1) at the point is compared with 0.  That $R'\times R''$ is positive on the closed interval is decided first, by its sign as a
   polynomial.
 :control: the same member at $t=c$
 :::
@@ -282,7 +282,7 @@ CLAIM(convex_quartic_has_another_envelope)
 :given: the points $R$ of $(\tau,\tau^4)$, $-1\le\tau\le1$, with equal weights; the member $c$ of level $r$, and its
   point at the parameter $t$ of the flat point, both counted in $[0,1]$
 :then: there the envelope condition is satisfied at a point that is not on the curve; $R'\times R''\ge0$ throughout
-:method: As for the cubic; that $R'\times R''$ is nowhere negative is decided first, by its sign as a polynomial.
+:method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$; the value of (3.4.1) at the point is compared with 0.  That $R'\times R''$ is nowhere negative is decided first, by its sign as a polynomial.
 :control: the same member at $t=c$
 :::
 */

@@ -385,7 +385,7 @@ static void found_census(trial *T, struct census c)
 :given: the cubic $F=0$ by its terms $\alpha x^iy^j$, and the three abscissas $x_0<x_1<x_2$ with $y=0$
 :then: there is no singular point in the complex projective plane; there are real points with $x_0<x<x_1$ and with
   $x>x_2$, and none with $x_1<x<x_2$ or $x<x_0$
-:method: Elimination as above, and the signs of $y^2$ as a polynomial in $x$.  A rational Bézier curve, continued over all
+:method: The singular points are counted by elimination, also the imaginary ones; and the signs of $y^2$ as a polynomial in $x$.  A rational Bézier curve, continued over all
   parameters, is a connected curve of the projective plane, and cannot contain arcs of both parts.  That no arc of it is
   rational follows from `rational_cubic_has_one_double_point`: by Lüroth's theorem, which is cited, a rational cubic has a
   parametrisation of degree 3.
@@ -459,7 +459,7 @@ the list of singular points is found by elimination and not taken on trust.
 :given: a smooth cubic and a line by their terms $(\alpha,i,j)$, $\alpha x^iy^j$, and $F$, the product of the two;
   three points $P$ in homogeneous coordinates, and an abscissa $x$
 :then: the singular points are exactly the three nodes $P$, so $g=0$; but a rational curve lies on one of the two factors
-:method: The singular points as above.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
+:method: The singular points are counted by elimination.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
   one factor vanishes on it; the other has points of its own, such as those over $x$, which are looked at.  Compared
   is: $g=0$ exactly if the curve is rational.
 :control: the cubic by itself, whose count is 1
@@ -515,7 +515,7 @@ static int is_the_given_curve(trial *T, int n, num_f F)
 :result: n = 2; F = "x^2+y^2+1"; nodes, cusps, others = 0 0 0; g = 0; rational = "no"
 :given: the conic $F=0$ by its terms $\alpha x^iy^j$; and points $R$ with weights $\omega$ of the unit circle
 :then: there is no singular point, $g=0$, but $F\ge1$ for real $x,y$, so it is no Bézier curve
-:method: The singular points as above; $F$ has only positive coefficients and even powers.  Compared is: $g=0$
+:method: The singular points are counted by elimination; $F$ has only positive coefficients and even powers.  Compared is: $g=0$
   exactly if there is a real parametrisation.
 :control: the last coefficient with the other sign: the unit circle, which is the curve of the points $R$
 :::
@@ -542,7 +542,7 @@ CLAIM(conic_without_real_points)
   of the curve $(3t-t^3,3t^2-t^4)$ with equal weights
 :then: the only singular point is $P$, where three real tangents differ, so $d=s=0$ and $g=3$; yet the curve is a
   polynomial Bézier curve of degree $n$
-:method: The singular points as above; the tangents are the zeros of the terms of lowest degree; the equation is the
+:method: The singular points are counted by elimination; the tangents are the zeros of the terms of lowest degree; the equation is the
   determinant (3.4.1) of the Bézier points of the curve.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the triple point counted as three double points
 :::
@@ -576,7 +576,7 @@ CLAIM(rational_quartic_with_a_triple_point)
   points $R$ and weights $\omega$ of the curve $(\frac{t^2}{1+t^3},\frac{t^4}{1+t^3})$
 :then: the only singular point is $P$, a double point, neither a node nor an ordinary cusp; counted once it
   gives $g=2$; yet the curve is a rational Bézier curve of degree $n$
-:method: As for the triple point.  From the orders $p$ of $x$ and $q$ of $y-x^2$ in $t$ on the curve follows
+:method: The singular points are counted by elimination; the tangents are the zeros of the terms of lowest degree.  From the orders $p$ of $x$ and $q$ of $y-x^2$ in $t$ on the curve follows
   $\delta=\frac{(p-1)(q-1)}2$, which is more than 1: other double points are infinitely near.
 :control: the point counted as $\delta$ double points
 :::
@@ -657,7 +657,7 @@ CLAIM(cuspidal_cubic_at_infinity)
 :given: the cubic $F=0$ by its terms $\alpha x^iy^j$, with one singular point $P$, a cusp, which is counted in $s$
   and, with $d$ double points, once more; and the points $R$ of the curve $(t^2,t^3)$ with equal weights
 :then: $g=-1$, although the curve is rational
-:method: The singular points as above.  Compared is: $g=0$ exactly if the curve is rational.
+:method: The singular points are counted by elimination.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the cusp counted in $s$ alone
 :::
 */
@@ -683,7 +683,7 @@ CLAIM(cusp_counted_twice)
 :result: largest exponent = 2; n = 3; F = "x^2*y+x*y^2+1"; nodes, cusps, others = 0 0 0; g = 0; rational = "no"
 :given: the cubic $F=0$ by its terms $\alpha x^iy^j$, whose exponents are at most 2
 :then: with the largest exponent for $n$ the count is 0; but it is a cubic without singular points, and not rational
-:method: The singular points as above.  Whether the cubic is rational is read off their number, as
+:method: The singular points are counted by elimination.  Whether the cubic is rational is read off their number, as
   `rational_cubic_has_one_double_point` allows; without any it is irreducible, because two parts would have a common
   point.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the total degree for $n$

@@ -738,7 +738,7 @@ CLAIM(elevated_curve_has_no_equation)
 :result: F(x, y) = "0"
 :given: $n=2$, three points $R$, and weights of which the first is 0: the curve is the segment from $R_1$ to $R_2$
 :then: $F(x,y)=0$ for all $x$ and $y$
-:method: As for the elevated parabola.
+:method: The determinant with $x$ and $y$ variables; that it is not the zero polynomial is what is compared.
 :control: equal weights
 :::
 */

@@ -109,7 +109,7 @@ CLAIM(end_curvature_contains_one_invariant)
 :where: the weights are positive; $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ and $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$
 :then: $\tau(0)I_1I_2\|a_1\times a_2\|^2=\frac{n-2}n(a_1,a_2,a_3)$ and
   $\tau(1)I_{n-2}I_{n-1}\|a_{n-1}\times a_n\|^2=\frac{n-2}n(a_{n-2},a_{n-1},a_n)$
-:method: As for the curvature, from the derivatives of the curve.  When $(a_1,a_2,a_3)\ne0$, curvature and torsion
+:method: The torsions are computed from the derivatives of the curve; both sides are rational functions of the weights and the coordinates.  When $(a_1,a_2,a_3)\ne0$, curvature and torsion
   at $0$ determine $I_1$ and $I_2$; when $(a_{n-2},a_{n-1},a_n)\ne0$, those at $1$ determine $I_{n-1}$ and
   $I_{n-2}$: all invariants for $n\le5$, and for $n=4$ one of the torsions is enough.
 :degrees: 3..6 sampled 10

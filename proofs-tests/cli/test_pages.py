@@ -45,6 +45,25 @@ class Width(unittest.TestCase):
         self.assertEqual(show("wang-ch3:3.2.8", width=500), show("wang-ch3:3.2.8"))
 
 
+class Alone(unittest.TestCase):
+    """A page is read on its own: what stands before it in its section is not on it."""
+    ELSEWHERE = re.compile(r"\b[Aa]s (before|above)[.;,]|^As (before|above)|\b(last|next) (two |three )?claims?\b")
+
+    def test_no_text_of_a_page_points_to_its_neighbours(self):
+        self.assertRegex("For three points this is argued from the last two claims.", self.ELSEWHERE)
+        self.assertRegex("As before.", self.ELSEWHERE)
+        for entry in REGISTER["statements"] + REGISTER["claims"]:
+            texts = [entry.get("note", "")] + [text for key, text in entry["options"] if key in ("given", "let", "then", "method")]
+            for text in texts:
+                self.assertNotRegex(text, self.ELSEWHERE, entry.get("id", entry.get("name")))
+
+    def test_what_is_stated_is_on_the_page(self):
+        """A decision "for the stated instance" shows it, as a step or as what decides a reading."""
+        self.assertIn("r²                   = 111/20", show("deng-zhang-2022:sec-6-better"))
+        page = show("hu-1987:1-2-interference")
+        self.assertIn("X        = (1/2, 0)", page[page.index("What decides reading 1"):])
+
+
 class Matrices(unittest.TestCase):
     def test_a_determinant_has_a_line_for_each_row(self):
         lines = show("hu-1987:1-4-torsion-first-determinant").splitlines()
