@@ -5,6 +5,8 @@
 #ifndef CAGD_RATIONAL_BEZIER_DETERMINANTS_H
 #define CAGD_RATIONAL_BEZIER_DETERMINANTS_H
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /* Leibniz' sum over the permutations of the rows i, ..., n-1 of the n x n matrix M into the columns that are not in the set
@@ -29,6 +31,15 @@ static inline num G(horner)(int n, const num a[], num z)
     num sum = a[0];
     for (int i = 1; i <= n; i++)
         sum = add(mul(sum, z), a[i]);
+    return sum;
+}
+
+/* sum C(n,i) p_i u^{n-i} */
+static inline num G(in_u)(int n, const num p[], num u)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(mul(from_int(binomial(n, i)), p[i]), G(power)(u, n - i)));
     return sum;
 }
 #include "chapters/judge/claims_off.h"

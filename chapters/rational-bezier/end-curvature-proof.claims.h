@@ -331,7 +331,8 @@ order change their sign, and so do the edges.  That leaves a sign in $R''(1)$ on
 :zh: 两端前三阶导矢用边矢表示
 :given: weights and points
 :let: $f_1,g_1,g_2$ the expressions that stand in the entry `wang-ch3:prop-3.2.4-step-7`, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
-:then: at $t=0$ as above; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
+:then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
+  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
   $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
 :method: The kernel is asked at $t=0$ and at $t=1$; both sides are one element of the field of rational functions of the weights and the points.
 :degrees: 3..6 sampled 10

@@ -7,6 +7,7 @@ entries of degree one; the source takes another way, by operations on columns, a
 */
 #include "exact/record/resultant.h"
 
+#include "chapters/rational-bezier/determinants.h"
 #include "chapters/rational-bezier/free-curve.h"
 
 #include "chapters/judge/claims_on.h"
@@ -431,6 +432,41 @@ CLAIM(variables_stay_in_the_first_columns)
                 same(T, M[row * 2 * n + column], N[row * 2 * n + column]);
             else
                 same(T, N[row * 2 * n + column], row < n ? a[0] : b[0]);
+}
+
+/*
+Where a base point is, $F$ has no degree at all; every elevated curve has one.
+
+:::{claim} elevation_multiplies_by_one_plus_u
+:title: Degree elevation multiplies numerators and denominator by 1 + u
+:zh: 升阶使分子分母同乘 1+u
+:given: weights and one coordinate of the points, $n\ge1$, any $u$
+:then: $\hat W(u)=(1+u)W(u)$ and $\hat A(u)=(1+u)A(u)$
+:method: The elevated points and weights by the kernel; both sides in the field.  So every elevated curve has the common
+  zero $u=-1$.  For every $n$: $\binom{n+1}i\hat\omega_i=\binom ni\omega_i+\binom n{i-1}\omega_{i-1}$.
+:degrees: 1..6 sampled 12
+:control: the factor $1-u$
+:::
+*/
+CLAIM(elevation_multiplies_by_one_plus_u)
+{
+    int n = T->degree;
+    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], Re[MAX_DEGREE + 1], we[MAX_DEGREE + 1], u = parameter(T, "u");
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+    }
+    G(rational_elevate)(n, 1, R, w, Re, we);
+    num factor = fault(T, add(from_int(1), u), sub(from_int(1), u));
+    about(T, "the denominator");
+    /* W of the elevated curve is (1+u) W(u) */
+    same(T, G(in_u)(n + 1, we, u), mul(factor, G(in_u)(n, w, u)));
+    for (int i = 0; i <= n; i++)
+        R[i] = mul(w[i], R[i]);
+    for (int i = 0; i <= n + 1; i++)
+        Re[i] = mul(we[i], Re[i]);
+    about(T, "a numerator");
+    same(T, G(in_u)(n + 1, Re, u), mul(factor, G(in_u)(n, R, u)));
 }
 
 #include "chapters/judge/claims_off.h"

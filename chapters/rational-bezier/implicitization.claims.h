@@ -171,15 +171,6 @@ At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
 :::
 */
 
-/* sum C(n,i) p_i u^{n-i} */
-static num G(in_u)(int n, const num p[], num u)
-{
-    num sum = from_int(0);
-    for (int i = 0; i <= n; i++)
-        sum = add(sum, mul(mul(from_int(binomial(n, i)), p[i]), G(power)(u, n - i)));
-    return sum;
-}
-
 /*
 :::{claim} curve_in_the_new_parameter
 :title: The substitution turns the Bernstein form into powers of u
@@ -872,39 +863,6 @@ CLAIM(common_zero_makes_the_equation_vanish)
     about(T, "the first column for ω_0 = 0");
     for (int i = 0; i < 2 * n; i++)
         vanishes(T, M[i * 2 * n]);
-}
-
-/*
-:::{claim} elevation_multiplies_by_one_plus_u
-:title: Degree elevation multiplies numerators and denominator by 1 + u
-:zh: 升阶使分子分母同乘 1+u
-:given: weights and one coordinate of the points, $n\ge1$, any $u$
-:then: $\hat W(u)=(1+u)W(u)$ and $\hat A(u)=(1+u)A(u)$
-:method: The elevated points and weights by the kernel; both sides in the field.  So every elevated curve has the common
-  zero $u=-1$.  For every $n$: $\binom{n+1}i\hat\omega_i=\binom ni\omega_i+\binom n{i-1}\omega_{i-1}$.
-:degrees: 1..6 sampled 12
-:control: the factor $1-u$
-:::
-*/
-CLAIM(elevation_multiplies_by_one_plus_u)
-{
-    int n = T->degree;
-    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], Re[MAX_DEGREE + 1], we[MAX_DEGREE + 1], u = parameter(T, "u");
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[i] = unknown(T, "R", i);
-    }
-    G(rational_elevate)(n, 1, R, w, Re, we);
-    num factor = fault(T, add(from_int(1), u), sub(from_int(1), u));
-    about(T, "the denominator");
-    /* W of the elevated curve is (1+u) W(u) */
-    same(T, G(in_u)(n + 1, we, u), mul(factor, G(in_u)(n, w, u)));
-    for (int i = 0; i <= n; i++)
-        R[i] = mul(w[i], R[i]);
-    for (int i = 0; i <= n + 1; i++)
-        Re[i] = mul(we[i], Re[i]);
-    about(T, "a numerator");
-    same(T, G(in_u)(n + 1, Re, u), mul(factor, G(in_u)(n, R, u)));
 }
 
 #include "chapters/judge/claims_off.h"
