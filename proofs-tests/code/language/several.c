@@ -9,7 +9,7 @@ double m_another_file(void) { return from_another_file(1.0 / 3) + hidden; }
 double m_archive(void) { return from_an_archive(1.0 / 3); }
 /* = F(2, 3) */
 double m_computed(void) { return never_computed(0) + never_computed_in_a_struct(0); }
-/* ! a value that was never computed */
+/* ! was never computed */
 double m_never_computed(void) { return never_computed(2); }
-/* ! a value that was never computed */
+/* ! was never computed */
 double m_never_computed_in_a_struct(void) { return never_computed_in_a_struct(1); }
