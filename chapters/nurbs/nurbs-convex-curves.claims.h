@@ -25,7 +25,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :confirmed-by: periodic_curves_of_convex_polygons_are_convex
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: the sentence, which goes from the polygon to the curve | This direction.
-:reading: curve_may_be_convex_alone | the converse, which is not printed
+:reading: curve_may_be_convex_alone | this direction only: the converse, which is not printed, fails
 :argued: | For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, and they turn as
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
   linearly independent; it goes straight on, and so does the curve, since no line across is crossed more often.
