@@ -555,6 +555,17 @@ class Results(Case):
         again = self.fit(ARCH, "--initial", path, "--no-verify")
         self.assertAlmostEqual(again["minimiser"]["initial_cost"] / self.doc["minimiser"]["cost"], 1, 10)
 
+    def test_the_cost_of_the_first_curve(self):
+        """It is that of all points, also where a sample of them leads to the minimum: half the squared distances from the curve as given."""
+        first = self.file(json.dumps({"kind": "rational-bezier", "points": [[0, 0], [2, 1.9], [4, 0]], "weights": [1, 1, 1]}), "first.json")
+        for n in 100, 3000:
+            points = self.file(table(quadratic(n, 0.75, 0.01)))
+            given = self.fit(points, "--initial", first, "--free", "none", "--no-verify")
+            led = self.fit(points, "--initial", first, "--free", "weights,inner", "--no-verify")
+            cost = n * given["distances"]["rms"] ** 2 / 2
+            self.assertGreater(cost, 1.1 * led["minimiser"]["cost"])
+            self.assertAlmostEqual(led["minimiser"]["initial_cost"] / cost, 1, 10)
+
     def test_the_same_bytes_every_time(self):
         for options in [[], ["--json"], ["--verbose"], ["--starts", "4", "--json"]]:
             a, b = (run("fit", ARCH, *options, "--residuals", self.folder / n, "--svg", self.folder / (n + ".svg"))
