@@ -127,6 +127,10 @@ typedef struct cagd_fit_options {
     int max_iterations;    /* >= 1                                                                  */
     int without_intervals; /* 1: no 95 % intervals are sought; for those by the profile the curve is fitted again many */
                            /* times, under conditions                                              */
+    /* NULL, or called with `context` after every start of every fit that cagd_fit or cagd_fit_choose makes: so many of the starts that
+     * are asked for, or more, have ended.  It does not change the fit. */
+    void (*after_start)(void *context, int ended, int starts);
+    void *context;
 } cagd_fit_options;
 
 /* Degree 2 Bézier, all free, measured ends, ordered, squares, scale 1, weights unbounded, one start, seed 1,
