@@ -124,6 +124,13 @@ static int is_refuted(const struct fit *f)
     return f->nearest.refuted || (v->verified && !v->minimum && v->bounds != CAGD_STATIONARY_OPEN);
 }
 
+/* On a terminal. */
+static void tell_starts(void *context, int ended, int starts)
+{
+    (void)context;
+    waiting_at(ended, starts, "starts");
+}
+
 static int fit_points(const struct fit_arguments *a, struct fit *f)
 {
     cagd_spline initial;
@@ -147,10 +154,11 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
         f->options.initial = &initial;
     }
     give_knots(a, &f->options);
-    char what[64] = "fitting";
-    if (f->options.starts > 1)
-        snprintf(what, sizeof what, "fitting from %d starts", f->options.starts);
-    waiting_begin(what);
+    waiting_begin("fitting");
+    if (f->options.starts > 1) {
+        f->options.after_start = tell_starts;
+        waiting_at(0, f->options.starts, "starts");
+    }
     cagd_status status = cagd_fit_choose(&f->data, &f->options, &a->choices, &result, &where);
     waiting_end();
     if (status != CAGD_OK)

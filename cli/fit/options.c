@@ -367,7 +367,7 @@ static const struct argp_option options[] = {
     {"sigma-column", KEY_SIGMA_COLUMN, "C", 0, "The column, by name or number, of standard deviations", 3},
     {"sigma", KEY_SIGMA, "S", 0, "One standard deviation for all coordinates", 3},
     {"starts", KEY_STARTS, "N", 0,
-     "Start N times, with other weights (default: 1); takes N times as long, which is told on a terminal", 4},
+     "Start N times, with other weights (default: 1); takes N times as long; a terminal shows how many have ended", 4},
     {"seed", KEY_SEED, "N", 0, "Of the other starts (default: 1)", 4},
     {"tolerance", KEY_TOLERANCE, "E", 0, "Relative, of convergence (default: 1e-14)", 4},
     {"max-iterations", KEY_ITERATIONS, "N", 0, "At most N iterations (default: 200)", 4},

@@ -486,6 +486,24 @@ static void print_distances(const struct fit *f)
     end(&l, "Distances");
 }
 
+/* The measured ends follow their points, and of these alone a small distance says nothing. */
+static void say_unseen_ends(FILE *out, const struct fit *f)
+{
+    const cagd_fit_result *r = f->result;
+    int said = 0;
+    for (int end = 0; end < 2; end++) {
+        const int i = r->end_points[end];
+        if (i >= 0 && !r->outlier[i])
+            fprintf(out, "%s point %d (line %d)", said++ ? " and" : ";", i + 1, f->points.line[i]);
+    }
+    if (said > 0)
+        fputs(said == 1 ? " measures an end of the curve, which follows it: whether it is an outlier the distance does "
+                          "not tell, but a fit without it"
+                        : " measure the ends of the curve, which follow them: whether one of them is an outlier the "
+                          "distance does not tell, but a fit without it",
+              out);
+}
+
 /* The points that a robust loss has found to be farther from the curve than chance puts them. */
 static void print_outliers(const struct fit *f)
 {
@@ -508,6 +526,7 @@ static void print_outliers(const struct fit *f)
         fprintf(out, "; farther than %.2g standard deviations of %.2g%s; root mean square of the other distances %.4g",
                 r->outlier_limit, r->deviation, unit, r->rms_of_others);
     fputs("; the standard deviation is estimated from the median of the distances", out);
+    say_unseen_ends(out, f);
     end(&l, "Outliers");
 }
 

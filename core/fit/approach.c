@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* With all points.  The cost of the first curve is told, and is that of its feet as exact as can be. */
-static int approach_by_all(fit_attempt *a)
+/* The cost of the first curve for all points is told, and is that of its feet as exact as can be.  Returns 0 when there is no
+ * memory. */
+static int tell_initial_cost(fit_attempt *a)
 {
     if (!fit_feet_guess(a->problem, a->curve, a->feet))
         return 0;
@@ -15,6 +16,12 @@ static int approach_by_all(fit_attempt *a)
     a->objective->newton = 0;
     fit_objective_begin(a->objective, a->curve, a->feet);
     a->initial_cost = a->objective->cost;
+    return 1;
+}
+
+/* With all points. */
+static int approach_by_all(fit_attempt *a)
+{
     if (!fit_descend_near(a))
         return 0;
     memcpy(a->feet, a->objective->feet, (size_t)a->problem->points * sizeof *a->feet);
@@ -70,6 +77,8 @@ int fit_approach(fit_attempt *a)
     const fit_problem *p = a->problem;
     int squares = p->loss == CAGD_FIT_SQUARES, points = p->strategy.points_per_unknown * p->unknowns;
     int means = p->strategy.means_factor * points;
+    if (!tell_initial_cost(a))
+        return 0;
     if (p->points < 2 * means)
         return approach_by_all(a);
     return approach_by_every(p->points / (squares ? points : means), a) && fit_feet_guess(p, a->curve, a->feet) &&

@@ -127,6 +127,10 @@ typedef struct cagd_fit_options {
     int max_iterations;    /* >= 1                                                                  */
     int without_intervals; /* 1: no 95 % intervals are sought; for those by the profile the curve is fitted again many */
                            /* times, under conditions                                              */
+    /* NULL, or called with `context` after every start of every fit that cagd_fit or cagd_fit_choose makes: so many of the starts that
+     * are asked for, or more, have ended.  It does not change the fit. */
+    void (*after_start)(void *context, int ended, int starts);
+    void *context;
 } cagd_fit_options;
 
 /* Degree 2 Bézier, all free, measured ends, ordered, squares, scale 1, weights unbounded, one start, seed 1,
@@ -297,7 +301,7 @@ typedef struct cagd_fit_choices {
     int weights; /* 1: of a spline weights are fitted where an F test at 95 % says that they explain something   */
     int smooth; /* 1: the weight of the smoothing term is found by cross-validation; 2: where the fit is not good without,
                    and knots that the points place, as many as given, are not good either                     */
-    double within; /* > 0: the fewest control points that keep every point within this distance             */
+    double within; /* > 0: the fewest control points found that keep every point within this distance       */
 } cagd_fit_choices;
 
 /* Everything is found. */
@@ -321,7 +325,9 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
- * curve knots are taken out as long as that helps.  Where the number of control points is given and the spline over even knots is not
+ * curve knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
+ * otherwise.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest one which was found; a
+ * spline that is not good gives way to a good one, and a good one that does not keep the distance to a smoothed one that does.  Where the number of control points is given and the spline over even knots is not
  * good, or has loops, it is led to from a smoothed one, whose smoothing term is taken back by and by; if that is no better, as many knots
  * are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises n chi_squared/(n - 1.4 k)^2
  * (generalised cross-validation).  Source: wahba-1990; kim-gu-2004. */

@@ -108,7 +108,7 @@ static cagd_status choose_degree(const cagd_fit_data *data, const cagd_fit_optio
             break;
         cagd_status status = fit_refined(data, &own, choices, &one, where);
         if (status == CAGD_OK && choices->weights && !(own.free & CAGD_FIT_WEIGHTS))
-            status = fit_test_weights(data, &own, &one, where);
+            status = fit_test_weights(data, &own, choices->within, &one, where);
         if (status == CAGD_TOO_FEW && *result != NULL)
             break;
         REQUIRE(status == CAGD_OK, status);
@@ -163,7 +163,7 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     status = fit_refined(data, &spline, choices, &one, where);
     REQUIRE(status == CAGD_OK || *result != NULL, status);
     if (status == CAGD_OK && choices->weights)
-        status = fit_test_weights(data, &spline, &one, where);
+        status = fit_test_weights(data, &spline, choices->within, &one, where);
     REQUIRE(status == CAGD_OK || *result != NULL, status);
     if (status == CAGD_OK) {
         char name[64];
@@ -232,7 +232,7 @@ cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *o
         }
         status = fit_refined(&own, &asked, &all, result, where);
         if (status == CAGD_OK && choices->weights && !(asked.free & CAGD_FIT_WEIGHTS))
-            status = fit_test_weights(&own, &asked, result, where);
+            status = fit_test_weights(&own, &asked, choices->within, result, where);
     }
     if (status == CAGD_OK)
         keep_found(*result, &found);

@@ -86,6 +86,8 @@ int fit_minimum_of(const fit_problem *p, fit_minimum *m)
             a = worse;
         }
         fit_attempt_free(&a);
+        if (p->options->after_start != NULL)
+            p->options->after_start(p->options->context, start + 1, p->options->starts);
     }
     good = good && costs;
     if (good)

@@ -108,6 +108,8 @@ typedef struct search {
     const cagd_fit_choices *choices;
     int *where;
     cagd_fit_result *best;
+    double within;  /* with a tolerance, the distance that every point is to keep within       */
+    int good_alone; /* with a tolerance, whether a minimum that is not good is passed over too */
     double score;
     knots at; /* of the best one */
 } search;
@@ -181,15 +183,21 @@ static int has_room(const search *s, const knots *k)
     return k->inner < MOST_KNOTS && 2 * count * s->data->dim <= s->data->count * (s->data->dim - 1) + 2 * s->data->dim;
 }
 
-/* The smaller the better: with a tolerance the number of points, once it is met. */
+/* Whether the fit is one that the search may end with. */
+static int may_be_best(const search *s, const cagd_fit_result *r)
+{
+    return s->within > 0 && !s->good_alone ? cagd_fit_is_minimum(r) : fit_is_good(s->data, s->options, r);
+}
+
+/* Whether it keeps every point within the distance that is asked for. */
+static int is_within(const search *s, const cagd_fit_result *r) { return s->within > 0 && r->largest <= s->within; }
+
+/* The smaller the better, and infinite of what may not be best: with a tolerance the number of points, once it is met. */
 static double score_of(const search *s, const knots *k, const cagd_fit_result *r)
 {
-    if (s->choices->within > 0) {
-        if (!cagd_fit_is_minimum(r))
-            return HUGE_VAL;
-        return r->largest <= s->choices->within ? k->inner - 1e6 : r->largest;
-    }
-    return fit_is_good(s->data, s->options, r) ? fit_score(s->data, r) : HUGE_VAL;
+    if (!may_be_best(s, r))
+        return HUGE_VAL;
+    return !(s->within > 0) ? fit_score(s->data, r) : is_within(s, r) ? k->inner - 1e6 : r->largest;
 }
 
 /* Takes the result for the best one if it is; whether it is.  It is not released. */
@@ -283,8 +291,8 @@ static cagd_status put_in(search *s, int even)
         if (last != s->best)
             cagd_fit_free(last);
         last = next;
-        int met = s->choices->within > 0 && next->largest <= s->choices->within;
-        if (next->points_on_curve || met || !has_room(s, &k))
+        if (next->points_on_curve || (is_within(s, next) && (!s->good_alone || may_be_best(s, next))) ||
+            !has_room(s, &k))
             break;
         if (even)
             make_even(k.inner + 1, &k);
@@ -389,28 +397,60 @@ static cagd_status place_knots(search *s)
     return status == CAGD_TOO_FEW ? CAGD_OK : status;
 }
 
-/* Knots are taken out of the best curve, that first without which it is best, as long as it becomes better. */
+/* Whether the fit over these knots becomes the best one; `lowest`, which others begin with, is not released.  `shape`: not if it has gaps,
+ * excursions or loops that `lowest` has not. */
+static cagd_status try_knots(search *s, const knots *k, const cagd_fit_result *lowest, int shape, int *better)
+{
+    enum { SHAPE = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_GAPS | CAGD_FIT_FAR | CAGD_FIT_BACKWARDS };
+    cagd_fit_result *next;
+    cagd_status status = fit_on(s, k, lowest, &next);
+    REQUIRE(status == CAGD_OK, status);
+    *better = score_of(s, k, next) < s->score && !(shape && problems_of(s, next) & ~problems_of(s, lowest) & SHAPE) &&
+              is_best(s, k, next);
+    if (*better && s->best != lowest)
+        cagd_fit_free(s->best);
+    if (*better)
+        s->best = next;
+    else
+        cagd_fit_free(next);
+    return CAGD_OK;
+}
+
+/* The knots without knot i; the one before it (shift & 1) and the one behind it (shift & 2) are moved half the way to where it was. */
+static knots without(const knots *from, int i, int shift)
+{
+    knots k = *from;
+    take_out(&k, i);
+    if (shift & 1)
+        k.u[i - 1] = (from->u[i - 1] + from->u[i]) / 2;
+    if (shift & 2)
+        k.u[i] = (from->u[i + 1] + from->u[i]) / 2;
+    return k;
+}
+
+/* Knots are taken out of the best curve, that first without which it is best, as long as it becomes better.  Where it does not, the neighbours of
+ * the one that is taken out move towards its place. */
 static cagd_status take_out_idle(search *s)
 {
+    enum { SHIFTS = 4 };
+    const int fewest = s->options->closed ? s->options->degree : 0;
     for (int better = 1; better;) {
         better = 0;
         const knots from = s->at;
-        if ((double)s->data->count * from.inner * from.inner > MOST_WORK)
-            break;
         cagd_fit_result *lowest = s->best;
-        for (int i = 0; i < from.inner && from.inner > (s->options->closed ? s->options->degree : 0); i++) {
-            knots k = from;
-            cagd_fit_result *next;
-            take_out(&k, i);
-            cagd_status status = fit_on(s, &k, lowest, &next);
-            REQUIRE(status == CAGD_OK, status);
-            if (is_best(s, &k, next)) {
-                if (s->best != lowest)
-                    cagd_fit_free(s->best);
-                s->best = next;
-                better = 1;
-            } else
-                cagd_fit_free(next);
+        for (int shift = 0; shift < SHIFTS && !better && from.inner > fewest; shift++) {
+            const int first = shift & 1, last = from.inner - (shift & 2 ? 2 : 1);
+            if ((double)s->data->count * from.inner * from.inner * (shift ? SHIFTS : 1) > MOST_WORK)
+                break;
+            for (int i = first; i <= last; i++) {
+                const knots k = without(&from, i, shift);
+                int best;
+                cagd_status status = try_knots(s, &k, lowest, shift, &best);
+                if (status != CAGD_OK && s->best != lowest)
+                    cagd_fit_free(lowest);
+                REQUIRE(status == CAGD_OK, status);
+                better |= best;
+            }
         }
         if (better)
             cagd_fit_free(lowest);
@@ -557,17 +597,55 @@ static int most_points(const search *s)
 
 /* ---- all of it --------------------------------------------------------------------------------------------- */
 
-static cagd_status find_knots(search *s)
+/* Of a tolerance that is not met, the distance that is: the fewest control points that are found to keep every point within that one. */
+static cagd_status settle_for_nearest(search *s)
+{
+    REQUIRE(s->within > 0 && may_be_best(s, s->best) && s->best->largest > s->within, CAGD_OK);
+    s->within = s->best->largest;
+    s->score = score_of(s, &s->at, s->best);
+    return take_out_idle(s);
+}
+
+static cagd_status search_knots(search *s)
 {
     cagd_status status = put_in(s, 0);
     if (status == CAGD_OK)
         status = put_in(s, 1);
     if (status == CAGD_OK && s->best != NULL)
         status = take_out_idle(s);
-    if (status == CAGD_OK && s->best != NULL) {
-        s->best->found.count_chosen = s->best->found.knots_chosen = 1;
-        s->best->found.within = s->choices->within > 0 ? (s->best->largest <= s->choices->within ? 1 : -1) : 0;
+    if (status == CAGD_OK && s->best != NULL)
+        status = settle_for_nearest(s);
+    return status;
+}
+
+/* Minima that are not good lead with a tolerance to good ones by what is taken out of them.  Where they do not, good ones alone are sought. */
+static cagd_status find_knots(search *s)
+{
+    cagd_status status = search_knots(s);
+    if (status == CAGD_OK && s->choices->within > 0 && s->best != NULL && !fit_is_good(s->data, s->options, s->best)) {
+        search again = *s;
+        again.best = NULL, again.within = s->choices->within, again.good_alone = 1;
+        status = search_knots(&again);
+        const int good = status == CAGD_OK && again.best != NULL && fit_is_good(s->data, s->options, again.best);
+        cagd_fit_free(good ? s->best : again.best);
+        if (good)
+            *s = again;
     }
+    if (status == CAGD_OK && s->best != NULL)
+        s->best->found.count_chosen = s->best->found.knots_chosen = 1;
+    return status;
+}
+
+/* Where no good curve over chosen knots keeps the points within the tolerance, a smoothed one that does takes its place. */
+static cagd_status smooth_within(search *s, const cagd_fit_options *smoothed)
+{
+    cagd_fit_result *other = NULL;
+    cagd_status status = smooth_best(s, smoothed, s->choices->smooth, &other);
+    const int taken = status == CAGD_OK && other != NULL && other->largest <= s->choices->within &&
+                      fit_is_good(s->data, smoothed, other);
+    cagd_fit_free(taken ? s->best : other);
+    if (taken)
+        s->best = other;
     return status;
 }
 
@@ -575,7 +653,7 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
                         cagd_fit_result **result, int *where)
 {
     cagd_fit_options own = *options;
-    search s = {.data = data, .options = &own, .choices = choices, .where = where};
+    search s = {.data = data, .options = &own, .choices = choices, .where = where, .within = choices->within};
     const int chosen = choices->count || choices->within > 0;
     if (chosen || choices->smooth == 1)
         own.free &= ~CAGD_FIT_WEIGHTS;
@@ -590,12 +668,14 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
         if (status == CAGD_OK && !has_no_loops(&s, s.best))
             status = place_knots(&s);
     }
+    const int good = status == CAGD_OK && s.best != NULL && fit_is_good(data, &own, s.best),
+              missed = good && mended && choices->within > 0 && s.best->largest > choices->within;
     if (status == CAGD_OK && own.smooth == 0 && own.degree > 1 &&
-        (choices->smooth == 1 || (mended && !fit_is_good(data, &own, s.best)))) {
+        (choices->smooth == 1 || (mended && !good) || missed)) {
         cagd_fit_options smoothed = own;
         if (chosen)
             smoothed.count = most_points(&s);
-        status = smooth_best(&s, &smoothed, choices->smooth, &s.best);
+        status = missed ? smooth_within(&s, &smoothed) : smooth_best(&s, &smoothed, choices->smooth, &s.best);
     }
     if (status == CAGD_OK && smooth_only && own.smooth > 0) {
         own.count = most_points(&s);
@@ -606,6 +686,8 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     if (status == CAGD_OK &&
         (led || s.best->found.knots_chosen || chosen || (s.best->found.smoothed && own.smooth == 0)))
         status = finish(&s, &own, &s.best);
+    if (status == CAGD_OK && choices->within > 0)
+        s.best->found.within = s.best->largest <= choices->within ? 1 : -1;
     if (status == CAGD_OK)
         *result = s.best;
     else

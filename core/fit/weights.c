@@ -46,14 +46,15 @@ static cagd_status linear_model(const cagd_fit_data *data, const cagd_fit_option
     return status;
 }
 
-cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
-                             int *where)
+cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *options, double within,
+                             cagd_fit_result **result, int *where)
 {
     cagd_fit_result *r = *result;
     cagd_fit_found *found = &r->found;
     found->weights = -1;
     if (!cagd_fit_is_minimum(r) || found->ellipse.known || options->loss != CAGD_FIT_SQUARES || r->points_on_curve ||
-        options->smooth > 0 || found->smoothed || options->monotone || r->curve.count == r->curve.degree + 1 || r->rank < r->unknowns)
+        options->smooth > 0 || found->smoothed || options->monotone || r->curve.count == r->curve.degree + 1 ||
+        r->rank < r->unknowns)
         return CAGD_OK;
     cagd_fit_options free = *options;
     free.initial = &r->curve;
@@ -78,7 +79,7 @@ cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *
     status = cagd_fit(data, &free, &weighted, where);
     REQUIRE(status != CAGD_TOO_FEW, CAGD_OK);
     REQUIRE(status == CAGD_OK, status);
-    int inside = 1;
+    int inside = !(found->within > 0) || weighted->largest <= within;
     for (int k = 0; k < weighted->unknowns; k++)
         inside = inside && !weighted->at_bound[k];
     if (!inside || !fit_is_good(data, options, weighted) || !(fit_score(data, weighted) < fit_score(data, r))) {
@@ -87,6 +88,8 @@ cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *
     }
     weighted->found = *found;
     weighted->found.weights = 1;
+    if (within > 0)
+        weighted->found.within = weighted->largest <= within ? 1 : -1;
     cagd_fit_free(r);
     *result = weighted;
     return CAGD_OK;

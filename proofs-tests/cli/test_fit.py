@@ -10,6 +10,7 @@ import json
 import math
 import os
 import pathlib
+import pty
 import random
 import re
 import subprocess
@@ -555,6 +556,37 @@ class Results(Case):
         again = self.fit(ARCH, "--initial", path, "--no-verify")
         self.assertAlmostEqual(again["minimiser"]["initial_cost"] / self.doc["minimiser"]["cost"], 1, 10)
 
+    def test_the_cost_of_the_first_curve(self):
+        """It is that of all points, also where a sample of them leads to the minimum: half the squared distances from the curve as given."""
+        first = self.file(json.dumps({"kind": "rational-bezier", "points": [[0, 0], [2, 1.9], [4, 0]], "weights": [1, 1, 1]}), "first.json")
+        for n in 100, 3000:
+            points = self.file(table(quadratic(n, 0.75, 0.01)))
+            given = self.fit(points, "--initial", first, "--free", "none", "--no-verify")
+            led = self.fit(points, "--initial", first, "--free", "weights,inner", "--no-verify")
+            cost = n * given["distances"]["rms"] ** 2 / 2
+            self.assertGreater(cost, 1.1 * led["minimiser"]["cost"])
+            self.assertAlmostEqual(led["minimiser"]["initial_cost"] / cost, 1, 10)
+
+    def test_starts_are_counted_on_a_terminal(self):
+        """More of them every second, on one line; told of every one that is asked for."""
+        points, starts = self.file(table(quadratic(5000, 0.75, 0.3))), 400
+        main, other = pty.openpty()
+        p = subprocess.Popen([CAGD, "fit", points, "--degree", "3", "--starts", str(starts), "--no-verify", "--json"],
+                             stdout=subprocess.PIPE, stderr=other)
+        os.close(other)
+        said = b""
+        while len(re.findall(rb" s, \d+ of ", said)) < 2:  # the first after two seconds
+            said += os.read(main, 1 << 16)
+        p.kill()
+        p.communicate()
+        os.close(main)
+        told = re.findall(r"\r\x1b\[Kfitting: (\d+) s, (\d+) of 400 starts", said.decode())
+        self.assertEqual(re.sub(r"\r\x1b\[Kfitting: \d+ s, \d+ of 400 starts", "", said.decode()), "")
+        self.assertEqual([int(s) for s, _ in told], list(range(2, 2 + len(told))))
+        ended = [int(n) for _, n in told]
+        self.assertTrue(0 < ended[0] < ended[-1] < starts, ended)
+        self.assertEqual(ended, sorted(ended))
+
     def test_the_same_bytes_every_time(self):
         for options in [[], ["--json"], ["--verbose"], ["--starts", "4", "--json"]]:
             a, b = (run("fit", ARCH, *options, "--residuals", self.folder / n, "--svg", self.folder / (n + ".svg"))
@@ -1059,6 +1091,26 @@ class Fits(Case):
             self.assertRegex(d["minimiser"]["message"], r"^[A-Z].*\.$")
             for word in "Solver", "Options", "Function tolerance", "Gradient tolerance", "Parameter tolerance", "Maximum number", "|":
                 self.assertNotIn(word, d["minimiser"]["message"])
+
+    def test_an_outlier_that_holds_an_end(self):
+        """The end follows it, and so it is no outlier by its distance: that is told, and a fit without it shows how far away it is."""
+        r = random.Random(5)
+        rows = [[x + r.gauss(0, 0.003), 2 * x * (1 - x) + r.gauss(0, 0.003)] for x in (i / 49 for i in range(50))]
+        rows[-1] = [1.0, 0.05]
+        cubic = ["--degree", "3", "--free", "inner,ends", "--loss", "huber", "--no-verify"]
+        said, d = self.text(rows, *cubic), self.fit(table(rows), *cubic)
+        self.assertEqual(d["outliers"]["points"], [])
+        self.assertIn("point 1 (line 1) and point 50 (line 50) measure the ends of the curve, which follow them: "
+                      "whether one of them is an outlier the distance does not tell, but a fit without it", said)
+        without = self.fit(table(rows[:-1]), *cubic)
+        (x, y), (a, b) = without["curve"]["points"][-1], without["curve"]["points"][-2]
+        across = abs((1.0 - x) * (y - b) - (0.05 - y) * (x - a)) / math.hypot(x - a, y - b)
+        self.assertGreater(across, 5 * 0.003)
+        self.assertGreater(across, 5 * without["distances"]["rms"])
+        stiff = self.text(rows, "--degree", "2", "--loss", "huber", "--no-verify")
+        self.assertIn("Outliers point 50 (line 50); farther", stiff)
+        self.assertIn("; point 1 (line 1) measures an end of the curve, which follows it: whether it is an outlier", stiff)
+        self.assertNotIn("measure", self.text(rows, *cubic, "--ends", "sliding").split("Outliers")[1].split("Fit")[0])
 
     def test_robust_loss_bounds_outliers(self):
         """An outlier that goes farther away takes the least squares along, and no robust fit."""

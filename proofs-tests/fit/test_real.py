@@ -117,6 +117,32 @@ class Real(unittest.TestCase):
                 self.assertGreater(d["distances"]["rms"], 0.05)
                 self.assertTrue(any("the smoothing term may be" in p for p in d["quality"]["problems"]), d["quality"])
 
+    def test_fewest_control_points(self):
+        """Of good curves alone, and with neighbours of a knot that is taken out moved; no more than splprep needs for this rms, where it can do it."""
+        naca, cuba = HERE / "real/naca2412.dat", shared("cuba.geojson")
+        for within, most in (("7e-5", 9), ("2.742e-5", 11), ("2.285e-5", 11)):
+            with self.subTest(within=within):
+                d = fit(naca, "--degree", "3", "--tolerance-distance", within)
+                self.assertIs(d["choice"]["tolerance_met"], True)
+                self.assertLessEqual(d["distances"]["largest"], float(within))
+                self.assertLessEqual(len(d["curve"]["points"]), most)
+        with self.subTest("cuba.geojson"):
+            if cuba is None:
+                self.skipTest("cuba.geojson of the shared data is not there")
+            for within, met, most in (("0.1", False, 6), ("0.6", True, 6), ("0.85", True, 5)):  # splprep: 11, 11, 10
+                d = fit(cuba, "--degree", "3", "--tolerance-distance", within)
+                self.assertEqual((d["choice"]["tolerance_met"], d["choice"]["smoothing"]), (met, None))
+                self.assertEqual(d["distances"]["largest"] <= float(within), met)
+                self.assertLessEqual(len(d["curve"]["points"]) - 3, most)
+                self.assertLess(d["distances"]["rms"], 0.2)
+
+    def test_a_smoothed_curve_may_keep_within_a_tolerance(self):
+        """That no good one over chosen knots does; whether it does is told."""
+        d = fit(HERE / "real/naca0015-lednicer.dat", "--degree", "3", "--tolerance-distance", "3e-6")
+        self.assertIsNotNone(d["choice"]["smoothing"])
+        self.assertIs(d["choice"]["tolerance_met"], True)
+        self.assertLessEqual(d["distances"]["largest"], 3e-6)
+
     def test_known_circles(self):
         for name, centre, radius, options in (("disc-traced.tsv", (49.2, 47.2), 36, []), ("pipe-unordered.csv", (100.5, 55.25), 8, ["--unordered"])):
             e = fit(HERE / "real" / name, *options)["ellipse"]
