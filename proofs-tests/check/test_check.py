@@ -2,7 +2,8 @@
 
     python3 test_check.py CAGD
 
-literature.md has facts of the literature and the same with a fault, each with what has to come out.  malformed.txt has a line
+literature.md has facts of the literature and the same with a fault, each with what has to come out; so have
+referee.md and, of bases with a parameter of shape, shape.md.  malformed.txt has a line
 for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message.
 """
 import fractions
@@ -51,6 +52,9 @@ class Literature(unittest.TestCase):
     def test_what_a_referee_tried(self):
         """Formulas as they were written at the first attempt, before any of them was tried."""
         self.answers("referee.md", 50)
+
+    def test_what_papers_on_shape_say(self):
+        self.answers("shape.md", 30)
 
     def answers(self, name, least=60):
         """Within a minute each, not ten seconds: what is tested is the answer, on whatever machine."""
