@@ -639,6 +639,8 @@ static int run_native(const struct lab_place *place, const struct sanitizer *s, 
     return lab_run_sanitized(place, run, NATIVE_SECONDS, said);
 }
 
+static const char MISSING[] = "undefined symbol: "; /* in the words of the dynamic linker */
+
 json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready,
                      const json_t *jobs)
 {
@@ -651,6 +653,12 @@ json_t *lab_sanitize(const struct lab *lab, const struct lab_place *place, const
         return report;
     int code = run_native(place, &of_memory, jobs, end, &said);
     report = code != 0 ? report_of(lab, said) : NULL;
+    if (report == NULL && strstr(said, end) == NULL && strstr(said, MISSING) != NULL) {
+        char text[200];
+        const char *name = strstr(said, MISSING) + strlen(MISSING);
+        snprintf(text, sizeof text, "there is no function %.*s", (int)strcspn(name, ", \n"), name);
+        report = told(text);
+    }
     if (report == NULL && strstr(said, end) == NULL)
         report = told("ends the program, or does not come to an end, in binary64");
     free(said);

@@ -12,7 +12,7 @@ static void write_case(const struct lab_case *c, FILE *out)
     char *text = NULL;
     size_t size;
     FILE *whole = open_memstream(&text, &size);
-    cagd_code_write_driver(c->h, "lab.md", whole);
+    cagd_code_write_driver(c->h, LAB_DRIVER, whole);
     fclose(whole);
     char *at = strstr(text, entry), *end = strrchr(text, '}');
     if (at == NULL || end == NULL)

@@ -452,6 +452,12 @@ static const char *ended(const json_t *outcome, char text[LAB_CAUSE])
 {
     const char *end = member(outcome, "end"), *message = member(outcome, "message");
     long line = (long)json_integer_value(json_object_get(outcome, "line"));
+    const char *missing = strstr(message, ", which is not in the sources");
+    if (missing != NULL) {
+        snprintf(text, LAB_CAUSE, "there is no function %.*s", (int)(missing - message - (long)strlen("the function ")),
+                 message + strlen("the function "));
+        return text;
+    }
     if (strcmp(end, "bound") == 0 && strstr(message, "time") != NULL)
         message = "does not come to an end";
     else if (strcmp(end, "undefined") == 0 && strstr(message, "division") != NULL)

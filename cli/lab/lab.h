@@ -57,6 +57,7 @@ json_t *lab_names(void);
 
 /* ---- driver.c ------------------------------------------------------------------------------------------ */
 
+#define LAB_DRIVER "lab.md" /* what its lines are of */
 /* The C that calls what is handed in: for case K the functions lab_entry_K and, with other calls before it, lab_again_K. */
 int lab_write_driver(const struct lab *lab, const char *path);
 

@@ -78,6 +78,8 @@ int main(int argc, char **argv)
     FILE *jobs = argc == 4 ? fopen(argv[2], "r") : NULL;
     void *object = jobs != NULL ? dlopen(argv[1], RTLD_NOW | RTLD_LOCAL) : NULL;
     void (*const *table)(void) = object != NULL ? (void (*const *)(void))dlsym(object, "lab_table") : NULL;
+    if (jobs != NULL && object == NULL)
+        fprintf(stderr, "%s\n", dlerror()); /* a function that the answer does not have */
     if (table == NULL)
         return NOT_RUN;
     for (int which; fscanf(jobs, "%d %d", &which, &inputs) == 2;) {

@@ -183,11 +183,12 @@ static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
     static const char *const ends[] = {"finished", "outside", "undefined", "refused", "bound", "crashed"};
     char path[32];
     snprintf(path, sizeof path, "%llx", o->path);
+    const int of_the_call = strcmp(o->file, LAB_DRIVER) == 0; /* its lines are none of the answer */
     json_t *row = json_pack("{s:s, s:s, s:i, s:o, s:o, s:o, s:I, s:s, s:I, s:s, s:i}", "end",
                             (unsigned)o->end <= CAGD_CODE_CRASHED ? ends[o->end] : "crashed", "message", o->message,
-                            "line", o->line, "results", results_of(o), "conditions", conditions_of(o), "denominators",
-                            denominators_of(o), "operations", (json_int_t)o->operations, "path", path, "printed",
-                            (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
+                            "line", of_the_call ? 0 : o->line, "results", results_of(o), "conditions", conditions_of(o),
+                            "denominators", denominators_of(o), "operations", (json_int_t)o->operations, "path", path,
+                            "printed", (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
     if (row != NULL && o->decided_otherwise > 0)
         json_object_set_new(row, "turned", json_integer(o->turned.line));
     return row != NULL ? row : json_pack("{s:s, s:s}", "end", "crashed", "message", "what came back is no text");

@@ -137,7 +137,8 @@ static const char *told_function(cagd_code_value v)
     return cagd_code_keep(cagd_code_field_text(v));
 }
 
-static struct cagd_code_result *tell(const char *name, long count, long index, cagd_code_value got)
+/* A result, "left[2]" or "R"; that nothing was put into it has no line of the code. */
+static struct cagd_code_result *tell(const char *name, long count, long index, double x)
 {
     struct cagd_code_result **last = &cagd_code_machine.outcome->results;
     char full[200];
@@ -147,6 +148,11 @@ static struct cagd_code_result *tell(const char *name, long count, long index, c
         snprintf(full, sizeof full, "%s[%ld]", name, index);
     else
         snprintf(full, sizeof full, "%s", name);
+    if (!cagd_code_was_computed(x)) {
+        cagd_code_at = NULL;
+        cagd_code_stop(CAGD_CODE_REFUSED, "%s was never computed", full);
+    }
+    cagd_code_value got = cagd_code_value_of(x);
     struct cagd_code_result *r = cagd_code_room(sizeof *r);
     *r = (struct cagd_code_result){.name = cagd_code_keep(full), .got = cagd_code_keep(cagd_code_text(got))};
     if (cagd_code_machine.job->numbers == CAGD_CODE_FIELD)
@@ -160,7 +166,7 @@ static struct cagd_code_result *tell(const char *name, long count, long index, c
 void cagd_code_output(const char *name, long count, const double *x)
 {
     for (long k = 0; k < count; k++)
-        tell(name, count, k, cagd_code_value_of(x[k]));
+        tell(name, count, k, x[k]);
 }
 
 static enum cagd_code_answer same(cagd_code_value a, cagd_code_value b)
@@ -188,8 +194,8 @@ static enum cagd_code_answer same(cagd_code_value a, cagd_code_value b)
 
 struct cagd_code_result *cagd_code_expect_one(const char *name, long count, long index, double got, double wanted)
 {
+    struct cagd_code_result *r = tell(name, count, index, got);
     cagd_code_value a = cagd_code_value_of(got), b = cagd_code_value_of(wanted);
-    struct cagd_code_result *r = tell(name, count, index, a);
     r->wanted = cagd_code_keep(cagd_code_text(b));
     if (r->got_field != NULL)
         r->wanted_field = told_function(b);

@@ -152,6 +152,14 @@ class Student(InFolder):
         result = self.checked("double point(int n, const double *p, double t)\n{\n    return x;\n}\n")
         self.assertIn("line 3: use of undeclared identifier 'x'", result["compiler"])
 
+    def test_a_function_that_is_not_there_and_a_result_that_is_not_put(self):
+        """Neither has a line of the answer."""
+        result = self.checked(RIGHT.replace("double point(", "double pont(").replace("left[", "right["))
+        point, left = result["requirements"][:2]
+        self.assertEqual((point["verdict"], point["text"], point["line"]), ("stopped", "there is no function point", 0), point)
+        self.assertEqual((left["text"], left["line"]), ("left[0] was never computed", 0), left)
+        self.assertEqual(result["requirements"][3]["text"], "there is no function point")
+
     def test_lines_are_those_of_the_answer_behind_headers_too(self):
         result = self.checked("#include <math.h>\n#include <stdio.h>\n" + RIGHT.replace("return b[0];", "return x;"))
         self.assertIn("use of undeclared identifier 'x'\n        return x;", result["compiler"])
