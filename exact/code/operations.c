@@ -215,8 +215,8 @@ static cagd_code_value power(cagd_code_value a, unsigned long n)
         }
         if (n > 1)
             a = cagd_code_product(a, a);
-        if (a.q.at != NULL && (long)mpz_sizeinbase(mpq_numref(a.q.at), 2) > cagd_code_machine.job->most_bits)
-            cagd_code_stop(CAGD_CODE_BOUND, "a number of more than %ld bits", cagd_code_machine.job->most_bits);
+        if (a.q.at != NULL)
+            cagd_code_bound_bits(a.q);
     }
     return v;
 }

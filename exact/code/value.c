@@ -166,15 +166,20 @@ static int is_binary64(cagd_num_q q)
     return mpz_sizeinbase(numerator, 2) <= 53 && bits <= 900 && mpz_scan1(denominator, 0) == bits - 1;
 }
 
+void cagd_code_bound_bits(cagd_num_q q)
+{
+    long most_bits = cagd_code_machine.job->most_bits;
+    if ((long)(mpz_sizeinbase(mpq_numref(q.at), 2) + mpz_sizeinbase(mpq_denref(q.at), 2)) > most_bits)
+        cagd_code_stop(CAGD_CODE_BOUND, "a number of more than %ld bits", most_bits);
+}
+
 double cagd_code_number(cagd_code_value v)
 {
     if (v.special)
         return v.d;
     cagd_code_check_faults();
     if (v.q.at != NULL) {
-        if ((long)(mpz_sizeinbase(mpq_numref(v.q.at), 2) + mpz_sizeinbase(mpq_denref(v.q.at), 2)) >
-            cagd_code_machine.job->most_bits)
-            cagd_code_stop(CAGD_CODE_BOUND, "a number of more than %ld bits", cagd_code_machine.job->most_bits);
+        cagd_code_bound_bits(v.q);
         /* in a run with rounding the binary64 has to be the number, whatever happened before */
         if (v.f.at == NULL && is_binary64(v.q) && v.shares == 0 && v.made == 0) {
             double d = cagd_to_double_q(v.q);

@@ -46,6 +46,7 @@ struct cagd_code_mark cagd_code_values_mark(void);
 void cagd_code_values_back(struct cagd_code_mark *mark);
 cagd_code_value cagd_code_value_of(double x); /* ends the run for a number that was never computed           */
 double cagd_code_number(cagd_code_value v);   /* the double that carries it                                   */
+void cagd_code_bound_bits(cagd_num_q q);      /* ends the run where it has more bits than the job allows      */
 int cagd_code_is_one(uint64_t bits);          /* whether the bits are those of a number in the table          */
 int cagd_code_is_single(uint32_t bits);
 int cagd_code_was_computed(double x); /* not what stands in variables and memory before */

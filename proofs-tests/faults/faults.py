@@ -84,7 +84,7 @@ class Expression(Room):
     """What reads formulas and decides them, judged by what `cagd check` says of formulas and bases that are known."""
     configured = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"]
     SCRIPT = [sys.executable, ROOT / "proofs-tests/check/test_check.py", "cagd", "-f"]
-    tests = {"test_expression": ["proofs-tests/unit/test_expression"], "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges"],
+    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_cells test_statements test_expression".split()}, "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges"],
              "what holds for small numbers": [*SCRIPT, "Cells"],
              "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"], "the literature": [*SCRIPT, "Literature"],
              "mistakes": [*SCRIPT, "Mistakes"]}

@@ -384,3 +384,40 @@ double i_text(void)
     free(copy);
     return n;
 }
+/* = F(1, 3) + 3 */
+double o_the_address_behind_the_last(void)
+{
+    double a[3] = {1.0 / 3, 1, 2}, s = 0;
+    double *end = &a[3];
+    for (double *p = a; p < end; p++)
+        s += *p;
+    return s;
+}
+void cagd_code_output(const char *name, long count, const double *x);
+/* ! a value from outside an array */
+double o_told_behind_an_array(void)
+{
+    double a[3] = {1.0 / 3, 1, 2};
+    cagd_code_output("a", 4, a);
+    return a[0];
+}
+/* ! a value from outside an array */
+double o_told_behind_an_array_of_variable_length(void)
+{
+    int n = 3;
+    double a[n];
+    for (int k = 0; k < n; k++)
+        a[k] = 1.0 / 3;
+    cagd_code_output("a", 4, a);
+    return a[0];
+}
+/* ! a value from outside an array */
+double o_told_before_an_array_of_variable_length(void)
+{
+    int n = 3;
+    double a[n];
+    for (int k = 0; k < n; k++)
+        a[k] = 1.0 / 3;
+    cagd_code_output("a", 2, a - 1);
+    return a[0];
+}

@@ -13,6 +13,19 @@ double r_assembly(void)
     __asm__("addsd %0, %0" : "+x"(x)); // here
     return x;
 }
+/* ! 16 bits */
+double r_half(void)
+{
+    __fp16 x = 1.0f / 3; // here
+    return x;
+}
+/* ! malloc_usable_size */
+double r_how_much_memory_there_is(void)
+{
+    double *x = malloc(sizeof *x);
+    size_t malloc_usable_size(void *);
+    return (double)malloc_usable_size(x); // here
+}
 /* = F(1, 3) */
 double r_a_barrier_is_no_assembly(void) { double x = 1.0 / 3; __asm__ volatile("" ::: "memory"); return x; }
 /* ! a division by zero */

@@ -1,0 +1,116 @@
+/* decided_code.c -- code as it is once it is rewritten, by hand: what test_decide.c asks about.  The input `which` says which. */
+#include "exact/code/machine.h"
+
+enum { SAME = 1, GREATER = 2, LESS = 4 };
+
+static double input(const char *name)
+{
+    double x;
+    cagd_code_input(name, 1, &x);
+    return x;
+}
+/* x, of which the driver of a harness says that x <= most, or x < most. */
+static double limited(int is_open)
+{
+    double x = input("x");
+    cagd_code_given(1);
+    cagd_code_where(cagd_code_compare(x, input("most"), is_open ? LESS : LESS | SAME));
+    cagd_code_given(0);
+    return x;
+}
+static void put(double got, double wanted) { cagd_code_expect("r", 1, &got, &wanted); }
+
+/* r = x, on each side of 0 of nine numbers. */
+static void many_ways(void)
+{
+    double y[9];
+    cagd_code_input("y", 9, y);
+    for (int k = 0; k < 9; k++)
+        cagd_code_compare(y[k], 0, LESS);
+    put(y[0], y[0]);
+}
+
+/* Whether (x - c)^2 = 0, which is not solved for x. */
+static int is_near(double x, double c)
+{
+    double d = cagd_code_sub(x, c);
+    return cagd_code_compare(cagd_code_mul(d, d), 0, SAME);
+}
+
+/* r = x, but c where (x - c)^2 = 0. */
+static void equal_at_one_number(double c)
+{
+    double x = input("x");
+    put(is_near(x, c) ? c : x, x);
+}
+
+static void patterns(void)
+{
+    double u[4];
+    cagd_code_input("u", 4, u);
+    cagd_code_output("r", 1, u);
+}
+
+/* x = 12345 alone is more than can be done, or refused, or undefined, or another number. */
+static void one_number(int which, double x)
+{
+    double r = x;
+    if (cagd_code_compare(x, 12345, SAME)) {
+        if (which == 0)
+            cagd_code_power(3, 1 << 30);
+        if (which == 1)
+            cagd_code_refuse("something");
+        if (which == 2)
+            r = cagd_code_div(x, cagd_code_sub(x, x));
+        if (which == 3)
+            r = cagd_code_add(x, 1);
+    }
+    put(r, x);
+}
+
+/* r = x + 1 where x > 7, else x. */
+static void wrong_above(double x) { put(cagd_code_compare(x, 7, GREATER) ? cagd_code_add(x, 1) : x, x); }
+
+static void precondition(int can_be_true)
+{
+    double x = input("x");
+    cagd_code_given(1);
+    cagd_code_where(cagd_code_compare(x, 3, GREATER) && (can_be_true || cagd_code_compare(x, 2, LESS)));
+    cagd_code_given(0);
+    put(cagd_code_compare(x, 2, LESS) ? 0 : x, x);
+}
+
+void cagd_code_entry(void);
+void cagd_code_entry(void)
+{
+    switch ((int)input("which")) {
+    case 0:
+        many_ways();
+        break;
+    case 1:
+        equal_at_one_number(1);
+        break;
+    case 2:
+        equal_at_one_number(12345);
+        break;
+    case 3:
+        patterns();
+        break;
+    case 4:
+    case 5:
+    case 6:
+    case 7:
+        one_number((int)input("which") - 4, input("x"));
+        break;
+    case 8:
+        wrong_above(limited(0));
+        break;
+    case 11:
+    case 12:
+        one_number(0, limited((int)input("which") == 12));
+        break;
+    default:
+        precondition(input("which") == 9);
+        break;
+    }
+}

@@ -1,0 +1,88 @@
+/* test_decide.c -- the verdict about code: what was proved, on which ways, and what is left open. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "exact/code/decide.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct asked {
+    int which;
+    const char *lines;
+    enum cagd_code_word word;
+    int paths, proved, exhaustive;
+    long points, undefined;
+    const char *message, *open; /* what they begin with */
+    const char *at;             /* the last input of the point that is told; NULL: none */
+} list[] = {
+    /* more ways than are followed: what was proved of the first ones is not proved */
+    {0, ":input: y[9]\n:points: 900", CAGD_CODE_SAMPLED, 256, 256, 0, 900, 0, "", "", NULL},
+    /* equal at the point of a way, and not as functions; a square that is 0 is not looked for, and told */
+    {1, ":input: x", CAGD_CODE_SAMPLED, 2, 1, 0, 20, 0, "on 1 of the ways the two sides are different functions", "",
+     NULL},
+    {2, ":input: x", CAGD_CODE_PROVED, 1, 1, 0, 20, 0, "", "x^2-24690*x+152399025 = 0", NULL},
+    /* equal neighbours are another way; of each pattern there are four points */
+    {3, ":input: u[4] nondecreasing\n:output: r", CAGD_CODE_COMPUTED, 8, 8, 0, 32, 0, "", "", "*"},
+    {3, ":input: u[4] increasing\n:output: r", CAGD_CODE_COMPUTED, 1, 1, 0, 20, 0, "", "", "*"},
+    {3, ":input: u[4] nondecreasing\n:output: r\n:points: 50", CAGD_CODE_COMPUTED, 8, 8, 0, 50, 0, "", "", "*"},
+    /* a way that one number takes, which nobody tried */
+    {4, ":input: x", CAGD_CODE_PROVED, 1, 1, 0, 20, 0, "", "a number of more than", NULL},
+    {5, ":input: x", CAGD_CODE_UNDECIDED, 1, 1, 0, 20, 0, "something", "", "12345"},
+    {6, ":input: x", CAGD_CODE_PROVED, 1, 1, 1, 20, 1, "", "", NULL},
+    {7, ":input: x", CAGD_CODE_DIFFERS, 2, 1, 0, 20, 0, "", "", "12345"},
+    {11, ":input: most = 12344; x in [0, most]", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
+    {12, ":input: most = 12345; x in [0, most)", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
+    {11, ":input: most = 12345; x in [0, most]", /* an end is tried */
+     CAGD_CODE_UNDECIDED, 1, 0, 0, 1, 0, "a number of more than", "", "12345"},
+    {8, ":input: most = 7; x in [0, most]", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
+    {8, ":input: most = 9; x in [8, most]", CAGD_CODE_DIFFERS, 0, 0, 0, 1, 0, "", "", "*"},
+    {9, ":input: x", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
+    {10, ":input: x", CAGD_CODE_UNDECIDED, 0, 0, 0, 0, 0, "no point was found where the preconditions are true", "",
+     NULL},
+};
+
+static void one(const struct cagd_code_program *p, int number, const struct asked *a)
+{
+    char text[400];
+    struct cagd_code_harness_error error;
+    int tells = strstr(a->lines, ":output:") != NULL;
+    snprintf(text, sizeof text, ":::{exactly} it\n:input: which = %d\n%s\n:call: double r = 1;\n%s:::\n", a->which,
+             a->lines, tells ? "" : ":expect: r = 1\n");
+    struct cagd_code_harness *h = cagd_code_read_harness(text, &error);
+    if (h == NULL)
+        fail_msg("case %d: %s", number, error.cause);
+    struct cagd_code_verdict *v = cagd_code_decide(p, h, h->points > 0 ? h->points : 20, 0);
+    if (v->word != a->word || v->paths != a->paths || v->proved != a->proved || v->exhaustive != a->exhaustive ||
+        v->points != a->points || v->undefined != a->undefined)
+        fail_msg("case %d: word %d, paths %d, proved %d, exhaustive %d, points %ld, undefined %ld; %s; %s", number,
+                 (int)v->word, v->paths, v->proved, v->exhaustive, v->points, v->undefined, v->message, v->open);
+    if (strncmp(v->message, a->message, strlen(a->message)) != 0 || strncmp(v->open, a->open, strlen(a->open)) != 0 ||
+        (*a->open == 0 && *v->open != 0))
+        fail_msg("case %d: message '%s', open '%s'", number, v->message, v->open);
+    assert_true((a->at != NULL) == (v->point != NULL));
+    if (a->at != NULL && *a->at != '*')
+        assert_string_equal(v->point->input[v->point->inputs - 1].value[0], a->at);
+    assert_int_equal(v->untold > 0, a->which == 0);
+    if (a->which == 3)
+        assert_int_equal(v->seen, v->patterns);
+    cagd_code_verdict_free(v);
+    cagd_code_harness_free(h);
+}
+
+static void verdicts(void **state)
+{
+    (void)state;
+    char message[400];
+    struct cagd_code_program *p = cagd_code_load(DECIDED, sizeof message, message);
+    if (p == NULL)
+        fail_msg("%s", message);
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        one(p, (int)k, &list[k]);
+    cagd_code_unload(p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {unit(verdicts)};
+    return run_unit_tests(tests);
+}

@@ -1,0 +1,526 @@
+/* test_machine.c -- what rewritten code calls, one call at a time: arithmetic at the ends of ranges, whole numbers, classes, what the
+ * conditions of a way say about signs, and which addresses are those of an object. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "exact/code/objects.h"
+#include "exact/code/process.h"
+#include "exact/code/value.h"
+#include "exact/record/trace.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { SAME = 1, GREATER = 2, LESS = 4, ANY = 7 };
+
+/* In the process of a run: where it is not so, the run crashes with the line. */
+#define check(condition)                                                                                               \
+    ((condition) ? (void)0 : cagd_code_stop(CAGD_CODE_CRASHED, "line %d: %s", __LINE__, #condition))
+
+/* The body, as a run of the job; the outcome is to be freed. */
+static struct cagd_code_outcome *outcome_of(void (*body)(void), const struct cagd_code_job *job)
+{
+    struct cagd_code_job bounded = cagd_code_bounded(job);
+    size_t bytes;
+    struct cagd_code_outcome *o = cagd_code_shared_room(&bytes);
+    assert_non_null(o);
+    pid_t child = fork();
+    if (child == 0) {
+        cagd_code_tell_into(o, bytes, &bounded);
+        if (job->numbers == CAGD_CODE_FIELD)
+            field_open(16);
+        cagd_code_values_open();
+        body();
+        cagd_code_check_faults();
+        o->end = CAGD_CODE_FINISHED;
+        _exit(0);
+    }
+    assert_true(child > 0);
+    assert_int_equal(waitpid(child, NULL, 0), child);
+    return o;
+}
+
+/* The body ends so, with a message that begins so. */
+static void ends(void (*body)(void), const struct cagd_code_job *job, enum cagd_code_end end, const char *message)
+{
+    struct cagd_code_outcome *o = outcome_of(body, job);
+    if (o->end != end || (end != CAGD_CODE_FINISHED && strncmp(o->message, message, strlen(message)) != 0))
+        fail_msg("end %d, not %d: %s", (int)o->end, (int)end, o->message);
+    cagd_code_outcome_free(o);
+}
+
+static const struct cagd_code_job in_rationals = {.numbers = CAGD_CODE_RATIONAL},
+                                  in_field = {.numbers = CAGD_CODE_FIELD};
+
+/* ---- arithmetic ------------------------------------------------------------------------------------------- */
+
+static double dividend;
+static void divided_by_zero(void)
+{
+    cagd_code_div(dividend, cagd_code_sub(dividend == 0 ? 1 : 2, dividend == 0 ? 1 : 2));
+}
+static void nothing_is_divided_by_zero(void **state)
+{
+    (void)state;
+    static const double list[] = {1, -1, 0, (double)INFINITY, -(double)INFINITY, (double)NAN};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        dividend = list[k];
+        ends(divided_by_zero, &in_rationals, CAGD_CODE_UNDEFINED, "a division by zero");
+    }
+}
+
+/* Squares only: the first of more bits than are allowed ends the run, of numerator and
+ * denominator together. */
+static double base;
+static void high_power(void) { cagd_code_power(cagd_code_div(base, 7), 1 << 28); }
+static void high_inverse_power(void) { cagd_code_power(cagd_code_div(1, base), 1 << 28); }
+static void a_power_ends_where_it_has_too_many_bits(void **state)
+{
+    (void)state;
+    const struct cagd_code_job job = {.numbers = CAGD_CODE_RATIONAL, .most_bits = 1000};
+    void (*const bodies[])(void) = {high_power, high_inverse_power};
+    for (int k = 0; k < 2; k++)
+        for (base = 3; base < 100; base += 2) {
+            if (fmod(base, 7) == 0)
+                continue;
+            struct cagd_code_outcome *o = outcome_of(bodies[k], &job);
+            assert_int_equal(o->end, CAGD_CODE_BOUND);
+            double bits = log2(base) + (k == 0 ? log2(7) : 0);
+            int squares = (int)ceil(log2(1000 / bits));
+            assert_in_range(o->operations, 1 + squares - 1, 1 + squares + 1); /* and the division */
+            cagd_code_outcome_free(o);
+        }
+}
+
+static void powers(void)
+{
+    static const int exponents[] = {0, 1, 2, 3, 7, 8, 31, -1, -2, -5};
+    for (size_t k = 0; k < sizeof exponents / sizeof *exponents; k++)
+        for (int m = 1; m <= 5; m++) {
+            num_q q = from_ratio_q(-2, m), wanted = from_int_q(1);
+            int n = exponents[k];
+            for (int j = 0; j < (n < 0 ? -n : n); j++)
+                wanted = mul_q(wanted, q);
+            if (n < 0)
+                wanted = div_q(from_int_q(1), wanted);
+            check(cagd_equal_q(cagd_code_value_of(cagd_code_power(cagd_code_div(-2, m), n)).q, wanted));
+        }
+    check(cagd_code_power(1, INT32_MIN) == 1 && cagd_code_power(-1, INT32_MIN) == 1);
+    check(cagd_code_power(-1, INT32_MAX) == -1);
+}
+static void powers_are_products(void **state)
+{
+    (void)state;
+    ends(powers, &in_rationals, CAGD_CODE_FINISHED, "");
+}
+
+/* ---- classes and whole numbers ---------------------------------------------------------------------------- */
+
+/* Signaling NaN, quiet NaN, -inf, -normal, -subnormal, -0, 0, subnormal, normal, inf.  An exact number is normal or 0, of which nobody
+ * knows the sign; a NaN may be of either kind. */
+static void classes(void)
+{
+    const struct {
+        double x;
+        int classes;
+    } list[] = {{(double)NAN, 3},
+                {-(double)INFINITY, 4},
+                {-3, 8},
+                {cagd_code_div(-1, 3), 8},
+                {0, 32 | 64},
+                {cagd_code_sub(cagd_code_div(1, 3), cagd_code_div(1, 3)), 32 | 64},
+                {cagd_code_div(1, 3), 256},
+                {5, 256},
+                {(double)INFINITY, 512}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int which = 0; which < 1024; which++)
+            check(cagd_code_class(list[k].x, which) == ((which & list[k].classes) != 0));
+}
+static void classes_are_those_of_the_number(void **state)
+{
+    (void)state;
+    ends(classes, &in_rationals, CAGD_CODE_FINISHED, "");
+}
+
+static void integers(void)
+{
+    for (int bits = 8; bits <= 64; bits *= 2) {
+        uint64_t unsigned_most = bits == 64 ? UINT64_MAX : ((uint64_t)1 << bits) - 1, most = unsigned_most / 2;
+        for (uint64_t below = 0; below < 3; below++) {
+            check((uint64_t)cagd_code_to_integer(cagd_code_from_unsigned(unsigned_most - below), bits, 0) ==
+                  unsigned_most - below);
+            check(cagd_code_to_integer(cagd_code_from_unsigned(most - below), bits, 1) == (int64_t)(most - below));
+            int64_t n = -(int64_t)most - 1 + (int64_t)below;
+            check(cagd_code_to_integer(cagd_code_from_signed(n), bits, 1) == n);
+            check(cagd_code_to_integer(cagd_code_from_unsigned(below), bits, 0) == (int64_t)below);
+        }
+    }
+    for (int k = 50; k < 64; k++) /* numbers that no binary64 is, too */
+        for (int d = -3; d <= 3; d++) {
+            uint64_t n = ((uint64_t)1 << k) + (uint64_t)d;
+            check(mpz_cmp_ui(mpq_numref(cagd_code_value_of(cagd_code_from_unsigned(n)).q.at), n) == 0);
+        }
+    check(cagd_code_to_integer(cagd_code_div(-7, 2), 8, 1) == -3 &&
+          cagd_code_to_integer(cagd_code_div(7, 2), 8, 0) == 3);
+    check(cagd_code_to_integer(cagd_code_div(-7, 8), 8, 0) == 0);
+}
+static int too_large_bits, too_large_signed, too_small;
+static void too_large(void)
+{
+    double end = cagd_code_from_unsigned((uint64_t)1 << (too_large_bits - 1));
+    double x = too_large_signed ? end : cagd_code_mul(end, 2);
+    if (too_small)
+        x = too_large_signed ? cagd_code_sub(-1, x) : -1;
+    cagd_code_to_integer(x, too_large_bits, too_large_signed);
+}
+static void integers_have_their_ranges(void **state)
+{
+    (void)state;
+    ends(integers, &in_rationals, CAGD_CODE_FINISHED, "");
+    for (too_large_bits = 8; too_large_bits <= 64; too_large_bits *= 2)
+        for (too_large_signed = 0; too_large_signed < 2; too_large_signed++)
+            for (too_small = 0; too_small < 2; too_small++)
+                ends(too_large, &in_rationals, CAGD_CODE_REFUSED, "a number outside the range of");
+}
+
+/* ---- the way --------------------------------------------------------------------------------------------- */
+
+/* The paths of all decisions of up to four truths, each at one of two lines, are different ones. */
+static void ways(void)
+{
+    enum { MOST = 4 };
+    static unsigned long long seen[4 + 16 + 64 + 256];
+    static const struct cagd_code_place line[2] = {{"a.c", "f", 3}, {"a.c", "f", 4}};
+    int count = 0;
+    for (int length = 1; length <= MOST; length++)
+        for (int bits = 0; bits < 1 << (2 * length); bits++) {
+            cagd_code_machine.outcome->path = 0;
+            for (int k = 0; k < length; k++) {
+                cagd_code_at = &line[bits >> (2 * k + 1) & 1];
+                cagd_code_follow(bits >> (2 * k) & 1);
+            }
+            unsigned long long path = cagd_code_machine.outcome->path;
+            for (int k = 0; k < count; k++)
+                check(seen[k] != path);
+            seen[count++] = path;
+        }
+    cagd_code_at = NULL;
+    for (long n = -5; n <= 5; n++)
+        for (long m = -5; m < n; m++) {
+            unsigned long long first;
+            cagd_code_machine.outcome->path = 1;
+            cagd_code_follow(n);
+            first = cagd_code_machine.outcome->path;
+            cagd_code_machine.outcome->path = 1;
+            cagd_code_follow(m);
+            check(cagd_code_machine.outcome->path != first);
+        }
+}
+static void ways_that_decide_otherwise_are_others(void **state)
+{
+    (void)state;
+    ends(ways, &in_rationals, CAGD_CODE_FINISHED, "");
+}
+
+static const char *const at_x[] = {"1/3", "1/3", "3"};
+static const int alike[] = {0, 0, 2};
+static const struct cagd_code_input x_of_three = {"x", 3, at_x, alike, 1};
+
+static void inputs(void)
+{
+    double x[3];
+    cagd_code_input("x", 3, x);
+    num_f f[3];
+    for (int k = 0; k < 3; k++)
+        f[k] = cagd_code_function(cagd_code_value_of(x[k]));
+    check(cagd_equal_f(f[0], f[1]) && !cagd_equal_f(f[0], f[2]));
+    check(cagd_equal_f(f[0], variable_f("x[0]")) && cagd_equal_f(f[2], variable_f("x[2]")));
+}
+static void inputs_that_are_alike_are_one_variable(void **state)
+{
+    (void)state;
+    ends(inputs, &(struct cagd_code_job){.numbers = CAGD_CODE_FIELD, .inputs = 1, .input = &x_of_three},
+         CAGD_CODE_FINISHED, "");
+}
+
+/* What is noted of a comparison is the sign of the difference. */
+static double compared_with;
+static void noted_order(void)
+{
+    double x[3];
+    cagd_trace_open(1000);
+    cagd_trace_values(cagd_code_value_at_point);
+    cagd_code_input("x", 3, x);
+    cagd_code_compare(x[2], compared_with, LESS);
+    strncpy(cagd_code_machine.outcome->message, cagd_trace_steps(), 300);
+}
+static void noted_orders_are_signs(void **state)
+{
+    (void)state;
+    const struct cagd_code_job job = {.numbers = CAGD_CODE_FIELD, .certify = 1, .inputs = 1, .input = &x_of_three};
+    for (int with = 2; with <= 4; with += 2) {
+        char wanted[20];
+        compared_with = with;
+        struct cagd_code_outcome *o = outcome_of(noted_order, &job);
+        assert_int_equal(o->end, CAGD_CODE_FINISHED);
+        snprintf(wanted, sizeof wanted, "\"is\":%d", with < 3 ? 1 : -1);
+        if (strstr(o->message, "\"order\"") == NULL || strstr(o->message, wanted) == NULL)
+            fail_msg("3 and %d: %s", with, o->message);
+        cagd_code_outcome_free(o);
+    }
+}
+
+/* ---- angles ----------------------------------------------------------------------------------------------- */
+
+double cagd_code_lib_sin(double x);
+double cagd_code_lib_cos(double x);
+static void angles(void)
+{
+    double x[3];
+    cagd_code_input("x", 3, x);
+    double s = cagd_code_lib_sin(x[0]), c = cagd_code_lib_cos(x[0]);
+    double near = 1e-15;
+    check(fabs(cagd_code_real(cagd_code_value_of(s)) - sin(1 / 3.)) < near);
+    check(fabs(cagd_code_real(cagd_code_value_of(c)) - cos(1 / 3.)) < near);
+    check(fabs(cagd_code_real(cagd_code_value_of(cagd_code_lib_sin(x[2]))) - sin(3)) < near);
+    check(fabs(cagd_code_real(cagd_code_value_of(cagd_code_lib_cos(x[2]))) - cos(3)) < near);
+    double one = cagd_code_add(cagd_code_mul(s, s), cagd_code_mul(c, c));
+    check(cagd_code_vanishes(sub_f(cagd_code_function(cagd_code_value_of(one)), from_int_f(1))));
+}
+static void angles_have_their_sine_and_cosine(void **state)
+{
+    (void)state;
+    ends(angles, &(struct cagd_code_job){.numbers = CAGD_CODE_FIELD, .inputs = 1, .input = &x_of_three},
+         CAGD_CODE_FINISHED, "");
+}
+
+/* ---- signs ------------------------------------------------------------------------------------------------ */
+
+static num_f x, y;
+static void two_variables(int p, int q)
+{
+    x = cagd_code_variable("x", from_int_q(p)).f;
+    y = cagd_code_variable("y", from_int_q(q)).f;
+}
+
+/* What is known of f and of -f together: as sets of signs. */
+static void both_ways(void)
+{
+    two_variables(1, 2);
+    int c = 0;
+    for (int first = 1; first < 8; first++)
+        for (int second = 1; second < 8; second++) {
+            num_f f = sub_f(x, from_int_f(c++)), minus = sub_f(from_int_f(c - 1), x);
+            int turned = (second & SAME) | (second & LESS ? GREATER : 0) | (second & GREATER ? LESS : 0);
+            int wanted = first & turned;
+            int wanted_turned = (wanted & SAME) | (wanted & LESS ? GREATER : 0) | (wanted & GREATER ? LESS : 0);
+            cagd_code_know_sign(f, first);
+            cagd_code_know_sign(minus, second);
+            check(cagd_code_signs_here(f) == wanted);
+            check(cagd_code_signs_here(minus) == wanted_turned);
+        }
+}
+static void a_sign_and_its_opposite_are_one_condition(void **state)
+{
+    (void)state;
+    ends(both_ways, &in_field, CAGD_CODE_FINISHED, "");
+}
+
+/* Conditions a x + b y + c, and a product of such forms: the signs that it takes on a grid where they hold.  Point: of the run. */
+struct form {
+    int a, b, c, holding;
+};
+static const struct signs {
+    struct form condition[3];
+    int conditions, p, q;
+    struct form factor[3];
+    int factors, signs;
+} * asked,
+    of_products[] = {
+        {{{1, 0, 0, GREATER}}, 1, 1, 2, {{1, 0, 0, 0}, {1, 0, 1, 0}}, 2, GREATER},
+        {{{1, 0, 0, GREATER | SAME}}, 1, 1, 2, {{1, 0, 0, 0}, {1, 0, 1, 0}}, 2, GREATER | SAME},
+        {{{1, 0, 0, GREATER | SAME}}, 1, 1, 2, {{1, 0, 1, 0}, {-1, 0, -2, 0}}, 2, LESS},
+        {{{1, 0, -2, GREATER}, {1, 0, -1, GREATER}}, 2, 3, 0, {{1, 0, -1, 0}, {1, 0, -2, 0}}, 2, GREATER},
+        {{{1, 0, -1, GREATER}, {1, 0, -2, GREATER}}, 2, 3, 0, {{1, 0, -1, 0}, {1, 0, -2, 0}}, 2, GREATER},
+        {{{1, 0, -2, GREATER | SAME}, {1, 0, -1, GREATER}}, 2, 3, 0, {{1, 0, -1, 0}, {1, 0, -2, 0}}, 2, GREATER | SAME},
+        {{{1, 0, -2, GREATER}, {1, 0, -2, GREATER | SAME}}, 2, 3, 0, {{1, 0, -1, 0}, {1, 0, -2, 0}}, 2, GREATER},
+        {{{-1, 0, 2, LESS}, {1, 0, -1, GREATER}}, 2, 3, 0, {{1, 0, -1, 0}, {1, 0, -2, 0}}, 2, GREATER},
+        {{{1, 0, 0, GREATER}, {-1, 1, 0, GREATER}}, 2, 1, 2, {{1, 1, 0, 0}, {1, -1, 0, 0}}, 2, LESS},
+        {{{1, 0, 0, GREATER}, {-1, 1, 0, GREATER | SAME}}, 2, 1, 2, {{1, 1, 0, 0}, {1, -1, 0, 0}}, 2, LESS | SAME},
+        {{{1, 0, 0, GREATER}, {1, -1, 0, LESS}}, 2, 1, 2, {{0, 1, 0, 0}, {-1, 1, 0, 0}, {1, 0, 0, 0}}, 3, GREATER},
+        {{{0, 1, 0, GREATER}, {1, -1, 0, GREATER}}, 2, 2, 1, {{1, 1, 0, 0}, {1, -1, 0, 0}}, 2, GREATER},
+        {{{1, 0, 0, GREATER}}, 1, 1, 2, {{1, 0, 0, 0}, {0, 1, 0, 0}}, 2, ANY},
+        {{{1, 0, 0, GREATER}}, 1, 1, 2, {{1, 0, 0, 0}, {1, 0, -1, 0}}, 2, ANY}};
+
+static num_f function_of(struct form f)
+{
+    return add_f(add_f(mul_f(from_int_f(f.a), x), mul_f(from_int_f(f.b), y)), from_int_f(f.c));
+}
+static int sign_of(long n) { return n == 0 ? SAME : n > 0 ? GREATER : LESS; }
+
+static void signs_of_product(void)
+{
+    two_variables(asked->p, asked->q);
+    for (int k = 0; k < asked->conditions; k++)
+        cagd_code_know_sign(function_of(asked->condition[k]), asked->condition[k].holding);
+    num_f f = from_int_f(1);
+    for (int k = 0; k < asked->factors; k++)
+        f = mul_f(f, function_of(asked->factor[k]));
+    int told = cagd_code_signs_here(f), seen = 0;
+    for (long i = -20; i <= 20; i++)
+        for (long j = -20; j <= 20; j++) {
+            int holds = 1;
+            long value = 1;
+            for (int k = 0; k < asked->conditions; k++) {
+                struct form c = asked->condition[k];
+                holds = holds && (sign_of(c.a * i + c.b * j + c.c * 2) & c.holding) != 0; /* of halves */
+            }
+            for (int k = 0; k < asked->factors; k++)
+                value *= asked->factor[k].a * i + asked->factor[k].b * j + asked->factor[k].c * 2;
+            seen |= holds ? sign_of(value) : 0;
+        }
+    check((seen & ~told) == 0); /* sound */
+    check(seen == asked->signs && told == asked->signs);
+}
+static void signs_follow_from_conditions(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof of_products / sizeof *of_products; k++) {
+        asked = &of_products[k];
+        ends(signs_of_product, &in_field, CAGD_CODE_FINISHED, "");
+    }
+}
+
+/* Only what is said to be 0 is solved for a variable. */
+static void zeros(void)
+{
+    for (int sign = 1; sign < 8; sign++) {
+        char name[4] = {'v', (char)('0' + sign), 0};
+        two_variables(1, 2);
+        num_f v = cagd_code_variable(name, from_int_q(1)).f, f = sub_f(mul_f(from_int_f(2), v), add_f(x, y));
+        cagd_code_know_sign(f, sign);
+        check(cagd_code_vanishes_here(f) == (sign == SAME));
+        check(cagd_code_vanishes_here(mul_f(f, add_f(x, v))) == (sign == SAME));
+        check(!cagd_code_vanishes_here(add_f(f, from_int_f(1))));
+        check(!cagd_code_vanishes_here(div_f(x, f)));
+    }
+}
+static void what_is_said_to_be_zero_is_zero(void **state)
+{
+    (void)state;
+    ends(zeros, &in_field, CAGD_CODE_FINISHED, "");
+}
+
+/* ---- objects ---------------------------------------------------------------------------------------------- */
+
+enum { SIZE = 16, BEFORE = 8, BEHIND = 64 };
+static char room[256];
+static long reached_at, reached_bytes;
+static void reach(void)
+{
+    cagd_code_object(room + 100, SIZE, BEFORE, BEHIND, "it", CAGD_CODE_MEMORY);
+    cagd_code_reach(room + 100 + reached_at, reached_bytes, 0);
+}
+/* Wherever it begins within the margins, it is refused unless it is all within the object; beyond them it is nobody's. */
+static void objects_have_their_margins(void **state)
+{
+    (void)state;
+    for (reached_at = -BEFORE - 4; reached_at <= SIZE + BEHIND + 4; reached_at++)
+        for (reached_bytes = 1; reached_bytes <= SIZE + 1; reached_bytes += 5) {
+            int is_inside = reached_at >= 0 && reached_at + reached_bytes <= SIZE,
+                is_far = reached_at < -BEFORE || reached_at >= SIZE + BEHIND;
+            char wanted[100];
+            if (reached_at < 0)
+                snprintf(wanted, sizeof wanted, "a value from outside an array: %ld bytes before the beginning of it,",
+                         -reached_at);
+            else if (reached_at >= SIZE)
+                snprintf(wanted, sizeof wanted, "a value from outside an array: %ld bytes behind the end of it,",
+                         reached_at - SIZE);
+            else
+                snprintf(wanted, sizeof wanted, "a value from outside an array: %ld bytes from byte %ld of it on,",
+                         reached_bytes, reached_at);
+            ends(reach, &in_rationals, is_inside || is_far ? CAGD_CODE_FINISHED : CAGD_CODE_REFUSED, wanted);
+        }
+}
+
+/* A variable that ends at or below the frame of what is called now belonged to a function that has returned.  Frames are multiples of
+ * 16 bytes: the last end at which it is gone is one. */
+static long ends_above;
+static void variable_near_the_frame(void)
+{
+    char *here = __builtin_frame_address(0);
+    char *end = here - (uintptr_t)here % 16 - 512 + ends_above;
+    cagd_code_local(end - 64, 64, 0, "v");
+    cagd_code_reach(end - 32, 8, 0);
+}
+static void variables_end_with_their_function(void **state)
+{
+    (void)state;
+    long last_gone = -1;
+    for (ends_above = 0; ends_above <= 640; ends_above++) {
+        struct cagd_code_outcome *o = outcome_of(variable_near_the_frame, &in_rationals);
+        if (o->end == CAGD_CODE_REFUSED) {
+            assert_non_null(strstr(o->message, "a variable of a function that has returned"));
+            assert_int_equal(last_gone, ends_above - 1);
+            last_gone = ends_above;
+        } else {
+            assert_int_equal(o->end, CAGD_CODE_FINISHED);
+        }
+        cagd_code_outcome_free(o);
+    }
+    assert_in_range(last_gone, 0, 639);
+    assert_int_equal(last_gone % 16, 0);
+}
+
+static long released;
+static void release(const char *start, size_t before)
+{
+    (void)start;
+    released += before == 16;
+}
+/* Memory that is given back goes to the system when there are 2^14 pieces of it, or 2^28 bytes, margins included. */
+static void give_back(void)
+{
+    char *at = (char *)(uintptr_t)0x100000000000;
+    for (long k = 0; k < 1 << 14; k++, at += 64) {
+        check(released == 0);
+        cagd_code_object(at, 32, 16, 16, NULL, CAGD_CODE_MEMORY);
+        cagd_code_memory_dies(at, release);
+    }
+    check(released == 1 << 14 && cagd_code_memory_count() == 0);
+    released = 0;
+    const size_t quarter = (size_t)1 << 26;
+    for (int k = 0; k < 4; k++, at += quarter) {
+        check(released == 0);
+        cagd_code_object(at, quarter - 32, 16, 16, NULL, CAGD_CODE_MEMORY);
+        cagd_code_memory_dies(at, release);
+    }
+    check(released == 4 && cagd_code_memory_count() == 0);
+}
+static void memory_goes_back_to_the_system(void **state)
+{
+    (void)state;
+    ends(give_back, &in_rationals, CAGD_CODE_FINISHED, "");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {unit(nothing_is_divided_by_zero),
+                                       unit(a_power_ends_where_it_has_too_many_bits),
+                                       unit(powers_are_products),
+                                       unit(classes_are_those_of_the_number),
+                                       unit(integers_have_their_ranges),
+                                       unit(ways_that_decide_otherwise_are_others),
+                                       unit(inputs_that_are_alike_are_one_variable),
+                                       unit(noted_orders_are_signs),
+                                       unit(angles_have_their_sine_and_cosine),
+                                       unit(a_sign_and_its_opposite_are_one_condition),
+                                       unit(signs_follow_from_conditions),
+                                       unit(what_is_said_to_be_zero_is_zero),
+                                       unit(objects_have_their_margins),
+                                       unit(variables_end_with_their_function),
+                                       unit(memory_goes_back_to_the_system)};
+    return run_unit_tests(tests);
+}

@@ -1,0 +1,200 @@
+/* test_statements.c -- statements that are decided: where ranges begin, what is certified, what is refused to be read, and monotony. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "exact/expression/basis.h"
+#include "exact/expression/check.h"
+#include "exact/expression/read.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static cagd_scope scope;
+
+/* Definitions, and with a star in front ranges and conditions. */
+static void let(const char *const lines[])
+{
+    cagd_reading_error error;
+    scope = (cagd_scope){0};
+    for (int k = 0; lines[k] != NULL; k++) {
+        const char *line = lines[k] + (*lines[k] == '*');
+        if (!(line > lines[k] ? cagd_read_ranges : cagd_read_definition)(&scope, line, 0, (int)strlen(line), &error))
+            fail_msg("%s: %s", line, error.message);
+    }
+}
+static const cagd_tree *statement_of(const char *text)
+{
+    cagd_reading_error error;
+    return cagd_read_statement(&scope, text, 0, (int)strlen(text), &error);
+}
+
+/* A sum that holds from some n on is proved for every n where the range begins there, and fails where it begins before. */
+static void ranges_begin_where_they_say(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *range, *statement;
+        cagd_answer answer;
+    } list[] = {
+        {"n > 0, n \\in \\mathbb{N}", "\\sum_{k=0}^n (-1)^k \\binom{n}{k} = 0", CAGD_HOLDS},
+        {"n \\ge 1, n \\in \\mathbb{N}", "\\sum_{k=0}^n (-1)^k \\binom{n}{k} = 0", CAGD_HOLDS},
+        {"n \\ge 0, n \\in \\mathbb{N}", "\\sum_{k=0}^n (-1)^k \\binom{n}{k} = 0", CAGD_FAILS},
+        {"n > 1, n \\in \\mathbb{N}", "\\sum_{k=0}^n (-1)^k k \\binom{n}{k} = 0", CAGD_HOLDS},
+        {"n > 0, n \\in \\mathbb{N}", "\\sum_{k=0}^n (-1)^k k \\binom{n}{k} = 0", CAGD_FAILS},
+    };
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        cagd_finding found;
+        let((const char *const[]){list[k].range, NULL});
+        const cagd_tree *t = statement_of(list[k].statement);
+        assert_non_null(t);
+        cagd_check(&scope, t, 20, &found);
+        if (found.answer != list[k].answer || found.for_every != (list[k].answer == CAGD_HOLDS))
+            fail_msg("%s, %s: answer %d, for every n: %d", list[k].range, list[k].statement, (int)found.answer,
+                     found.for_every);
+        region_faults = 0;
+        field_close();
+    }
+}
+
+static int cases_taken;
+static int take(void *data, const char *inputs, const char *nodes, const char *steps)
+{
+    (void)data, (void)inputs, (void)nodes, (void)steps;
+    cases_taken++;
+    return 1;
+}
+
+/* An identity is certified where it stands for itself: not where a name is a function of others, which no certificate says. */
+static void what_is_certified_stands_for_itself(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *lines[4], *statement;
+        int certified;
+    } list[] = {
+        {{"x, y \\in \\mathbb{R}"}, "(x + y)^2 = x^2 + 2 x y + y^2", 1},
+        {{"x, y \\in \\mathbb{R}", "*x + y = 1"}, "x^2 - y^2 = x - y", 0},
+        {{"*n = 1..3", "x \\in \\mathbb{R}"}, "\\sum_{k=0}^n \\binom{n}{k} x^k = (1+x)^n", 1},
+    };
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        cagd_finding found;
+        let(list[k].lines);
+        const cagd_tree *t = statement_of(list[k].statement);
+        assert_non_null(t);
+        cagd_check(&scope, t, 20, &found);
+        if (found.answer != CAGD_HOLDS)
+            fail_msg("%s: answer %d", list[k].statement, (int)found.answer);
+        cases_taken = 0;
+        if (cagd_certify(&scope, t, &found, 20, take, NULL) != list[k].certified ||
+            (list[k].certified && cases_taken != found.cases))
+            fail_msg("%s: %d cases of %ld", list[k].statement, cases_taken, found.cases);
+        region_faults = 0;
+        field_close();
+    }
+}
+
+/* In a chain "\dots" stands between equal relations, or before the first. */
+static void dots_in_chains(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int is_read;
+    } list[] = {{"x = \\dots = y", 1},          {"x < \\dots < y", 1},     {"x \\le \\dots \\le y", 1},
+                {"\\dots = x = y", 1},          {"x = \\dots < y", 0},     {"x < \\dots = y", 0},
+                {"x < \\dots \\le y", 0},       {"x \\le \\dots < y", 0},  {"x = \\dots y", 0},
+                {"x = y = \\dots = 1", 1},      {"x < y = \\dots = 1", 1}, {"x = y < \\dots = 1", 0},
+                {"x = \\dots = \\dots = y", 0}, {"x = y = \\dots", 0}};
+    let((const char *const[]){"x, y \\in \\mathbb{R}", NULL});
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        if ((statement_of(list[k].text) != NULL) != list[k].is_read)
+            fail_msg("%s is%s read", list[k].text, list[k].is_read ? " not" : "");
+}
+
+/* Powers of five bases, of which one begins with its exponent 0, beside names in another order. */
+static void powers_of_many_bases(void **state)
+{
+    (void)state;
+    static const char *const sums[] = {"\\sum_{k=0}^{n-2} w_k (a b c d)^{k+2} x^k",
+                                       "\\sum_{k=0}^{n-2} w_k (a b c d)^{k+2} x^{k+1}"};
+    for (int k = 0; k < 2; k++) {
+        char text[300];
+        cagd_finding found;
+        let((const char *const[]){"a, b, c, d, x, w_i \\in \\mathbb{R}", "*n = 4..6", NULL});
+        snprintf(text, sizeof text,
+                 "w_0 a^2 b^2 c^2 d^2 + w_1 a^3 b^3 c^3 d^3 x + x^2 w_2 a^4 b^4 c^4 d^4 + \\dots + w_{n-2} a^n b^n c^n "
+                 "d^n x^{n-2} = %s",
+                 sums[k]);
+        const cagd_tree *t = statement_of(text);
+        assert_non_null(t);
+        cagd_check(&scope, t, 20, &found);
+        assert_int_equal(found.answer, k == 0 ? CAGD_HOLDS : CAGD_FAILS);
+        region_faults = 0;
+        field_close();
+    }
+}
+
+/* A name that is bound again has nothing of what was known of it before. */
+static void names_are_bound_again(void **state)
+{
+    (void)state;
+    static cagd_context c;
+    c = (cagd_context){.scope = &scope};
+    for (int again = 0; again < 2; again++) {
+        cagd_binding *b = cagd_bind(&c, "x", cagd_value_int(3 + again));
+        assert_non_null(b);
+        assert_int_equal(c.count, 1);
+        assert_string_equal(b->key, "x");
+        assert_true(b->value.rational && cagd_equal_q(b->value.q, from_int_q(3 + again)));
+        assert_false(b->unknown || b->solved || b->has_low || b->has_high || b->low_open || b->high_open);
+        assert_null(b->variable);
+        b->unknown = b->solved = b->has_low = b->has_high = b->low_open = b->high_open = 1;
+    }
+}
+
+/* Functions of t in [-2,2] and c in [-2,2]; of the last but one the derivative by c is 1 + u^2 c^2 (u^2 + c^2 - 3) with u^2 = 2 t^2,
+ * which is not below 0, and no sum of squares; of the last it is the same less 1. */
+static void monotony(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *function;
+        cagd_monotony is;
+    } list[] = {{"t^2", CAGD_CONSTANT},
+                {"c", CAGD_INCREASING},
+                {"t - c^3", CAGD_DECREASING},
+                {"(t + 2) c", CAGD_INCREASING},
+                {"t c", CAGD_NOT_MONOTONE},
+                {"c^2", CAGD_NOT_MONOTONE},
+                {"\\frac{c}{5 + c}", CAGD_INCREASING},
+                {"c + \\frac{4 t^4 c^3}{3} + \\frac{2 t^2 c^5}{5} - 2 t^2 c^3", CAGD_INCREASING},
+                {"-c - \\frac{4 t^4 c^3}{3} - \\frac{2 t^2 c^5}{5} + 2 t^2 c^3", CAGD_DECREASING},
+                {"\\frac{4 t^4 c^3}{3} + \\frac{2 t^2 c^5}{5} - 2 t^2 c^3", CAGD_NOT_MONOTONE}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        char line[200];
+        static cagd_basis b;
+        cagd_reading_error error;
+        snprintf(line, sizeof line, "b_i(t) = %s", list[k].function);
+        let((const char *const[]){"-2 \\le c \\le 2", line, "*i = 0..0, -2 \\le t \\le 2", NULL});
+        const cagd_tree *f = cagd_read_value(&scope, "b_i(t)", 0, 6, &error);
+        if (f == NULL)
+            fail_msg("%s", error.message);
+        const char *why = cagd_basis_read(&scope, f, 0, 0, "c", &b);
+        if (why != NULL)
+            fail_msg("%s: %s", list[k].function, why);
+        if (cagd_basis_monotony(&b, 0) != list[k].is)
+            fail_msg("%s: %d", list[k].function, (int)cagd_basis_monotony(&b, 0));
+        region_faults = 0;
+        field_close();
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {unit(ranges_begin_where_they_say),
+                                       unit(what_is_certified_stands_for_itself),
+                                       unit(dots_in_chains),
+                                       unit(powers_of_many_bases),
+                                       unit(names_are_bound_again),
+                                       unit(monotony)};
+    return run_unit_tests(tests);
+}
