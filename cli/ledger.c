@@ -100,25 +100,31 @@ static void print_tally(FILE *out, const statement_result *list, int count)
                 t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
 }
 
-/* Whether the formula of the statement is read from its print as well. */
-static int is_read_from_print(const cagd_register *reg, const statement *s)
+static int is_among(const char *const ids[], const statement *s)
 {
-    for (int k = 0; reg->printed != NULL && reg->printed[k] != NULL; k++)
-        if (strcmp(reg->printed[k], s->id) == 0)
+    for (int k = 0; ids != NULL && ids[k] != NULL; k++)
+        if (strcmp(ids[k], s->id) == 0)
             return 1;
     return 0;
 }
 
+/* Whether the formula of the statement is read from its print as well. */
+static int is_read_from_print(const cagd_register *reg, const statement *s) { return is_among(reg->printed, s); }
+
 static void print_read(FILE *out, const cagd_register *reg, const statement_result *list, int count)
 {
-    int read = 0;
+    int read = 0, every = 0;
     if (reg->printed == NULL)
         return;
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k < count; k++) {
         read += is_read_from_print(reg, list[k].statement);
+        every += is_among(reg->for_every, list[k].statement);
+    }
     fprintf(out,
             "\n%d of %d statements are read from their print as well, chapters/*/print*.md, which cagd check decides\n",
             read, count);
+    if (every > 0)
+        fprintf(out, "of these a sum for every n, by creative telescoping: %d\n", every);
 }
 
 /* "R = (0,0) (1,2) (2,0); w = 1 0 1 gives R''(0) = (4,0)": the data of a claim and what comes out of them. */

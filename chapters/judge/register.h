@@ -36,5 +36,6 @@ typedef struct cagd_register {
     const char *const
         *printed; /* ids of the statements whose formulas are read from their print, too, in the files print*.md of
                                    the chapters; with NULL at the end, or NULL where none are known */
+    const char *const *for_every; /* of these the ids of those whose sums are read for every n; likewise */
 } cagd_register;
 #endif

@@ -46,6 +46,7 @@ struct book {
     struct list chapters, titles;
     struct list bilingual; /* the chapters whose heading is Chinese, too */
     struct list printed;   /* ids of the blocks :::{printed} ID of print*.md */
+    struct list for_every; /* of these the ones with a range without end, :for: n = 1.. */
     const char *types;     /* the number types that are compiled, separated by blanks */
 };
 

@@ -153,7 +153,24 @@ static int has_chinese(const char *text)
     return 0;
 }
 
-/* The ids of the statements whose formulas cagd check reads from their print, each once. */
+static void append_once(struct list *to, char *id)
+{
+    for (int m = 0; m < to->count; m++)
+        if (strcmp(to->at[m], id) == 0)
+            return;
+    append(to, id);
+}
+
+/* Whether the line is ":for: n = 1.." or the like: a range without end. */
+static int is_for_every(const char *line)
+{
+    const char *dots = strncmp(line, ":for: ", 6) == 0 ? strstr(line, "..") : NULL;
+    while (dots != NULL && dots[2 + strspn(dots + 2, " ")] != ',' && dots[2 + strspn(dots + 2, " ")] != '\0')
+        dots = strstr(dots + 2, "..");
+    return dots != NULL;
+}
+
+/* The ids of the statements whose formulas cagd check reads from their print, each once; and of those that are read for every n. */
 static void read_printed(struct book *book, const char *folder)
 {
     static const char begin[] = ":::{printed} ";
@@ -168,11 +185,10 @@ static void read_printed(struct book *book, const char *folder)
             if (strncmp(l.at[k], begin, sizeof begin - 1) != 0)
                 continue;
             char *id = trimmed(whole_copy(l.at[k] + sizeof begin - 1));
-            int known = 0;
-            for (int m = 0; m < book->printed.count; m++)
-                known |= strcmp(book->printed.at[m], id) == 0;
-            if (!known)
-                append(&book->printed, id);
+            append_once(&book->printed, id);
+            while (k + 1 < l.count && strcmp(trimmed(l.at[k + 1]), ":::") != 0)
+                if (is_for_every(l.at[++k]))
+                    append_once(&book->for_every, id);
         }
     }
     globfree(&files);

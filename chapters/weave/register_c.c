@@ -275,6 +275,14 @@ static void put_statements(FILE *out, const struct book *book)
     fputs("    {.id = NULL}};\n\n", out);
 }
 
+static void put_ids(FILE *out, const char *name, const struct list *ids)
+{
+    fprintf(out, "static const char *const %s[] = {\n", name);
+    for (int k = 0; k < ids->count; k++)
+        fprintf(out, "    \"%s\",\n", ids->at[k]);
+    fputs("    NULL};\n\n", out);
+}
+
 /* ---- the rest --------------------------------------------------------------------------------------- */
 
 static void put_sources(FILE *out, const struct book *book)
@@ -349,13 +357,11 @@ int write_register_c(const struct book *book, const char *path)
     put_figures(out, book);
     put_sources(out, book);
     put_block_data(out, book);
-    fputs("static const char *const printed[] = {\n", out);
-    for (int k = 0; k < book->printed.count; k++)
-        fprintf(out, "    \"%s\",\n", book->printed.at[k]);
-    fputs("    NULL};\n\n", out);
-    fputs(
-        "const cagd_register compiled_chapters = {claims, statements, chapters, figures, sources, blocks, printed};\n",
-        out);
+    put_ids(out, "printed", &book->printed);
+    put_ids(out, "for_every", &book->for_every);
+    fputs("const cagd_register compiled_chapters = {claims, statements, chapters, figures, sources, blocks, printed, "
+          "for_every};\n",
+          out);
     if (fclose(out) != 0) {
         perror(path);
         return -1;

@@ -502,7 +502,22 @@ static int whole_of(const cagd_scope *scope, const cagd_tree *t, long *out)
     return number_of(scope, t, &q) && cagd_value_is_whole(cagd_value_q(q), out);
 }
 
-/* The functions: a name with one lower index, a letter that runs over whole numbers, and an argument, a letter; others may follow. */
+/* The lower index that is a letter and has no value, as n has behind n = 3; NULL where there is none, or a second one. */
+static const cagd_tree *running_index(const cagd_scope *scope, const cagd_tree *t)
+{
+    const cagd_tree *found = NULL;
+    for (int k = 0; k < t->lower; k++)
+        if (t->at[k]->kind == CAGD_NAME &&
+            (cagd_declared(scope, t->at[k]->head) != NULL || cagd_defined(scope, t->at[k]->head) == NULL)) {
+            if (found != NULL || t->at[k]->count > 0)
+                return NULL;
+            found = t->at[k];
+        }
+    return found;
+}
+
+/* The functions: a name with a lower index that is a letter and runs over whole numbers, and an argument, a letter; others may stand
+ * beside the index if they are numbers, and behind the argument. */
 static void read_functions(struct document *d, struct sheet *s, int from, int to)
 {
     cagd_reading_error error;
@@ -511,10 +526,13 @@ static void read_functions(struct document *d, struct sheet *s, int from, int to
         complain_of_reading(d, &error);
         return;
     }
-    const cagd_tree *index = t->kind == CAGD_NAME && t->lower == 1 ? t->at[0] : NULL;
+    const cagd_tree *index = t->kind == CAGD_NAME ? running_index(&s->scope, t) : NULL;
     const cagd_tree *argument = t->kind == CAGD_NAME && t->arguments > 0 ? t->at[t->lower + t->upper] : NULL;
     if (index == NULL || argument == NULL || index->kind != CAGD_NAME || argument->kind != CAGD_NAME || t->order > 0) {
-        complain(d, from, to, "expected functions with one index and an argument, such as b_i(t)");
+        complain(
+            d, from, to,
+            "expected functions with one index and an argument, such as b_i(t), other indices being numbers, as n is "
+            "behind n = 3");
         return;
     }
     const cagd_variable *v = cagd_declared(&s->scope, index->head);

@@ -30,6 +30,7 @@ struct answer {
     cagd_found found;
     cagd_finding finding;
     int was_checked; /* without a parameter: the finding is the answer */
+    int of_limits;   /* decided of the limits at the ends, as the formulas have no values there */
     cagd_negative_minor minor;
 };
 
@@ -89,6 +90,45 @@ static void interpolates_ends(char *text, const struct sheet *s, const cagd_basi
              function_with(s, s->index, high_of(b)), right);
 }
 
+/* An element of the field in TeX, with the letters of the file: v1 is \beta. */
+static const char *element_text(const cagd_basis *b, num_f f)
+{
+    char text[LONGEST];
+    int n = 0;
+    for (const char *s = cagd_to_string_f(f); *s != '\0' && n < LONGEST - 128;) {
+        int known = 0;
+        size_t length = strcspn(s, " +-*/^()");
+        while (known < b->names && (strlen(b->name[known]) != length || strncmp(s, b->name[known], length) != 0))
+            known++;
+        if (length == 0 && *s == '^') { /* and its exponent */
+            length = strspn(s + 1, "0123456789");
+            n += snprintf(text + n, 64, "^{%.*s}", (int)length, s + 1);
+            s += length + 1;
+        } else if (length == 0) {
+            if (*s != '*')
+                text[n++] = *s;
+            s++;
+        } else {
+            n += known < b->names ? snprintf(text + n, 120, "{%s}", b->letter[known])
+                                  : snprintf(text + n, 120, "%.*s", (int)length, s);
+            s += length;
+        }
+    }
+    const char *kept = cagd_text_of(text, n);
+    return kept != NULL ? kept : "";
+}
+
+/* Likewise of the limits, where x^{i-1} has no value at 0. */
+static void limits_at_ends(char *text, const struct sheet *s, const cagd_basis *b)
+{
+    int n = 0;
+    (void)s;
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < b->count && n < LONGEST; i++)
+            n += snprintf(text + n, (size_t)(LONGEST - n), "%s%s = %d", n > 0 ? ", \\quad " : "",
+                          element_text(b, b->at_end[k][0][i]), i == (k == 0 ? 0 : b->count - 1));
+}
+
 /* ((t-a)/(b-a))^i ((b-t)/(b-a))^{n-i} times C(n,i). */
 static void is_bernstein(char *text, const struct sheet *s, const cagd_basis *b)
 {
@@ -110,19 +150,20 @@ static const struct property properties[] = {
     {"bernstein", "the Bernstein basis", is_bernstein, NULL, 1},
     {"totally_positive", "totally positive", NULL, NULL, 0},
 };
-enum { DEFINED = 0, NONNEGATIVE = 3, PROPERTIES = sizeof properties / sizeof *properties };
+enum { DEFINED = 0, NONNEGATIVE = 3, ENDS = 5, PROPERTIES = sizeof properties / sizeof *properties };
 
 /* ---- deciding ------------------------------------------------------------------------------------------ */
 
 /* Without a parameter there is one cell, and what holds in it. */
-static void decide_formula(struct answer *a, const struct sheet *s, const cagd_basis *b, double seconds)
+static void decide_formula(struct answer *a, const struct sheet *s, const cagd_basis *b,
+                           void (*write)(char *text, const struct sheet *s, const cagd_basis *b), double seconds)
 {
     char *text = region_bytes(LONGEST);
     cagd_reading_error error;
     a->found.why = "it cannot be read";
     if (text == NULL)
         return;
-    a->property->write(text, s, b);
+    write(text, s, b);
     a->text = (struct document){.path = "", .text = text, .size = (int)strlen(text), .scope = s->scope};
     a->formula = (struct formula){.name = a->property->key, .printed = text, .find = s->find, .scope = s->scope};
     a->formula.tree = cagd_read_statement(&s->scope, text, 0, a->text.size, &error);
@@ -220,7 +261,9 @@ static void print_properties(const struct answer answer[])
         if (k == DEFINED && extent_of(a) == FOR_ALL)
             continue;
         row(a->property->title, evidence[0] != '\0'
-                                    ? joined(is_open(a) ? "%s (%s; for other values it may be undecided)" : "%s (%s)",
+                                    ? joined(is_open(a)     ? "%s (%s; for other values it may be undecided)"
+                                             : a->of_limits ? "%s, as limits (%s)"
+                                                            : "%s (%s)",
                                              values_text(a), evidence)
                                     : values_text(a));
     }
@@ -284,34 +327,6 @@ static void print_examples(const struct sheet *s, const struct answer answer[])
         first = 0;
         row(answer[k].property->title, text);
     }
-}
-
-/* An element of the field in TeX, with the letters of the file: v1 is \beta. */
-static const char *element_text(const cagd_basis *b, num_f f)
-{
-    char text[LONGEST];
-    int n = 0;
-    for (const char *s = cagd_to_string_f(f); *s != '\0' && n < LONGEST - 128;) {
-        int known = 0;
-        size_t length = strcspn(s, " +-*/^()");
-        while (known < b->names && (strlen(b->name[known]) != length || strncmp(s, b->name[known], length) != 0))
-            known++;
-        if (length == 0 && *s == '^') { /* and its exponent */
-            length = strspn(s + 1, "0123456789");
-            n += snprintf(text + n, 64, "^{%.*s}", (int)length, s + 1);
-            s += length + 1;
-        } else if (length == 0) {
-            if (*s != '*')
-                text[n++] = *s;
-            s++;
-        } else {
-            n += known < b->names ? snprintf(text + n, 120, "{%s}", b->letter[known])
-                                  : snprintf(text + n, 120, "%.*s", (int)length, s);
-            s += length;
-        }
-    }
-    const char *kept = cagd_text_of(text, n);
-    return kept != NULL ? kept : "";
 }
 
 static void print_ends(const struct sheet *s, const cagd_basis *b)
@@ -418,6 +433,8 @@ static json_t *property_json(const struct answer *a, const struct sheet *s)
     if (example[0] != '\0')
         json_object_set_new(j, "fails_for", plain_json(example, 1));
     json_object_set_new(j, "complete", json_boolean(!is_open(a)));
+    if (a->of_limits)
+        json_object_set_new(j, "of_limits", json_true());
     return j;
 }
 
@@ -487,6 +504,17 @@ static int values_shown(const struct sheet *s, const cagd_basis *b, const struct
     return count;
 }
 
+/* The formulas have no values at an end, but the functions, of which b is read anew, have limits. */
+static void decide_limits(struct answer *a, const struct sheet *s, const cagd_basis *b, double seconds)
+{
+    struct answer limits = {.property = a->property};
+    decide_formula(&limits, s, b, limits_at_ends, seconds);
+    if (extent_of(&limits) == NOT_KNOWN)
+        return;
+    *a = limits;
+    a->of_limits = 1;
+}
+
 int check_sheet(const struct document *d, const struct sheet *s, json_t *list, svg *picture)
 {
     struct answer *answer = cagd_region_array(PROPERTIES, 1, sizeof *answer);
@@ -499,20 +527,23 @@ int check_sheet(const struct document *d, const struct sheet *s, json_t *list, s
     for (int k = 0; k < PROPERTIES; k++) {
         struct answer *a = &answer[k];
         *a = (struct answer){.property = &properties[k], .formula = {.find = s->find}};
-        why = cagd_basis_read(&s->scope, s->tree, s->first, s->last, s->find, b);
+        why = cagd_basis_read(&s->scope, s->tree, s->index, s->first, s->last, s->find, b);
         double left = until - cagd_seconds();
         if (why != NULL)
             a->found.why = why;
         else if (a->property->write != NULL)
-            decide_formula(a, s, b, left > 0.1 ? left : 0.1);
+            decide_formula(a, s, b, a->property->write, left > 0.1 ? left : 0.1);
         else if (a->property->find != NULL)
             a->property->find(b, &a->found);
         else
             cagd_basis_totally_positive(b, left > 0.1 ? left : 0.1, &a->found, &a->minor);
+        if (k == ENDS && extent_of(a) == NOT_KNOWN &&
+            (why = cagd_basis_read(&s->scope, s->tree, s->index, s->first, s->last, s->find, b)) == NULL)
+            decide_limits(a, s, b, left > 0.1 ? left : 0.1);
         all &= extent_of(a) != NOT_KNOWN && !is_open(a);
     }
     if (why == NULL) /* the field of the last property is open still, or that of a formula */
-        why = cagd_basis_read(&s->scope, s->tree, s->first, s->last, s->find, b);
+        why = cagd_basis_read(&s->scope, s->tree, s->index, s->first, s->last, s->find, b);
     if (list == NULL)
         print_page(d, s, b, answer, why);
     else

@@ -73,8 +73,8 @@ static void values_at_ends(cagd_basis *b)
     }
 }
 
-const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, long first, long last,
-                            const char *parameter, cagd_basis *out)
+const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, const char *index, long first,
+                            long last, const char *parameter, cagd_basis *out)
 {
     cagd_context *c = region_bytes(sizeof *c);
     if (c == NULL)
@@ -82,7 +82,7 @@ const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, 
     *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     *out = (cagd_basis){.count = (int)(last - first + 1), .has_parameter = parameter != NULL};
     field_open(FIELD_ROOM);
-    const char *index = function->at[0]->head, *argument = function->at[function->lower + function->upper]->head;
+    const char *argument = function->at[function->lower + function->upper]->head;
     for (int k = 0; k < 2; k++) {
         cagd_tree name = {.kind = CAGD_NAME, .head = k == 0 ? argument : parameter};
         if (name.head != NULL)

@@ -21,10 +21,10 @@ typedef struct cagd_basis {
     int names;
 } cagd_basis;
 
-/* The functions: `function` is a name with an index and an argument, b_i(t), for first <= i <= last; the argument has bounds
- * in the scope.  `parameter` may be NULL.  The field is opened anew.  NULL, or why it cannot be read. */
-const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, long first, long last,
-                            const char *parameter, cagd_basis *out);
+/* The functions: `function` is a name with indices and an argument, b_i(t), for first <= index <= last; the argument has bounds
+ * in the scope, and other indices have one value.  `parameter` may be NULL.  The field is opened anew.  NULL, or why it cannot be read. */
+const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, const char *index, long first,
+                            long last, const char *parameter, cagd_basis *out);
 
 /* For which values of the parameter all functions are defined, but for single t: the others are poles of their coefficients. */
 void cagd_basis_defined(const cagd_basis *b, cagd_found *out);

@@ -73,11 +73,19 @@ int cagd_depends_on(const cagd_scope *scope, const cagd_tree *statement, const c
     return uses(scope, statement, head, 0);
 }
 
+/* Whether the letter has a value, as r has behind r = 4, though it was declared before. */
+static int has_value(const cagd_scope *scope, const char *head)
+{
+    const cagd_definition *d = cagd_defined(scope, head);
+    return d != NULL && d->left->count == 0 && d->when == NULL;
+}
+
 int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room)
 {
     int count = 0;
     for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
-        int known = cagd_declared(scope, v->head) != v, used = uses(scope, statement, v->head, 0);
+        int known = cagd_declared(scope, v->head) != v || has_value(scope, v->head),
+            used = uses(scope, statement, v->head, 0);
         for (int k = 0; k < scope->condition_count; k++)
             used |= uses(scope, scope->conditions[k], v->head, 0);
         for (int k = 0; k < count; k++) /* or the range of one that is used */

@@ -176,7 +176,14 @@ static int match(cagd_context *c, const cagd_definition *d, const cagd_value val
     const frame *f = NULL;
     for (int k = 0; k < d->left->count; k++) {
         const cagd_tree *pattern = d->left->at[k];
-        if (pattern->kind == CAGD_NUMBER) {
+        int same = cagd_same_index(d->left, k);
+        if (same >= 0 && !(value[k].rational && value[same].rational)) {
+            if (!cagd_equal_f(cagd_in_field(value[k]), cagd_in_field(value[same])))
+                return -1;
+        } else if (same >= 0) {
+            if (!cagd_equal_q(value[k].q, value[same].q))
+                return 0;
+        } else if (pattern->kind == CAGD_NUMBER) {
             if (!value[k].rational)
                 return -1;
             if (!cagd_equal_q(pattern->number, value[k].q))

@@ -187,6 +187,27 @@ static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd
     return region_faults == 0;
 }
 
+/* A chain a = b = c of which one link is a sum and the others have closed forms without sums, so that what is told of the sum is all. */
+static int links_hold(const cagd_scope *scope, const cagd_tree *chain, const cagd_variable *n, long low, int checked,
+                      cagd_every *out)
+{
+    int told = 0;
+    for (int i = 0; i + 1 < chain->count; i++) {
+        cagd_tree link = *chain;
+        cagd_every of_link;
+        link.count = 2, link.at = chain->at + i, link.relation = chain->relation + i;
+        if (!cagd_holds_for_every(scope, &link, n, low, checked, &of_link))
+            return 0;
+        int has_sum = !of_link.closed || of_link.sums > 0;
+        if (told && has_sum)
+            return 0;
+        if (has_sum || i == 0)
+            *out = of_link;
+        told |= has_sum;
+    }
+    return 1;
+}
+
 int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
                          int checked, cagd_every *out)
 {
@@ -194,6 +215,9 @@ int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, co
     struct proof p;
     if (s == NULL)
         return 0;
+    if (statement->kind == CAGD_RELATION && statement->count > 2)
+        return have_closed_forms(s, scope, statement, n, low, out) ||
+               links_hold(scope, statement, n, low, checked, out);
     if (!find_proof(s, scope, statement, n, low, checked, &p))
         return have_closed_forms(s, scope, statement, n, low, out);
     *out = (cagd_every){.order = p.T.order, .from = p.from, .n = n->head, .k = p.sum->head};

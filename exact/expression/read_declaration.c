@@ -35,13 +35,14 @@ static const cagd_tree *declared_name(cagd_reader *r)
 static int fits_always(const cagd_definition *d)
 {
     for (int k = 0; k < d->left->count; k++)
-        if (d->left->at[k]->kind == CAGD_NUMBER)
+        if (d->left->at[k]->kind == CAGD_NUMBER || cagd_same_index(d->left, k) >= 0)
             return 0;
     return d->when == NULL;
 }
 
-/* Letters and numbers, no letter twice; arguments are letters.  As often as the same name was defined with. */
-static int is_left_side(cagd_reader *r, const cagd_tree *left)
+/* Letters and numbers; a letter stands there twice where indices are equal, as in b_{n,n}(t), if `may_repeat`, and else once.  Arguments are
+ * letters.  As often as the same name was defined with. */
+static int is_left_side(cagd_reader *r, const cagd_tree *left, int may_repeat)
 {
     for (int k = 0; k < left->count; k++) {
         const cagd_tree *t = left->at[k];
@@ -49,7 +50,7 @@ static int is_left_side(cagd_reader *r, const cagd_tree *left)
         if (!letter && !(index && t->kind == CAGD_NUMBER))
             return cagd_refuse_tree(r, t, "on the left of a definition %s",
                                     index ? "an index is a letter or a number" : "an argument is a letter") != NULL;
-        for (int m = 0; letter && m < k; m++)
+        for (int m = 0; letter && !(index && may_repeat) && m < k; m++)
             if (left->at[m]->kind == CAGD_NAME && strcmp(left->at[m]->head, t->head) == 0)
                 return cagd_refuse_tree(r, t,
                                         "the letter %s stands there twice: take another one, and say where they are "
@@ -132,7 +133,7 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     if (left->kind != CAGD_NAME)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
-    if (!is_left_side(r, left) || !cagd_expect(r, "=", "the left side"))
+    if (!is_left_side(r, left, 1) || !cagd_expect(r, "=", "the left side"))
         return 0;
     struct cagd_bound bound[CAGD_MOST_CHILDREN];
     for (int k = 0; k < left->count; k++)
@@ -374,7 +375,7 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
         v.high = listed(r, v.low);
     if (has_dots || v.high != NULL)
         return declare(r, scope, name, v);
-    if (!is_left_side(r, name))
+    if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);
     if (d != NULL)

@@ -330,6 +330,11 @@ const char *cagd_standard(const cagd_scope *scope, const char *line, int length,
         arguments += name.group[k] == '(';
     if (!good || arguments != s->arguments || name.count != s->indices + s->arguments)
         return refuse(message, "expected it as in '%s %s'", s->name, s->example);
+    for (int k = 0; k < name.count; k++)
+        for (int m = 0; m < k; m++)
+            if (name.letter[m].length == name.letter[k].length &&
+                memcmp(name.letter[m].at, name.letter[k].at, (size_t)name.letter[k].length) == 0)
+                return refuse(message, "the letter %.*s stands there twice", name.letter[k].length, name.letter[k].at);
     sort_by_place(&name);
     struct text out = {region_bytes(LARGEST), 0};
     if (out.at == NULL)

@@ -48,3 +48,11 @@ int cagd_tree_equal(const cagd_tree *a, const cagd_tree *b)
             return 0;
     return 1;
 }
+
+int cagd_same_index(const cagd_tree *left, int k)
+{
+    for (int m = 0; left->at[k]->kind == CAGD_NAME && m < k; m++)
+        if (left->at[m]->kind == CAGD_NAME && strcmp(left->at[m]->head, left->at[k]->head) == 0)
+            return m;
+    return -1;
+}

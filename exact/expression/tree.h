@@ -92,4 +92,7 @@ cagd_tree *cagd_tree_number(long value, int from, int to);
 /* Whether the name occurs in the tree as it stands; and whether the trees are the same, wherever they were read. */
 int cagd_tree_has(const cagd_tree *t, const char *head);
 int cagd_tree_equal(const cagd_tree *a, const cagd_tree *b);
+
+/* On the left of a definition: the child before the k-th one that is the same letter, b_{n,n}; -1 where there is none. */
+int cagd_same_index(const cagd_tree *left, int k);
 #endif

@@ -52,6 +52,40 @@ def rational(t, w):
     return [(1 - t)**2 / d, 2 * w * t * (1 - t) / d, t * t / d]
 
 
+def bernstein(n, i, t):
+    return math.comb(n, i) * t**i * (1 - t)**(n - i)
+
+
+def lambda_bernstein(n, t, x):
+    inner = [bernstein(n, i, t) + x * (F(n - 2 * i + 1, n * n - 1) * bernstein(n + 1, i, t) - F(n - 2 * i - 1, n * n - 1) * bernstein(n + 1, i + 1, t))
+             for i in range(1, n)]
+    return [bernstein(n, 0, t) - x * bernstein(n + 1, 1, t) / (n + 1)] + inner + [bernstein(n, n, t) - x * bernstein(n + 1, n, t) / (n + 1)]
+
+
+def lupas(t, q):
+    common = (1 - t + q * t) * (1 - t + q * q * t)
+    return [f / common for f in ((1 - t)**3, (1 + q + q * q) * t * (1 - t)**2, (1 + q + q * q) * q * t * t * (1 - t), q**3 * t**3)]
+
+
+def recursive(first, u):
+    """b_i^3 = (1-u) b_i^2 + u b_{i-1}^2."""
+    return [(1 - u) * first[0], (1 - u) * first[1] + u * first[0], (1 - u) * first[2] + u * first[1], u * first[2]]
+
+
+def sine_and_cosine(x):
+    return 2 * x / (1 + x * x), (1 - x * x) / (1 + x * x)
+
+
+def trigonometric_quadratic(x, k):
+    s, c = sine_and_cosine(x)
+    return [(1 - s) * (1 - k * s), (1 + k) * (s + c - 1), (1 - c) * (1 - k * c)]
+
+
+def trigonometric_cubic(x, k):
+    s, c = sine_and_cosine(x)
+    return [(1 - s)**2 * (1 - k * s), s * (1 - s) * (2 + k - k * s), c * (1 - c) * (2 + k - k * c), (1 - c)**2 * (1 - k * c)]
+
+
 FUNCTIONS = {
     "bernstein": lambda t, _: [math.comb(8, i) * t**i * (1 - t)**(8 - i) for i in range(9)],
     "deng-zhang-2022": lambda t, b: deng(t, b, False),
@@ -68,6 +102,19 @@ FUNCTIONS = {
     "other-interval": lambda t, _: [math.comb(3, i) * t**i * (1 - t)**(3 - i) for i in range(4)],
     "not-symmetric": lambda t, _: [(1 - t)**2 + (t - F(1, 2))**2, t * (1 - t), 1 - (1 - t)**2 - (t - F(1, 2))**2 - t * (1 - t)],
     "negative": lambda t, _: [t + 1, t - 2],
+    "lambda-4": lambda t, x: lambda_bernstein(4, t, x),
+    "alpha-3": lambda t, a: [(1 - a * t) * (1 - t)**2, t * (1 - t) * (1 - a + 3 * a * (1 - t)), t * (1 - t) * (1 - a + 3 * a * t),
+                             t * t * (1 - a + a * t)],
+    "cubic-alternative": lambda t, a: [(1 - t)**2 * (1 + (2 - a) * t), a * t * (1 - t)**2, 3 * t * t * (1 - t), t**3],
+    "timmer": lambda t, _: [(1 - 2 * t) * (1 - t)**2, 4 * t * (1 - t)**2, 4 * t * t * (1 - t), (2 * t - 1) * t * t],
+    "delgado-pena": lambda t, _: [(1 - t)**5, t * (1 - t)**4, t * (1 - t)**3 + (1 - t**3 - (1 - t)**3) / 2,
+                                  t**3 * (1 - t) + (1 - t**3 - (1 - t)**3) / 2, t**4 * (1 - t), t**5],
+    "lupas": lupas,
+    "trigonometric-quadratic": trigonometric_quadratic,
+    "trigonometric-recursive": lambda x, k: recursive(trigonometric_quadratic(x, k), sine_and_cosine(x)[0]),
+    "trigonometric-cubic": trigonometric_cubic,
+    "recursive-cubic": lambda t, x: recursive(quasi_quadratic(t, x), t),
+    "one-of-two": lambda t, x: [(1 - x * t) * (1 - t)**3, (3 + x - x * t) * (1 - t)**2 * t, 3 * (1 - t)**2 * t * t, (4 - 3 * t) * t**3],
 }
 # linearly independent, sum 1, nonnegative, symmetric, 1 and 0 at the ends, Bernstein, totally positive; a range is (low, high),
 # None being no end; True and False are for all and for no value, a list is one of single values.
@@ -87,6 +134,18 @@ EXPECTED = {
     "other-interval": (True,) * 7,
     "not-symmetric": (True, True, False, False, False, False, False),
     "negative": (True, False, False, False, False, False, False),
+    # shape.md: -1 <= λ <= 1 and 0 <= α <= 1 are what the papers have; by the tangent of half the angle nothing is symmetric
+    "lambda-4": ("λ < −9, −9 < λ < −4 and λ > −4", True, (-4, 1), True, True, [0], (-4, 1)),
+    "alpha-3": ("α < −2, −2 < α < 0 and α > 0", True, (F(-1, 2), 1), True, True, [1], (0, 1)),
+    "cubic-alternative": ("α < 0 and α > 0", True, (0, 3), [3], True, [3], (0, 3)),
+    "timmer": (True, True, False, True, True, False, False),
+    "delgado-pena": (True, True, True, True, True, False, True),
+    "lupas": (True, True, True, [1], True, [1], True),
+    "trigonometric-quadratic": ("λ < −1 and λ > −1", True, (-1, 1), False, True, False, (-1, 1)),
+    "trigonometric-recursive": (True, True, (-1, 1), False, True, False, (-1, 1)),
+    "trigonometric-cubic": (True, True, (-2, 1), False, True, False, (-2, 1)),
+    "recursive-cubic": (True, True, (-3, 4), True, True, [0], f"−3 ≤ λ ≤ {(33 - 9 * 5**0.5) / 4:.6f}…"), # of 4λ² − 66λ + 171
+    "one-of-two": ("λ < −3 and λ > −3", True, (-3, 1), [-3], True, False, (-3, 1)),
 }
 
 
@@ -131,14 +190,21 @@ def some_minor_is_negative(functions, parameter, tries=200):
 class Sheets(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.result = subprocess.run([CAGD, "check", "--basis", "--json", HERE / "bases.md"], capture_output=True, text=True, timeout=300)
-        cls.json = json.loads(cls.result.stdout)
-        cls.sheets = {s["name"]: s for s in cls.json["bases"]}
+        cls.results = [subprocess.run([CAGD, "check", "--basis", "--json", HERE / name], capture_output=True, text=True, timeout=300)
+                       for name in ("bases.md", "shape.md")]
+        cls.json = [json.loads(r.stdout) for r in cls.results]
+        cls.sheets = {s["name"]: s for j in cls.json for s in j["bases"]}
 
     def test_all_is_decided(self):
-        self.assertEqual(self.result.returncode, 0)
-        self.assertEqual(self.json["statements"], [])
+        for r, j in zip(self.results, self.json):
+            self.assertEqual(r.returncode, 0)
+            self.assertEqual(j["statements"], [])
         self.assertEqual(set(self.sheets), set(FUNCTIONS))
+
+    def test_limits_are_told(self):
+        """x^{i-1} has no value at x = 0, i = 0."""
+        told = {name for name, s in self.sheets.items() for p in s["properties"] if p.get("of_limits")}
+        self.assertEqual(told, {"alpha-3"})
 
     def test_every_property_has_its_range(self):
         for name, expected in EXPECTED.items():
@@ -151,7 +217,7 @@ class Sheets(unittest.TestCase):
                     if value is True or value is False:
                         self.assertEqual(p["verdict"], "holds" if value else "fails", p)
                     else:
-                        self.assertEqual(p["values"].replace("− ", "−"), text_of(sheet["parameter"].replace("\\beta", "β").replace("\\lambda", "λ").replace("\\omega", "ω"), value))
+                        self.assertEqual(p["values"].replace("− ", "−"), text_of(sheet["parameter"].replace("\\beta", "β").replace("\\lambda", "λ").replace("\\omega", "ω").replace("\\alpha", "α"), value))
                     if p["verdict"] != "holds":
                         self.assertTrue(p.get("fails_for") or key == "linearly_independent", p)
 
@@ -249,6 +315,17 @@ class Pages(unittest.TestCase):
         p = {p["property"]: p["verdict"] for p in json.loads(r.stdout)["bases"][0]["properties"]}
         self.assertEqual(p["linearly_independent"], "fails")
         self.assertEqual(p["nonnegative"], "holds")
+
+    def test_other_indices_are_numbers(self):
+        let = "c_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\na_{i,i}(t) = 1\na_{n,i}(t) = t"
+        for functions, ranges, line in (("c_{3,i}(t)", "i = 0..3", "the Bernstein basis       yes"), ("c_{n,i}(t)", "n = 3, i = 0..3", "the Bernstein basis       yes"),
+                                        ("a_{1,i}(t)", "i = 0..1", "linearly independent      yes"), ("a_{2,i}(t)", "i = 0..1", "linearly independent      no")):
+            r = self.check(f":functions: {functions}\n:for: {ranges}, 0 \\le t \\le 1", let=let)
+            self.assertIn(line, r.stdout, functions)
+        for n in ("2..3", "3..3"):
+            r = self.check(f":functions: c_{{n,i}}(t)\n:for: n = {n}, i = 0..2, 0 \\le t \\le 1", let=let)
+            self.assertEqual(r.returncode, 2)
+            self.assertIn("one index and an argument", r.stderr)
 
     def test_a_picture(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -2,7 +2,8 @@
 
     python3 test_check.py CAGD
 
-literature.md has facts of the literature and the same with a fault, each with what has to come out.  malformed.txt has a line
+literature.md has facts of the literature and the same with a fault, each with what has to come out; so have
+referee.md and, of bases with a parameter of shape, shape.md.  malformed.txt has a line
 for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message.
 """
 import fractions
@@ -51,6 +52,9 @@ class Literature(unittest.TestCase):
     def test_what_a_referee_tried(self):
         """Formulas as they were written at the first attempt, before any of them was tried."""
         self.answers("referee.md", 50)
+
+    def test_what_papers_on_shape_say(self):
+        self.answers("shape.md", 30)
 
     def answers(self, name, least=60):
         """Within a minute each, not ten seconds: what is tested is the answer, on whatever machine."""
@@ -550,6 +554,22 @@ class Certificates(unittest.TestCase):
                 self.assertEqual(code, 1)
                 self.assertNotIn("malformed: Type", out)
             path.write_text(kept)
+
+    def test_chains_and_letters_with_values_for_every_number(self):
+        """A chain of which one link is a sum; r that is declared for every number and then has one."""
+        let = "r \\in \\mathbb{N}\nh = \\frac{y}{x_r}\n"
+        for printed, ranges, expected in (
+                ("\\sum_{i=0}^n B_i^n(t) = ((1-t)+t)^n \\equiv 1", "n = 0..", "holds"), ("1 = ((1-t)+t)^n = \\sum_{i=0}^n B_i^n(t)", "n = 0..", "holds"),
+                ("\\sum_{i=0}^n B_i^n(t) = ((1-t)+t)^n = 2", "n = 0..", "fails"), ("\\sum_{i=0}^n B_i^n(t) = (1-t)^n + t^n = 1", "n = 0..", "fails"),
+                ("\\sum_{i=0}^n B_i^n(t) = \\sum_{i=0}^n B_i^n(u) = 1", "n = 0..", "undecided"),
+                ("\\sum_{i=0}^n \\binom{n}{i} (x_r h)^i = (1+y)^n", "r = 4, n = 0..", "holds"), ("\\sum_{i=0}^n \\binom{n}{i} (x_r h)^i = (1-y)^n", "r = 4, n = 0..", "fails"),
+                ("x_r h = y", "r = 4", "holds"), ("x_r h = r", "r = 4", "fails")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, ranges, let)
+                self.assertEqual(s["verdict"], expected, s)
+                if expected == "holds" and "sum" in printed:
+                    self.assertIn("every n", s["scope"])
+                    self.assertIn("telescoper", s)
 
     def test_sums_for_every_number(self):
         statements = (("\\sum_{i=0}^n \\frac{i}{n} B_i^n(t) = t", "n = 1.."), ("\\sum_{i=0}^n \\binom{n}{i}^2 = \\binom{2n}{n}", "n = 0.."),

@@ -56,6 +56,17 @@ class Print(unittest.TestCase):
         all, read = [sum(id.startswith("deng-zhang-2022:") for id in ids) for ids in (self.ledger, self.told)]
         self.assertIn(f"\n{read} of {all} statements are read from their print", r.stdout)
 
+    def test_sums_for_every_number(self):
+        """A range without end is proved, and the ledger counts the entries."""
+        every = {id: s for id, body, s in self.read if re.search(r"^:for: .*\.\. *(,|$)", body, re.M)}
+        for id, s in every.items():
+            self.assertEqual((s["verdict"], s["evidence"]), ("holds", "proved"), id)
+            self.assertIn("every", s["scope"], id)
+            self.assertIn("telescoper", s, id)
+        r = subprocess.run([CAGD, "ledger", "--summary", *every], capture_output=True, text=True, timeout=600)
+        self.assertIn(f"\nof these a sum for every n, by creative telescoping: {len(every)}\n", r.stdout)
+        self.assertGreaterEqual(len(every), 3)
+
     def test_there_are_many(self):
         decided = {id for id, _, s in self.read if s["verdict"] != "undecided"}
         self.assertGreaterEqual(len(decided), AT_LEAST)

@@ -180,10 +180,10 @@ static const source sources[] = {{"book", "Ann Author, Bob Author", "A book", "ä
 static const chapter chapters[] = {{"first", "The first"}, {.name = NULL}};
 static const figure figures[] = {{.name = NULL}};
 static claim good_claims[GOOD + 1];
-static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL, NULL},
-                           bad = {claims, bad_statements, chapters, figures, sources, NULL, NULL},
-                           lost = {good_claims, lost_statements, chapters, figures, sources, NULL, NULL},
-                           few = {few_claims, few_statements, chapters, figures, sources, NULL, NULL};
+static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL, NULL, NULL},
+                           bad = {claims, bad_statements, chapters, figures, sources, NULL, NULL, NULL},
+                           lost = {good_claims, lost_statements, chapters, figures, sources, NULL, NULL, NULL},
+                           few = {few_claims, few_statements, chapters, figures, sources, NULL, NULL, NULL};
 
 /* main.c has the list of the commands; here there is no other. */
 const struct command *const commands[] = {&command_verify, NULL};
