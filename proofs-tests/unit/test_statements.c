@@ -178,7 +178,7 @@ static void monotony(void **state)
         const cagd_tree *f = cagd_read_value(&scope, "b_i(t)", 0, 6, &error);
         if (f == NULL)
             fail_msg("%s", error.message);
-        const char *why = cagd_basis_read(&scope, f, 0, 0, "c", &b);
+        const char *why = cagd_basis_read(&scope, f, "i", 0, 0, "c", &b);
         if (why != NULL)
             fail_msg("%s: %s", list[k].function, why);
         if (cagd_basis_monotony(&b, 0) != list[k].is)
