@@ -575,7 +575,7 @@ class Results(Case):
                              stdout=subprocess.PIPE, stderr=other)
         os.close(other)
         said = b""
-        while len(re.findall(rb" s, \d+ of ", said)) < 2:  # the first after two seconds
+        while len(set(re.findall(rb" s, (\d+) of ", said))) < 2:  # the first after two seconds; how long a start takes is the machine's
             said += os.read(main, 1 << 16)
         p.kill()
         p.communicate()
@@ -584,7 +584,7 @@ class Results(Case):
         self.assertEqual(re.sub(r"\r\x1b\[Kfitting: \d+ s, \d+ of 400 starts", "", said.decode()), "")
         self.assertEqual([int(s) for s, _ in told], list(range(2, 2 + len(told))))
         ended = [int(n) for _, n in told]
-        self.assertTrue(0 < ended[0] < ended[-1] < starts, ended)
+        self.assertTrue(ended[0] < ended[-1] < starts, ended)
         self.assertEqual(ended, sorted(ended))
 
     def test_the_same_bytes_every_time(self):
