@@ -16,7 +16,8 @@ error_t __wrap_argp_parse(const struct argp *argp, int argc, char **argv, unsign
         longjmp(refused, 1);
     return 0;
 }
-void refuse_call(const char *name, const char *format, ...)
+_Noreturn void __wrap_refuse_call(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void __wrap_refuse_call(const char *name, const char *format, ...)
 {
     char text[512];
     va_list list;
