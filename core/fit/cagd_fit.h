@@ -31,6 +31,12 @@
  * Ends that are not free are the first and the last measured point as they are, with errors that no standard error
  * knows of: the intervals of what depends on them are then too short.
  *
+ * Outliers at the ends (端点处的离群点).  With a robust loss, which sees how far a point is from the curve, an end would follow a
+ * point that is an outlier.  So the first and the last point of points in order are judged by the curve of the others and what it goes on
+ * as: where the point is farther from there than end_limit standard deviations, of the point and of that place together, it is an outlier and
+ * left out, `left_out`, and the next point measures the end.  It is told of as all others are; statistics, cost and covariance are of
+ * the points that are left.
+ *
  * Closed curves (闭曲线).  With `closed` the curve comes back to where it began, without ends: a periodic spline, whose
  * derivatives of order up to p-1 agree at the seam.  `count` says how many points it has, more than p; it is given
  * back with the first p of them once more behind the last, on knots that are not clamped, as every evaluation takes it.
@@ -236,6 +242,9 @@ typedef struct cagd_fit_result {
     int outliers,
         *outlier; /* of a robust loss: how many points are farther than outlier_limit deviations, and 1 for these */
     double outlier_limit, rms_of_others; /* once in twenty times a point is as far by chance; rms without outliers  */
+    int left_out[2]; /* so many outliers at the start and at the end, without which the curve is fitted; see above */
+    int end_is_judged[2]; /* 1 where the first, the last point that measures an end was judged so            */
+    double end_limit;     /* and how many standard deviations these are allowed                                      */
     int points_on_curve; /* 1 where the distances are no larger than the roundings of binary64, so that their scatter says */
                          /* nothing of measurements                                                     */
     /* the minimiser */

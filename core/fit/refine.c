@@ -1,6 +1,7 @@
 #include "core/fit/refine.h"
 
 #include "core/fit/candidate.h"
+#include "core/fit/fit.h"
 #include "core/fit/strategy.h"
 #include "core/number/limits.h"
 #include "core/require.h"
@@ -148,7 +149,7 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
     o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
     o.free &= ~CAGD_FIT_WEIGHTS;
     o.without_intervals = options->without_intervals || last->found.knots_chosen;
-    cagd_status status = cagd_fit(s->data, &o, result, s->where);
+    cagd_status status = fit_plainly(s->data, &o, result, s->where);
     if (status == CAGD_OK)
         (*result)->found = last->found;
     cagd_fit_free(last);
@@ -658,7 +659,7 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     if (chosen || choices->smooth == 1)
         own.free &= ~CAGD_FIT_WEIGHTS;
     const int smooth_only = chosen && !(choices->within > 0) && (choices->smooth == 1 || own.smooth > 0);
-    cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : cagd_fit(data, &own, &s.best, where);
+    cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : fit_plainly(data, &own, &s.best, where);
     const int segments = own.count > own.degree + 1 || own.knots != NULL || own.closed || chosen;
     const int mended = choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) && own.smooth == 0;
     int led = 0;
@@ -679,7 +680,7 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     }
     if (status == CAGD_OK && smooth_only && own.smooth > 0) {
         own.count = most_points(&s);
-        return cagd_fit(data, &own, result, where);
+        return fit_plainly(data, &own, result, where);
     }
     if (status == CAGD_OK && s.best == NULL) /* no smoothing leads to a minimum */
         return fit_refined(data, options, &(cagd_fit_choices){.count = choices->count}, result, where);
