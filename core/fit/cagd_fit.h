@@ -335,8 +335,10 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
  * curve knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
- * otherwise.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest one which was found; a
- * spline that is not good gives way to a good one, and a good one that does not keep the distance to a smoothed one that does.  Where the number of control points is given and the spline over even knots is not
+ * otherwise.  Within a distance a spline that is not good or has loops gives way to one that is and has none.  A distance asks for no degrees of
+ * freedom: where it is not kept with half of the equations, knots are put in as dense as the points, and splines over more and more even
+ * knots are led to from smoothed ones.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest
+ * one which was found.  Where the number of control points is given and the spline over even knots is not
  * good, or has loops, it is led to from a smoothed one, whose smoothing term is taken back by and by; if that is no better, as many knots
  * are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises n chi_squared/(n - 1.4 k)^2
  * (generalised cross-validation).  Source: wahba-1990; kim-gu-2004. */
