@@ -10,6 +10,7 @@
 
 enum { MEANS_PER_UNKNOWN = 10, MOST_UNKNOWNS = 32, LOOKS = 16, STEPS = 60 };
 static const double LEAST = 0.85, MOST = 1.23; /* of r: see the header             */
+static const double SCATTER = 0.12;            /* of r from draw to draw           */
 static const double LEVEL = 0.005;             /* to which the level is reached    */
 
 typedef struct profile {
@@ -19,6 +20,8 @@ typedef struct profile {
     fit_curve *curve;
     const fit_curve *lowest; /* the curve of the minimum, and its feet, cost  */
     const double *feet;
+    fit_curve *side[2];                            /* at the ends of a linear interval           */
+    int steady;                                    /* whether the scatter of r is bounded, too   */
     double cost, unit;                             /* unit: of the cost, q^2 scale_squared/2 */
     double *theta, *trial, *g, *u, *w, *c, *H, *L; /* log w_j and P_j in working coordinates */
     double *at;                                    /* feet                              */
@@ -28,6 +31,8 @@ static void profile_free(profile *s)
 {
     fit_objective_free(s->objective);
     fit_curve_free(s->curve);
+    fit_curve_free(s->side[0]);
+    fit_curve_free(s->side[1]);
     free(s->theta);
     free(s->at);
 }
@@ -41,9 +46,11 @@ static int profile_new(const fit_problem *p, const fit_curve *lowest, const doub
     s->unit = r->quantile * r->quantile * r->scale_squared / 2;
     s->objective = fit_objective_new(p);
     s->curve = fit_curve_new(p->degree, p->count, p->period, p->dim, p->knots);
+    for (int end = 0; end < 2; end++)
+        s->side[end] = fit_curve_new(p->degree, p->count, p->period, p->dim, p->knots);
     s->theta = malloc((2 * n * n + 6 * n) * sizeof *s->theta);
     s->at = malloc(points * sizeof *s->at);
-    if (!s->objective || !s->curve || !s->theta || !s->at)
+    if (!s->objective || !s->curve || !s->side[0] || !s->side[1] || !s->theta || !s->at)
         return 0;
     s->trial = s->theta + n, s->g = s->trial + n, s->u = s->g + n, s->w = s->u + n, s->c = s->w + n;
     s->H = s->c + n, s->L = s->H + n * n;
@@ -110,18 +117,50 @@ static double linear_reach(const profile *s, const double c[], double d[])
 
 /* ---- Whether the cost is quadratic ------------------------------------------------------------------- */
 
-/* The cost of the sample at theta; feet are sought from those given. */
+/* The foot of point i of the sample, sought from t: D. */
+static void foot_of(const fit_problem *sample, const fit_curve *curve, int i, double t, double D[])
+{
+    if (!fit_held_foot(sample, curve, i, &t, D))
+        fit_foot(curve, fit_point(sample, i), &t, D);
+}
+
+/* The cost of the sample on the curve; feet are sought from those given. */
 static double cost_of(const fit_problem *sample, const fit_curve *curve, const double feet[])
 {
     double cost = 0, D[9], slope;
     for (int i = 0; i < sample->points; i++) {
-        double t = feet[i], precision = sample->precision[i];
-        const double *q = fit_point(sample, i);
-        if (!fit_held_foot(sample, curve, i, &t, D))
-            fit_foot(curve, q, &t, D);
-        cost += fit_problem_loss(sample, precision * precision * fit_distance_squared(sample->dim, D, q), &slope) / 2;
+        const double precision = sample->precision[i];
+        foot_of(sample, curve, i, feet[i], D);
+        cost +=
+            fit_problem_loss(sample, precision * precision * fit_distance_squared(sample->dim, D, fit_point(sample, i)),
+                             &slope) /
+            2;
     }
     return cost;
+}
+
+/* The sum of the squares of e_i(theta+d) + e_i(theta-d) - 2 e_i(theta) across the curve, e_i the scaled distances. */
+static double bend_of(const fit_problem *sample, const fit_curve *middle, const fit_curve *const side[2],
+                      const double feet[])
+{
+    double sum = 0;
+    for (int i = 0; i < sample->points; i++) {
+        double D[9], other[9], bend[3] = {0}, along = 0, speed = 0;
+        foot_of(sample, middle, i, feet[i], D);
+        for (int k = 0; k < 2; k++) {
+            foot_of(sample, side[k], i, feet[i], other);
+            for (int c = 0; c < sample->dim; c++)
+                bend[c] += sample->precision[i] * (D[c] - other[c]);
+        }
+        for (int c = 0; c < sample->dim; c++) {
+            along += bend[c] * D[sample->dim + c];
+            speed += D[sample->dim + c] * D[sample->dim + c];
+        }
+        for (int c = 0; c < sample->dim; c++)
+            sum += bend[c] * bend[c];
+        sum -= along * along / speed;
+    }
+    return sum;
 }
 
 /* Whether r lies between the bounds at both ends of the linear interval of the quantity; `rows` is evaluated at the
@@ -138,15 +177,18 @@ static int is_quadratic(const profile *s, const fit_objective *rows, int q)
         square += along * along;
         slope += along * rows->triangle[i * (n + 1) + n];
     }
-    for (int sign = -1; sign <= 1; sign += 2) {
+    for (int end = 0; end < 2; end++) {
+        const int sign = 2 * end - 1;
         for (int k = 0; k < n; k++)
             s->trial[k] = s->theta[k] + sign * d[k];
-        set_curve(sample, s->lowest, s->trial, s->curve);
-        double grown = cost_of(sample, s->curve, rows->feet) - rows->cost - sign * slope, r = 2 * grown / square;
+        set_curve(sample, s->lowest, s->trial, s->side[end]);
+        double grown = cost_of(sample, s->side[end], rows->feet) - rows->cost - sign * slope, r = 2 * grown / square;
         if (!(r >= LEAST && r <= MOST))
             return 0;
     }
-    return 1;
+    const fit_curve *const side[2] = {s->side[0], s->side[1]};
+    const double scatter = sqrt(bend_of(sample, s->lowest, side, rows->feet) * s->result->scale_squared) / square;
+    return !s->steady || scatter <= SCATTER;
 }
 
 /* linear[q]: whether the interval of quantity q is linear; s is at the minimum. */
@@ -319,6 +361,7 @@ static int find_intervals(const fit_problem *p, const fit_curve *lowest, const d
     const int good = profile_new(p, lowest, feet, r, &s) && linear != NULL;
     if (good) {
         go_back(&s);
+        s.steady = !follow;
         s.cost = evaluate(&s, s.theta);
         find_linear(&s, quantities, linear);
     }

@@ -10,7 +10,9 @@
  *
  *     coverage_of_choices [DRAWS [NAME]]      1000 draws unless given, of all settings or those whose names contain NAME
  *
- * Exit status 0: of everything that has intervals 93 to 97 % cover, within three standard deviations of chance. */
+ * Exit status 0: of everything that has intervals 93 to 97 % cover, within three standard deviations of chance; and where the points decide whether
+ * there is one, and not the draw, more than nine in ten of the draws have it, or fewer than one in eight.  Of intervals that one draw in six has,
+ * since its errors happen to bend the cost little, 88 % would cover. */
 #include "core/fit/cagd_fit.h"
 #include "proofs-tests/fit/noise.h"
 
@@ -22,7 +24,6 @@
 
 enum { MOST_POINTS = 400, MOST_QUANTITIES = 200, MOST_CONTROL = 40 };
 static const double PI = 3.14159265358979323846;
-
 
 /* ---- what is measured ---------------------------------------------------------------------------------- */
 
@@ -37,39 +38,40 @@ typedef struct setting {
     double weight; /* of one control point in the middle                                                    */
     int choose_count, smooth;
     int degree, dim; /* of a spline; 0: degree 3, plane                                                  */
+    int decided;     /* 1: whether there is an interval is hardly a matter of the draw                   */
 } setting;
 
 static int degree_of(const setting *s) { return s->degree > 0 ? s->degree : 3; }
 static int dim_of(const setting *s) { return s->dim > 0 ? s->dim : 2; }
 
 static const setting settings[] = {
-    {"circle, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 2, 1, 1, 0, 0, 0},
-    {"circle, 8 points", ELLIPSE, 8, 0, 0.01, 360, 2, 2, 1, 1, 0, 0, 0},
-    {"circle, noisy", ELLIPSE, 40, 0, 0.2, 360, 2, 2, 1, 1, 0, 0, 0},
-    {"circle, 300 degrees", ELLIPSE, 60, 0, 0.01, 300, 2, 2, 1, 1, 0, 0, 0},
-    {"ellipse, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 1.2, 1, 1, 0, 0, 0},
-    {"ellipse, noisy", ELLIPSE, 40, 0, 0.1, 360, 2, 1.2, 1, 1, 0, 0, 0},
-    {"ellipse, flat", ELLIPSE, 60, 0, 0.01, 360, 2, 0.2, 1, 1, 0, 0, 0},
-    {"ellipse, nearly round", ELLIPSE, 60, 0, 0.01, 360, 2, 1.99, 1, 1, 0, 0, 0},
-    {"ellipse, 270 degrees", ELLIPSE, 60, 0, 0.01, 270, 2, 1.2, 1, 1, 0, 0, 0},
-    {"ellipse, 200 degrees", ELLIPSE, 60, 0, 0.01, 200, 2, 1.2, 1, 1, 0, 0, 0},
-    {"closed, given knots", CLOSED_SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 0, 0},
-    {"spline, given knots", SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 0, 0},
-    {"closed, precise", CLOSED_SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0, 0, 0},
-    {"spline, precise", SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0, 0, 0},
-    {"spline, one weight 1.3", SPLINE, 80, 8, 0.01, 0, 0, 0, 1.3, 0, 0, 0, 0},
-    {"spline, one weight 3", SPLINE, 80, 8, 0.01, 0, 0, 0, 3, 0, 0, 0, 0},
-    {"precise, one weight 3", SPLINE, 200, 8, 0.0005, 0, 0, 0, 3, 0, 0, 0, 0},
-    {"degree 2, given knots", SPLINE, 120, 8, 0.002, 0, 0, 0, 1, 0, 0, 2, 2},
-    {"degree 4, given knots", SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 4, 2},
-    {"degree 5, given knots", SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 5, 2},
-    {"degree 5, closed", CLOSED_SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 5, 2},
-    {"space, given knots", SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 3, 3},
-    {"space, closed", CLOSED_SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 3, 3},
-    {"space, degree 4, given knots", SPLINE, 80, 8, 0.005, 0, 0, 0, 1, 0, 0, 4, 3},
-    {"conic", CONIC, 60, 0, 0.003, 0, 0, 0, 1, 1, 0, 0, 0},
-    {"wave, knots chosen", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 0, 0, 0},
-    {"wave, smoothed", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 1, 0, 0},
+    {"circle, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 2, 1, 1, 0, 0, 0, 0},
+    {"circle, 8 points", ELLIPSE, 8, 0, 0.01, 360, 2, 2, 1, 1, 0, 0, 0, 0},
+    {"circle, noisy", ELLIPSE, 40, 0, 0.2, 360, 2, 2, 1, 1, 0, 0, 0, 0},
+    {"circle, 300 degrees", ELLIPSE, 60, 0, 0.01, 300, 2, 2, 1, 1, 0, 0, 0, 0},
+    {"ellipse, whole", ELLIPSE, 60, 0, 0.01, 360, 2, 1.2, 1, 1, 0, 0, 0, 0},
+    {"ellipse, noisy", ELLIPSE, 40, 0, 0.1, 360, 2, 1.2, 1, 1, 0, 0, 0, 0},
+    {"ellipse, flat", ELLIPSE, 60, 0, 0.01, 360, 2, 0.2, 1, 1, 0, 0, 0, 0},
+    {"ellipse, nearly round", ELLIPSE, 60, 0, 0.01, 360, 2, 1.99, 1, 1, 0, 0, 0, 0},
+    {"ellipse, 270 degrees", ELLIPSE, 60, 0, 0.01, 270, 2, 1.2, 1, 1, 0, 0, 0, 0},
+    {"ellipse, 200 degrees", ELLIPSE, 60, 0, 0.01, 200, 2, 1.2, 1, 1, 0, 0, 0, 0},
+    {"closed, given knots", CLOSED_SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 0, 0, 0},
+    {"spline, given knots", SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 0, 0, 0},
+    {"closed, precise", CLOSED_SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0, 0, 0, 0},
+    {"spline, precise", SPLINE, 200, 8, 0.0005, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+    {"spline, one weight 1.3", SPLINE, 80, 8, 0.01, 0, 0, 0, 1.3, 0, 0, 0, 0, 0},
+    {"spline, one weight 3", SPLINE, 80, 8, 0.01, 0, 0, 0, 3, 0, 0, 0, 0, 0},
+    {"precise, one weight 3", SPLINE, 200, 8, 0.0005, 0, 0, 0, 3, 0, 0, 0, 0, 0},
+    {"degree 2, given knots", SPLINE, 120, 8, 0.002, 0, 0, 0, 1, 0, 0, 2, 2, 0},
+    {"degree 4, given knots", SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 4, 2, 0},
+    {"degree 5, given knots", SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 5, 2, 0},
+    {"degree 5, closed", CLOSED_SPLINE, 120, 9, 0.002, 0, 0, 0, 1, 0, 0, 5, 2, 0},
+    {"space, given knots", SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 3, 3, 0},
+    {"space, closed", CLOSED_SPLINE, 80, 8, 0.01, 0, 0, 0, 1, 0, 0, 3, 3, 0},
+    {"space, degree 4, given knots", SPLINE, 80, 8, 0.005, 0, 0, 0, 1, 0, 0, 4, 3, 0},
+    {"conic", CONIC, 60, 0, 0.003, 0, 0, 0, 1, 1, 0, 0, 0, 0},
+    {"wave, knots chosen", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 0, 0, 0, 0},
+    {"wave, smoothed", WAVE, 200, 0, 0.01, 0, 0, 0, 1, 1, 1, 0, 0, 0},
 };
 
 static const double angle = 0.5, centre[2] = {3, 1};
@@ -243,6 +245,10 @@ static int run(const setting *s, int draws)
         if (t->draws == 0 || t->draws < draws / 8) /* too few to say */
             continue;
         const double chance = 3 * sqrt(0.95 * 0.05 / t->draws);
+        if (s->decided && t->draws < draws / 10 * 9) {
+            fprintf(stderr, "%s, %s: an interval in %d of %d draws\n", s->name, t->name, t->draws, draws);
+            bad++;
+        }
         printed++, lowest = fmin(lowest, share), highest = fmax(highest, share);
         if (share < 0.93 - chance || share > 0.97 + chance) {
             fprintf(stderr, "%s, %s: %.2f %% of %d\n", s->name, t->name, 100 * share, t->draws);
