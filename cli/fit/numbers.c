@@ -60,6 +60,8 @@ void put_rounded(FILE *out, double origin, double value, double error)
     int places = 1 - exponent_of(error, 1); /* of the second digit of the error, as it is rounded */
     double size = fmax(fabs(whole_value), fabs(error));
     int whole = size > 0 ? exponent_of(size, 1) : 0;
+    if (origin == 0 && places + whole >= EXACT) /* finer than binary64 holds the value */
+        places = EXACT - 1 - whole;
     if (-MOST_ZEROS <= places && -MOST_ZEROS <= whole && places + whole < EXACT && whole < LONGEST) {
         put_sum(out, 'f', places > 0 ? places : 0, origin, value);
         return;

@@ -661,6 +661,17 @@ class Fits(Case):
             self.assertLess(float(near[1]) / unit, 1e-13)
             self.assertLess(float(near[2] or near[1]), 1e-13)
 
+    def test_numbers_are_no_finer_than_binary64(self):
+        """Of exact points standard errors are smaller than the steps of the numbers: no digits behind these, and no other form."""
+        circle = [[3 + 2 * math.cos(math.pi * i / 20), 1 + 2 * math.sin(math.pi * i / 20)] for i in range(41)]
+        parabola = [[i / 20, i / 20 * (1 - i / 20)] for i in range(21)]
+        for rows, name in ((circle, "radius 2.0000000000000000"), (parabola, "P2 x 1.0000000000000000")):
+            said = self.text(rows)
+            self.assertIn(name + " ", said)
+            self.assertNotIn("e+00", said)
+            for number in re.findall(r"(?<![\w.])\d+\.\d+(?:e[+-]\d+)?", said):
+                self.assertLessEqual(len(re.sub(r"e.*|\.", "", number).lstrip("0")), 17, number)
+
     def test_far_from_the_origin(self):
         """Points that are exact there too: the same fit, verified, with all digits; and steps of binary64 are said where they are coarse."""
         near = [[round(4096 * x) / 4096, round(4096 * y) / 4096] for x, y in quadratic(60, 0.75, 0.01)]
