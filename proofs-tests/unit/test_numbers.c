@@ -399,6 +399,10 @@ static void texts_are_read_exactly(void **state)
         else
             assert_int_equal(strlen(to_string_q(a)), length);
     }
+    num_q repeated = div_q(mul_q(from_int_q(7), sub_q(from_string_q("1e99999"), from_int_q(1))), from_int_q(9));
+    assert_true(cagd_equal_q(from_string_q(digits), repeated));
+    digits[33333] = '.';
+    assert_true(cagd_equal_q(from_string_q(digits), from_string_q(to_string_q(from_string_q(digits)))));
     assert_int_equal(strlen(to_string_q(from_string_q("1e99999"))), 100000);
     assert_int_equal(strlen(to_string_q(from_string_q("1e-99999"))), strlen("1/") + 100000);
 }
