@@ -441,13 +441,22 @@ static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
     return value;
 }
 
+/* "\mathbf{0}" or "\mathbf 0". */
+static int vector_0_is_next(const cagd_reader *r)
+{
+    if (!cagd_next_is(r, "\\mathbf"))
+        return 0;
+    const cagd_token *next = r->token + 1;
+    return strcmp(next[strcmp(next->word, "{") == 0].word, "0") == 0;
+}
+
 static const cagd_tree *base(cagd_reader *r)
 {
     int from = r->token->from;
     if (pass_operator_det(r))
         return det(r, from);
-    if (cagd_next_is(r, "\\mathbf") && (strcmp(r->token[1].word, "0") == 0 || strcmp(r->token[2].word, "0") == 0)) {
-        r->token++; /* the vector 0 */
+    if (vector_0_is_next(r)) {
+        r->token++;
         return cagd_read_argument(r, 0);
     }
     if (cagd_begins_name(r))
