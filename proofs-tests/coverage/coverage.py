@@ -3,7 +3,7 @@
     coverage.py [--jobs N] [--lines] [--keep]
 
 Builds the unit tests and cagd, with one chapter, in build/coverage at -O0 with --coverage, runs the tests, also those of `cagd check`,
-of code that is run exactly and of `cagd fit`, and prints for every file the statements and branches that were reached, and how many there are; a line of a template or a header counts once, reached in whatever number type.  Then the lines
+of code that is run exactly and of `cagd fit`, and the inputs that are kept for the fuzzers, and prints for every file the statements and branches that were reached, and how many there are; a line of a template or a header counts once, reached in whatever number type.  Then the lines
 that nothing reached: with --lines all of them, otherwise those for which unreached.txt has no reason.  --keep reads what the last
 run left, of the files that have not changed since.  Not a test; about fifteen minutes of processor time.
 """
@@ -19,6 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/coverage"
 ROOMS = ("exact/", "chapters/judge/", "core/")
 LEFT_OUT = {"test_svg"}  # figures are none of these rooms
+FUZZED = ("curve", "formula", "harness", "latex", "number")  # whose readers are of these rooms
 
 
 # A process of exact/code ends by _exit, which keeps no counts: the linker puts this in its place.
@@ -51,9 +52,10 @@ def run_tests(jobs):
     (BUILD / "ending.c").write_text(ENDING)
     must("cc", "-c", str(BUILD / "ending.c"), "-o", str(BUILD / "ending.o"))
     must("cmake", "-G", "Ninja", "-S", ".", "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_C_FLAGS_DEBUG=-O0 -w --coverage",
-         "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -w --coverage", "-DCAGD_TYPES=RATIONAL", "-DCAGD_CHAPTERS=foundations",
+         "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -w --coverage", "-DCAGD_TYPES=RATIONAL", "-DCAGD_CHAPTERS=foundations", "-DCAGD_REPLAY=ON",
          f"-DCMAKE_EXE_LINKER_FLAGS_DEBUG=-Wl,--wrap=_exit {BUILD / 'ending.o'}")
-    programs = ["cagd", "run_programs", "cagd-compile-exactly", "cagd-exactly-session", "test_certified", "test_memory"]
+    programs = ["cagd", "run_programs", "cagd-compile-exactly", "cagd-exactly-session", "test_certified", "test_memory",
+                *(f"fuzz_{name}" for name in FUZZED)]
     must("cmake", "--build", str(BUILD), "-j", str(jobs), "--target", *tests, *programs)
     for old in BUILD.rglob("*.gcda"):
         old.unlink()
@@ -67,6 +69,7 @@ def run_tests(jobs):
               python("cli/test_exactly.py", cagd, ROOT), python("cli/test_fit.py", cagd, ROOT),
               python("code/test_language.py", BUILD / "cagd-compile-exactly", BUILD / "proofs-tests/code/run_programs"),
               python("code/test_interface.py", BUILD, ROOT), python("fit/test_real.py", cagd), python("fit/kinds.py", cagd),
+              *([BUILD / f"proofs-tests/fuzz/fuzz_{name}", *sorted((ROOT / "proofs-tests/fuzz/corpus" / name).iterdir())] for name in FUZZED),
               python("labs/test_labs.py", cagd, ROOT), [fit / "test_certified", ROOT / "proofs-tests/fit/problems"], [fit / "test_memory"]]
     for command in others:  # whatever they say of a program that is so slow and has one chapter, it has run
         subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
