@@ -970,7 +970,6 @@ static cagd_value cases(cagd_context *c, const cagd_tree *t, const frame *f)
             return evaluate(c, t->at[k], f);
     }
     c->fits_none = 1;
-    c->fits_none = 1;
     return fail(c, t, FAULT_UNDEFINED, "none of the cases");
 }
 

@@ -820,7 +820,10 @@ class Mistakes(unittest.TestCase):
 
     def test_what_is_large_gets_one_line(self):
         for text in ("(" * 10**6 + "x" + ")" * 10**6, "x + " * 250000 + "x", "{" * 19000, "\\frac{" * 3000, "-" * 10**6,
-                     "x^{" * 5000, "\\hat{" * 5000, "\\sum_{i=0}^{" * 1500, "1" * 200000, "|" * 1000):
+                     "x^{" * 5000, "\\hat{" * 5000, "\\sum_{i=0}^{" * 1500, "1" * 200000, "|" * 1000, "t = " * 300 + "t", "t = 1, " * 300 + "t",
+                     "t = 1 \\land " * 300 + "t", "t = 1 \\lor " * 300 + "t", "\\forall k = 1..2: " * 3000 + "k",
+                     "(t = 1 \\lor " * 3000 + "t", "(" + "1, " * 100 + "2)", "\\begin{vmatrix}" + "1 \\\\" * 40 + "1 \\end{vmatrix}",
+                     "\\mathrm{" + "a" * 100 + "}", "\\frac{\\partial^9 t}{" + "\\partial x " * 9 + "}"):
             r = check(document(text + " = 1"))
             self.assertEqual((r.returncode, r.stdout), (2, ""), text[:20])
             self.assertEqual(len(r.stderr.splitlines()), 1, text[:20])
