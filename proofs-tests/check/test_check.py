@@ -49,6 +49,24 @@ class Literature(unittest.TestCase):
     def test_every_formula_is_what_the_file_says(self):
         self.answers("literature.md")
 
+    def test_forms_that_are_rare(self):
+        """Unequal vectors, equivalences, vectors by cases, sums for every n of powers of what is no name, what dots leave out."""
+        for printed, expected, *rest in (
+                (r"(1,2) \ne (1,3)", "holds"), (r"(1,2) \ne (1,2)", "fails"), (r"n = 1 \iff n - 1 = 0", "holds"), (r"n = 1 \iff n = 2", "fails"),
+                (r"n < 2 \Rightarrow (n = 1 \iff n \ge 1)", "holds"), (r"(n = 1 \iff n = 2) \lor n > 3", "fails"),
+                (r"\begin{cases} (1,2) & n < 2 \\ (3,4) & \text{otherwise} \end{cases} = (1,2)", "holds", "n = 1..1"),
+                (r"\sum_{k=0}^{n} (-\binom{n}{k}) = -2^n", "holds", "n = 1.."), (r"\sum_{k=0}^{n} (-\binom{n}{k}) = 2^n", "fails", "n = 1.."),
+                (r"\sum_{k=0}^n (\frac{2}{3})^k = 3 - 2(\frac{2}{3})^n", "holds", "n = 1.."),
+                (r"\sum_{k=0}^n 6^k = \frac{6^{n+1}-1}{5}", "holds", "n = 1.."), (r"\sum_{k=0}^n 6^k = \frac{6^n-1}{5}", "fails", "n = 1.."),
+                (r"\sum_{k=0}^n (xy)^k (1-xy) = 1 - (xy)^{n+1}", "holds", "n = 1.."), (r"(6x)^n = 2^n 3^n x^n", "holds", "n = 1.."),
+                (r"(\frac{x}{y})^n y^n = x^n", "holds", "n = 1.."), (r"(\frac{x}{y})^n x^n = y^n", "fails", "n = 1.."),
+                (r"\prod_{k=1}^{n} \frac{k+1}{k} = n+1", "undecided", "n = 1.."),
+                (r"f(n) = n^2", "holds", "n = 1..", "f(n) = \\sum_{k=1}^n (2k-1)\n"),
+                (r"1 - t + t^2 - \dots + (-1)^n t^n = \sum_{k=0}^n (-t)^k", "holds"), (r"n + (n-1) + \dots + 1 = \frac{n(n+1)}{2}", "holds"),
+                (r"2 + 4 + 8 + \dots + 2^n = 2^{n+1} - 2", "holds"), (r"1 + 3 + \dots + (2n-1) = n^2 + 1", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, *rest)["verdict"], expected)
+
     def test_what_a_referee_tried(self):
         """Formulas as they were written at the first attempt, before any of them was tried."""
         self.answers("referee.md", 50)

@@ -41,7 +41,7 @@ def must(*command):
 
 
 def reasons():
-    """[(file or *, the line or a part of it, the reason)]"""
+    """[(file or *, the line or a part of it, or with < before it the line that it hangs on, the reason)]"""
     text = pathlib.Path(__file__).with_name("unreached.txt").read_text()
     return [tuple(part.strip() for part in line.split(" | ", 2)) for line in text.splitlines() if line.strip() and not line.startswith("#")]
 
@@ -97,6 +97,19 @@ def counts():
     return found
 
 
+def hangs_on(text, number):
+    """The line above, of less indentation: the condition under which that line runs."""
+    indentation = lambda line: len(line) - len(line.lstrip())
+    above = (line for line in reversed(text[:number - 1]) if line.strip() and indentation(line) < indentation(text[number - 1]))
+    return next(above, "").strip()
+
+
+def reason_for(file, text, number, known):
+    line, condition = text[number - 1].strip(), hangs_on(text, number)
+    return next((reason for path, part, reason in known if path in ("*", file) and
+                 (part[2:] in condition if part.startswith("< ") else part in line)), None)
+
+
 def share(reached, all_there_are):
     return f"{reached:6d} of {all_there_are:6d} {100 * reached / max(all_there_are, 1):6.1f} %"
 
@@ -123,7 +136,7 @@ def main():
             total[name] = [x + y for x, y in zip(total[name], row)]
         for number in sorted(n for n, (times, _) in lines.items() if times == 0):
             line = text[number - 1].strip()
-            why = next((reason for path, part, reason in known if path in ("*", file) and part in line), None)
+            why = reason_for(file, text, number, known)
             reasoned += why is not None
             if a.lines or why is None:
                 unreached.append(f"{file}:{number}: {line}" + (f"   [{why}]" if why else ""))

@@ -196,6 +196,23 @@ static void a_weight_that_would_be_zero_is_named(void **state)
     s = (cagd_spline_q){2, 3, 2, quadratic, P[0], of_quadratic}, where = 7;
     assert_int_equal(cagd_spline_split_q(&s, half, &out, &right, &where), CAGD_UNDEFINED);
     assert_int_equal(where, 1);
+    s.weights = (const num_q[]){one, from_ratio_q(-1, 2), one}, where = 7; /* (1 + 2 (-1/2))/3 */
+    assert_int_equal(cagd_spline_elevate_q(&s, &out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 1);
+    /* from 0 to 1 the last weight is (1 - 1)/2; the knot 1 once more makes a span without length */
+    const num_q two = from_int_q(2), minus = from_int_q(-1), of_two[] = {one, one, minus, one, one};
+    const num_q once[] = {zero, zero, zero, one, two, two, two}, twice[] = {zero, zero, zero, one, one, two, two, two};
+    num_q five[10];
+    for (int m = 0; m < 10; m++)
+        five[m] = from_int_q(m);
+    s = (cagd_spline_q){2, 4, 2, once, P[0], of_two}, where = 7;
+    assert_int_equal(cagd_spline_segment_q(&s, 2, &out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 2);
+    assert_true(cagd_spline_has_poles_q(&s));
+    s.weights = NULL;
+    assert_false(cagd_spline_has_poles_q(&s));
+    s = (cagd_spline_q){2, 5, 2, twice, five, (const num_q[]){one, one, two, one, one}};
+    assert_false(cagd_spline_has_poles_q(&s));
 }
 
 /* *where is -1 where nothing is meant, whatever stood there before; of a curve in space the curvature is that of its definition. */
