@@ -922,12 +922,7 @@ static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
         return a;
     if (!a.rational)
         return fail(c, t, FAULT_UNABLE, "a rounded number that depends on variables");
-    mpq_t r;
-    mpq_init(r);
-    (t->kind == CAGD_FLOOR ? mpz_fdiv_q : mpz_cdiv_q)(mpq_numref(r), mpq_numref(a.q.at), mpq_denref(a.q.at));
-    cagd_value result = cagd_value_constant(from_mpq_q(r));
-    mpq_clear(r);
-    return result;
+    return cagd_value_constant(t->kind == CAGD_FLOOR ? cagd_floor_q(a.q) : neg_q(cagd_floor_q(neg_q(a.q))));
 }
 
 /* The greater or the smaller one of the values before and the next, the `count`-th. */
