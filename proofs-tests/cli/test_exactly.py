@@ -135,7 +135,7 @@ class Certificates(Exactly):
         folder = self.certified(PAGE)
         code, out = self.recheck(folder)
         self.assertEqual(code, 0, out)
-        self.assertIn("3 rechecked, 0 wrong, 0 cannot recheck this kind", out)
+        self.assertIn("5 rechecked, 0 wrong, 0 cannot recheck this kind", out)
         ways = json.loads((folder / "claims/deboor_is_the_sum_of_basis_functions.json").read_text())["cases"]
         self.assertEqual(len(ways), 2)
         self.assertTrue(all(any(s.get("fact") == "order" for s in w["steps"]) for w in ways))
