@@ -353,8 +353,8 @@ static int is_value_at(cagd_context *c, const cagd_tree *t, const cagd_tree *bod
     return region_faults == 0 && cagd_vanishes_here(c, cagd_value_sub(there, limit));
 }
 
-/* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too; where the definitions end, it
- * is that of the side on which they fit, if the function has a value there, to which it tends. */
+/* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too, and the value there is
+ * theirs; where the definitions end, it is that of the side on which they fit, if the function has a value there, to which it tends. */
 static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[], long k,
                                 cagd_value a, const frame *f)
 {
@@ -374,6 +374,8 @@ static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_
         for (long j = 0; j <= k && region_faults == 0 && !ends_above && !ends_below; j++)
             if (!cagd_vanishes_here(c, cagd_value_sub(above[j], below[j])))
                 fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
+        if (region_faults == 0 && !ends_above && !ends_below && !is_value_at(c, t, body, value, a, above[0], f))
+            fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
     }
     if (region_faults == 0 && (ends_above || ends_below)) {
         if (!is_value_at(c, t, body, value, a, ends_above ? below[0] : above[0], f))

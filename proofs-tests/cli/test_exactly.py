@@ -524,6 +524,18 @@ class Printed(Exactly):
         self.assertEqual(v["verdict"], "undecided")
         self.assertIn("a division by 0, at", v["because"])
 
+    def test_what_is_said_of_0_divided_by_0(self):
+        code = "double f(double x, double a, double b) { return a == b ? 0 : x; }"
+        v = self.of(code, "x; a; b", "double s = f(x, a, b);", ":output: s\n:let: 0/0 = 0\n:printed: s = \\frac{x(a - b)}{a - b}")
+        self.assertEqual((v["verdict"], v["exhaustive"], "no_value" in v), ("proved", True, False))
+
+    def test_a_value_at_a_place(self):
+        code = "double f(double x) { return x >= 2; }"
+        for tex, verdict in [("\\ge", "proved"), (">", "differs")]:
+            v = self.of(code, "x", "double s = f(x);",
+                        f":output: s\n:let: h(y) = 1, \\quad y {tex} 2\n:let: h(y) = 0\n:let: z \\in \\mathbb{{R}}\n:printed: s = \\left. h(z) \\right|_{{z=x}}")
+            self.assertEqual(v["verdict"], verdict)
+
     def test_a_way_on_which_the_formula_has_no_value(self):
         code = "double f(double a, double b) { if (a == b) return 7; return a + b; }"
         v = self.of(code, "a; b", "double s = f(a, b);", ":output: s\n:printed: s = \\frac{a^2 - b^2}{a - b}")
