@@ -167,8 +167,7 @@ and the positive root.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
 :needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
-  $0<\theta\le\frac\pi2$; as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is
-  not $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
+    $0<\theta\le\frac\pi2$; as for a small step
 :figure: step_of_the_third_way
 :::
 

@@ -118,7 +118,7 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
 :meant: the reason that is given, a curve whose coordinates are explicit functions of $t$ | Of a curve, easy is: by inserting $t$, without an equation to be
   solved; the functions are polynomials, as in all of the section.
 
-The word printed is "surface", the reason is one for curves.  It takes as many products and sums as the degree has steps; what they cost is counted below.
+The word printed is "surface", the reason is one for curves.
 :::
 
 The source says that curves of degree below three do not occur.  They do, as parabolas, and in a section of its own

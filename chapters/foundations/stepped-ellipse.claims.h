@@ -66,10 +66,8 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
   x_{n+1}$
 :holds-by: second_orbit_has_equal_angles second_step_is_a_rotation_in_other_coordinates
 :needs: second_step_of_two_has_no_angle | $\varepsilon=2^{-m}$, $m$ a positive whole number, from (1-3-4) on | $|\varepsilon|<2$: then every point can be written
-  so; for $\varepsilon=2$ it would be $\Delta\theta=\pi$ and $y_n=x_n$
+  so
 :figure: ellipse_of_the_second_way
-
-The equations are true of all angles and radii.  That the step is described by them asks for an angle and a radius to every point.
 :::
 
 :::{claim} second_orbit_has_equal_angles
@@ -134,13 +132,13 @@ CLAIM(second_step_is_a_rotation_in_other_coordinates)
 #if RATIONAL
 /*
 :::{claim} second_step_of_two_has_no_angle
-:title: With the step 2 the orbit runs away
-:zh: 步长为二时轨道无界
+:title: With the step 2 the point is soon far away
+:zh: 步长为二时点迅速远离
 :kind: counterexample
 :given: $\varepsilon$, $P_0$, $n$ steps of the second way, and a bound $b$
 :data: ε = 2; P_0 = (1,0); n = 10; b = 4/3
 :instead: ε = 1
-:then: $|x_n|=2n-1$ grows without end: the points are on the two lines $(x-y)^2=1$, on no ellipse
+:then: $x_n^2$ is more than $b$
 :result: P_n = (-19,-20); x_n - y_n = 1
 :method: Exact steps; $x_n^2$ is compared with $b$, the largest $x^2$ on the ellipse $x^2+y^2-xy=1$ of the control.
 :control: a step for which there is an ellipse
@@ -177,7 +175,8 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :::{claim} second_orbit_satisfies_the_printed_equation
 :title: The points of the difference equations are on the printed ellipse
 :zh: 差分方程的点满足椭圆方程
-:given: any $r$, any $\theta$ and $\delta$ with the tangents $a$ and $b$ of their halves
+:given: any $r$, any $\theta$ and $\delta=\frac{\Delta\theta}2$ with the tangents $a$ and $b$ of their halves, $\cos\delta\ne0$
+:harmless: $\cos\delta\ne0$ | the printed equation divides by it
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
 :method: An identity in $a$, $b$ and $r$, term by term as printed.
 :over: a b: angle but π; r: radius
@@ -263,8 +262,8 @@ of second order, and both are half the sine to first order.
 :reading: ellipse_leaves_the_circle_by_more | the largest distance of all: inwards it is larger
 :figure: ellipse_of_the_second_way
 
-With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ a little
-larger than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
+With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ larger
+than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
 :::
 
 :::{claim} ellipse_lies_between_two_circles
@@ -362,13 +361,13 @@ putting in the example's $m$.
 :figure: error_of_the_second_way
 :striking: 41
 
-The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
+The source's own example, $m=4$, is that of the corrected exponent.
 :::
 */
 
 /*
 :::{claim} printed_error_is_twice_the_error
-:title: For m = 4 the printed approximation gives 3.1 per cent, the formula 1.6
+:title: For m = 4 the printed approximation is nearly twice the error
 :zh: 近似式给出两倍的误差
 :kind: counterexample
 :given: the $m$ of the source's example, and $s=2^{-m-1}$
@@ -459,8 +458,8 @@ CLAIM(error_is_half_the_sine)
 #if RATIONAL
 /*
 :::{claim} error_for_four_is_as_printed
-:title: The error for m = 4 is 1.6 per cent to the digits printed
-:zh: m=4 时误差为百分之一点六
+:title: The error for m = 4 is the printed one, to its digits
+:zh: m=4 时误差与印刷数值一致
 :kind: decision
 :given: the $m$ of the source, $s=2^{-m-1}$, and the printed error $p$ in per cent, with half a unit $h$ of its last digit
 :data: m = 4; p = 1.6; h = 0.05
@@ -504,9 +503,9 @@ points stay on it for ever; but they never come back to where they were.
 :data: M = 6; K = 48
 :then: $2^{2mk}V_k$ is an odd integer; so $V_k\ne2$.  A point that returned after $k$ steps would belong to
   the eigenvalue 1 of $T^k$; the other one would be 1, too, because $\det T=1$, and their sum $V_k$ would be 2
-:method: The traces by the recursion, exactly.  For every $k$: $V_k$ is a polynomial in $2-\varepsilon^2$ with whole
-  coefficients and leading coefficient 1, and $2-\varepsilon^2=(2^{2m+1}-1)/2^{2m}$ is in lowest terms, so $2^{2mk}V_k$ is odd:
-  the eigenvalues are no roots of unity, because their sum is no algebraic integer.
+:method: The traces by the recursion, exactly.
+:argued: every m and k | $V_k$ is a polynomial in $2-\varepsilon^2$ of degree $k$ with whole coefficients and leading coefficient 1, and
+  $2-\varepsilon^2=(2^{2m+1}-1)/2^{2m}$ is in lowest terms, so $2^{2mk}V_k$ is odd.
 :scope: m = 1 to 6, k = 1 to 48 steps
 :control: $\varepsilon=1$, where $V_6=2$
 :::
@@ -542,7 +541,7 @@ CLAIM(second_orbit_never_closes)
 :given: any first point, $\varepsilon$, and an even number $n$ of steps
 :data: ε = 1; n = 6
 :instead: n = 5
-:then: $P_n=P_0$, and $P_{n/2}=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_n$
+:then: $P_n=P_0$, and $P_{n/2}=-P_0$
 :method: All steps with variable $P_0$.
 :over: x y: first point
 :control: one step less
