@@ -411,8 +411,8 @@ a geometric progression.
 :needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
-It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  For $\varepsilon=\frac1{16}$ a turn
-takes a hundred steps and a part of one more, and ends with a radius larger by more than a fifth.
+It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  What a turn gains is computed for one $\varepsilon$:
+`turn_of_small_steps_gains_a_fifth`.
 :::
 
 :::{claim} small_steps_multiply_the_radius
@@ -466,7 +466,7 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 #if RATIONAL
 /*
 :::{claim} turn_of_small_steps_gains_a_fifth
-:title: A turn takes a hundred small steps and a part of one more, and ends with a radius larger by more than a fifth
+:title: The steps of a turn, counted, and the radius at its end between two bounds
 :zh: 一周约百步,半径增大逾五分之一
 :kind: decision
 :given: $P_0$, $\varepsilon$, half a turn of $k$ steps and a whole one of $n$, each with a part of one step more; bounds $b$ of the radius

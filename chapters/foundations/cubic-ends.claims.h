@@ -241,7 +241,7 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :meant: the dot over it, which is the derivative everywhere in section 1-4 | $\dot Q_0$ is the tangent vector at
   $t=0$.
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector
-:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$
+:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line of the source has it for $D$
 :figure: ends_with_lost_letters
 :::
 
@@ -253,7 +253,7 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :class: misprint
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
-:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before
+:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line of the source before
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too
 :meant: the sentence above, in which the first $\dot Q_0$ is called the position vector | The second; the dot is a slip.
 :figure: ends_with_lost_letters
@@ -429,7 +429,7 @@ CLAIM(congruent_cubics_have_these_lengths)
 #if RATIONAL
 /*
 :::{claim} exchanged_lengths_turn_the_cubic
-:title: With exchanged lengths the cubic is the first one, turned over
+:title: Two cubics with exchanged lengths that are the first ones, turned over
 :zh: 两端长度互换得旋转后的同一曲线
 :kind: counterexample
 :given: the ends $Q$; $P$ with the tangents $V$, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$,

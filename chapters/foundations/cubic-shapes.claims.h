@@ -21,7 +21,8 @@ coefficients, and by $\delta=3b^2-4ac$.
 :printed: The forms of parametric cubics contain the ordinary one, the cusp, the closed loop, and that with inflections (figure 1-7).
 :holds-by: each_form_occurs
 :example: each form occurs, and one curve of each shows it.
-:confirmed-by: sign_of_delta_tells_the_form merged_inflections_are_a_cusp delta_does_not_tell_graphs
+:confirmed-by: sign_of_delta_tells_the_form merged_inflections_are_a_cusp delta_does_not_tell_graphs signs_decide_the_form
+  parallel_tangents_give_an_s_or_an_arch
 :figure: forms_of_a_cubic
 
 On the whole curve the sign of $\delta=3b^2-4ac$ tells a double point from two inflections if $a=A\times B\ne0$; not so for $a=0$:
@@ -242,7 +243,7 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
   and the sign of $\delta$ that are wanted
 :data: R = (0,0) (1,2) (3,0); (α,β) = (1/2,1/2) (1,3) (2,2) (3,3) (4,4); forms = (0,0,-1) (1,0,1) (2,0,1) (1,1,0) (0,2,-1)
 :instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
-:then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
+:then: on the open arc no, one and two inflections; a cusp, where $\delta=0$; a loop, whose double point has two parameters in $(0,1)$
 :method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
 :control: the second pair twice
 :::

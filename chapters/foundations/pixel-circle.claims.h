@@ -240,7 +240,7 @@ general no rational number, but the matrix of two steps has a rational trace, an
 unity plus its inverse is an algebraic integer, and a rational one of these is whole.
 
 :::{claim} third_way_closes_for_two_radii
-:title: For a whole radius the third way closes for r = 1 and r = 2 only
+:title: Of the whole radii up to a bound the third way closes for r = 1 and r = 2 only
 :zh: 整数半径时仅 r=1,2 闭合
 :kind: decision
 :given: $r=1,\dots,N$; $\tau=2-\frac4{r^2}$, the trace of $R^2$

@@ -205,7 +205,7 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 #if RATIONAL
 /*
 :::{claim} lines_of_lower_degree_have_curvature_zero
-:title: Lines of degree one and two have curvature zero everywhere
+:title: A line with parameters of degree one and two has curvature zero
 :zh: 一、二次直线的曲率恒为零
 :kind: counterexample
 :given: two parameters of one line on $[0,1]$, with the coefficients $P$ and $Q$

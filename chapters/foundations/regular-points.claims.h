@@ -453,7 +453,7 @@ by what the point does after it, and this leads to the source's last example, wh
 :result: φ' = "12*t^2 - 12*t + 3"; φ'(t) = 0; zeros of φ' in [0,1] = 1
 :method: $\phi$ at the ends, the sign of $\phi'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back
   somewhere, is refuted.
-:control: the line that follows
+:control: a cubic that goes back
 :::
 */
 CLAIM(singular_point_of_a_plain_segment)

@@ -317,7 +317,7 @@ CLAIM(errors_of_the_table_grow_with_the_cube)
 #if RATIONAL
 /*
 :::{claim} stepping_loses_what_horner_keeps
-:title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
+:title: A table begun with rounded points loses many digits that one begun with the coefficients keeps
 :zh: 差分表的舍入误差取决于起始方式
 :kind: decision
 :given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta=\frac1n$, $n$ steps in binary64; the table begun with the

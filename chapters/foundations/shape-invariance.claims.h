@@ -508,7 +508,7 @@ the points whatever the functions are: that is the associative law of the produc
   shape is kept.
 :holds-by: matrices_pass_to_the_points
 :needs: rotation_about_a_point_moves_the_example | the proof multiplies by one matrix $T$ | the rotation is about the origin:
-  such a one is a matrix.  About another point it contains a translation, and needs the condition below.
+  such a one is a matrix.  About another point it contains a translation.
 :figure: rotations_of_the_example
 :::
 */

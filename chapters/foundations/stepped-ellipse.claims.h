@@ -132,30 +132,29 @@ CLAIM(second_step_is_a_rotation_in_other_coordinates)
 #if RATIONAL
 /*
 :::{claim} second_step_of_two_has_no_angle
-:title: With the step 2 the point is soon far away
-:zh: 步长为二时点迅速远离
+:title: With the step 2 a point has no angle and radius
+:zh: 步长为二时点不能如此表示
 :kind: counterexample
-:given: $\varepsilon$, $P_0$, $n$ steps of the second way, and a bound $b$
-:data: ε = 2; P_0 = (1,0); n = 10; b = 4/3
+:given: $\varepsilon=2\sin\frac{\Delta\theta}2$ and a point $P_0=(x,y)$
+:data: ε = 2; P_0 = (1,0)
 :instead: ε = 1
-:then: $x_n^2$ is more than $b$
-:result: P_n = (-19,-20); x_n - y_n = 1
-:method: Exact steps; $x_n^2$ is compared with $b$, the largest $x^2$ on the ellipse $x^2+y^2-xy=1$ of the control.
-:control: a step for which there is an ellipse
+:then: for $x=r\cos\theta$, $y=r\sin(\theta+\frac{\Delta\theta}2)$ the form $x^2+y^2-\varepsilon xy$ would be
+  $r^2\cos^2\frac{\Delta\theta}2=r^2(1-\frac{\varepsilon^2}4)=0$ for every $r$, and it is not 0
+:result: 1 - ε²/4 = 0; x² + y² - εxy = 1
+:method: Both numbers, exactly; that some $r^2$ times the first is the second is refuted.
+:control: a step for which there is such an $r$
 :::
 */
 CLAIM(second_step_of_two_has_no_angle)
 {
-    num M[4], P[2];
-    G(second_step)(given(T, "ε"), M);
+    num P[2], epsilon = given(T, "ε");
     given_points(T, "P_0", 1, 2, P);
-    int n = given_whole(T, "n");
-    num bound = given(T, "b");
-    G(steps)(n, M, P);
-    found_points(T, "P_n", 1, 2, P);
-    found(T, "x_n - y_n", sub(P[0], P[1]));
-    about(T, "whether x_n² is at most b");
-    agree(T, compare_q(mul(P[0], P[0]), bound) <= 0);
+    num square = sub(from_int(1), div(mul(epsilon, epsilon), from_int(4))); /* cos² of Δθ/2 */
+    num form = sub(G(norm_squared)(2, P), mul(epsilon, mul(P[0], P[1])));
+    found(T, "1 - ε²/4", square);
+    found(T, "x² + y² - εxy", form);
+    about(T, "whether the second is the first times some r²");
+    agree(T, is_zero_q(form) || sign_q(square) * sign_q(form) > 0);
 }
 #endif
 

@@ -60,7 +60,7 @@ static num G(sarrus)(const num r0[], const num r1[], const num r2[])
 #if RATIONAL
 /*
 :::{claim} printed_vectors_have_no_torsion
-:title: With the second derivative twice every torsion is zero
+:title: With the second derivative twice the printed torsion is zero
 :zh: 重复二阶导矢时挠率恒为零
 :kind: counterexample
 :given: a cubic in space with the coefficients $c$, and $t$
@@ -107,7 +107,7 @@ wrong then, too.
 :::
 
 :::{claim} printed_power_spoils_the_torsion
-:title: With the third power of the speed the torsion is wrong where the speed is not one
+:title: With the third power of the speed the torsion is wrong at a place where the speed is not one
 :zh: 速率三次幂给出错误的挠率
 :kind: counterexample
 :given: a cubic in space with the coefficients $c$, and $t$

@@ -363,7 +363,7 @@ $2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in
 :data: t = 0 1; f = 1 1; f' = 0 0
 :result: P(t_1) with -2f(t_0) = -1; P(t_1) with +2f(t_0) = 3
 :given: the nodes $t$, and the values $f$ and derivatives $f'$ of a constant
-:then: with either sign of its first term the printed $a_2$ is not 0, as it must be, and the curve does not end in $f(t_1)$
+:then: with either sign of the first term of the printed $a_2$ the curve does not end in $f(t_1)$
 :method: The printed sum with the lost sign of the first term put in both ways; its value at $t_1$.
 :control: the term with its prime
 :::

@@ -68,7 +68,7 @@ CLAIM(printed_kernel_is_formula_one)
 
 /*
 :::{claim} corrected_kernel_is_its_formula
-:title: The kernel computes the corrected functions of every degree
+:title: The kernel computes the corrected functions
 :zh: 核函数即修正后的基函数
 :given: any $\beta$ and $t$
 :then: `shape_basis` gives $B_{i,n}$, and `shape_factors` the $\nu_i$, $\varphi_i$ with
@@ -151,7 +151,7 @@ CLAIM(two_digits_are_corrected)
 
 /*
 :::{claim} mirror_images_with_sum_one_are_unique
-:title: The two corrected functions are the only possible ones
+:title: For mirror images with linear factors the sum 1 leaves the two corrected functions
 :zh: 修正的唯一性
 :given: any $\beta$, and $\hat B_3=(xs+yt)s^4t^3$, $\hat B_4=(ys+xt)s^3t^4$ with any $x$ and $y$, the other six functions as
   printed

@@ -35,7 +35,7 @@ sense, for a triangle and its base.
 :confirmed-by: roots_are_at_most_sign_changes
 :meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
-  possible, at $\beta=-\frac{21}4,0,1$
+  possible
 :figure: convexity_lost
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on

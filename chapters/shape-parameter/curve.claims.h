@@ -720,7 +720,7 @@ where it is, do no harm.
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; the printed curve of the points $P_i+v$ is the old one
   moved by $(1-4\beta(1-t)^3t^4)v$, so it moves along only for $\beta=0$ or $v=0$; linear maps, rotations about the origin
-  among them, do no harm
+  among them, take the printed curve along
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
 :figure: hull_and_sum
 :striking: 10

@@ -364,7 +364,7 @@ CLAIM(one_change_of_sign_and_two_roots)
 :corrected-by: nonnegative_exactly_in_the_range each_function_rises_then_falls
 :figure: roots_at_minus_seven
 
-No function is 0 in $(0,1)$ there: $\nu_i,\varphi_i\ge0$ are not both 0 for $0<i<7$, and $B_0$ falls from 1 to 0.  With $k=0$ every $t$ is a
+No function is 0 in $(0,1)$ there: $\nu_i,\varphi_i\ge0$ are not both 0 for $0<i<7$, $B_0$ falls from 1 to 0, and $B_7$ is its mirror image.  With $k=0$ every $t$ is a
 root, although there is no change of sign.
 :::
 */

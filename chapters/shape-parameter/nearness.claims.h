@@ -29,7 +29,7 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :figure: closer_or_not
 :striking: 11
 
-At $\beta=-4$ a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
+Below this range a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
 
 Outward is to the right of $q'$, or along it, where the polygon turns to the left: $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with
 the factors of the claims, none of them positive in the range.

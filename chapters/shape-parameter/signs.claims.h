@@ -43,8 +43,8 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :instead: β = -21/4
 :result: B_2(t) = -413343/100000000
 :given: the left end of the printed range of $\beta$, and a small $t$
-:then: $\hat B_2(t)<0$: the linear factor is $\nu_2s+\varphi_2t$, and $\nu_2$ is negative
-:method: The value of the printed formula; it is the corrected one too.
+:then: $\hat B_2(t)<0$
+:method: The value of the printed formula.
 :control: the left end of the true range
 :::
 */
@@ -220,7 +220,7 @@ Below the true range the argument breaks for $i=2$ and its mirror image $i=5$ al
 changes of sign.  The function then begins with 0, falls, and has to rise again.
 
 :::{claim} third_function_falls_then_rises_below_the_range
-:title: Below the range two functions have an inner minimum too, all have one inner maximum
+:title: Below the range two of the six inner functions have an inner minimum too, the others have one inner maximum alone
 :zh: -7≤β<-21/4 时的极值
 :kind: decision
 :data: range of β = -7 -21/4
@@ -234,7 +234,7 @@ changes of sign.  The function then begins with 0, falls, and has to rise again.
   $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both
   signs and vanishes at both ends.  $B_5$ is the mirror image.
 :degrees: 7..7
-:scope: below it down to −7
+:scope: −7 ≤ β < −21/4
 :control: an interval that reaches into the true range
 :::
 */
