@@ -139,8 +139,8 @@ CLAIM(second_step_is_a_rotation_in_other_coordinates)
 :data: ε = 2; P_0 = (1,0)
 :instead: ε = 1
 :then: for $x=r\cos\theta$, $y=r\sin(\theta+\frac{\Delta\theta}2)$ the form $x^2+y^2-\varepsilon xy$ would be
-  $r^2\cos^2\frac{\Delta\theta}2=r^2(1-\frac{\varepsilon^2}4)=0$ for every $r$, and it is not 0
-:result: 1 - ε²/4 = 0; x² + y² - εxy = 1
+  $r^2\cos^2\frac{\Delta\theta}2=0$ for every $r$, and it is not 0
+:result: cos²(Δθ/2) = 0; x² + y² - εxy = 1
 :method: Both numbers, exactly; that some $r^2$ times the first is the second is refuted.
 :control: a step for which there is such an $r$
 :::
@@ -149,9 +149,9 @@ CLAIM(second_step_of_two_has_no_angle)
 {
     num P[2], epsilon = given(T, "ε");
     given_points(T, "P_0", 1, 2, P);
-    num square = sub(from_int(1), div(mul(epsilon, epsilon), from_int(4))); /* cos² of Δθ/2 */
+    num square = sub(from_int(1), div(mul(epsilon, epsilon), from_int(4))); /* cos²(Δθ/2) = 1 - ε²/4 */
     num form = sub(G(norm_squared)(2, P), mul(epsilon, mul(P[0], P[1])));
-    found(T, "1 - ε²/4", square);
+    found(T, "cos²(Δθ/2)", square);
     found(T, "x² + y² - εxy", form);
     about(T, "whether the second is the first times some r²");
     agree(T, is_zero_q(form) || sign_q(square) * sign_q(form) > 0);
