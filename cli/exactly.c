@@ -613,8 +613,7 @@ const struct command command_exactly = {
     .usage = "HARNESS.md",
     .text =
         "Runs the C or C++ that the blocks of HARNESS.md name in exact arithmetic, and compares what it computes with "
-        "what "
-        "is expected. No letter of the code is changed: every operation on floating-point numbers is made one on "
+        "what is expected: other code, a formula as 'cagd check' reads it, or a kernel of this project. No letter of the code is changed: every operation on floating-point numbers is made one on "
         "rationals, or on rational functions of the inputs. Equal there is equal for all inputs that take the same way "
         "through the code; the comparisons that the code made are told as conditions.\n\n"
         "The code is compiled and run, in a process with bounds on memory and time but with your rights.\n\n"

@@ -309,7 +309,8 @@ static double side(cagd_context *c, const cagd_tree *t)
     cagd_value value = cagd_evaluate(c, t);
     check_evaluation(c);
     for (int k = 0; k < c->divisors; k++) {
-        if (cagd_is_zero_q(cagd_code_at_point(divisor[k])))
+        cagd_num_q place = at_the_point(cagd_value_f(divisor[k])).q; /* an irrational one is divided by as an interval */
+        if (place.at != NULL && cagd_is_zero_q(place))
             cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by 0");
         cagd_code_note_divisor(divisor[k]);
     }

@@ -509,6 +509,8 @@ class Printed(Exactly):
         self.assertEqual(v["verdict"], "differs")
         x, y = F(v["point"]["x"][0]), F(v["point"]["y"][0])
         self.assertNotEqual(x * y / (x * x + y * y), x * y / (x * x + 2 * y * y), "the point is a counterexample")
+        lines = lines.replace("x != 0 || y != 0", "x != 0 && y != 0")
+        self.assertEqual(self.of(*unit, lines % "\\frac{r_0}{r_1} = \\frac{x}{y}")["verdict"], "proved")
         turn = "#include <math.h>\nvoid turn(double t, double *r) { r[0] = cos(t); r[1] = sin(t); }", "t", "double r[2]; turn(t, r);"
         for printed, verdict in [("r_0^2 + r_1^2 = 1", "proved"), ("r_0^2 - r_1^2 = 1", "differs")]:
             self.assertEqual(self.of(*turn, f":output: r[2]\n:printed: {printed}")["verdict"], verdict)
@@ -522,6 +524,29 @@ class Printed(Exactly):
         self.assertEqual(v["verdict"], "undecided")
         self.assertIn("a division by 0, at", v["because"])
 
+    def test_a_way_on_which_the_formula_has_no_value(self):
+        code = "double f(double a, double b) { if (a == b) return 7; return a + b; }"
+        v = self.of(code, "a; b", "double s = f(a, b);", ":output: s\n:printed: s = \\frac{a^2 - b^2}{a - b}")
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+        self.assertEqual(self.conditions(v), ["a != b"])
+
+    def test_each_relation(self):
+        """1 where x relation 2, else 0; and the same code with the other relations is found wrong at 2 or beside it."""
+        signs = {"<": "<", "<=": "\\le", ">": ">", ">=": "\\ge", "==": "=", "!=": "\\ne"}
+        for sign in signs:
+            code = f"double f(double x) {{ return x {sign} 2; }}"
+            for other, tex in signs.items():
+                with self.subTest(f"{sign} {other}"):
+                    v = self.of(code, "x", "double s = f(x);", f":output: s\n:let: h(y) = 1, \\quad y {tex} 2\n:let: h(y) = 0\n:printed: s = h(x)")
+                    self.assertEqual(v["verdict"], "proved" if sign == other else "differs")
+
+    def test_several_equations(self):
+        code = "double f(double x) { return 2 * x; }"
+        for printed, verdict in [("s = x + x, \\quad \\frac{s}{2} = x", "proved"), ("s = x, \\quad s = 2x", "differs"), ("s = 2x, \\quad s = x", "differs"),
+                                 ("x + x = s = 2x", "proved"), ("s = 2x = 3x", "differs"), ("s = 3x = 3x", "differs")]:
+            with self.subTest(printed):
+                self.assertEqual(self.of(code, "x", "double s = f(x);", f":output: s\n:printed: {printed}")["verdict"], verdict)
+
     def test_inputs_are_what_they_were(self):
         code = "double f(double *p) { double s = p[0] + p[1]; p[0] = 7; p[1] = s; return s; }"
         v = self.of(code, "p[2]", "double s = f(p);", ":output: s\n:printed: s = p_0 + p_1")
@@ -533,6 +558,12 @@ class Printed(Exactly):
         code = "double f(double a, double b) { return a > b ? a - b : b - a; }"
         v = self.of(code, "a; b", "double s = f(a, b);", ":output: s\n:printed: s = |a - b| = \\max(a, b) - \\min(a, b)")
         self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+
+    def test_rounding_is_that_of_the_outputs(self):
+        code = "double f(double x) { return x / 3; }"
+        block = ":::{exactly} it\n:source: code.c\n:declare: double f(double);\n:input: x\n:call: double s = f(x);\n:output: s\n:printed: 3s = x\n:::\n"
+        v = self.verdict(block, code, "code.c", "--rounding=20")
+        self.assertEqual((v["verdict"], [w["name"] for w in v["rounding"]["worst"]]), ("proved", ["s"]))
 
     def test_certificates(self):
         page = self.harness(self.BLOCK % (":input: u[7] increasing; c[4]; t in [u[2], u[4])\n:call: double R = deboor(3, 2, u, c, t);\n:output: R\n"
@@ -562,6 +593,7 @@ class Printed(Exactly):
             (":printed: r", "line 7: \"r\""),
             (":printed: r = x^{j}\n:for: 0 \\le j \\le 1", "a range such as j = 0..2"),
             (":printed: r = x^{j}\n:for: j = 1..", "a range such as j = 0..2"),
+            (":printed: r = x y\n:for: 0 \\le y \\le 1", "a range such as j = 0..2"),
             (":let: x \\ne 0\n:printed: r = x", "line 7: "),
             (":let: p_0 \\le p_1\n:printed: r = x", "conditions stand in :where:"),
             (":use: bernsten B_i^n(t)\n:printed: r = x", "bernsten"),
@@ -570,6 +602,8 @@ class Printed(Exactly):
         ]:
             with self.subTest(lines):
                 self.refused(good % lines, words)
+        v = self.verdict(good % ":printed: r = p_3")
+        self.assertEqual((v["verdict"], "a name without a value" in v["because"]), ("undecided", True))
         v = self.verdict(good % ":printed: r = \\sqrt{x}")
         self.assertEqual(v["verdict"], "undecided")
         self.assertIn("a root that is no rational number", v["because"])
