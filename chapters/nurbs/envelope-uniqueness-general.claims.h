@@ -55,8 +55,7 @@ vanishing curvature or torsion, and its members have them.
 :figure: nurbs_envelope_square
 
 Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  As $f[\tau^r,t^{k-1-r}]$ says (`member_of_span_is_polar`), $r$ and $k-1-r$ have the same solutions
-with $t$ and $\tau$ exchanged, in every dimension: for $r=k-2$ they are the $\tau$ with $\mathbf r'\times\mathbf r''=0$, and any $t$.  In space two equations have to be fulfilled, so as a rule single
-pairs are left and no curve; for $k=7$ there can be a curve.
+with $t$ and $\tau$ exchanged, in every dimension: for $r=k-2$ they are the $\tau$ with $\mathbf r'\times\mathbf r''=0$, and any $t$.
 :::
 
 Two remarks on the polar form carry the section.  To replace one argument $t$ by $\tau$ is a step along the tangent of
@@ -752,8 +751,7 @@ corners arise.
 :method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
   right side is Cauchy-Binet.  The minors have no negative coefficient in the gaps and in $x$, $y$ with
   $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$, and at the ends of the span they are nonnegative as limits; for $k>5$ they
-  are sampled, and nonnegative because $M$ is a product of matrices with nonnegative entries on two neighbouring
-  diagonals, one for each inserted knot.  The rows of $M$ are independent, as $q$ may be any polynomial of degree 2:
+  are sampled.  The rows of $M$ are independent, as $q$ may be any polynomial of degree 2:
   to put in one argument $\tau$ maps the polynomials of degree $m$ onto those of degree $m-1$, since only the
   multiples of $(\cdot-\tau)^m$ go to 0. So one minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the
   corners of a strictly convex polygon in this order, all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have

@@ -204,9 +204,8 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :holds-by: family_moves_with_its_points
 :figure: nurbs_second_line
 
-What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not depend on the coordinates.  (4.3.12)
-does depend on them: it refers to the origin, and a motion keeps the origin only if it turns about it.  As the plane
-passes through the origin, by the step before, such a rotation suffices.
+That two derivatives are parallel does not depend on the coordinates.  Where the plane
+passes through the origin, as in `thm-4.3.2-coplanar`, a rotation about the origin suffices.
 :::
 
 To turn the plane of the points into $z=0$ one has to know that the construction does not depend on coordinates.  The
@@ -285,7 +284,7 @@ CLAIM(family_moves_with_its_points)
 :holds-by: first_level_condition_factors
 :figure: nurbs_second_line
 
-The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step is right, and it disproves the theorem.
+The factor between them is $w^3/((k-1)^2W^3)$, which is positive.
 :::
 
 :::{statement} wang-ch4:formula-4.3.14
@@ -302,8 +301,6 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :corrected-by: slope_is_constant_where_nothing_turns
 :argued: | A quotient whose derivative is 0 on an interval is constant there: so the slope $y'/x'$ is, and $y=ax+b$; where $x'$ is 0 for all $t$, $x$ is constant.
 :figure: nurbs_second_line
-
-This is where the proof breaks: an equation that has to hold at one $t$ is used as if it held for all.
 :::
 */
 

@@ -227,7 +227,7 @@ CLAIM(weighted_points_follow_the_recursion)
 :corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
-$k-r+1$ equations do not determine $k-r+2$ unknowns.  No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
+No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
 :::
 */
 
@@ -278,9 +278,6 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :argued: | As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
   slopes have the derivative 0, and with them, at $\tau=t$, the segment.
 :figure: nurbs_envelope_space
-
-But (4.3.15) gives the products at single pairs
-only; here the proof loses the curves of space.
 :::
 
 What is left is the conclusion from vanishing products to coplanar points.  At a pair with another solution the member

@@ -47,8 +47,7 @@ inflection: it is touched by every member.
 :striking: 2
 :figure: nurbs_second_line
 
-For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its
-own.  A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
+A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
 its pairs have the point $\mathbf r(t_0)$.
 :::
 
@@ -66,7 +65,7 @@ its pairs have the point $\mathbf r(t_0)$.
   to each member where it passes it.
 :figure: nurbs_second_line
 
-The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$.  The section uses it as what an envelope is.
+The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -278,6 +277,7 @@ The words before it are lost in the copy at hand.
 :then: both printed formulas, in one coordinate
 :method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
   $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
+:where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; p# w#: coefficients
 :control: $k-1$ in the place of $k-2$
@@ -473,8 +473,7 @@ CLAIM(extra_points_run_along_the_tangent)
 :corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
 :figure: product_that_says_nothing
 
-For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.  And either product
-is one equation in the place of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
+For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.
 :::
 
 :::{claim} product_with_second_derivative_loses_the_left_side
@@ -582,8 +581,7 @@ It solves (4.3.9) and gives the curve.
   positive weights and $t$ and $\tau$ in one span
 :figure: points_off_the_plane
 
-For $\tau\ne t$ it is equivalent to the triple product before.  It says that the osculating plane passes through the origin, which the condition (4.3.9) does not
-know: see `thm-4.3.2-independence`.
+For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
 :::
 
 :::{claim} triple_product_is_that_of_the_point

@@ -34,9 +34,7 @@ span; what has to be asked is whether the members exist.
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
 the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first three
-hypotheses are fulfilled (`equal_weights_stay_equal_for_the_whole_curve`).  What is left out is not asked for elsewhere: if
-$t_i=t_{i+k-r+1}$, then $t_i=t_{i+k-r}$ and $t_{i+1}=t_{i+1+k-r}$, and the points of the next level that would need
-$i$ are left out too.
+hypotheses are fulfilled (`equal_weights_stay_equal_for_the_whole_curve`).
 :::
 */
 
