@@ -155,7 +155,7 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :title: The curve of a span in powers
 :zh: 曲线段的幂基表示
 :printed: \mathbf r^*(u)=\sum_{i=r-k+1}^rN_{i,k}(t)\mathbf r_i=(1,u,\dots,u^{k-1})\,\mathbf A_{r,k,T}\,(\mathbf
-  r_{r-k+1},\dots,\mathbf r_r)^T,\quad 0\le u<1
+  r_{r-k+1},\mathbf r_{r-k+2},\dots,\mathbf r_r)^T,\quad 0\le u<1
 :holds-by: matrix_gives_homogeneous_curve
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
@@ -426,7 +426,7 @@ the sums has room for.
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
   random patterns for greater $k$
 :then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
-:method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
+:method: The kernel, which takes its weights from power series and sums by Horner's rule, against the recursion of Cox and de Boor.
 :degrees: 0..4 sampled 7
 :scope: every multiplicity of the knots of a function
 :over: t#: knots

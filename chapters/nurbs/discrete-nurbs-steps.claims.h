@@ -329,6 +329,7 @@ CLAIM(repeated_insertion_reaches_the_curve)
 :method: (4.1.6) by its letter, against (4.1.2) on the interval on the left; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
 :degrees: 1..6 sampled 6
 :scope: a knot of every multiplicity below k between simple and clamped ones; the distinct knots variables up to order 6, numbers above
+:where: the new weights and $w(t')$ are not 0
 :control: one insertion less, for $m<k-1$
 :::
 */
@@ -356,6 +357,7 @@ CLAIM(fewer_insertions_suffice)
 :method: (4.1.6) by its letter, against (4.1.2) on the interval on the right.
 :degrees: 1..6 sampled 6
 :scope: a knot of every multiplicity up to k between simple and clamped ones, and a clamped start; the distinct knots variables up to order 6, numbers above
+:where: the new weights and $w(t')$ are not 0
 :control: the value from the left
 :::
 */

@@ -319,6 +319,7 @@ CLAIM(knots_outside_the_domain_cut_corners)
 :degrees: 1..6 sampled 7
 :scope: clamped ends with one knot of every multiplicity below k between, or a simple one beside it
 :defines: nurbs_insert
+:where: the new weights are not 0
 :control: the knot inserted at the next value
 :::
 */
@@ -457,7 +458,7 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: the new $N_{j,k}$ between its
   copies are zero, and such $r_j$ do not count
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist; as there; otherwise a term of the sum is
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist; otherwise a term of the sum is
   $0\cdot\frac00$
 :reading: knots_outside_the_domain_cut_corners | for one knot outside the domain, in $(t_1,t_{n+k})$, too, over simple knots
 :figure: insertions_commute

@@ -349,7 +349,7 @@ CLAIM(printed_last_row_has_wrong_factor)
 :figure: osculating_polynomial
 
 No equals sign is printed.  Two columns have run into one, in the copy at hand if not in the book: the unknowns $c_0,\dots,c_k$, which the sentence names, an equals sign, and
-the values of $f$ and its derivatives.  With the values of $f$ in the places of $c_3,\dots$ the product is not the vector of values.
+the values of $f$ and its derivatives.  With the values of $f$ in the places of $c_3,\dots$ the product need not be the vector of values.
 :::
 */
 

@@ -294,8 +294,7 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.
 :class: invalid-proof
 :refuted-by: inflected_cubic_is_not_straight
 :meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
-:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: every
-  inflection is a counterexample
+:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives
 :reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
@@ -462,7 +461,7 @@ for more room.
 :title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well
 :zh: 三次曲线 (t,t³) 的二次族曲线还与 y=0 相切
 :kind: counterexample
-:given: the cubic of `inflected_cubic_is_not_straight`, which is $(t,t^3)$; $r=1$, the member $\tau$ at the inflection
+:given: the cubic $\sum a_mt^m$, which is $(t,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, the member $\tau$ at the inflection
   $t$
 :data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (0,0) (0,1); t = 0; τ = 1/2
 :instead: τ = 0
@@ -489,7 +488,7 @@ CLAIM(inflected_cubic_has_second_envelope)
 :title: A curve of space, not in a plane, whose family of order 4 touches a line as well
 :zh: 非平面曲线的族另有包络
 :kind: counterexample
-:given: the curve of `vanishing_curvature_says_nothing_about_the_points`, which is $(t,t^3,t^4)$; $r=1$, the member
+:given: the quartic curve of space $\sum a_mt^m$, which is $(t,t^3,t^4)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, the member
   $\tau$ at the $t$ where the curvature is 0
 :data: t_i = -9 -7 -5 -3 -1 1 3 5 7 9; a = (0,0,0) (1,0,0) (0,0,0) (0,1,0) (0,0,1); t = 0; τ = 1/2
 :instead: τ = 0

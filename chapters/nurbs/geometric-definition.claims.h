@@ -88,6 +88,7 @@ CLAIM(leg_of_every_polygon_is_the_curve_of_order_two)
 :method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
   variable.
 :scope: k = 2 with five points; simple knots and five patterns with double ones
+:where: $w(t)\ne0$
 :control: the weights of the two points exchanged
 :::
 */

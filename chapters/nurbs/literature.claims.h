@@ -245,7 +245,7 @@ CLAIM(keys_have_the_years_of_their_entries)
 :printed: the references 1 to 19
 :holds-by: numbered_references_are_all_cited
 
-Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 is printed with SIGGRAH.
+Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 has SIGGRAH for SIGGRAPH.
 :::
 
 :::{claim} numbered_references_are_all_cited

@@ -235,7 +235,7 @@ CLAIM(outer_functions_are_made_of_outer_ones)
 :given: every pattern of the 2k knots around a span up to the order 4, the different knots, $x$ and $t$ variables; for
   greater orders random patterns in rationals
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
-:method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
+:method: The B-splines by their definition, with the rule $0/0=0$.
 :degrees: 0..4 sampled 7
 :scope: every pattern of the knots around a span up to order 4, random ones above
 :over: t#: knots; x

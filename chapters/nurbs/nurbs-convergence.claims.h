@@ -15,7 +15,7 @@ of the curve and the curve does not jump, and then with the square of the larges
 :::{statement} wang-ch4:cor-4.1.1
 :title: There is a growing sequence of knots for which the polygons converge to the curve
 :zh: 推论 4.1.1:存在递增节点集序列使多边形收敛到曲线
-:printed: There is a sequence of sets of knots $\{T_m'\}$, $T_m'\subseteq T_{m+1}'$, with
+:printed: There is a sequence of sets of knots $\{T_m'\}$, $T_m'\subseteq T_{m+1}'$, $m=1,2,\dots$, with
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is

@@ -307,21 +307,21 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
   $A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
   $A$, the limit of the hulls, is the hull of the limit.  A NURBS curve on a line has its polygon on that line.
 :figure: where_hypotheses_are_needed
-
-The source gives no reason.
 :::
 
 :::{claim} convex_polygons_have_splines_of_one_turn
 :title: Designed NURBS curves of convex polygons never turn to the other side
 :zh: 设计算例曲线的转向
 :kind: decision
-:given: the curves of `inserted_polygons_stay_convex`
+:given: seven designed curves of the orders 2 to 4 with convex polygons, and four families of positive weights
 :then: $\det(P,P',P'')\ge0$ on every interval of knots, and any three of thirteen points of the curve, equally spaced in the
   parameter, turn left in their order or are on one line
 :method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.  The points by the
   kernel, the areas exactly.
 :degrees: k = 2..4
 :scope: the stated curves
+:harmless: convex polygons | they are those of the stated curves
+:harmless: positive weights | they are those of the stated curves
 :control: the third point thrown across the line of the first two
 :::
 */

@@ -124,7 +124,8 @@ static int every_edge_on_the_border(int n, const num_q R[])
 :title: A convex polygon is part of the boundary of its hull
 :zh: 凸多边形位于其凸包边界上
 :kind: decision
-:given: the polygons of `triangles_of_one_sign_make_a_polygon_convex`
+:given: all polygons of $n$ points: of the grid $\{0,1,2\}^2$ for $n=3,4$, of $\{0,1,2\}\times\{0,1\}$ for $n=5$, of $\{0,1\}^2$
+  for $n=6$
 :then: if a polygon runs through once and is convex, then each of its edges has all vertices on one side: it is part of the boundary
   of the hull
 :method: An edge is part of the boundary of the hull exactly when no two vertices are on different sides of its line.  Convexity by

@@ -124,7 +124,7 @@ CLAIM(printed_insertion_keeps_the_curve)
 :::{claim} printed_factors_are_the_discrete_shares
 :title: The printed factors are the discrete B-splines of one knot
 :zh: 所印因子即单节点的离散 B 样条
-:given: the knots of `printed_insertion_keeps_the_curve`; $\tau$ inside any interval of the domain, or a knot there of a multiplicity below $k$
+:given: all knots simple, or both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or a knot there of a multiplicity below $k$
 :then: $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is the printed $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so that (4.1.6) is
   the printed mean of two points
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.

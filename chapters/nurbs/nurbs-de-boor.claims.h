@@ -474,6 +474,7 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
 :method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
 :over: v w: weight; a: coefficient of de Boor's algorithm
+:where: no divisor is 0
 :control: $v$ and $w$ exchanged
 :::
 */

@@ -170,6 +170,7 @@ CLAIM(outer_knots_do_not_count)
   $(\lambda-1)\,w_1w_2\,(r_2-r_1)$, of $N_{1,2}N_{2,2}$, and of the reciprocals of both denominators
 :method: The curve from the definition on the span, everything a variable.
 :scope: k = 2 on one span
+:where: both denominators are not 0
 :control: both points multiplied by $\lambda$
 :::
 */
@@ -564,6 +565,7 @@ CLAIM(equal_weights_give_bspline)
 :method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
 :degrees: 1..6 sampled 8
 :scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
+:where: $w(t)\ne0$
 :control: the weight of one point doubled on one side
 :::
 */
@@ -620,6 +622,7 @@ The knots $t_1$ and $t_{2k}$ do not count, but for the last value of $t$.
 :then: $r(t)$ is the rational Bézier curve of $r_1,\dots,r_k$ and $w_1,\dots,w_k$ at $(t-t_k)/(t_{k+1}-t_k)$
 :method: The curve from the definition against the kernel for rational Bézier curves.
 :degrees: 1..6 sampled 9
+:where: $w(t)\ne0$
 :control: the weights taken in the opposite order
 :::
 */

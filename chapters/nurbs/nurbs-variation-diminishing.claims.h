@@ -42,7 +42,7 @@ counted, or, for insertion, if it counts as infinitely many points.
 :reading: cut_corner_lies_on_the_line | the lemma for points, of which an edge on the line has infinitely many
 :figure: what_must_be_counted
 
-As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.  The source's chapter on Bézier curves means crossings, and says so.
+As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.
 :::
 */
 
@@ -223,7 +223,8 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :title: Designed splines have no more in common with a line than their polygons
 :zh: 设计算例的公共点
 :kind: decision
-:given: the curves of `designed_splines_cross_no_more`
+:given: the designed curves of order $k$: simple knots for $k\ge3$; ends of multiplicity $k$ and inner knots of multiplicity 1, $k-1$
+  and, for $k\le3$, $k$; all ordinates among the $y$; the weights 1, and $w$ and 1 in turn
 :data: y = -1 0 1; w = 1000
 :then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the
   polygon with knots inserted $\le$ those of the polygon
@@ -535,6 +536,7 @@ heights matter.
 :degrees: k = 1..6 sampled 7
 :scope: clamped ends with one simple knot between
 :over: l#: lines
+:where: $w(t)\ne0$
 :control: the constant $c$ left out at the last vertex
 :::
 */
@@ -567,10 +569,10 @@ CLAIM(line_form_of_a_nurbs_curve)
 #if RATIONAL
 /*
 :::{claim} self_crossing_polygon_meets_the_line_less_than_its_spline
-:title: The curve of that polygon has two points on the line
+:title: A curve with two points on a line, of which its polygon has one
 :zh: 自交于直线的多边形与其曲线
 :kind: counterexample
-:given: the curve of `self_crossing_polygon_gains_points_on_a_line`, and two parameters $t$
+:given: a NURBS curve of order $k$ with the $n$ points $r_i$, weights $w_i$ and knots $t_i$; the line $y=0$; two parameters $t$
 :data: k = 3; n = 4; t_i = 0 0 0 1 2 2 2; r_i = (-1,1) (1,-1) (-1,-1) (1,1); w_i = 3 1 1 3; t = 1/2 3/2
 :then: the points $r(t)$ of the two parameters differ and are all points of the curve on the line $y=0$; the polygon
   has one point there
@@ -804,6 +806,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
 :degrees: k = 1..6 sampled 7
 :over: r#: points; f: common weight
+:where: $w(t)\ne0$
 :control: the first two weights exchanged; for $k=1$ the point moved
 :::
 */

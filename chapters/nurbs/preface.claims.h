@@ -225,8 +225,7 @@ The preface confuses the size of the expression with the number of operations; b
 :corrected-by: recursion_is_quadratic twice_the_degree_takes_less_than_four_times_the_steps
 :meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.
 :reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
-  occurs again: then the time does double with the order.  Nobody needs to do so, and algorithm 4.1.1, level after
-  level, does not.
+  occurs again: then the time at least doubles with the order
 :figure: recursion_steps
 :striking: 40
 :::
