@@ -350,7 +350,7 @@ static int is_value_at(cagd_context *c, const cagd_tree *t, const cagd_tree *bod
         value[t->lower + t->upper] = a;
         there = apply(c, t, value, f);
     }
-    return region_faults == 0 && cagd_vanishes_here(c, cagd_value_sub(there, limit));
+    return region_faults == 0 && cagd_equal_here(c, there, limit);
 }
 
 /* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too, and the value there is
@@ -372,7 +372,7 @@ static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_
         ends_below = !ends_above && ends_here(c);
         r = ends_above ? other : r;
         for (long j = 0; j <= k && region_faults == 0 && !ends_above && !ends_below; j++)
-            if (!cagd_vanishes_here(c, cagd_value_sub(above[j], below[j])))
+            if (!cagd_equal_here(c, above[j], below[j]))
                 fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
         if (region_faults == 0 && !ends_above && !ends_below && !is_value_at(c, t, body, value, a, above[0], f))
             fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
@@ -510,9 +510,11 @@ int cagd_is_zero_here(cagd_context *c, cagd_value d)
     return cagd_value_is_zero(d) || (c->way != NULL && !d.rational && c->way->holds(d.f, CAGD_EQUAL));
 }
 
-int cagd_vanishes_here(cagd_context *c, cagd_value d)
+int cagd_equal_here(cagd_context *c, cagd_value a, cagd_value b)
 {
-    return cagd_value_is_zero(d) || (c->way != NULL && !d.rational && c->way->vanishes(d.f));
+    if (c->way != NULL && !(a.rational && b.rational))
+        return c->way->equal(cagd_in_field(a), cagd_in_field(b));
+    return cagd_value_is_zero(cagd_value_sub(a, b));
 }
 
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
@@ -804,9 +806,11 @@ static cagd_value circular(cagd_context *c, const cagd_tree *t, const frame *f)
     return t->kind == CAGD_COSINE ? sum.cosine : sum.sine;
 }
 
-/* 0 where there is no room for it. */
+/* 0 where there is no room for it.  On a way a variable that is near a place is no name of anybody's: what is divided by is meant there. */
 static int note_divisor(cagd_context *c, cagd_value b)
 {
+    if (c->way != NULL)
+        b = cagd_at_places(c, b);
     if (c->divisor == NULL || b.rational)
         return 1;
     if (c->divisors == c->most_divisors)
@@ -992,7 +996,7 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
         return a;
     if (c->scope->zero_over_zero && c->way != NULL && cagd_is_zero_here(c, b))
         b = cagd_value_int(0);
-    if (c->scope->zero_over_zero && cagd_value_is_zero(b) && cagd_vanishes_here(c, a))
+    if (c->scope->zero_over_zero && cagd_value_is_zero(b) && cagd_equal_here(c, a, cagd_value_int(0)))
         return cagd_value_int(0);
     if (c->scope->zero_over_zero && c->way == NULL && !b.rational && !cagd_divides(c, b))
         return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
@@ -1018,7 +1022,7 @@ static cagd_value product(cagd_context *c, const cagd_tree *t, const frame *f)
             return x;
         r = cagd_value_mul(r, x);
     }
-    if (faults != 0 && cagd_vanishes_here(c, r))
+    if (faults != 0 && cagd_equal_here(c, r, cagd_value_int(0)))
         c->trouble = trouble;
     else
         region_faults |= faults;
