@@ -214,6 +214,15 @@ static int known_of(const cagd_context *c, const struct cagd_linear *form, struc
     return region_faults == 0;
 }
 
+/* Whether all variables of the form are names without values: of any other nothing is known. */
+static int is_of_names(const cagd_context *c, const struct cagd_linear *form)
+{
+    int names = 0;
+    for (int k = 0; k < c->count; k++)
+        names += has_name(form, &c->binding[k]);
+    return names == form->count;
+}
+
 static int is_solvable(const struct system *s)
 {
     return cagd_inequalities(s->names + 1, s->count, s->form, s->strict).solvable;
@@ -259,7 +268,7 @@ unsigned cagd_signs_of_form(cagd_context *c, num_f form)
         if (equal_f(c->memo[k].form, form))
             return c->memo[k].signs;
     region_mark mark = region_open();
-    if (cagd_linear_f(form, &at) && known_of(c, &at, &s)) {
+    if (cagd_linear_f(form, &at) && is_of_names(c, &at) && known_of(c, &at, &s)) {
         int known = s.count;
         signs = 0;
         add_form(c, &s, &at, 0, 1);

@@ -909,6 +909,12 @@ class Verdicts(unittest.TestCase):
                         "\\sum_{k=0}^{n} \\binom{n}{k}^3 = 2^n", f"\\sum_{{k=0}}^n \\binom{{n}}{{k}} = 2^n (1 + n {late})"):
             self.assertIn(verdict(printed, "n = 0..")["verdict"], {"undecided", "fails"})
 
+    def test_what_n_and_k_are_is_not_known_for_every_number(self):
+        """Of the variables that stand for them no sign is known; k - 9 was taken for -9."""
+        for printed in ("\\sum_{k=0}^{n} \\max(k, 9) = 9 (n+1)", "\\sum_{k=0}^n \\binom{n}{k} \\max(n,9) = 9 \\cdot 2^n", "\\sum_{k=0}^n \\binom{n}{k} |n-9| = (9-n) 2^n",
+                        "\\sum_{k=0}^n (k-9)_+^1 = 0"):
+            self.assertEqual(verdict(printed, "n = 0..")["verdict"], "undecided", printed)
+
     def test_a_value_that_is_given_is_in_the_scope(self):
         self.assertIn("x = 1/2", verdict("x y = y x", "x = 1/2")["scope"].replace("\\frac12", "1/2"))
         self.assertNotIn("x", verdict("y = 2 u", "x = 1/2, y = 2 u")["scope"])
