@@ -308,8 +308,8 @@ static const char *example_text(const struct answer *a, const struct sheet *s)
         return minor_text(a, s);
     for (int k = 0; a->was_checked && a->finding.has_example && k < a->finding.given; k++)
         text = joined(k > 0 ? "%s, $%s" : "%s$%s", text,
-                      joined("%s = %s$", a->finding.example[k].name, to_string_q(a->finding.example[k].value)));
-    if (text[0] != '\0')
+                      joined("%s = %s$", a->finding.example[k].name, value_text(&a->finding.example[k])));
+    if (text[0] != '\0' && !a->finding.has_root)
         return joined("%s: %s", text,
                       joined("left $%s$, right $%s$", to_string_q(a->finding.left), to_string_q(a->finding.right)));
     return a->was_checked || s->find == NULL || cell < 0 ? text : breaking_text(&a->formula, &a->found, cell);

@@ -79,13 +79,13 @@ int cagd_limit_cell(cagd_context *c, num_f form, int strict)
     return 1;
 }
 
-/* x is that function of the other variables from now on. */
-static int becomes(cagd_context *c, cagd_binding *b, num_f value)
+int cagd_becomes_in_cell(cagd_context *c, cagd_binding *b, num_f value)
 {
     num_f x = b->value.f;
     cagd_binding known = *b;
     int count = c->limits, good = 1;
     b->unknown = 0, b->solved = 1, b->value = cagd_value_f(value);
+    forget_signs(c);
     for (int k = 0; k < c->count; k++) {
         cagd_binding *other = &c->binding[k];
         if (!other->unknown && !other->value.rational)
@@ -122,7 +122,7 @@ int cagd_solve_in_cell(cagd_context *c, num_f form)
     if (best == NULL)
         return 0;
     num_f x = best->value.f;
-    return becomes(c, best, sub_f(x, div_f(form, from_rational_f(coefficient_of(&at, best)))));
+    return cagd_becomes_in_cell(c, best, sub_f(x, div_f(form, from_rational_f(coefficient_of(&at, best)))));
 }
 
 int cagd_cut_cell(cagd_context *c, const cagd_cut *cut)

@@ -21,6 +21,26 @@ static cagd_value fail(cagd_context *c, const cagd_tree *t, unsigned fault, cons
     return cagd_value_int(0);
 }
 
+/* ---- divisors ------------------------------------------------------------------------------------------ */
+
+/* 0 where there is no room for it. */
+static int note_divisor(cagd_context *c, cagd_value b)
+{
+    if (c->divisor == NULL || b.rational)
+        return 1;
+    for (int k = c->count - 1; c->tells_poles && k >= 0; k--) /* where a derivative is asked for */
+        if (c->binding[k].near && c->binding[k].unknown)
+            b.f = substitute_f(b.f, c->binding[k].value.f, cagd_in_field(c->binding[k].place));
+    for (int i = 0; i < c->divisors; i++)
+        if (equal_f(c->divisor[i], b.f))
+            return 1;
+    c->omits_poles |= c->tells_poles && c->divisors == c->most_divisors;
+    if (c->divisors == c->most_divisors)
+        return c->tells_poles;
+    c->divisor[c->divisors++] = b.f;
+    return 1;
+}
+
 /* ---- names --------------------------------------------------------------------------------------------- */
 
 cagd_binding *cagd_binding_of(cagd_context *c, const char *key)
@@ -688,6 +708,8 @@ static cagd_value inverse(cagd_context *c, const cagd_tree *t, int row, int colu
     cagd_value whole = minor(entry, n, 0, 0), part = minor(rest, n - 1, 0, 0);
     if (cagd_value_is_zero(whole))
         return fail(c, t, FAULT_UNDEFINED, "the inverse of a matrix whose determinant is 0");
+    if (!note_divisor(c, whole))
+        return fail(c, t, FAULT_UNABLE, "too many divisors");
     if ((row + column) % 2 != 0)
         part = cagd_value_sub(cagd_value_int(0), part);
     return cagd_value_div(part, whole);
@@ -726,11 +748,21 @@ static struct turn turned(struct turn a, struct turn b)
                          cagd_value_add(cagd_value_mul(a.sine, b.cosine), cagd_value_mul(a.cosine, b.sine))};
 }
 
+/* The angle whose half has that name of its cosine, -1, is looked at apart. */
+static void set_apart(cagd_context *c, const char *cosine)
+{
+    if (c->aparts == CAGD_MOST_APART)
+        region_faults |= FAULT_UNABLE;
+    else
+        c->apart[c->aparts++] =
+            (cagd_apart){{cagd_text_of(cosine, (int)strlen(cosine))}, {NULL}, {cagd_from_int_q(-1)}, 1};
+}
+
 /* Half of the angle of that name: its cosine and sine are rational functions of the tangent of the quarter. */
 static struct turn half_of(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     struct turn none = {cagd_value_int(1), cagd_value_int(0)};
-    char key[96], quarter[120];
+    char key[96], quarter[120], cosine[120];
     const cagd_variable *v = cagd_declared(c->scope, t->head);
     if (!key_of(c, t, f, key, sizeof key) || !key_of_quarter(key, quarter, sizeof quarter))
         return none;
@@ -738,10 +770,17 @@ static struct turn half_of(cagd_context *c, const cagd_tree *t, const frame *f)
         fail(c, t, FAULT_UNABLE, "an angle that has bounds, or is a number, too");
         return none;
     }
-    const cagd_binding *b = cagd_binding_of(c, quarter);
-    cagd_value x = b != NULL ? b->value : unknown(c, t, quarter, NULL);
-    cagd_value square = cagd_value_mul(x, x), one = cagd_value_int(1), below = cagd_value_add(one, square);
+    snprintf(cosine, sizeof cosine, "\\cos(%s/2)", key);
     c->angles++;
+    if (cagd_binding_of(c, cosine) != NULL) /* half a turn, which no tangent reaches */
+        return (struct turn){cagd_value_int(-1), cagd_value_int(0)};
+    cagd_value x = cagd_value_of_key(c, quarter, NULL);
+    cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, quarter) : NULL;
+    if (b != NULL && b->unknown && b->angle == NULL) {
+        b->angle = cagd_text_of(key, (int)strlen(key));
+        set_apart(c, cosine);
+    }
+    cagd_value square = cagd_value_mul(x, x), one = cagd_value_int(1), below = cagd_value_add(one, square);
     return (struct turn){cagd_value_div(cagd_value_sub(one, square), below),
                          cagd_value_div(cagd_value_add(x, x), below)};
 }
@@ -785,17 +824,6 @@ static cagd_value circular(cagd_context *c, const cagd_tree *t, const frame *f)
     struct turn sum = {cagd_value_int(1), cagd_value_int(0)};
     add_angle(c, t->at[0], from_int_q(1), f, &sum);
     return t->kind == CAGD_COSINE ? sum.cosine : sum.sine;
-}
-
-/* 0 where there is no room for it. */
-static int note_divisor(cagd_context *c, cagd_value b)
-{
-    if (c->divisor == NULL || b.rational)
-        return 1;
-    if (c->divisors == c->most_divisors)
-        return 0;
-    c->divisor[c->divisors++] = b.f;
-    return 1;
 }
 
 /* ---- powers and the like ------------------------------------------------------------------------------- */
@@ -969,7 +997,6 @@ static cagd_value cases(cagd_context *c, const cagd_tree *t, const frame *f)
         if (is)
             return evaluate(c, t->at[k], f);
     }
-    c->fits_none = 1;
     c->fits_none = 1;
     return fail(c, t, FAULT_UNDEFINED, "none of the cases");
 }

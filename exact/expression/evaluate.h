@@ -5,6 +5,7 @@
 #ifndef CAGD_EVALUATE_H
 #define CAGD_EVALUATE_H
 
+#include "exact/decide/roots.h"
 #include "exact/expression/scope.h"
 #include "exact/expression/value.h"
 
@@ -23,6 +24,10 @@ typedef struct cagd_binding {
     cagd_value place;
     int has_low, has_high, low_open, high_open;
     cagd_num_q low, high;
+    int has_root; /* it is that root, and its bounds are rational numbers near it (tie.h) */
+    struct cagd_root root;
+    int hidden;        /* other names are functions of it that the page does not know (tie.h)            */
+    const char *angle; /* the name of the angle whose quarter has this tangent, or NULL                */
 } cagd_binding;
 
 /* A variable is looked at below a number, or above it, only. */
@@ -54,6 +59,15 @@ typedef struct cagd_limit {
     struct cagd_linear at; /* the form once more, by its coefficients */
 } cagd_limit;
 
+/* Numbers that names have together where no variable reaches: c = -1, s = 0. */
+typedef struct cagd_apart {
+    const char *key[2];
+    const cagd_variable *variable[2];
+    cagd_num_q value[2];
+    int count;
+} cagd_apart;
+enum { CAGD_MOST_APART = 8, CAGD_MOST_ROOTS = 16 };
+
 /* The signs that a form can have in the cell, as bits. */
 enum { CAGD_CAN_BE_NEGATIVE = 1, CAGD_CAN_BE_ZERO = 2, CAGD_CAN_BE_POSITIVE = 4, CAGD_ANY_SIGN = 7 };
 typedef struct cagd_memo {
@@ -81,6 +95,15 @@ typedef struct cagd_context {
     int has_cut; /* or where this form changes its sign */
     cagd_cut cut;
 
+    int missing; /* conditions, and a premise, that were supposed and are not used: what holds, holds without them */
+    int untied;  /* equalities of higher degree are not used (tie.h) */
+    int ties;    /* how many were                                    */
+    cagd_apart apart[CAGD_MOST_APART];
+    int aparts;
+    const cagd_binding *rooted; /* NULL, or a name that is one of these roots */
+    struct cagd_root root[CAGD_MOST_ROOTS];
+    int roots;
+
     /* The cell: what is known of names together. */
     cagd_limit limit[CAGD_MOST_LIMITS];
     int limits, is_empty; /* is_empty: what is known contradicts itself */
@@ -92,7 +115,8 @@ typedef struct cagd_context {
     int fits_none;       /* no definition of a name fitted                                                */
     cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
     int divisors, most_divisors;
-    int one_sided; /* a derivative was taken where the definitions end, from the side on which they fit */
+    int tells_poles; /* more than so many are poles that are left out; otherwise they are UNABLE        */
+    int one_sided;   /* a derivative was taken where the definitions end, from the side on which they fit */
 } cagd_context;
 
 /* What letters stand for inside a definition or a sum; all other names are the same everywhere. */

@@ -328,7 +328,43 @@ static const cagd_tree *cases(cagd_reader *r, int from)
 
 /* ---- factors ------------------------------------------------------------------------------------------- */
 
-/* \sin a, \cos^2 a: the angle is one factor. */
+/* Whether it counts how often an angle is taken: 2, or k - 1 where k is a whole number. */
+static int is_count(const cagd_reader *r, const cagd_tree *t)
+{
+    const cagd_variable *v = t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(r->scope, t->head) : NULL;
+    if (t->kind != CAGD_SUM && t->kind != CAGD_NEGATIVE && t->kind != CAGD_PRODUCT)
+        return t->kind == CAGD_NUMBER || (v != NULL && v->whole);
+    for (int k = 0; k < t->count; k++)
+        if (!is_count(r, t->at[k]))
+            return 0;
+    return 1;
+}
+
+/* The angle is one factor, or a multiple of one: \sin 2a, \sin k a. */
+static const cagd_tree *angle_of(cagd_reader *r)
+{
+    int from = r->token->from;
+    const cagd_tree *a = cagd_read_factor(r);
+    if (a == NULL || !is_count(r, a) || !(cagd_begins_name(r) || cagd_next_is(r, "(")))
+        return a;
+    const cagd_tree *b = angle_of(r);
+    return b != NULL ? cagd_new_of(r, CAGD_PRODUCT, from, 2, (const cagd_tree *[]){a, b}) : NULL;
+}
+
+/* A name behind an angle without brackets can belong to the angle, as in \sin a t; 0 where it is refused. */
+static int ends_angle(cagd_reader *r)
+{
+    const cagd_token *here = r->token;
+    if (!cagd_begins_name(r) || (r->integrals > 0 && cagd_differential(r, here) > 0))
+        return 1;
+    const cagd_tree *next = cagd_read_factor(r);
+    if (next != NULL && next->dimension == 0)
+        cagd_refuse_tree(r, next, "part of the angle, or a factor? write brackets, or the factor first");
+    r->token = here;
+    return next != NULL && next->dimension > 0;
+}
+
+/* \sin a, \cos^2 a. */
 static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
 {
     const cagd_tree *power = NULL;
@@ -336,8 +372,9 @@ static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
         return NULL;
     if (power != NULL && power->kind == CAGD_NEGATIVE)
         return cagd_refuse_tree(r, power, "the inverse function, or 1 over it? write \\frac{1}{...}");
-    const cagd_tree *angle = cagd_read_factor(r);
-    const cagd_tree *t = angle != NULL ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
+    int is_bare = cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER;
+    const cagd_tree *angle = angle_of(r);
+    const cagd_tree *t = angle != NULL && (!is_bare || ends_angle(r)) ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
     return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
 

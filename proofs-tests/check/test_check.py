@@ -211,6 +211,17 @@ g(s,t) = s^2 t^3
                 s = verdict(printed, "n = 2", let)
                 self.assertEqual(s["verdict"], expected, s)
 
+    def test_multiples_of_angles(self):
+        let = "a, b \\in \\mathbb{R}\nP \\in \\mathbb{R}^2\n"
+        for printed, ranges in (("\\sin 2a = 2 \\sin a \\cos a", "n = 1"), ("\\cos 2a \\cos b = (1 - 2 \\sin^2 a) \\cos b", "n = 1"), ("\\cos 2(a+b) = 2 \\cos^2(a+b) - 1", "n = 1"),
+                                ("\\cos na = 2 \\cos a \\cos (n-1)a - \\cos (n-2)a", "n = 0..5"), ("\\sin a (x+y) = x \\sin a + y \\sin a", "n = 1"), ("\\cos(a) x = x \\cos a", "n = 1"), ("\\cos a P = P \\cos a", "n = 1")):
+            self.assertEqual(verdict(printed, ranges, let)["verdict"], "holds", printed)
+        self.assertEqual(verdict("\\sin 2a = 2 \\sin a", "n = 1", let)["verdict"], "fails")
+        for printed in ("\\sin a x = x \\sin a", "\\cos 2a x = x \\cos 2a"):
+            r = check(document(printed, "n = 1", let))
+            self.assertEqual(r.returncode, 2)
+            self.assertIn("part of the angle, or a factor?", r.stderr)
+
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
         for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3",
@@ -347,10 +358,54 @@ g(s,t) = s^2 t^3
     def test_names_whose_squares_are_told(self):
         x = "((1-t)^2 + x t (1-t))^2 + (x t (1-t) + t^2)^2"
         self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 2")["verdict"], "holds")
-        self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 3")["verdict"], "undecided")
+        self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 3")["verdict"], "fails")
         self.assertEqual(verdict("x^4 - 1 = -y^2 (x^2 + 1)", "x^2 + y^2 = 1")["verdict"], "holds")
         self.assertEqual(verdict("x^4 - 1 = y^2 (x^2 + 1)", "x^2 + y^2 = 1")["verdict"], "fails")
         self.assertEqual(verdict("x^4 = 1", "x^2 = -1")["verdict"], "undecided")
+
+    def test_inequalities_of_names_that_are_tied(self):
+        """On a circle by the tangent of half of the angle, on a parabola, at roots; what no tangent reaches is looked at, too."""
+        for printed, ranges, expected in (
+                ("x \\le 1", "x^2 + y^2 = 1", "holds"), ("x < 1", "x^2 + y^2 = 1", "fails"), ("x > -1", "x^2 + y^2 = 1", "fails"), ("y > -1", "x^2 + y^2 = 1", "fails"),
+                ("x + y \\le 1", "x^2 + y^2 = 1", "fails"), ("2 x y \\le 1", "x^2 + y^2 = 1", "holds"), ("x + y \\ge 1", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", "holds"),
+                ("x + y > 1", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", "fails"), ("x + y > 1", "x^2 + y^2 = 1, x > 0, y > 0", "holds"), ("x \\ne y", "x^2 + y^2 = 1, x \\ge 0, y \\le 0", "holds"),
+                ("3 x + 4 y \\le 5", "x^2 + y^2 = 1", "holds"), ("3 x + 4 y < 5", "x^2 + y^2 = 1", "fails"), ("x \\le 2", "\\frac{x^2}{4} + 9 y^2 = 1", "holds"), ("y \\le 1/4", "\\frac{x^2}{4} + 9 y^2 = 1", "fails"),
+                ("3 y \\ge 1 - x/2", "\\frac{x^2}{4} + 9 y^2 = 1, 0 \\le x \\le 2, y \\ge 0", "holds"), ("y \\ge 3/4", "x^2 + y^2 = 1, 0 \\le x \\le 3/5, y \\ge 0", "holds"), ("y \\ge 5/6", "x^2 + y^2 = 1, 0 \\le x \\le 3/5, y \\ge 0", "fails"),
+                ("x \\le \\frac{1+y}{2}", "x^2 = y", "holds"), ("x < \\frac{1+y}{2}", "x^2 = y", "fails"), ("x \\ge y", "x^2 = y, x \\ge 0, 0 \\le y \\le 1", "holds"), ("x \\ge y", "x^2 = y, x \\ge 0, 0 \\le y \\le 4", "fails"),
+                ("y \\le 1", "x^2 + y = 1", "holds"), ("y + u \\le 1", "x^2 + y = 1, u \\le 0", "holds"),
+                ("y \\ge 0", "x^2 + u^2 + y = 1, y \\ge 0", "holds"),
+                ("x \\ge 1", "x^2 = 2, x > 0", "holds"), ("x > 3/2", "x^2 = 2, x > 0", "fails"), ("x \\ge 1", "x^2 = 2", "fails"), ("x \\ge -2", "x^2 = 4", "holds"), ("x > -2", "x^2 = 4", "fails"), ("x^2 \\ge 2", "x^2 = 2", "holds"),
+                ("(1-t)^2 + x t (1-t) + t^2 > 0", "x^2 = 2, 0 \\le t \\le 1", "holds"), ("x > 1", "x^3 = 2", "holds"), ("x^4 = 2 x", "x^3 = 2", "holds"), ("x^4 = 2", "x^3 = 2", "fails"),
+                ("x^2 + y^2 = 1 \\Rightarrow x \\le 1", "n = 1", "holds"), ("x^2 + y^2 = 1 \\Rightarrow x + y \\le 1", "n = 1", "fails"), ("x^2 + y^2 = 1 \\Rightarrow x \\ne -1", "n = 1", "fails"),
+                ("|x| + |y| \\ge 1", "x^2 + y^2 = 1", "holds"), ("|x| + |y| > 1", "x^2 + y^2 = 1", "fails"), ("x = 5", "x^2 + 1 = 0", "undecided")):
+            with self.subTest(printed=printed, ranges=ranges):
+                let = "t \\in \\mathbb{R}\n"
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+
+    def test_what_is_false_for_a_root_alone(self):
+        """A counterexample of which one number is no rational one: it is a root of what is printed, between the numbers that are."""
+        for printed, ranges, of, at in (("x^2 \\ne 2", "n = 1", "x^2 - 2", -2 ** .5), ("x^2 \\ne 2", "x \\ge 0", "x^2 - 2", 2 ** .5), ("(x^3 - 2)^2 > 0", "n = 1", "x^3 - 2", 2 ** (1 / 3)),
+                                        ("(x^2 - 3)^2 (y^2 + 1) > 0", "x \\ge 1", "x^2 - 3", 3 ** .5), ("x^2 = 2 \\Rightarrow x^4 = 5", "x > 0", "x^2 - 2", 2 ** .5), ("x y = 1", "x^2 = 2, x > 0", "x^2 - 2", 2 ** .5)):
+            with self.subTest(printed=printed):
+                s = verdict(printed, ranges)
+                self.assertEqual((s["verdict"], s["evidence"]), ("fails", "decided"))
+                (root,) = [v["root"] for v in s["counterexample"]["values"] if "root" in v]
+                self.assertEqual(root["of"], of)
+                low, high = map(fractions.Fraction, root["between"])
+                self.assertTrue(low < at < high)
+        self.assertEqual(verdict("x^2 \\le 3", "x^2 = 2", "")["verdict"], "holds")
+        for printed, ranges in (("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1"), ("(x^2-2)^2 > 0", "x \\ge 2"), ("(x^2-2)^2 > 0", "x^3 \\ge 10"), ("(x^2-2)^2 > 0", "x_i^2 \\le 1, x = x_1")):
+            self.assertNotEqual(verdict(printed, ranges)["verdict"], "fails", printed)
+
+    def test_half_a_turn_is_an_angle(self):
+        """The tangent of its half is no number."""
+        for printed, expected in (("\\cos\\frac{x}{2} > -1", "fails"), ("\\cos\\frac{x}{2} \\ge -1", "holds"), ("1 + \\cos\\frac{x}{2} \\ne 0", "fails"), ("\\cos\\frac{x}{2} = -1 \\Rightarrow \\sin\\frac{x}{2} = 1", "fails"),
+                                  ("\\cos\\frac{x}{2} = -1 \\Rightarrow \\sin\\frac{x}{2} = 0", "holds"), ("\\cos\\frac{x}{2} + \\cos\\frac{y}{2} > -2", "fails"), ("\\cos\\frac{x}{2} + \\cos\\frac{y}{2} \\ge -2", "holds"),
+                                  ("\\begin{cases} 1 & \\cos\\frac{x}{2} > -1 \\\\ 0 & \\text{otherwise} \\end{cases} = 1", "fails")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 1")
+                self.assertEqual(s["verdict"], expected)
+                self.assertNotIn("tan", s["scope"])
 
     def test_a_value_at_a_place_of_all_that_is_before_the_bar(self):
         """It was that of the last factor alone."""
@@ -915,6 +970,21 @@ class Verdicts(unittest.TestCase):
                         "\\sum_{k=0}^n (k-9)_+^1 = 0"):
             self.assertEqual(verdict(printed, "n = 0..")["verdict"], "undecided", printed)
 
+    def test_what_is_said_where_a_divisor_can_be_0_is_said_elsewhere(self):
+        """A quotient that is a polynomial has no value there; what has a pole is positive beside it."""
+        let = "A \\in \\mathbb{R}^{2 \\times 2}\nw_i > 0\n"
+        for printed, ranges, is_defined in (
+                ("\\frac{x^2-1}{x-1} = x + 1", "n = 1", 0), ("\\frac{x^2-1}{x-1} = x + 1", "x > 1", 1), ("\\frac{x^2-1}{x-1} = x + 1", "x \\ge 1", 0), ("x x^{-1} = 1", "n = 1", 0), ("\\frac{x^2+1}{x^2+1} = 1", "n = 1", 1),
+                ("A^{-1} A = \\begin{pmatrix} 1 & 0 \\\\ 0 & 1 \\end{pmatrix}", "n = 1", 0), ("\\frac{1}{x^2} > 0", "n = 1", 0), ("\\frac{1}{x+1} > 0", "x \\ge -1", 0), ("\\frac{1}{x+1} > 0", "x \\ge 0", 1),
+                ("\\frac{w_0 (1-t) + w_1 t}{w_0 (1-t) + w_1 t} = 1", "0 \\le t \\le 1", 1), ("\\frac{w_0 (1-t) + w_1 t}{w_0 (1-t) + w_1 t} = 1", "-1 \\le t \\le 1", 0), ("\\frac{d}{dt} \\frac{t}{1+t^2} = \\frac{1-t^2}{(1+t^2)^2}", "n = 1", 1),
+                ("\\frac{d}{dx} \\frac{1}{x} = -\\frac{1}{x^2}", "n = 1", 0)):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges, let)
+                self.assertEqual(s["verdict"], "holds")
+                self.assertEqual("wherever both sides are defined" not in s["scope"], bool(is_defined))
+        for printed in ("\\frac{1}{x} > 0", "\\frac{x^2}{x} > 0", "\\frac{x^2}{(x-1)^2} > 0"):
+            self.assertNotEqual(verdict(printed, "x \\ge -1")["verdict"], "holds", printed)
+
     def test_a_value_that_is_given_is_in_the_scope(self):
         self.assertIn("x = 1/2", verdict("x y = y x", "x = 1/2")["scope"].replace("\\frac12", "1/2"))
         self.assertNotIn("x", verdict("y = 2 u", "x = 1/2, y = 2 u")["scope"])
@@ -974,8 +1044,10 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict("t (1-t) > 0", "0 < t \\le 1")["verdict"], "fails")
         self.assertEqual(verdict("t^2 > 2", "t > 3/2")["verdict"], "holds")
         self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 1")["verdict"], "holds")
-        # it is false at the root of 2 alone, of which there is no rational example
-        self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 2")["verdict"], "undecided")
+        self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 2")["verdict"], "fails")
+        for printed, expected in (("x (1-t) + y t > 0", "holds"), ("x (1-t)^2 + 2 y t (1-t) + u t^2 > 0", "holds"), ("x (1-t) t + y t > 0", "fails")):
+            self.assertEqual(verdict(printed, "0 \\le t \\le 1, x > 0, y > 0, u > 0")["verdict"], expected, printed)
+        self.assertEqual(verdict("x (1-t) + y t > 0", "0 \\le t \\le 1, x > 0, y \\ge 0")["verdict"], "fails")
         self.assertEqual(verdict("x^2 - 2 x y + y^2 \\ge 0", "0 \\le x \\le 1, 0 \\le y \\le 1")["verdict"], "holds")
         self.assertEqual(verdict("x^2 + y^2 + u^2 > 0", "1 \\le x \\le 2, -1 \\le y \\le 1, -1 \\le u \\le 1")["verdict"], "holds")
         self.assertEqual(verdict("x + y + u > 1/100", "0 \\le x \\le 2, 0 \\le y \\le 1, 0 \\le u \\le 1")["verdict"], "fails")
