@@ -394,9 +394,10 @@ static void print_page(const struct document *d, const struct sheet *s, const ca
     }
     printf("%s%s%s  (%s:%d)\n", style(stdout, BOLD), s->name, style(stdout, PLAIN), name_of_input(d->path), s->line);
     heading("Functions");
-    snprintf(range, sizeof range, ", $%s = %ld$ to $%ld$, $%s \\le %s \\le %s$%s%s%s", s->index, s->first, s->last,
-             to_string_q(b->t.low), s->argument, to_string_q(b->t.high), s->find != NULL ? "; the parameter is $" : "",
-             s->find != NULL ? s->find : "", s->find != NULL ? "$" : "");
+    snprintf(range, sizeof range, ", $%s = %ld$ to $%ld$, $%s %s %s %s %s$%s%s%s", s->index, s->first, s->last,
+             to_string_q(b->t.low), b->t.low_open ? "<" : "\\le", s->argument, b->t.high_open ? "<" : "\\le",
+             to_string_q(b->t.high), s->find != NULL ? "; the parameter is $" : "", s->find != NULL ? s->find : "",
+             s->find != NULL ? "$" : "");
     char *plain = tex_to_text(joined("$%s$%s", s->functions, range), 1);
     put_paragraph(stdout, plain, INDENT, WIDTH);
     free(plain);
