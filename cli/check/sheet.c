@@ -175,7 +175,7 @@ static void decide_formula(struct answer *a, const struct sheet *s, const cagd_b
     if (a->was_checked)
         cagd_check(&a->formula.scope, a->formula.tree, seconds, &a->finding);
     else
-        cagd_find(&a->formula.scope, a->formula.tree, s->find, seconds, &a->found);
+        cagd_find(&a->formula.scope, a->formula.tree, s->find, 0, seconds, &a->found);
 }
 
 /* Holds for all values, for none, for some; or it is not known. */

@@ -478,7 +478,7 @@ void print_found_page(const struct document *d, const struct formula *s, const c
         return;
     }
     struct span span[2 * CAGD_MOST_CUTS + 2];
-    int whole = spans_of(f, span) == 1 && span[0].first < 0 && span[0].last == c->count;
+    int spans = spans_of(f, span), whole = spans == 0 || (spans == 1 && span[0].first < 0 && span[0].last == c->count);
     paragraph(append("It holds for ", "%s%s (decided, %ld case%s).", values_of(s, f), whole ? "" : ", and for no other",
                      f->cases, f->cases == 1 ? "" : "s"),
               1);

@@ -50,6 +50,7 @@ struct run {
 /* What the cases ask of a parameter. */
 struct collection {
     const char *parameter;
+    int poles; /* numbers for which a divisor of a side is 0 are none of those that are looked for */
     cagd_constraint constraint[MOST_CONSTRAINTS];
     const char *other[MOST_CONSTRAINTS]; /* the name of its other variable */
     cagd_given chosen[MOST_CONSTRAINTS][MOST_WHOLE];
@@ -137,19 +138,19 @@ static void begin(const struct run *r, const struct part *p, cagd_context *c)
     c->untied = r->untied;
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
+    memcpy(c->piece, p->piece, sizeof p->piece);
+    c->pieces = p->pieces;
+    if (r->into != NULL) { /* the parameter is a variable of every case, the same one */
+        cagd_tree name = {.kind = CAGD_NAME, .head = r->into->parameter};
+        cagd_evaluate(c, &name);
+    }
     for (int k = 0; k < p->numbers; k++) {
         cagd_binding *b = cagd_bind(c, p->number[k].name, cagd_value_q(p->number[k].value));
         if (b != NULL)
             b->variable = p->of_number[k];
     }
-    memcpy(c->piece, p->piece, sizeof p->piece);
-    c->pieces = p->pieces;
     for (int k = 0; k < p->cuts; k++)
         cagd_cut_cell(c, &p->cut[k]);
-    if (r->into != NULL) { /* the parameter is a variable of every case, the same one */
-        cagd_tree name = {.kind = CAGD_NAME, .head = r->into->parameter};
-        cagd_evaluate(c, &name);
-    }
 }
 
 /* The sides of the box of all variables that are known. */
@@ -275,7 +276,32 @@ static void collect(struct run *r, cagd_constraint one, const char *other)
     into->other[into->count++] = other;
 }
 
-/* The relation a >= b, a > b, or a = b as a constraint of the parameter; with an inequality its value must not be a pole. */
+/* Whether all that is known of the names in p, and of the parameter, are their bounds. */
+static int has_bounds_alone(const cagd_context *c, num_f p, const cagd_binding *parameter)
+{
+    for (int m = 0; m < c->count; m++) {
+        const cagd_binding *b = &c->binding[m];
+        const cagd_variable *v = b->variable;
+        if (!b->unknown || (b != parameter && degree_f(p, b->value.f) < 1))
+            continue;
+        if (b->has_root || (v != NULL && ((v->low != NULL && !b->has_low) || (v->high != NULL && !b->has_high))))
+            return 0;
+        for (int i = 0; i < c->limits; i++)
+            if (degree_f(c->limit[i].form, b->value.f) > 0)
+                return 0;
+    }
+    return c->missing == 0 && !c->loose;
+}
+
+/* A value of the parameter for which the polynomial is 0 whatever the other names are is none of those that are looked for. */
+static void collect_poles(struct run *r, num_f p, const cagd_binding *parameter)
+{
+    num_f poles = cagd_factor_of_parameter(p, parameter->value.f);
+    if (!is_constant_f(poles, NULL) && r->into->count < MOST_CONSTRAINTS)
+        collect(r, (cagd_constraint){mul_f(poles, poles), CAGD_MORE_THAN_ZERO, {.variable = parameter->value.f}}, NULL);
+}
+
+/* The relation a >= b, a > b, a = b, or a \ne b as a constraint of the parameter; its value must not be a pole. */
 static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relation, cagd_value d)
 {
     struct collection *into = r->into;
@@ -283,16 +309,19 @@ static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relat
     cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
     int of[CAGD_MOST_UNKNOWNS], count = sides(c, side, of);
     r->out->comparisons++;
-    if (relation == CAGD_NOT_EQUAL)
-        return undecided(r, c, "a relation that is not understood with :find:");
-    if (into->count + 2 > MOST_CONSTRAINTS)
+    if (into->count + 1 + c->divisors >= MOST_CONSTRAINTS)
         return undecided(r, c, "too many cases");
     num_f f = cagd_in_field(d), n = cagd_numerator_f(f),
-          p = relation == CAGD_EQUAL ? n : mul_f(n, cagd_denominator_f(f));
+          p = relation == CAGD_EQUAL       ? n
+              : relation == CAGD_NOT_EQUAL ? mul_f(n, n)
+                                           : mul_f(n, cagd_denominator_f(f));
     cagd_constraint one = {.p = p,
-                           .demand = relation == CAGD_EQUAL                              ? CAGD_ZERO
-                                     : relation == CAGD_LESS || relation == CAGD_GREATER ? CAGD_MORE_THAN_ZERO
-                                                                                         : CAGD_AT_LEAST_ZERO};
+                           .demand = relation == CAGD_EQUAL ? CAGD_ZERO
+                                     : relation == CAGD_LESS_OR_EQUAL || relation == CAGD_GREATER_OR_EQUAL
+                                         ? CAGD_AT_LEAST_ZERO
+                                         : CAGD_MORE_THAN_ZERO};
+    if (!has_bounds_alone(c, p, parameter))
+        return undecided(r, c, "a condition or a bound that is not understood with :find:");
     const char *other = NULL;
     for (int m = 0; m < count; m++) {
         const cagd_binding *b = &c->binding[of[m]];
@@ -308,9 +337,10 @@ static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relat
     if (other == NULL)
         one.t.variable = parameter->value.f;
     collect(r, one, other);
-    num_f poles = cagd_factor_of_parameter(cagd_denominator_f(f), parameter->value.f);
-    if (relation != CAGD_EQUAL && !is_constant_f(poles, NULL))
-        collect(r, (cagd_constraint){mul_f(poles, poles), CAGD_MORE_THAN_ZERO, {.variable = parameter->value.f}}, NULL);
+    if (relation != CAGD_EQUAL)
+        collect_poles(r, cagd_denominator_f(f), parameter);
+    for (int i = 0; into->poles && i < c->divisors; i++)
+        collect_poles(r, c->divisor[i], parameter);
     return CAGD_HOLDS;
 }
 
@@ -736,7 +766,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
     r->out->bounded |= c->used_bounds;
     r->out->leaves_out_poles |= c->omits_poles;
     r->out->one_sided |= c->one_sided;
-    if (answer == CAGD_HOLDS && !r->quick && !r->out->leaves_out_poles)
+    if (answer == CAGD_HOLDS && r->into == NULL && !r->quick && !r->out->leaves_out_poles)
         r->out->leaves_out_poles = divides_by_0(c);
     note_names(r->out, c);
     return answer == CAGD_FAILS ? answer : worse(answer, decide_apart(r, p, c));
@@ -1089,7 +1119,7 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
     out->says_nothing = same || (out->changes > 0 && out->noticed == 0 && cagd_seconds() < until);
 }
 
-void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
+void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, int poles, double seconds,
                cagd_found *out)
 {
     cagd_finding *f = region_bytes(sizeof *f);
@@ -1098,7 +1128,7 @@ void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *
     if (f == NULL || into == NULL)
         return;
     *f = (cagd_finding){0};
-    *into = (struct collection){.parameter = parameter};
+    *into = (struct collection){.parameter = parameter, .poles = poles};
     struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds, .into = into};
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     field_open(FIELD_ROOM);

@@ -69,7 +69,8 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
 
 /* For which values of the parameter, a declared name without indices, the statement holds for all other names within their bounds: each case
  * of the whole numbers gives constraints of one other name at most.  In `cells` the numbers where it begins or ceases to hold are
- * among others; breaking[k] has the whole numbers of the case that breaks cell k first. */
+ * among others; breaking[k] has the whole numbers of the case that breaks cell k first.  With `poles`, a number for which a divisor is 0
+ * whatever the other names are is none for which it holds. */
 typedef struct cagd_found {
     int known; /* 0: not found, and `why` says what was in the way */
     const char *why;
@@ -81,7 +82,7 @@ typedef struct cagd_found {
     const char *name_of_witness[CAGD_MOST_CUTS + 1]; /* of which name cells.witness is a value, or NULL */
     cagd_given breaking[CAGD_MOST_CUTS + 1][8];
 } cagd_found;
-void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
+void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, int poles, double seconds,
                cagd_found *out);
 
 /* Whether the name occurs in the statement, or in the definitions that it uses. */

@@ -98,6 +98,7 @@ typedef struct cagd_context {
     int missing; /* conditions, and a premise, that were supposed and are not used: what holds, holds without them */
     int untied;  /* equalities of higher degree are not used (tie.h) */
     int ties;    /* how many were                                    */
+    int loose;   /* a bound of a name that became a function of others is not known of these */
     cagd_apart apart[CAGD_MOST_APART];
     int aparts;
     const cagd_binding *rooted; /* NULL, or a name that is one of these roots */

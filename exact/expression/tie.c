@@ -78,22 +78,39 @@ static int find_ellipse(cagd_context *c, num_f n, struct ellipse *e)
     return 0;
 }
 
+/* Whether s = b is an end of a name of which nothing is lost: b lies beyond `radius`, or there and belongs to the range. */
+static int says_nothing(num_q bound, int open, num_q radius)
+{
+    int order = cagd_compare_q(bound, radius);
+    return order > 0 || (order == 0 && !open);
+}
+
 /* The bounds of c = a (1-u^2)/(1+u^2) and s = 2bu/(1+u^2) as bounds of u: c >= q is u^2 <= (a-q)/(a+q).  Others are left out. */
 static void bound_ellipse(cagd_context *c, const struct ellipse *e, cagd_binding x, cagd_binding y, num_f u)
 {
-    num_q root, zero = from_int_q(0);
-    if (y.has_low && cagd_sign_q(y.low) == 0)
+    num_q root, zero = from_int_q(0), a = e->a;
+    int from_0 = y.has_low && cagd_sign_q(y.low) == 0, to_0 = y.has_high && cagd_sign_q(y.high) == 0;
+    if (from_0)
         bound(c, u, 1, zero, y.low_open);
-    if (y.has_high && cagd_sign_q(y.high) == 0)
+    if (to_0)
         bound(c, u, 0, zero, y.high_open);
-    if (x.has_low && cagd_compare_q(x.low, neg_q(e->a)) > 0 &&
-        has_root(div_q(sub_q(e->a, x.low), add_q(e->a, x.low)), &root)) {
-        bound(c, u, 0, root, x.low_open);
-        bound(c, u, 1, neg_q(root), x.low_open);
+    c->loose |= (y.has_low && !from_0 && !says_nothing(neg_q(y.low), y.low_open, e->b)) ||
+                (y.has_high && !to_0 && !says_nothing(y.high, y.high_open, e->b));
+    if (x.has_low && !says_nothing(neg_q(x.low), x.low_open, a)) {
+        if (cagd_compare_q(x.low, neg_q(a)) > 0 && has_root(div_q(sub_q(a, x.low), add_q(a, x.low)), &root)) {
+            bound(c, u, 0, root, x.low_open);
+            bound(c, u, 1, neg_q(root), x.low_open);
+        } else if (!cagd_equal_q(x.low, neg_q(a))) { /* c > -a: every u */
+            c->loose = 1;
+        }
     }
-    if (y.has_low && cagd_sign_q(y.low) == 0 && x.has_high && cagd_compare_q(x.high, neg_q(e->a)) > 0 &&
-        has_root(div_q(sub_q(e->a, x.high), add_q(e->a, x.high)), &root))
-        bound(c, u, 1, root, x.high_open);
+    if (x.has_high && !says_nothing(x.high, x.high_open, a)) {
+        if (from_0 && cagd_compare_q(x.high, neg_q(a)) > 0 &&
+            has_root(div_q(sub_q(a, x.high), add_q(a, x.high)), &root))
+            bound(c, u, 1, root, x.high_open);
+        else
+            c->loose = 1;
+    }
 }
 
 static int tie_ellipse(cagd_context *c, struct ellipse *e)
@@ -103,7 +120,12 @@ static int tie_ellipse(cagd_context *c, struct ellipse *e)
     if (c->aparts == CAGD_MOST_APART)
         return 0;
     cagd_binding x = *e->c, y = *e->s;
-    snprintf(key, sizeof key, "%s/(1+%s)", y.key, x.key);
+    num_q q = div_q(e->a, e->b);
+    int is_circle = cagd_equal_q(e->a, from_int_q(1)) && cagd_equal_q(q, e->a);
+    if (is_circle)
+        snprintf(key, sizeof key, "%s/(1+%s)", y.key, x.key);
+    else
+        snprintf(key, sizeof key, "(%s) %s/(%s+%s)", to_string_q(q), y.key, to_string_q(e->a), x.key);
     num_f u = cagd_in_field(cagd_value_of_key(c, key, NULL));
     if (region_faults != 0)
         return 0;
@@ -118,31 +140,39 @@ static int tie_ellipse(cagd_context *c, struct ellipse *e)
 
 /* ---- one name as a function of others ------------------------------------------------------------------ */
 
-/* The bounds of p r^2 + q as bounds of r, p not 0; those that are no rational numbers are left out. */
-static void bound_square(cagd_context *c, num_f value, const cagd_binding *known)
+/* r^2 <= q, or r^2 >= q, as bounds of r; 0 where they are no rational numbers. */
+static int bound_square(cagd_context *c, const cagd_binding *r, int above, num_q q, int strict)
+{
+    num_q root;
+    if (above && (cagd_sign_q(q) < 0 || (cagd_sign_q(q) == 0 && !strict)))
+        return 1;
+    if (!has_root(q, &root) || (above && !(r->has_low && cagd_sign_q(r->low) >= 0)))
+        return 0;
+    bound(c, r->value.f, above, root, strict);
+    if (!above)
+        bound(c, r->value.f, 1, neg_q(root), strict);
+    return 1;
+}
+
+/* The bounds of x = p r^2 + q, p not 0, as bounds of r; of any other function they are left out. */
+static void bound_value(cagd_context *c, num_f value, const cagd_binding *x)
 {
     for (int k = 0; k < c->count; k++) {
-        num_f r = c->binding[k].value.f;
-        num_q p, q, root;
-        if (!is_free(&c->binding[k]) || cagd_degree_f(value, r) != 2 || !is_constant_f(coefficient(value, r, 2), &p) ||
-            !is_constant_f(sub_f(value, mul_f(from_rational_f(p), mul_f(r, r))), &q))
+        cagd_binding *r = &c->binding[k];
+        num_q p, q;
+        if (!is_free(r) || cagd_degree_f(value, r->value.f) != 2 ||
+            !is_constant_f(coefficient(value, r->value.f, 2), &p) ||
+            !is_constant_f(sub_f(value, mul_f(from_rational_f(p), mul_f(r->value.f, r->value.f))), &q))
             continue;
-        int low_is_outer = cagd_sign_q(p) < 0; /* x >= low is then r^2 <= something */
-        int has_outer = low_is_outer ? known->has_low : known->has_high;
-        num_q outer = low_is_outer ? known->low : known->high;
-        int outer_open = low_is_outer ? known->low_open : known->high_open;
-        if (has_outer && has_root(div_q(sub_q(outer, q), p), &root)) {
-            bound(c, r, 0, root, outer_open);
-            bound(c, r, 1, neg_q(root), outer_open);
-        }
-        int has_inner = low_is_outer ? known->has_high : known->has_low;
-        num_q inner = low_is_outer ? known->high : known->low;
-        int inner_open = low_is_outer ? known->high_open : known->low_open;
-        const cagd_binding *b = &c->binding[k];
-        if (has_inner && b->has_low && cagd_sign_q(b->low) >= 0 && has_root(div_q(sub_q(inner, q), p), &root))
-            bound(c, r, 1, root, inner_open);
+        int up = cagd_sign_q(p) > 0, good = 1;
+        if (x->has_low)
+            good &= bound_square(c, r, up, div_q(sub_q(x->low, q), p), x->low_open);
+        if (x->has_high)
+            good &= bound_square(c, r, !up, div_q(sub_q(x->high, q), p), x->high_open);
+        c->loose |= !good;
         return;
     }
+    c->loose |= x->has_low || x->has_high;
 }
 
 /* The name with the fewest bounds that the polynomial n has with a number as its coefficient, and otherwise not. */
@@ -162,7 +192,7 @@ static int tie_linear(cagd_context *c, num_f n)
     cagd_binding known = *best;
     num_f value = sub_f(known.value.f, div_f(n, from_rational_f(factor)));
     cagd_becomes_in_cell(c, best, value);
-    bound_square(c, value, &known);
+    bound_value(c, value, &known);
     return region_faults == 0;
 }
 

@@ -850,6 +850,17 @@ class Ranges(unittest.TestCase):
         self.assertEqual(r.returncode, 0)
         self.assertEqual(s["property-2.1-range"]["values"].replace("− ", "−"), "−21/4 ≤ β ≤ 1")
 
+    def test_names_that_are_tied(self):
+        """On a circle, also where no tangent reaches; a bound of names together, or a condition that is not used, is no range."""
+        for printed, ranges, values in (("1 - u x \\ge 0", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", "u ≤ 1"), ("1 - u x > 0", "x^2 + y^2 = 1", "−1 < u < 1"), ("u + y > 0", "x^2 + y^2 = 1", "u > 1"), ("u + x > 0", "x^2 + y^2 = 1", "u > 1"),
+                                        ("u + \\cos\\frac{x}{2} > 0", "n = 1", "u > 1"), ("u + x \\ge 0", "x^2 = y, 0 \\le y \\le 4", "u ≥ 2"), ("u + x \\ge 0", "x + y = 1, 0 \\le y \\le 3", "u ≥ 2"),
+                                        ("x^3 - 3 x + u \\ne 0", "0 \\le x \\le 1", "u < 0 and u > 2"), ("\\frac{u}{u} = 1", "n = 1", "u < 0 and u > 0"), ("\\frac{u (u-1)}{u-1} \\le 3", "n = 1", "u < 1 and 1 < u ≤ 3"),
+                                        ("u \\ge x", "0 \\le x \\le 1, x \\le y, y \\le 1 - x", None), ("x \\le 1", "0 \\le x \\le u", None), ("u + x \\ge 0", "x^2 = 2, x > 0", None), ("u + x \\ge 0", "x^2 \\le 4", None),
+                                        ("u + x \\ge 0", "x^2 + y = 3, 0 \\le y", None), ("u + x \\ge 0", "x^2 + y^2 = 1, x \\ge 1/3", None), ("u \\ge x", "0 \\le x \\le 1, 3 x_1 = x, x_1 \\le 1/6", "u ≥ 1/2")):
+            s = self.found(printed, "u", ranges)
+            self.assertEqual(s["values"].replace("− ", "−"), values or "", printed)
+            self.assertEqual(s["verdict"], "found" if values else "undecided")
+
     def test_what_is_not_found_is_told(self):
         self.assertIn("more than one name", self.found("x + t + y \\ge 0", "x", "0 \\le t \\le 1")["reason"])
         for parameter, words in (("z", "not defined"), ("x_1", "variable"), ("2", "variable"), ("n", "variable")):
