@@ -321,7 +321,7 @@ static void note(cagd_context *c, num_f form)
         const cagd_binding *b = &c->binding[k];
         if (has_name(&at, b))
             term[count++] = (cagd_cut_term){b->key, b->variable, coefficient_of(&at, b)};
-        if (has_name(&at, b) && b->key[0] == '\0')
+        if (has_name(&at, b) && (b->key[0] == '\0' || b->has_root))
             return;
     }
     if (count < at.count || count == 0)

@@ -40,6 +40,7 @@ struct run {
         *take; /* NULL, or where each case goes with what was noted; `unnoted`: it is not the whole evidence */
     void *data;
     int unnoted;
+    int undefined;           /* in some part a side was not defined */
     int untied, ties;        /* equalities of higher degree are not used (tie.h); how many were                 */
     struct collection *into; /* NULL, or where constraints of a parameter are collected and nothing is decided */
     const cagd_variable *whole[MOST_WHOLE];
@@ -135,7 +136,7 @@ struct part {
 static void begin(const struct run *r, const struct part *p, cagd_context *c)
 {
     *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
-    c->untied = r->untied;
+    c->untied = r->untied, c->has_roots = 1;
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
     memcpy(c->piece, p->piece, sizeof p->piece);
@@ -540,7 +541,6 @@ static cagd_answer at_roots(struct run *r, const struct part *p, const cagd_cont
             cagd_seconds() > r->until)
             return CAGD_UNDECIDED;
         *q = *p;
-        q->touches = 1;
         if (cagd_equal_q(c->root[k].lo, c->root[k].hi)) {
             put_number(q, c->rooted->key, c->rooted->variable, c->root[k].lo);
         } else {
@@ -618,7 +618,7 @@ static int note_inequality(const cagd_context *c, cagd_relation relation, cagd_v
 static void note_step(struct run *r, const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
 {
     for (int m = 0; m < c->count; m++)
-        r->unnoted |= c->binding[m].solved;
+        r->unnoted |= c->binding[m].solved || c->binding[m].has_root;
     r->unnoted |= relation != CAGD_EQUAL && (c->limits > 0 || !note_inequality(c, relation, a, b));
     if (!r->unnoted && relation == CAGD_EQUAL)
         cagd_trace_same(node_of(a), node_of(b), 1);
@@ -758,6 +758,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
             continue;
         }
         if (region_faults != 0) {
+            r->undefined |= (region_faults & FAULT_UNDEFINED) != 0;
             region_faults = 0;
             return is_empty(c) ? decide_apart(r, p, c) : undecided(r, c, "a value that is not computed");
         }
@@ -912,7 +913,7 @@ static int proved_for_every(struct run *r)
     return r->out->for_every;
 }
 
-/* How many equalities of higher degree were used. */
+/* How many equalities of higher degree were used; 0 where some side was not defined. */
 static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, int untied,
                       cagd_finding *out)
 {
@@ -948,7 +949,7 @@ static int check_once(const cagd_scope *scope, const cagd_tree *statement, doubl
     out->answer = out->has_example                                                                 ? CAGD_FAILS
                   : out->undecided > 0 || out->failing > 0 || out->out_of_time || out->first_alone ? CAGD_UNDECIDED
                                                                                                    : CAGD_HOLDS;
-    return r.ties;
+    return r.undefined ? 0 : r.ties;
 }
 
 /* Bounds of names that are functions of others may be lost: then what is supposed is left out, as it may be. */

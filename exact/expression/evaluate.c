@@ -1,6 +1,7 @@
 #include "exact/expression/evaluate.h"
 
 #include "exact/expression/cell.h"
+#include "exact/expression/tie.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -39,6 +40,15 @@ static int note_divisor(cagd_context *c, cagd_value b)
         return c->tells_poles;
     c->divisor[c->divisors++] = b.f;
     return 1;
+}
+
+/* Whether it is 0: of names near a root that is a matter of their polynomials. */
+static int is_zero(const cagd_context *c, cagd_value b)
+{
+    int near = 0;
+    for (int k = 0; k < c->count && !b.rational; k++)
+        near |= c->binding[k].has_root && c->binding[k].unknown;
+    return cagd_value_is_zero(near ? cagd_at_roots(c, b) : b);
 }
 
 /* ---- names --------------------------------------------------------------------------------------------- */
@@ -706,7 +716,7 @@ static cagd_value inverse(cagd_context *c, const cagd_tree *t, int row, int colu
         if (k / n != column && k % n != row)
             rest[count++] = entry[k];
     cagd_value whole = minor(entry, n, 0, 0), part = minor(rest, n - 1, 0, 0);
-    if (cagd_value_is_zero(whole))
+    if (is_zero(c, whole))
         return fail(c, t, FAULT_UNDEFINED, "the inverse of a matrix whose determinant is 0");
     if (!note_divisor(c, whole))
         return fail(c, t, FAULT_UNABLE, "too many divisors");
@@ -842,7 +852,7 @@ static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
         return r;
     if (!cagd_value_is_whole(exponent, &e) || e > MOST_POWER || e < -MOST_POWER)
         return fail(c, t->at[1], FAULT_UNABLE, "an exponent is a whole number, at most 1000");
-    if (e < 0 && cagd_value_is_zero(base))
+    if (e < 0 && is_zero(c, base))
         return fail(c, t, FAULT_UNDEFINED, "a division by 0");
     if (e < 0 && !note_divisor(c, base))
         return fail(c, t, FAULT_UNABLE, "too many divisors");
@@ -885,6 +895,44 @@ static cagd_value binomial(cagd_context *c, const cagd_tree *t, const frame *f)
     return r;
 }
 
+/* a = s^2 m with a whole m in which no square of a number up to 1000 is left. */
+static num_q without_squares(num_q a, num_q *s)
+{
+    enum { LARGEST_SQUARE = 1000 };
+    mpz_t m;
+    mpq_t r;
+    mpz_init(m), mpq_init(r);
+    mpz_mul(m, mpq_numref(a.at), mpq_denref(a.at)); /* p/q = pq/q^2 */
+    mpz_set_ui(mpq_numref(r), 1), mpz_set(mpq_denref(r), mpq_denref(a.at));
+    for (unsigned long d = 2; d <= LARGEST_SQUARE; d++)
+        while (mpz_divisible_ui_p(m, d * d)) {
+            mpz_divexact_ui(m, m, d * d);
+            mpz_mul_ui(mpq_numref(r), mpq_numref(r), d);
+        }
+    mpq_canonicalize(r);
+    *s = cagd_from_mpq_q(r);
+    mpq_set_z(r, m);
+    num_q rest = cagd_from_mpq_q(r);
+    mpz_clear(m), mpq_clear(r);
+    return rest;
+}
+
+/* sqrt(a) for a number a > 0 that is no square: a variable near the root of x^2 - m, times a number (tie.h). */
+static cagd_value root_of_number(cagd_context *c, const cagd_tree *t, num_q a)
+{
+    num_q times, m = without_squares(a, &times), c0[3] = {neg_q(m), cagd_from_int_q(0), cagd_from_int_q(1)};
+    char key[120];
+    if (snprintf(key, sizeof key, "\\sqrt{%s}", to_string_q(m)) >= (int)sizeof key)
+        return fail(c, t, FAULT_UNABLE, "a root of a number that is too long");
+    cagd_value x = cagd_value_of_key(c, key, NULL);
+    cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, key) : NULL;
+    if (b == NULL)
+        return x;
+    if (!b->has_root)
+        cagd_make_root(b, cagd_poly_from_q(3, c0));
+    return cagd_value_mul(cagd_value_q(times), x);
+}
+
 /* The root that is not negative, if n is even: of a square of a function it is the function or its negative, by its sign. */
 static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, long n)
 {
@@ -893,8 +941,12 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
     cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
     if (region_faults != 0) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+        if (region_faults == 0 && n == 2 && a.rational && cagd_sign_q(a.q) > 0 && c->has_roots)
+            return root_of_number(c, t, a.q);
         return fail(c, t, FAULT_UNABLE,
-                    "a root that is no rational number or function: write a name, r with r^2 = 2 in :for:");
+                    n % 2 == 0 && a.rational && cagd_sign_q(a.q) < 0
+                        ? "the root of a negative number"
+                        : "a root that is no rational function: write a name, r^2 = ..., r \\ge 0 in :for:");
     }
     int positive = a.rational || n % 2 == 1 ? 1 : cagd_compare_values(c, r, CAGD_GREATER_OR_EQUAL, cagd_value_int(0));
     if (positive < 0)
@@ -1006,13 +1058,13 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
     cagd_value a = evaluate(c, t->at[0], f), b = evaluate(c, t->at[1], f);
     if (region_faults != 0)
         return a;
-    if (cagd_value_is_zero(b) && cagd_value_is_zero(a) && c->scope->zero_over_zero)
+    if (is_zero(c, b) && is_zero(c, a) && c->scope->zero_over_zero)
         return a;
     if (c->scope->zero_over_zero && !b.rational && !cagd_divides(c, b))
         return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
     if (!note_divisor(c, b))
         return fail(c, t, FAULT_UNABLE, "too many divisors");
-    return cagd_value_is_zero(b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
+    return is_zero(c, b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
 }
 
 /* With 0/0 = 0 said, a factor that is divided by 0 is not asked for beside another that is 0. */

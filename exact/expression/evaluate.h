@@ -26,6 +26,7 @@ typedef struct cagd_binding {
     cagd_num_q low, high;
     int has_root; /* it is that root, and its bounds are rational numbers near it (tie.h) */
     struct cagd_root root;
+    int is_number;     /* and no name of the page                                                    */
     int hidden;        /* other names are functions of it that the page does not know (tie.h)            */
     const char *angle; /* the name of the angle whose quarter has this tangent, or NULL                */
 } cagd_binding;
@@ -84,6 +85,7 @@ typedef struct cagd_context {
     int pieces;
     int used_bounds; /* whether what was found depends on the bounds of a variable */
     int in_field;    /* names without a value become variables of the field; otherwise they are UNABLE           */
+    int has_roots;   /* the square root of a number that is no square is a variable, too (tie.h)     */
     long steps;      /* what may still be done; UNABLE when it is used up                                        */
     int depth, fresh;
     int angles;             /* how often the tangent of the quarter of an angle was asked for                        */

@@ -18,18 +18,19 @@ static cagd_side_of_box side_of(const cagd_binding *b)
     return (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
 }
 
-/* Whether all that is known of the names are bounds that are numbers, and one root at most; *root is its binding, or -1. */
-static int has_bounds_alone(const cagd_context *c, int *root)
+/* Whether all that is known of the names are roots and bounds that are numbers; how many roots there are, and the binding of the last. */
+static int has_bounds_alone(const cagd_context *c, int *roots, int *root)
 {
-    *root = -1;
+    *root = -1, *roots = 0;
     for (int k = 0; k < c->count; k++) {
         const cagd_binding *b = &c->binding[k];
         const cagd_variable *v = b->variable;
-        if (b->solved || (b->has_root && *root >= 0))
+        if (b->solved)
             return 0;
         if (b->unknown && v != NULL && ((v->low != NULL && !b->has_low) || (v->high != NULL && !b->has_high)))
             return 0;
         *root = b->has_root ? k : *root;
+        *roots += b->has_root;
     }
     for (int k = 0; k < c->scope->condition_count; k++)
         if (c->scope->conditions[k]->kind == CAGD_EVERY_INDEX)
@@ -130,6 +131,37 @@ static int at_zero(const cagd_context *c, const struct sides *s, cagd_irrational
     return 0;
 }
 
+/* The sign of p for all roots within the bounds that they have, the other names having values; 0 where it has several. */
+static int sign_within_bounds(const cagd_context *c, num_f p, const num_q value[])
+{
+    cagd_side_of_box side[CAGD_MOST_ROOTS];
+    num_q point[CAGD_MOST_ROOTS];
+    int count = 0, unused;
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        if (b->has_root && count < CAGD_MOST_ROOTS)
+            side[count++] = side_of(b);
+        else if (b->unknown)
+            p = substitute_f(p, b->value.f, from_rational_f(value[k]));
+    }
+    p = mul_f(cagd_numerator_f(p), cagd_denominator_f(p));
+    for (int sign = 1; sign >= -1 && region_faults == 0; sign -= 2)
+        if (cagd_positive_in_box(sign > 0 ? p : neg_f(p), 1, count, side, point, &unused) == CAGD_HOLDS)
+            return sign;
+    return 0;
+}
+
+/* The same where there are several roots, and their bounds tell enough. */
+static int is_false_within_bounds(const cagd_context *c, const struct sides *s, cagd_irrational_example *e)
+{
+    e->of = -1;
+    e->order = sign_within_bounds(c, div_f(s->n, s->m), e->value);
+    for (int i = 0; i < s->divisors; i++)
+        if (sign_within_bounds(c, s->divisor[i], e->value) == 0)
+            return 0;
+    return e->order != 0 && region_faults == 0 && !is_true(e->order, s->relation);
+}
+
 /* Another choice of simple numbers in every round. */
 static void choose(const cagd_context *c, int round, num_q value[])
 {
@@ -160,22 +192,23 @@ static struct cagd_root told(struct cagd_root r)
 int cagd_find_irrational_example(const cagd_context *c, const cagd_tree *t, int k, cagd_irrational_example *out)
 {
     struct sides *s = region_bytes(sizeof *s);
-    int root;
-    if (s == NULL || k < 0 || region_faults != 0 || !has_bounds_alone(c, &root) || !find_sides(c, t, k, s)) {
+    int root, roots;
+    if (s == NULL || k < 0 || region_faults != 0 || !has_bounds_alone(c, &roots, &root) || !find_sides(c, t, k, s)) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
         return 0;
     }
     int found = 0;
     for (int round = 0; round < ROUNDS && !found; round++) {
         choose(c, round, out->value);
-        for (int x = 0; x < c->count && !found; x++) {
+        found = roots > 1 && is_false_within_bounds(c, s, out);
+        for (int x = 0; x < c->count && !found && roots < 2; x++) {
             out->of = x;
             if (root >= 0 ? x == root : c->binding[x].unknown && cagd_degree_f(s->n, c->binding[x].value.f) > 1)
                 found = root >= 0 ? is_false_at(c, s, c->binding[root].root, out) : at_zero(c, s, out);
             region_faults &= FAULT_MEMORY | FAULT_CROWDED; /* a divisor that is 0 for these numbers */
         }
     }
-    if (found)
+    if (found && out->of >= 0)
         out->root = told(out->root);
     return found && region_faults == 0;
 }

@@ -5,8 +5,8 @@
 #include "exact/expression/evaluate.h"
 
 typedef struct cagd_irrational_example {
-    int of;                               /* the binding whose value is the root */
-    struct cagd_root root;                /* of an irreducible polynomial        */
+    int of;                /* the binding whose value is the root; -1 where there are several, numbers of the formula */
+    struct cagd_root root; /* of an irreducible polynomial        */
     cagd_num_q value[CAGD_MOST_UNKNOWNS]; /* of the other ones that have no value */
     int order;                            /* the sign of left - right there      */
 } cagd_irrational_example;

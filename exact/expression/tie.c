@@ -258,6 +258,18 @@ static int tie_roots(cagd_context *c, num_f n)
     return -1;
 }
 
+void cagd_make_root(cagd_binding *b, poly factor)
+{
+    struct cagd_root root[CAGD_MOST_ROOTS];
+    num_q far = cagd_root_bound(factor);
+    int count = cagd_isolate_roots(factor, neg_q(far), far, root, CAGD_MOST_ROOTS);
+    if (count < 1 || count > CAGD_MOST_ROOTS || region_faults != 0)
+        return;
+    b->has_root = b->is_number = b->hidden = 1, b->root = cagd_refine_root(root[count - 1], nearness());
+    b->has_low = b->has_high = b->low_open = b->high_open = 1;
+    b->low = b->root.lo, b->high = b->root.hi;
+}
+
 int cagd_tie(cagd_context *c, num_f d)
 {
     struct ellipse e;

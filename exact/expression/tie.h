@@ -12,6 +12,9 @@
  * noted in the context. */
 int cagd_tie(cagd_context *c, cagd_num_f d);
 
+/* The name stands for the greatest root of the irreducible polynomial, and for nothing else: sqrt(2). */
+void cagd_make_root(cagd_binding *b, cagd_poly factor);
+
 /* d with the powers of every name that is near a root reduced by the polynomial of that root: equal to d at the root, UNDEFINED where the
  * denominator is 0 there. */
 cagd_value cagd_at_roots(const cagd_context *c, cagd_value d);

@@ -397,6 +397,21 @@ g(s,t) = s^2 t^3
         for printed, ranges in (("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1"), ("(x^2-2)^2 > 0", "x \\ge 2"), ("(x^2-2)^2 > 0", "x^3 \\ge 10"), ("(x^2-2)^2 > 0", "x_i^2 \\le 1, x = x_1")):
             self.assertNotEqual(verdict(printed, ranges)["verdict"], "fails", printed)
 
+    def test_square_roots_of_numbers(self):
+        let = "W(t) = (1-t)^2 + \\sqrt{2} t (1-t) + t^2\nt \\in \\mathbb{R}\n"
+        unit = "0 \\le t \\le 1"
+        circle = "\\left(\\frac{(1-t)^2 + \\sqrt{2} t(1-t)}{W(t)}\\right)^2 + \\left(\\frac{\\sqrt{2} t(1-t) + t^2}{W(t)}\\right)^2"
+        for printed, ranges, expected in ((f"{circle} = 1", "n = 1", "holds"), (f"{circle} = \\sqrt{{2}}", "n = 1", "fails"), (f"{circle.replace('2} t', '3} t')} = 1", "n = 1", "fails"), ("W(t) > 0", "n = 1", "holds"),
+                                          ("W(t) \\ge \\frac{2+\\sqrt{2}}{4}", unit, "holds"), ("W(t) > \\frac78", unit, "fails"), ("\\sqrt{8} = 2 \\sqrt{2}", "n = 1", "holds"), ("\\sqrt{8} = 3 \\sqrt{2}", "n = 1", "fails"),
+                                          ("\\sqrt{\\frac12} = \\frac{\\sqrt{2}}{2}", "n = 1", "holds"), ("\\sqrt{n} \\le \\frac{n+1}{2}", "n = 0..9", "holds"), ("\\sqrt{n} < \\frac{n+1}{2}", "n = 0..9", "fails"), ("\\sqrt{2} > \\frac32", "n = 1", "fails"),
+                                          ("\\sqrt{2} < \\frac32", "n = 1", "holds"), ("|\\sqrt{2} - 2| = 2 - \\sqrt{2}", "n = 1", "holds"), ("\\sqrt{2} \\le \\sqrt{3}", "n = 1", "holds"), ("\\frac{1}{\\sqrt{2}-1} = \\sqrt{2} + 1", "n = 1", "holds"),
+                                          ("x \\sqrt{2} = y", "n = 1", "fails"), ("x \\le \\sqrt{2} \\Rightarrow x \\le \\frac32", "n = 1", "holds"), ("\\sqrt{2} \\sqrt{3} = \\sqrt{6}", "n = 1", "undecided"), ("\\sqrt{2} \\sqrt{3} = 2", "n = 1", "fails"), ("\\frac{\\sqrt{2}^2-2}{\\sqrt{2}^2-2} = 1", "n = 1", "undecided"), ("x^{-1} (x^2 - 2) = 0", "x^2 = 2, x > 0", "holds"), ("\\frac{x^2-2}{x^2-2} = 1", "x^2 = 2", "undecided"),
+                                          ("\\sqrt{-1} = 1", "n = 1", "undecided"), ("\\sqrt{2} = 1", "n = 1", "fails"), ("\\frac{1}{\\sqrt{2}^2 - 2} = 1", "n = 1", "undecided"), ("\\|(1, 1)\\| = \\sqrt{2}", "n = 1", "holds")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, ranges, let)
+                self.assertEqual(s["verdict"], expected)
+                self.assertNotIn("√", s["scope"])
+
     def test_half_a_turn_is_an_angle(self):
         """The tangent of its half is no number."""
         for printed, expected in (("\\cos\\frac{x}{2} > -1", "fails"), ("\\cos\\frac{x}{2} \\ge -1", "holds"), ("1 + \\cos\\frac{x}{2} \\ne 0", "fails"), ("\\cos\\frac{x}{2} = -1 \\Rightarrow \\sin\\frac{x}{2} = 1", "fails"),
