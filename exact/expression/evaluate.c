@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000 };
+enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000, MOST_Q = 100 };
 
 typedef cagd_frame frame;
 
@@ -895,6 +895,70 @@ static cagd_value binomial(cagd_context *c, const cagd_tree *t, const frame *f)
     return r;
 }
 
+/* ---- q-numbers ----------------------------------------------------------------------------------------- */
+
+/* The whole number that child k of t is, from 0 to MOST_Q; -1 where it is none. */
+static long count_of(cagd_context *c, const cagd_tree *t, int k, const frame *f)
+{
+    long n = -1;
+    cagd_value v = evaluate(c, t->at[k], f);
+    if (region_faults == 0 && (!cagd_value_is_whole(v, &n) || n > MOST_Q || n < -MOST_Q))
+        fail(c, t->at[k], FAULT_UNABLE, "q-numbers are of whole numbers, at most 100");
+    return n;
+}
+
+/* 1 + q + ... + q^(n-1). */
+static cagd_value q_number(long n, cagd_value q)
+{
+    cagd_value sum = cagd_value_int(0);
+    for (long k = 0; k < n; k++)
+        sum = cagd_value_add(cagd_value_mul(sum, q), cagd_value_int(1));
+    return sum;
+}
+
+/* The q-number of n, or the q-factorial: polynomials in q, so q = 1 is no exception. */
+static cagd_value of_q(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long n = count_of(c, t, 0, f);
+    cagd_value q = evaluate(c, t->at[1], f), product = cagd_value_int(1);
+    if (region_faults != 0)
+        return q;
+    if (n < 0)
+        return fail(c, t, FAULT_UNABLE, "a q-number of a negative number");
+    if (t->kind == CAGD_Q_NUMBER)
+        return q_number(n, q);
+    for (long k = 2; k <= n; k++)
+        product = cagd_value_mul(product, q_number(k, q));
+    return product;
+}
+
+/* By the rule [n, k] = [n-1, k-1] + q^k [n-1, k]; 0 for k < 0 and k > n. */
+static cagd_value q_binomial(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long n = count_of(c, t, 0, f), k = count_of(c, t, 1, f);
+    cagd_value q = evaluate(c, t->at[2], f), row[MOST_Q + 1];
+    if (region_faults != 0)
+        return q;
+    if (n < 0)
+        return fail(c, t, FAULT_UNABLE, "a q-binomial coefficient of a negative number");
+    if (k < 0 || k > n)
+        return cagd_value_int(0);
+    for (long j = 0; j <= k; j++)
+        row[j] = cagd_value_int(j == 0);
+    for (long m = 1; m <= n && region_faults == 0; m++) {
+        cagd_value before = row[0], power = cagd_value_int(1);
+        for (long j = 1; j <= k && j <= m; j++) {
+            cagd_value above = row[j];
+            power = cagd_value_mul(power, q);
+            row[j] = cagd_value_add(before, cagd_value_mul(power, above));
+            before = above;
+        }
+    }
+    return row[k];
+}
+
+/* ---- roots --------------------------------------------------------------------------------------------- */
+
 /* a = s^2 m with a whole m in which no square of a number up to 1000 is left. */
 static num_q without_squares(num_q a, num_q *s)
 {
@@ -1120,6 +1184,11 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return factorial(c, t, f);
     case CAGD_BINOMIAL:
         return binomial(c, t, f);
+    case CAGD_Q_NUMBER:
+    case CAGD_Q_FACTORIAL:
+        return of_q(c, t, f);
+    case CAGD_Q_BINOMIAL:
+        return q_binomial(c, t, f);
     case CAGD_ROOT:
         return root(c, t, f);
     case CAGD_ABSOLUTE:

@@ -174,6 +174,38 @@ static const cagd_tree *truncated(cagd_reader *r, const cagd_tree *x, int from)
     return cagd_new_of(r, CAGD_CASES, from, 3, (const cagd_tree *[]){power, where, zero});
 }
 
+/* t with the q that stands below behind it: [n]_q, [n]_q!, \binom{n}{k}_q. */
+static const cagd_tree *with_q(cagd_reader *r, const cagd_tree *t, int from)
+{
+    if (t == NULL || !cagd_pass(r, "_"))
+        return t;
+    const cagd_tree *q = cagd_read_argument(r, 1);
+    if (t->kind == CAGD_BINOMIAL || (t->kind == CAGD_POINT && t->count == 2))
+        return cagd_new_of(r, CAGD_Q_BINOMIAL, from, 3, (const cagd_tree *[]){t->at[0], t->at[1], q});
+    if (t->dimension > 0)
+        return cagd_refuse_tree(r, t, "an index behind a bracket");
+    cagd_tree_kind kind = cagd_pass(r, "!") ? CAGD_Q_FACTORIAL : CAGD_Q_NUMBER;
+    return cagd_new_of(r, kind, from, 2, (const cagd_tree *[]){t, q});
+}
+
+/* {a \choose b}, {a \over b}, {a \brack b}_q, a being read. */
+static const cagd_tree *with_infix(cagd_reader *r, const cagd_tree *a, int from)
+{
+    int is_quotient = cagd_next_is(r, "\\over"), has_q = cagd_next_is(r, "\\brack");
+    r->token++;
+    const cagd_tree *b = cagd_read_sum(r);
+    const cagd_tree *t =
+        cagd_new_of(r, is_quotient ? CAGD_QUOTIENT : CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b});
+    if (t == NULL || !has_q)
+        return t;
+    if (!cagd_expect(r, "}", "the bracket"))
+        return NULL;
+    if (!cagd_next_is(r, "_"))
+        return cagd_refuse_tree(r, t,
+                                "\\brack has several meanings; of Gauss's coefficients q is said: {n \\brack k}_q");
+    return with_q(r, t, from);
+}
+
 /* Whether \quad or \; stands between tokens from `first` to the next one, outside of brackets. */
 static int has_wide_space(const cagd_reader *r, const cagd_token *first)
 {
@@ -198,12 +230,10 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
         return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
-    if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over"))) {
-        cagd_tree_kind kind = cagd_next_is(r, "\\over") ? CAGD_QUOTIENT : CAGD_BINOMIAL;
-        r->token++;
-        const cagd_tree *b = cagd_read_sum(r);
-        a = cagd_new_of(r, kind, from, 2, (const cagd_tree *[]){a, b});
-    }
+    if (a != NULL && close[0] == '}' && cagd_next_is(r, "\\brack"))
+        return with_infix(r, a, from);
+    if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over")))
+        a = with_infix(r, a, from);
     if (a != NULL && close[0] == ']')
         a = cagd_in_square_brackets(r, a);
     if (a == NULL || !cagd_expect(r, close, "the bracket") ||
@@ -211,6 +241,8 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
         return NULL;
     if (close[0] == ')' && cagd_next_is(r, "_") && strcmp(r->token[1].word, "+") == 0)
         return truncated(r, a, from);
+    if (close[0] == ']' && cagd_next_is(r, "_"))
+        return with_q(r, a, from);
     return cagd_read_primed_group(r, a);
 }
 
@@ -403,7 +435,8 @@ static const cagd_tree *block(cagd_reader *r, int from)
     if (cagd_environment(r, "vmatrix"))
         return determinant(r, from);
     const char *matrix = cagd_pass_matrix(r);
-    return matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, from);
+    const cagd_tree *t = matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, from);
+    return t != NULL && t->kind == CAGD_POINT && t->count == 2 ? with_q(r, t, from) : t;
 }
 
 static const cagd_tree *word(cagd_reader *r)
@@ -415,7 +448,7 @@ static const cagd_tree *word(cagd_reader *r)
     if (strcmp(w, "\\binom") == 0) {
         r->token++;
         const cagd_tree *a = cagd_read_argument(r, 0), *b = a != NULL ? cagd_read_argument(r, 0) : NULL;
-        return cagd_new_of(r, CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b});
+        return with_q(r, cagd_new_of(r, CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b}), from);
     }
     if (strcmp(w, "\\sqrt") == 0)
         return r->token++, cagd_read_root(r, from);

@@ -397,6 +397,21 @@ g(s,t) = s^2 t^3
         for printed, ranges in (("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1"), ("(x^2-2)^2 > 0", "x \\ge 2"), ("(x^2-2)^2 > 0", "x^3 \\ge 10"), ("(x^2-2)^2 > 0", "x_i^2 \\le 1, x = x_1")):
             self.assertNotEqual(verdict(printed, ranges)["verdict"], "fails", printed)
 
+    def test_q_numbers(self):
+        """As papers on q-Bernstein functions print them, q = 1 being no exception."""
+        let = "q, t \\in \\mathbb{R}\nb_{n,i}(t;q) = {n \\brack i}_q t^i \\prod_{s=0}^{n-i-1} (1 - q^s t)\n"
+        for printed, ranges, expected in (("\\sum_{i=0}^n b_{n,i}(t;q) = 1", "n = 0..5", "holds"), ("\\sum_{i=0}^n \\frac{[i]_q}{[n]_q} b_{n,i}(t;q) = t", "n = 1..5", "holds"), ("\\sum_{i=0}^n \\frac{i}{n} b_{n,i}(t;q) = t", "n = 1..5", "fails"),
+                                          ("{n \\brack k}_q = q^{n-k} {n-1 \\brack k-1}_q + {n-1 \\brack k}_q", "n = 1..6, k = 0..n", "holds"), ("{n \\brack k}_q = q^{n-k} {n-1 \\brack k-1}_q + q^k {n-1 \\brack k}_q", "n = 1..6, k = 0..n", "fails"),
+                                          ("\\binom{n}{k}_q [k]_q! [n-k]_q! = [n]_q!", "n = 0..6, k = 0..n", "holds"), ("\\begin{bmatrix} n \\\\ k \\end{bmatrix}_q = \\binom{n}{n-k}_q", "n = 0..6, k = 0..n", "holds"), ("{n \\brack k}_1 = \\binom{n}{k}", "n = 0..6, k = -1..n+1", "holds"),
+                                          ("[n]_q = \\frac{1 - q^n}{1 - q}", "n = 0..6", "holds"), ("[n]_{q^2} (1+q) = [2n]_q", "n = 0..6", "holds"), ("[n]_q = n", "n = 0..6", "fails"), ("\\sum_{k=0}^n {n \\brack k}_q = 2^n", "n = 0..", "fails"),
+                                          ("\\prod_{j=0}^{n-1} (1 + q^j t) = \\sum_{k=0}^n q^{k(k-1)/2} \\binom{n}{k}_q t^k", "n = 0..6", "holds"), ("\\prod_{j=0}^{n-1} (1 + q^j t) = \\sum_{k=0}^n q^{k(k-1)/2} \\binom{n}{k}_q t^k", "n = 0..", "undecided")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+        self.assertIn("[n, k]_q = C(n, k)", check(document("{n \\brack k}_q = {n \\choose k}", "n = 2, k = 1", let)).stdout)
+        for printed, words in (("{n \\brack 1} = n", "several meanings"), ("[-1]_q = 0", None)):
+            r = check(document(printed, "n = 2", let))
+            self.assertIn(words or "negative number", r.stderr + r.stdout)
+
     def test_square_roots_of_numbers(self):
         let = "W(t) = (1-t)^2 + \\sqrt{2} t (1-t) + t^2\nt \\in \\mathbb{R}\n"
         unit = "0 \\le t \\le 1"
