@@ -63,6 +63,17 @@ const char *place_of(const struct document *d, int at, int *line, int *column)
     return c != NULL ? c->path : d->path;
 }
 
+/* A piece of a line with blanks for tabs and for what else takes no column. */
+static const char *with_blanks(const char *text, int length)
+{
+    char *copy = region_bytes((size_t)length + 1);
+    for (int k = 0; copy != NULL && k < length; k++)
+        copy[k] = iscntrl((unsigned char)text[k]) ? ' ' : text[k];
+    if (copy != NULL)
+        copy[length] = '\0';
+    return copy;
+}
+
 /* The line if it is not too long, and a caret under bytes of it. */
 static void show_place(const char *text, int size, int from, int to)
 {
@@ -71,10 +82,10 @@ static void show_place(const char *text, int size, int from, int to)
         begin--;
     while (end < size && text[end] != '\n')
         end++;
-    if (end - begin > WIDEST || memchr(text + begin, '\t', (size_t)(end - begin)) != NULL)
+    const char *whole = with_blanks(text + begin, end - begin), *before = with_blanks(text + begin, from - begin);
+    if (end - begin > WIDEST || whole == NULL)
         return;
-    fprintf(stderr, "  %.*s\n  ", end - begin, text + begin);
-    const char *before = cagd_text_of(text + begin, from - begin);
+    fprintf(stderr, "  %s\n  ", whole);
     for (int k = before != NULL ? columns_of(before) : 0; k > 0; k--)
         fputc(' ', stderr);
     fputc('^', stderr);
@@ -667,6 +678,8 @@ int read_whole_file(const char *path, char **text)
         return refuse_file(path, "is larger than 4 MB, the largest size that is read; divide it");
     if (memchr(*text, '\0', size) != NULL)
         return refuse_file(path, "is no text, there is a zero byte in it; expected Markdown or LaTeX");
+    if (size >= 3 && memcmp(*text, "\xEF\xBB\xBF", 3) == 0) /* the mark of UTF-8 */
+        memmove(*text, *text + 3, size -= 3);
     return (int)size;
 }
 

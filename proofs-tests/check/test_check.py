@@ -914,6 +914,15 @@ class Mistakes(unittest.TestCase):
                 self.assertEqual(caret.strip()[0], "^")
                 self.assertEqual(caret.index("^") - 2, int(place.split(":")[1]) - 1)
 
+    def test_files_of_other_systems(self):
+        """Lines that end with a carriage return, a mark of UTF-8 at the beginning, tabs."""
+        text = document("\tx + y = y + x")
+        for other in (text, "\ufeff" + text, text.replace("\n", "\r\n"), "\ufeff" + text.replace("\n", "\r\n")):
+            r = subprocess.run([CAGD, "check", "-"], input=other.encode(), capture_output=True, timeout=60)
+            self.assertEqual((r.returncode, r.stderr), (0, b""))
+        r = check(document("\tx + zz = 1"))
+        self.assertEqual(r.stderr.splitlines()[1:], ["  :printed:  x + zz = 1", "                 ^"])
+
     def test_what_is_large_gets_one_line(self):
         for text in ("(" * 10**6 + "x" + ")" * 10**6, "x + " * 250000 + "x", "{" * 19000, "\\frac{" * 3000, "-" * 10**6,
                      "x^{" * 5000, "\\hat{" * 5000, "\\sum_{i=0}^{" * 1500, "1" * 200000, "|" * 1000):
