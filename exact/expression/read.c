@@ -387,6 +387,9 @@ static const cagd_tree *angle_of(cagd_reader *r)
 static int ends_angle(cagd_reader *r)
 {
     const cagd_token *here = r->token;
+    for (int k = here[-1].to; k < here->from; k++)
+        if (r->text[k] == '\\' || r->text[k] == '~') /* a space that is printed parts them */
+            return 1;
     if (!cagd_begins_name(r) || (r->integrals > 0 && cagd_differential(r, here) > 0))
         return 1;
     const cagd_tree *next = cagd_read_factor(r);

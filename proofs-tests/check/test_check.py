@@ -214,7 +214,7 @@ g(s,t) = s^2 t^3
     def test_multiples_of_angles(self):
         let = "a, b \\in \\mathbb{R}\nP \\in \\mathbb{R}^2\n"
         for printed, ranges in (("\\sin 2a = 2 \\sin a \\cos a", "n = 1"), ("\\cos 2a \\cos b = (1 - 2 \\sin^2 a) \\cos b", "n = 1"), ("\\cos 2(a+b) = 2 \\cos^2(a+b) - 1", "n = 1"),
-                                ("\\cos na = 2 \\cos a \\cos (n-1)a - \\cos (n-2)a", "n = 0..5"), ("\\sin a (x+y) = x \\sin a + y \\sin a", "n = 1"), ("\\cos(a) x = x \\cos a", "n = 1"), ("\\cos a P = P \\cos a", "n = 1")):
+                                ("\\cos na = 2 \\cos a \\cos (n-1)a - \\cos (n-2)a", "n = 0..5"), ("\\sin a (x+y) = x \\sin a + y \\sin a", "n = 1"), ("\\cos(a) x = x \\cos a", "n = 1"), ("\\cos a\\,x + \\sin 2a\\;y = x \\cos a + 2 y \\sin a \\cos a", "n = 1"), ("\\cos a P = P \\cos a", "n = 1")):
             self.assertEqual(verdict(printed, ranges, let)["verdict"], "holds", printed)
         self.assertEqual(verdict("\\sin 2a = 2 \\sin a", "n = 1", let)["verdict"], "fails")
         for printed in ("\\sin a x = x \\sin a", "\\cos 2a x = x \\cos 2a"):
