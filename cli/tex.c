@@ -63,7 +63,7 @@ static const struct {
     {"omega", "ω"}, {"eta", "η"}, {"zeta", "ζ"}, {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Lambda", "Λ"}, {"Phi", "Φ"},
     {"Psi", "Ψ"}, {"Omega", "Ω"}, {"Sigma", "Σ"}, {"Pi", "Π"}, {"ell", "ℓ"}, {"infty", "∞"}, {"partial", "∂"},
     {"nabla", "∇"}, {"cdot", "·"}, {"times", "×"}, {"pm", "±"}, {"mp", "∓"}, {"le", "≤"}, {"leq", "≤"},
-    {"ge", "≥"}, {"geq", "≥"}, {"ne", "≠"}, {"neq", "≠"}, {"equiv", "≡"}, {"approx", "≈"}, {"sim", "∼"},
+    {"ge", "≥"}, {"geq", "≥"}, {"leqslant", "≤"}, {"geqslant", "≥"}, {"ne", "≠"}, {"neq", "≠"}, {"equiv", "≡"}, {"approx", "≈"}, {"sim", "∼"},
     {"in", "∈"}, {"notin", "∉"}, {"subset", "⊂"}, {"subseteq", "⊆"}, {"supseteq", "⊇"}, {"cup", "∪"},
     {"cap", "∩"}, {"bigcap", "⋂"}, {"bigcup", "⋃"}, {"to", "→"}, {"mapsto", "↦"}, {"Rightarrow", "⇒"}, {"Leftrightarrow", "⇔"}, {"iff", "⇔"},
     {"forall", "∀"}, {"exists", "∃"}, {"dots", "…"}, {"ldots", "…"}, {"cdots", "⋯"}, {"vdots", "⋮"},
@@ -327,7 +327,8 @@ static const char *command(const char *s, struct text *out)
     }
     while (*e == ' ')
         e++;
-    if ((n == 4 && strncmp(s, "frac", 4) == 0) || (n == 5 && strncmp(s, "tfrac", 5) == 0)) {
+    if ((n == 4 && strncmp(s, "frac", 4) == 0) ||
+        (n == 5 && (strncmp(s, "tfrac", 5) == 0 || strncmp(s, "dfrac", 5) == 0))) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         put_wrapped(out, a.at);
         puts_(out, is_one_factor(b.at) ? "/" : "/(");

@@ -323,13 +323,27 @@ static const cagd_tree *determinant(cagd_reader *r, int from)
     return t;
 }
 
-static const cagd_tree *cases(cagd_reader *r, int from)
+/* What encloses cases: {cases}, and behind a brace, \{, rows of other kinds; NULL where there is none. */
+static const char *environment_of_cases(cagd_reader *r, int behind_brace)
+{
+    static const char *const names[] = {"cases", "dcases", "array", "aligned", NULL};
+    for (int k = 0; names[k] != NULL && (k < 2 || behind_brace); k++)
+        if (cagd_environment(r, names[k]))
+            return names[k];
+    return NULL;
+}
+
+/* The cases, the word \begin being passed, and a brace before it or not. */
+static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
 {
     static const char *const otherwise[] = {"otherwise", "else", "otherwise.", "elsewhere", NULL};
     static const char *const when[] = {"if", "for", "when", "where", "", NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
-    if (!cagd_environment(r, "cases"))
+    const char *name = environment_of_cases(r, behind_brace);
+    if (name != NULL && strcmp(name, "array") == 0 && !cagd_pass_columns(r))
+        return NULL;
+    if (name == NULL)
         return cagd_refuse_token(r, "of the environments only {cases} and those of matrices are understood here");
     do {
         if (cagd_next_is(r, "\\end"))
@@ -352,9 +366,11 @@ static const cagd_tree *cases(cagd_reader *r, int from)
         list[count] = cagd_read_conditions(r);
         if (list[count++] == NULL)
             return NULL;
+        if (!cagd_pass(r, ","))
+            cagd_pass(r, ".");
     } while (cagd_pass(r, "\\\\"));
-    if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, "cases"))
-        return cagd_refuse_token(r, "expected \\end{cases}");
+    if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, name))
+        return cagd_refuse_token(r, "expected \\end{%s}", name);
     return count > 0 ? cagd_new_of(r, CAGD_CASES, from, count, list) : cagd_refuse_token(r, "cases without a case");
 }
 
@@ -438,7 +454,7 @@ static const cagd_tree *block(cagd_reader *r, int from)
     if (cagd_environment(r, "vmatrix"))
         return determinant(r, from);
     const char *matrix = cagd_pass_matrix(r);
-    const cagd_tree *t = matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, from);
+    const cagd_tree *t = matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, 0, from);
     return t != NULL && t->kind == CAGD_POINT && t->count == 2 ? with_q(r, t, from) : t;
 }
 
@@ -539,6 +555,8 @@ static const cagd_tree *base(cagd_reader *r)
         return group(r, "]");
     if (cagd_pass(r, "{"))
         return group(r, "}");
+    if (cagd_next_is(r, "\\{") && strcmp(r->token[1].word, "\\begin") == 0)
+        return r->token += 2, cases(r, 1, from);
     if (cagd_pass(r, "\\{"))
         return group(r, "\\}");
     if (cagd_pass(r, "|"))

@@ -69,6 +69,8 @@ const cagd_tree *cagd_transposed(cagd_reader *r, const cagd_tree *t);
 int cagd_pass_transposed(cagd_reader *r);
 /* The environment of a matrix, if its name in braces comes next: then it is passed.  The entries behind it, up to its end. */
 const char *cagd_pass_matrix(cagd_reader *r);
+/* The columns, {ccc}, behind \begin{array}. */
+int cagd_pass_columns(cagd_reader *r);
 const cagd_tree *cagd_read_matrix(cagd_reader *r, const char *name, int from);
 /* Whether the name of an environment comes next, in braces; then it is passed. */
 int cagd_environment(cagd_reader *r, const char *name);

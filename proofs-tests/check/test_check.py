@@ -446,6 +446,29 @@ g(s,t) = s^2 t^3
                 self.assertEqual(verdict(printed, "n = 1")["verdict"], "holds")
                 self.assertEqual(verdict(printed + " + 1", "n = 1")["verdict"], "fails")
 
+    def test_ranges_behind_a_formula(self):
+        """As papers print them; what is before them needs them, so that no relation is taken for a range."""
+        unit = "0 \\le t \\le 1"
+        for printed, ranges, scope in (("B_i^n(t) \\ge 0, \\quad i = 0, 1, \\dots, n", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^n(t) \\ge 0 \\quad (i = 0, 1, \\dots, n)", "n = 1..3, " + unit, "i = 0 to n"),
+                                       ("B_i^n(t) \\ge 0 \\text{ for } i = 0, \\dots, n.", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^3(t) = B_{3-i}^3(1-t), \\qquad i=0,1,2,3", "n = 1", "i = 0 to 3"),
+                                       ("B_i^3(t) \\geqslant \\dfrac{0}{2}, \\quad i=0,1,2,3, \\quad t \\in [0,1].", "n = 1", "0 ≤ t ≤ 1")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, ranges)
+                self.assertEqual(s["verdict"], "holds")
+                self.assertIn(scope, s["scope"])
+        self.assertEqual(verdict("B_i^3(t) = B_{3-i}^3(t), \\quad i=0,1,2,3", "n = 1")["verdict"], "fails")
+        for printed, words in (("x y = y x, w = 3", "w is not defined"), ("x y = y x, w = x", "w is not defined"), ("x y = y x, \\quad B_w = 3", "B is not defined")):
+            r = check(document(printed, "n = 1"))
+            self.assertEqual(r.returncode, 2, printed)
+            self.assertIn(words, r.stderr)
+
+    def test_cases_of_older_papers(self):
+        for printed in ("\\left\\{\\begin{array}{ll} x, & x \\ge 0 \\\\ -x, & x < 0 \\end{array}\\right.", "\\left\\{ \\begin{aligned} x, & \\quad x \\ge 0, \\\\ -x, & \\quad x < 0. \\end{aligned} \\right.",
+                        "\\left\\{\\begin{array}{rl} x & \\mbox{if } x \\ge 0, \\\\ -x & \\mbox{otherwise.} \\end{array}\\right.", "\\begin{dcases} x & x \\ge 0 \\\\ -x & \\text{otherwise} \\end{dcases}"):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(f"{printed} = |x|", "n = 1")["verdict"], "holds")
+                self.assertEqual(verdict(f"{printed} = x", "n = 1")["verdict"], "fails")
+
     def test_intervals_behind_a_formula(self):
         for behind in ("x \\in [0,1], y \\in [0,1]", "x, y \\in [0,1]", "(x,y) \\in [0,1] \\times [0,1]", "(x, y) \\in [0,1]^2", "x \\in [0,1] \\text{ and } y \\in [0,1]"):
             with self.subTest(behind=behind):
