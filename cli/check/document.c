@@ -548,7 +548,7 @@ static void read_statement(struct document *d, const char *kind, int head, int a
     else if (f->tree == NULL)
         complain_of_reading(d, &error);
     else
-        d->count++;
+        d->count += cagd_make_indices_whole(&f->scope, f->tree);
 }
 
 /* The value of a number, or of an end of a range. */

@@ -104,6 +104,9 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         const cagd_variable *v = whole[k];
         if (v->high == NULL)
             text = append(text, "%severy $%s %s %s$", comma, v->head, v->low_open ? ">" : "\\ge", source(d, v->low));
+        else if (v->low_open || v->high_open)
+            text = append(text, "%swhole $%s %s %s %s %s$", comma, source(d, v->low), v->low_open ? "<" : "\\le",
+                          v->head, v->high_open ? "<" : "\\le", source(d, v->high));
         else
             text = append(text, "%s$%s = %s$ to $%s$", comma, v->head, source(d, v->low), source(d, v->high));
     }

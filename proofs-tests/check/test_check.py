@@ -451,13 +451,14 @@ g(s,t) = s^2 t^3
         unit = "0 \\le t \\le 1"
         for printed, ranges, scope in (("B_i^n(t) \\ge 0, \\quad i = 0, 1, \\dots, n", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^n(t) \\ge 0 \\quad (i = 0, 1, \\dots, n)", "n = 1..3, " + unit, "i = 0 to n"),
                                        ("B_i^n(t) \\ge 0 \\text{ for } i = 0, \\dots, n.", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^3(t) = B_{3-i}^3(1-t), \\qquad i=0,1,2,3", "n = 1", "i = 0 to 3"),
+                                       ("B_i^n(t) \\ge 0, \\quad 0 \\le i \\le n", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^n(t) = B_{n-i}^n(1-t)", "0 \\le i \\le n, n = 1..3", "i = 0 to n"), ("x_{i+1} - x_i = x_{i+1} - x_i + i - i", "0 < i < 3", "whole 0 < i < 3"),
                                        ("B_i^3(t) \\geqslant \\dfrac{0}{2}, \\quad i=0,1,2,3, \\quad t \\in [0,1].", "n = 1", "0 ≤ t ≤ 1")):
             with self.subTest(printed=printed):
                 s = verdict(printed, ranges)
                 self.assertEqual(s["verdict"], "holds")
                 self.assertIn(scope, s["scope"])
         self.assertEqual(verdict("B_i^3(t) = B_{3-i}^3(t), \\quad i=0,1,2,3", "n = 1")["verdict"], "fails")
-        for printed, words in (("x y = y x, w = 3", "w is not defined"), ("x y = y x, w = x", "w is not defined"), ("x y = y x, \\quad B_w = 3", "B is not defined")):
+        for printed, words in (("x y = y x, w = 3", "w is not defined"), ("x y = y x, w = x", "w is not defined"), ("x y = y x, \\quad B_w = 3", "w is not defined")):
             r = check(document(printed, "n = 1"))
             self.assertEqual(r.returncode, 2, printed)
             self.assertIn(words, r.stderr)
