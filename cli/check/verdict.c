@@ -281,6 +281,25 @@ static void print_head(const struct document *d, const struct formula *s)
     heading("Verdict");
 }
 
+/* Sums over nothing, and ranges that were given for this statement and of which nothing depends. */
+static void print_oddities(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    for (int k = 0; k < f->sums.count; k++)
+        if (!f->sums.had_terms[k])
+            paragraph(append("", "$%s$ goes over nothing.", source(d, f->sums.sum[k])), 1);
+    const cagd_variable *used[16];
+    int count = cagd_whole_numbers(&s->scope, s->tree, used, 16);
+    for (const cagd_variable *v = s->scope.variables; v != d->scope.variables && v != NULL; v = v->next) {
+        int is_used = !v->whole || cagd_declared(&s->scope, v->head) != v;
+        for (int k = 0; k < count; k++)
+            is_used |= used[k] == v;
+        for (const cagd_variable *other = d->scope.variables; other != NULL; other = other->next)
+            is_used |= other == v;
+        if (!is_used)
+            paragraph(append("", "Nothing depends on $%s$, for which a range is given.", v->head), 1);
+    }
+}
+
 void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     print_head(d, s);
@@ -309,6 +328,7 @@ void print_finding_page(const struct document *d, const struct formula *s, const
                   1);
     if (f->one_sided)
         paragraph("At the end of where a function is defined its derivative is the one-sided one.", 1);
+    print_oddities(d, s, f);
     if (f->has_example)
         print_example(d, f);
     if (f->for_every)

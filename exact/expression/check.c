@@ -767,6 +767,8 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
     r->out->bounded |= c->used_bounds;
     r->out->leaves_out_poles |= c->omits_poles;
     r->out->one_sided |= c->one_sided;
+    for (int k = 0; k < c->sums.count; k++)
+        cagd_note_sum(&r->out->sums, c->sums.sum[k], c->sums.had_terms[k]);
     if (answer == CAGD_HOLDS && r->into == NULL && !r->quick && !r->out->leaves_out_poles)
         r->out->leaves_out_poles = divides_by_0(c);
     note_names(r->out, c);

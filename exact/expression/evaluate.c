@@ -1068,6 +1068,17 @@ static cagd_value better_of(cagd_context *c, const cagd_tree *t, cagd_value befo
     return is < 0 ? fail(c, t, FAULT_UNABLE, "which is larger depends on variables") : is ? next : before;
 }
 
+void cagd_note_sum(cagd_sums_met *met, const cagd_tree *sum, int has_terms)
+{
+    int k = 0;
+    while (k < met->count && met->sum[k] != sum)
+        k++;
+    if (k == met->count && k < CAGD_MOST_SUMS)
+        met->sum[met->count] = sum, met->had_terms[met->count++] = 0;
+    if (k < CAGD_MOST_SUMS)
+        met->had_terms[k] |= has_terms;
+}
+
 static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     long low, high;
@@ -1099,6 +1110,7 @@ static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
     }
     if (is_extremum && count == 0 && region_faults == 0)
         return fail(c, t, FAULT_UNDEFINED, "the greatest or smallest of nothing");
+    cagd_note_sum(&c->sums, t, count > 0);
     return r;
 }
 

@@ -69,6 +69,13 @@ typedef struct cagd_apart {
 } cagd_apart;
 enum { CAGD_MOST_APART = 8, CAGD_MOST_ROOTS = 16 };
 
+/* Sums and products of the formula, and whether they had a term. */
+enum { CAGD_MOST_SUMS = 16 };
+typedef struct cagd_sums_met {
+    const cagd_tree *sum[CAGD_MOST_SUMS];
+    int had_terms[CAGD_MOST_SUMS], count;
+} cagd_sums_met;
+
 /* The signs that a form can have in the cell, as bits. */
 enum { CAGD_CAN_BE_NEGATIVE = 1, CAGD_CAN_BE_ZERO = 2, CAGD_CAN_BE_POSITIVE = 4, CAGD_ANY_SIGN = 7 };
 typedef struct cagd_memo {
@@ -119,7 +126,8 @@ typedef struct cagd_context {
     cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
     int divisors, most_divisors;
     int tells_poles; /* more than so many are poles that are left out; otherwise they are UNABLE        */
-    int one_sided;   /* a derivative was taken where the definitions end, from the side on which they fit */
+    cagd_sums_met sums;
+    int one_sided; /* a derivative was taken where the definitions end, from the side on which they fit */
 } cagd_context;
 
 /* What letters stand for inside a definition or a sum; all other names are the same everywhere. */
@@ -145,6 +153,9 @@ int cagd_truth(cagd_context *c, const cagd_tree *t);
 int cagd_truth_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
 /* a relation b for two values, likewise. */
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
+
+/* Notes that the sum was met. */
+void cagd_note_sum(cagd_sums_met *met, const cagd_tree *sum, int has_terms);
 
 /* The binding of that name; a new one without a value if there is none yet.  NULL when there is no room. */
 cagd_binding *cagd_bind(cagd_context *c, const char *key, cagd_value value);

@@ -1103,6 +1103,14 @@ class Verdicts(unittest.TestCase):
         s = verdict("0 F(t) + x_1 = x_1")
         self.assertLess(s["changes_noticed"], s["changes"])
 
+    def test_sums_over_nothing_and_ranges_without_use_are_told(self):
+        for printed, ranges, told in (("\\sum_{i=3}^{1} x_i = 0", "n = 1", "∑ᵢ₌₃¹ xᵢ goes over nothing"), ("\\prod_{i=5}^{n} x_i = 1", "n = 1..4", "∏ᵢ₌₅ⁿ xᵢ goes over nothing"), ("\\prod_{i=5}^{n} x_i = x_5^{n-4}", "n = 4..5", None),
+                                      ("\\sum_{i=0}^n x_i = \\sum_{i=0}^{n-1} x_i + x_n", "n = 0..2", None), ("x + y = y + x", "n = 3..1", "Nothing depends on n"), ("x_m = x_m + m - m", "n = 1..2, m = 0..n", None), ("x = y", "n = 1..2", "Nothing depends on n")):
+            r = check(document(printed, ranges)).stdout
+            for words in ("goes over nothing", "Nothing depends on"):
+                self.assertEqual(words in r, told is not None and words in told, printed)
+            self.assertIn(told or "", r)
+
     def test_an_empty_range_proves_nothing(self):
         s = verdict("1 = 2", "n = 3..1, x = n")
         self.assertNotEqual(s["verdict"], "holds")
