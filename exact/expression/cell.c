@@ -40,6 +40,8 @@ static int has_name(const struct cagd_linear *form, const cagd_binding *b)
 
 /* ---- what becomes known -------------------------------------------------------------------------------- */
 
+static int depends(num_f f, num_f x) { return cagd_degree_f(f, x) > 0 || cagd_denominator_degree_f(f, x) > 0; }
+
 static void forget_signs(cagd_context *c) { c->memos = 0; }
 
 /* x > r, x >= r, x < r, x <= r for the name alone. */
@@ -88,7 +90,7 @@ int cagd_becomes_in_cell(cagd_context *c, cagd_binding *b, num_f value)
     forget_signs(c);
     for (int k = 0; k < c->count; k++) {
         cagd_binding *other = &c->binding[k];
-        if (!other->unknown && !other->value.rational)
+        if (!other->unknown && !other->value.rational && depends(other->value.f, x))
             other->value = cagd_value_f(substitute_f(other->value.f, x, value));
     }
     c->limits = 0;
@@ -378,8 +380,6 @@ static unsigned signs_of_polynomial(cagd_context *c, num_f p, int as_divisor)
         return CAGD_ANY_SIGN;
     return cagd_sign_q(rest) < 0 ? minus(signs) : signs;
 }
-
-static int depends(num_f f, num_f x) { return cagd_degree_f(f, x) > 0 || cagd_denominator_degree_f(f, x) > 0; }
 
 /* The variables that stand at a place have its value. */
 static cagd_value settled(const cagd_context *c, cagd_value d)

@@ -130,6 +130,7 @@ struct part {
     int numbers;
     cagd_cut cut[CAGD_MOST_CUTS_OF_CELL];
     int cuts;
+    int apart;   /* so many of the numbers are those of a place that a tie leaves out (tie.h) */
     int touches; /* an equality is among them: it is a part of lower dimension */
 };
 
@@ -146,7 +147,7 @@ static void begin(const struct run *r, const struct part *p, cagd_context *c)
         cagd_evaluate(c, &name);
     }
     for (int k = 0; k < p->numbers; k++) {
-        cagd_binding *b = cagd_bind(c, p->number[k].name, cagd_value_q(p->number[k].value));
+        cagd_binding *b = cagd_bind(c, p->number[k].name, cagd_value_constant(p->number[k].value));
         if (b != NULL)
             b->variable = p->of_number[k];
     }
@@ -618,7 +619,7 @@ static int note_inequality(const cagd_context *c, cagd_relation relation, cagd_v
 static void note_step(struct run *r, const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
 {
     for (int m = 0; m < c->count; m++)
-        r->unnoted |= c->binding[m].solved || c->binding[m].has_root;
+        r->unnoted |= (c->binding[m].solved && !c->binding[m].is_tied) || c->binding[m].has_root;
     r->unnoted |= relation != CAGD_EQUAL && (c->limits > 0 || !note_inequality(c, relation, a, b));
     if (!r->unnoted && relation == CAGD_EQUAL)
         cagd_trace_same(node_of(a), node_of(b), 1);
@@ -687,6 +688,7 @@ static cagd_answer decide_apart(struct run *r, const struct part *p, const cagd_
         q->touches = 1;
         for (int m = 0; m < c->apart[k].count; m++)
             put_number(q, c->apart[k].key[m], c->apart[k].variable[m], c->apart[k].value[m]);
+        q->apart += c->apart[k].count;
         answer = worse(answer, decide_part(r, q));
     }
     return answer;
@@ -724,7 +726,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
         return CAGD_UNDECIDED;
     begin(r, p, c);
     r->out->pieces++;
-    r->unnoted |= p->pieces > 0 || p->numbers > 0 || p->cuts > 0 || r->premise != NULL;
+    r->unnoted |= p->pieces > 0 || p->numbers > p->apart || p->cuts > 0 || r->premise != NULL;
     int is = region_faults == 0 ? cagd_suppose_conditions(c) : 1;
     if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
         return CAGD_UNDECIDED;
@@ -973,10 +975,17 @@ static int is_of_plain_names(const cagd_scope *scope, const cagd_tree *t, int *n
     int plain = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
                 t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION;
     if (t->kind == CAGD_NAME)
-        return ++*names, t->order == 0 && cagd_defined(scope, t->head) == NULL;
+        return ++*names, t->order == 0 && (cagd_defined(scope, t->head) == NULL || has_value(scope, t->head));
     for (int k = 0; k < t->count && plain; k++)
         plain = is_of_plain_names(scope, t->at[k], names);
     return plain;
+}
+
+/* x = ..., x meaning nothing else. */
+static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
+{
+    return t->kind == CAGD_RELATION && t->count == 2 && t->relation[0] == CAGD_EQUAL && t->at[0]->kind == CAGD_NAME &&
+           t->at[0]->count == 0 && cagd_defined(scope, t->at[0]->head) == NULL;
 }
 
 /* "A, \quad u + v = 1" with the parts of plain names behind the first supposed; NULL where there are none. */
@@ -989,7 +998,8 @@ static const cagd_tree *with_parts_supposed(const cagd_scope *scope, const cagd_
         return NULL;
     said->count = supposed->count = 0;
     for (int k = 0; k < t->count; k++) {
-        int names = 0, plain = k > 0 && is_of_plain_names(scope, t->at[k], &names) && names > 0;
+        int names = 0, plain = k > 0 && (tells_a_name(scope, t->at[k]) ||
+                                         (is_of_plain_names(scope, t->at[k], &names) && names > 0));
         cagd_tree *to = plain ? supposed : said;
         to->at[to->count++] = t->at[k];
     }

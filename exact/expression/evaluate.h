@@ -24,6 +24,7 @@ typedef struct cagd_binding {
     cagd_value place;
     int has_low, has_high, low_open, high_open;
     cagd_num_q low, high;
+    int is_tied;  /* and that by an equality of higher degree (tie.h)                     */
     int has_root; /* it is that root, and its bounds are rational numbers near it (tie.h) */
     struct cagd_root root;
     int is_number;     /* and no name of the page                                                    */

@@ -2,6 +2,7 @@
 
 #include "exact/expression/cell.h"
 #include "exact/expression/tie.h"
+#include "exact/record/trace.h"
 #include "exact/words.h"
 
 #include <stdlib.h>
@@ -12,7 +13,9 @@
 /* a relation b becomes known: 1, or it was; 0: it is false; -1: it cannot be. */
 static int limit(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
 {
+    cagd_trace_pause();
     int is = cagd_compare_values(c, a, relation, b);
+    cagd_trace_resume();
     if (is >= 0 || region_faults != 0)
         return region_faults != 0 ? -1 : is;
     cagd_value d = cagd_value_sub(a, b);

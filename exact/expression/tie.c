@@ -2,6 +2,7 @@
 
 #include "exact/expression/cell.h"
 #include "exact/expression/sign.h"
+#include "exact/record/trace.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -113,10 +114,11 @@ static void bound_ellipse(cagd_context *c, const struct ellipse *e, cagd_binding
     }
 }
 
+static num_f constant(num_q q) { return cagd_in_field(cagd_value_constant(q)); }
+
 static int tie_ellipse(cagd_context *c, struct ellipse *e)
 {
     char key[200];
-    num_f one = from_int_f(1);
     if (c->aparts == CAGD_MOST_APART)
         return 0;
     cagd_binding x = *e->c, y = *e->s;
@@ -126,13 +128,18 @@ static int tie_ellipse(cagd_context *c, struct ellipse *e)
         snprintf(key, sizeof key, "%s/(1+%s)", y.key, x.key);
     else
         snprintf(key, sizeof key, "(%s) %s/(%s+%s)", to_string_q(q), y.key, to_string_q(e->a), x.key);
-    num_f u = cagd_in_field(cagd_value_of_key(c, key, NULL));
+    cagd_trace_resume();
+    num_f u = cagd_in_field(cagd_value_of_key(c, key, NULL)), two = constant(from_int_q(2));
+    num_f square = mul_f(u, u), below = add_f(constant(from_int_q(1)), square);
+    num_f of_c = div_f(mul_f(constant(e->a), sub_f(constant(from_int_q(1)), square)), below);
+    num_f of_s = div_f(mul_f(constant(e->b), mul_f(two, u)), below);
+    cagd_trace_pause();
     if (region_faults != 0)
         return 0;
     cagd_binding_of(c, key)->hidden = 1;
-    num_f square = mul_f(u, u), below = add_f(one, square);
-    cagd_becomes_in_cell(c, e->c, div_f(mul_f(from_rational_f(e->a), sub_f(one, square)), below));
-    cagd_becomes_in_cell(c, e->s, div_f(mul_f(from_rational_f(e->b), add_f(u, u)), below));
+    cagd_becomes_in_cell(c, e->c, of_c);
+    cagd_becomes_in_cell(c, e->s, of_s);
+    e->c->is_tied = e->s->is_tied = 1;
     bound_ellipse(c, e, x, y, u);
     c->apart[c->aparts++] = (cagd_apart){{x.key, y.key}, {x.variable, y.variable}, {neg_q(e->a), from_int_q(0)}, 2};
     return 1;
@@ -175,14 +182,14 @@ static void bound_value(cagd_context *c, num_f value, const cagd_binding *x)
     c->loose |= x->has_low || x->has_high;
 }
 
-/* The name with the fewest bounds that the polynomial n has with a number as its coefficient, and otherwise not. */
-static int tie_linear(cagd_context *c, num_f n)
+/* The name with the fewest bounds that the polynomial d has with a number as its coefficient, and otherwise not. */
+static int tie_linear(cagd_context *c, num_f d)
 {
     cagd_binding *best = NULL;
     num_q factor = from_int_q(1), q;
     for (int k = 0; k < c->count; k++) {
         cagd_binding *b = &c->binding[k];
-        if (!is_free(b) || cagd_degree_f(n, b->value.f) != 1 || !is_constant_f(coefficient(n, b->value.f, 1), &q))
+        if (!is_free(b) || cagd_degree_f(d, b->value.f) != 1 || !is_constant_f(coefficient(d, b->value.f, 1), &q))
             continue;
         if (best == NULL || b->has_low + b->has_high <= best->has_low + best->has_high)
             best = b, factor = q;
@@ -190,8 +197,11 @@ static int tie_linear(cagd_context *c, num_f n)
     if (best == NULL)
         return 0;
     cagd_binding known = *best;
-    num_f value = sub_f(known.value.f, div_f(n, from_rational_f(factor)));
+    cagd_trace_resume();
+    num_f value = sub_f(known.value.f, div_f(d, constant(factor)));
+    cagd_trace_pause();
     cagd_becomes_in_cell(c, best, value);
+    best->is_tied = 1;
     bound_value(c, value, &known);
     return region_faults == 0;
 }
@@ -270,7 +280,8 @@ void cagd_make_root(cagd_binding *b, poly factor)
     b->low = b->root.lo, b->high = b->root.hi;
 }
 
-int cagd_tie(cagd_context *c, num_f d)
+/* The trace is paused; what names become is noted. */
+static int tie(cagd_context *c, num_f d)
 {
     struct ellipse e;
     if (!is_constant_f(cagd_denominator_f(d), NULL) || region_faults != 0)
@@ -278,7 +289,15 @@ int cagd_tie(cagd_context *c, num_f d)
     num_f n = cagd_numerator_f(d);
     if (find_ellipse(c, n, &e))
         return tie_ellipse(c, &e);
-    return tie_linear(c, n) ? 1 : tie_roots(c, n);
+    return tie_linear(c, d) ? 1 : tie_roots(c, n);
+}
+
+int cagd_tie(cagd_context *c, num_f d)
+{
+    cagd_trace_pause();
+    int is_tied = tie(c, d);
+    cagd_trace_resume();
+    return is_tied;
 }
 
 /* p modulo the polynomial of the root, which is about x. */

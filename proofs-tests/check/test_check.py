@@ -342,6 +342,10 @@ g(s,t) = s^2 t^3
         x = {v["name"]: fractions.Fraction(v["value"]) for v in s["counterexample"]["values"]}
         self.assertEqual((s["verdict"], x["u"] + x["v"]), ("fails", 1))
         self.assertEqual(verdict("F(x) = x^2, F(y) = y", "n = 1")["verdict"], "fails")
+        for told in ("x = B_0^1(t), \\quad y = B_1^1(t)", "x = u, y = 1 - u"):
+            self.assertEqual(verdict(f"x + y = 1, \\quad {told}", "u = 1/3")["verdict"], "undecided")
+            self.assertEqual(verdict(f"x + y = 1 \\text{{ where }} {told}", "u = 1/3")["verdict"], "holds")
+            self.assertEqual(verdict(f"x + y = 2, \\quad {told}", "u = 1/3")["verdict"], "fails")
 
     def test_arguments_are_left_out_behind_a_semicolon_alone(self):
         self.assertEqual(verdict("G(t) = 2 t y", "n = 1", "G(t;y) = 2 t y\n")["verdict"], "holds")
@@ -621,6 +625,20 @@ class Certificates(unittest.TestCase):
             self.assertIn(f"Certificates of {len(self.INEQUALITIES)} of", r.stdout)
             code, out = self.recheck(folder)
             self.assertEqual(code, 0, out)
+
+    def test_names_that_are_tied(self):
+        """The names are functions of another one, and the place that it does not reach is a step of its own."""
+        for printed, ranges, compared in (("x + y \\ge 1", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", 1), ("3 x + 4 y \\le 5", "x^2 + y^2 = 1", 2), ("x + \\frac54 > 0", "x^2 + y^2 = 1", 2), ("x^4 - y^4 = x^2 - y^2", "x^2 + y^2 = 1", 2),
+                                          ("x \\le \\frac{1+y}{2}", "x^2 = y", 1), ("(1-y)(1-u y) \\ge 0", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0, -1 \\le u \\le 1", 1), ("\\cos\\frac{x}{2} + 2 > 0", "n = 1", 2)):
+            with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
+                s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
+                self.assertEqual((s["verdict"], s["certificate"]), ("holds", "s"))
+                code, out = self.recheck(folder)
+                self.assertEqual(code, 0, out)
+                self.assertIn("1 rechecked, 0 wrong", out)
+                claim = pathlib.Path(folder) / "claims" / "s.json"
+                steps = json.loads(claim.read_text())["cases"][0]["steps"]
+                self.assertEqual(sum("agree" in x or "same" in x for x in steps), compared)
 
     def test_inequalities_with_one_fault(self):
         """A statement, and a change of its first fact after which it is not true, or not shown."""
