@@ -220,8 +220,10 @@ static void give_all(cagd_finding *f, const cagd_context *c, const num_q value[]
     f->has_example = 1;
     for (int m = 0; m < c->count; m++) {
         const cagd_binding *b = &c->binding[m];
+        const struct cagd_root *r = m == root_of ? root : b->has_root && b->unknown ? &b->root : NULL;
         if (b->key[0] != '\0' && !b->hidden)
-            give(f, (cagd_given){b->key, b->unknown || b->solved ? value[m] : b->value.q, m == root_of ? root : NULL});
+            give(f, (cagd_given){b->key, b->unknown || b->solved ? value[m] : b->value.q,
+                                 r != NULL ? cagd_told_root(*r) : NULL});
     }
 }
 

@@ -178,15 +178,17 @@ static void choose(const cagd_context *c, int round, num_q value[])
     }
 }
 
-/* The same root between simple numbers. */
-static struct cagd_root told(struct cagd_root r)
+const struct cagd_root *cagd_told_root(struct cagd_root r)
 {
+    struct cagd_root *kept = region_bytes(sizeof *kept);
     num_q near = from_ratio_q(1, 50);
     r = cagd_refine_root(r, near);
     num_q lo = cagd_simplest_between(sub_q(r.lo, near), r.lo), hi = cagd_simplest_between(r.hi, add_q(r.hi, near));
     if (cagd_count_roots(r.factor, lo, hi, CAGD_CLOSED).distinct == 1)
         r.lo = lo, r.hi = hi;
-    return r;
+    if (kept != NULL)
+        *kept = r;
+    return kept;
 }
 
 int cagd_find_irrational_example(const cagd_context *c, const cagd_tree *t, int k, cagd_irrational_example *out)
@@ -208,7 +210,5 @@ int cagd_find_irrational_example(const cagd_context *c, const cagd_tree *t, int 
             region_faults &= FAULT_MEMORY | FAULT_CROWDED; /* a divisor that is 0 for these numbers */
         }
     }
-    if (found && out->of >= 0)
-        out->root = told(out->root);
     return found && region_faults == 0;
 }

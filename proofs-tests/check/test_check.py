@@ -401,6 +401,8 @@ g(s,t) = s^2 t^3
                 low, high = map(fractions.Fraction, root["between"])
                 self.assertTrue(low < at < high)
         self.assertEqual(verdict("x^2 \\le 3", "x^2 = 2", "")["verdict"], "holds")
+        s = verdict("x = y", "x^2 = 2, y^2 = 3")
+        self.assertEqual([v["root"]["of"] for v in s["counterexample"]["values"]], ["x^2 - 2", "x^2 - 3"])
         for printed, ranges in (("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1"), ("(x^2-2)^2 > 0", "x \\ge 2"), ("(x^2-2)^2 > 0", "x^3 \\ge 10"), ("(x^2-2)^2 > 0", "x_i^2 \\le 1, x = x_1")):
             self.assertNotEqual(verdict(printed, ranges)["verdict"], "fails", printed)
 
