@@ -896,11 +896,18 @@ static int speaks_of(const cagd_scope *scope, const cagd_tree *condition, const 
     return 0;
 }
 
+/* x \ne y: what is proved without it, is proved. */
+static int is_inequation(const cagd_tree *t)
+{
+    return t->kind == CAGD_RELATION && t->count == 2 && t->relation[0] == CAGD_NOT_EQUAL;
+}
+
 /* Whether there is one whole number alone, on which no condition depends; then it begins at *low. */
 static int has_one_number(struct run *r, long *low)
 {
     for (int k = 0; k < r->scope->condition_count; k++)
-        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+        if (!is_inequation(r->scope->conditions[k]) &&
+            speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
             return 0;
     if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, low))
         return 0;

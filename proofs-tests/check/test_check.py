@@ -1088,7 +1088,7 @@ class Verdicts(unittest.TestCase):
         self.assertIn("x = 2", verdict("G(t) = 2 t", "x = 2", "G(t) = x t\n")["scope"])
 
     def test_closed_forms_for_every_number(self):
-        for printed, ranges in (("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.."), ("\\sum_{i=0}^n i = \\frac{n(n+1)}{2} = \\binom{n+1}{2}", "n = 0.."),
+        for printed, ranges in (("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.."), ("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.., x \\ne 1"), ("\\sum_{i=0}^n i = \\frac{n(n+1)}{2} = \\binom{n+1}{2}", "n = 0.."),
                                 ("\\sum_{i=1}^n \\frac{1}{i(i+1)} = \\frac{n}{n+1}", "n = 0.."),
                                 ("\\sum_{i=1}^n i x^i = \\frac{x (1 - (n+1) x^n + n x^{n+1})}{(1-x)^2}", "n = 1.."),
                                 ("\\sum_{i=0}^{n-1} x^{n-1-i} y^i = \\frac{x^n - y^n}{x - y}", "n = 1.."), ("\\sum_{i=1}^n i \\, i! = (n+1)! - 1", "n = 1.."),
