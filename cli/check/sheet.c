@@ -439,6 +439,13 @@ static json_t *property_json(const struct answer *a, const struct sheet *s)
     return j;
 }
 
+/* Functions that are not understood, and why. */
+static json_t *refused_json(const struct sheet *s, const char *why)
+{
+    return json_pack("{s:s, s:i, s:s, s:I, s:I, s:s}", "name", s->name, "line", s->line, "functions_tex", s->functions,
+                     "first", (json_int_t)s->first, "last", (json_int_t)s->last, "reason", why);
+}
+
 static json_t *sheet_json(const struct sheet *s, const cagd_basis *b, const struct answer answer[])
 {
     static const char *const monotony[] = {"constant", "increasing", "decreasing", "neither", "undecided"};
@@ -548,7 +555,7 @@ int check_sheet(const struct document *d, const struct sheet *s, json_t *list, s
     if (list == NULL)
         print_page(d, s, b, answer, why);
     else
-        json_array_append_new(list, sheet_json(s, b, answer));
+        json_array_append_new(list, why != NULL ? refused_json(s, why) : sheet_json(s, b, answer));
     if (why == NULL && picture != NULL) {
         num_q value[MOST_SHOWN];
         draw_basis(picture, s, b, values_shown(s, b, &answer[NONNEGATIVE], value), value);

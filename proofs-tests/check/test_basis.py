@@ -325,6 +325,10 @@ class Pages(unittest.TestCase):
             self.assertIn(words, r.stdout)
         r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u \\le 1\n:::\n:::{basis} other\n:functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", let=let)
         self.assertIn("a definition changes within the interval", r.stdout)
+        r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u \\le 1", "--json", let=let)
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("a definition changes", json.loads(r.stdout)["bases"][0]["reason"])
+        r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u \\le 1\n:::\n:::{basis} other\n:functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", let=let)
         self.assertIn("the Bernstein basis       yes", r.stdout)
 
     def test_dependent_functions_are_found(self):
