@@ -270,15 +270,15 @@ static int holds(cagd_num_f d, cagd_relation relation)
             predicate[relation]) != 0;
 }
 
-static int vanishes(cagd_num_f d)
+static int equal(cagd_num_f a, cagd_num_f b)
 {
     cagd_trace_pause();
-    int answer = cagd_code_vanishes_here(d);
+    int answer = cagd_code_equal_here(a, b);
     cagd_trace_resume();
     return answer;
 }
 
-static const cagd_way way = {.name = value_of_name, .holds = holds, .vanishes = vanishes};
+static const cagd_way way = {.name = value_of_name, .holds = holds, .equal = equal};
 
 /* ---- what holds ---------------------------------------------------------------------------------------------- */
 
@@ -292,7 +292,7 @@ void cagd_code_let(const char *line)
 static void check_evaluation(const cagd_context *c)
 {
     unsigned faults = cagd_region_faults;
-    const char *why = c->trouble != NULL ? c->trouble : "there is no value";
+    const char *why = c->trouble != NULL ? c->trouble : "functions that are too large";
     if (faults & (CAGD_FAULT_MEMORY | CAGD_FAULT_CROWDED))
         cagd_code_check_faults();
     cagd_region_faults = 0;

@@ -64,6 +64,7 @@ cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point, 
 /* Whether f is 0 for all values of the variables, given what the squares of roots are. */
 int cagd_code_vanishes(cagd_num_f f);
 int cagd_code_vanishes_here(cagd_num_f f); /* wherever the conditions of the path hold */
+int cagd_code_equal_here(cagd_num_f a, cagd_num_f b);
 /* "The sign of f is one of these" is a condition of the way: a sum of 1 for 0, 2 for above, 4 for below. */
 void cagd_code_know_sign(cagd_num_f f, int signs);
 /* The signs that f can have where the conditions of the way hold; 7 where nothing is known. */

@@ -417,6 +417,16 @@ int cagd_is_beside(const cagd_context *c, cagd_value d)
     return 0;
 }
 
+cagd_value cagd_at_places(const cagd_context *c, cagd_value d)
+{
+    for (int k = c->count - 1; k >= 0 && region_faults == 0 && cagd_is_beside(c, d); k--) {
+        const cagd_binding *b = &c->binding[k];
+        if (b->near && b->unknown && depends(d.f, b->value.f))
+            d = cagd_value_f(substitute_f(d.f, b->value.f, cagd_in_field(b->place)));
+    }
+    return d;
+}
+
 /* On the way. */
 static unsigned sign_here(const cagd_context *c, num_f f)
 {

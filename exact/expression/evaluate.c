@@ -24,14 +24,13 @@ static cagd_value fail(cagd_context *c, const cagd_tree *t, unsigned fault, cons
 
 /* ---- divisors ------------------------------------------------------------------------------------------ */
 
-/* 0 where there is no room for it. */
+/* 0 where there is no room for it.  A variable that is near a place is no name of anybody's: what is divided by is meant there. */
 static int note_divisor(cagd_context *c, cagd_value b)
 {
+    if (c->way != NULL || c->tells_poles)
+        b = cagd_at_places(c, b);
     if (c->divisor == NULL || b.rational)
         return 1;
-    for (int k = c->count - 1; c->tells_poles && k >= 0; k--) /* where a derivative is asked for */
-        if (c->binding[k].near && c->binding[k].unknown)
-            b.f = substitute_f(b.f, c->binding[k].value.f, cagd_in_field(c->binding[k].place));
     for (int i = 0; i < c->divisors; i++)
         if (equal_f(c->divisor[i], b.f))
             return 1;
@@ -380,7 +379,7 @@ static int is_value_at(cagd_context *c, const cagd_tree *t, const cagd_tree *bod
         value[t->lower + t->upper] = a;
         there = apply(c, t, value, f);
     }
-    return region_faults == 0 && cagd_vanishes_here(c, cagd_value_sub(there, limit));
+    return region_faults == 0 && cagd_equal_here(c, there, limit);
 }
 
 /* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too, and the value there is
@@ -402,7 +401,7 @@ static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_
         ends_below = !ends_above && ends_here(c);
         r = ends_above ? other : r;
         for (long j = 0; j <= k && region_faults == 0 && !ends_above && !ends_below; j++)
-            if (!cagd_vanishes_here(c, cagd_value_sub(above[j], below[j])))
+            if (!cagd_equal_here(c, above[j], below[j]))
                 fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
         if (region_faults == 0 && !ends_above && !ends_below && !is_value_at(c, t, body, value, a, above[0], f))
             fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
@@ -540,9 +539,11 @@ int cagd_is_zero_here(cagd_context *c, cagd_value d)
     return cagd_value_is_zero(d) || (c->way != NULL && !d.rational && c->way->holds(d.f, CAGD_EQUAL));
 }
 
-int cagd_vanishes_here(cagd_context *c, cagd_value d)
+int cagd_equal_here(cagd_context *c, cagd_value a, cagd_value b)
 {
-    return cagd_value_is_zero(d) || (c->way != NULL && !d.rational && c->way->vanishes(d.f));
+    if (c->way != NULL && !(a.rational && b.rational))
+        return c->way->equal(cagd_in_field(a), cagd_in_field(b));
+    return cagd_value_is_zero(cagd_value_sub(a, b));
 }
 
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
@@ -1148,7 +1149,7 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
         return a;
     if (c->scope->zero_over_zero && c->way != NULL && cagd_is_zero_here(c, b))
         b = cagd_value_int(0);
-    if (c->scope->zero_over_zero && is_zero(c, b) && (is_zero(c, a) || cagd_vanishes_here(c, a)))
+    if (c->scope->zero_over_zero && is_zero(c, b) && (is_zero(c, a) || cagd_equal_here(c, a, cagd_value_int(0))))
         return cagd_value_int(0);
     if (c->scope->zero_over_zero && c->way == NULL && !b.rational && !cagd_divides(c, b))
         return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
@@ -1174,7 +1175,7 @@ static cagd_value product(cagd_context *c, const cagd_tree *t, const frame *f)
             return x;
         r = cagd_value_mul(r, x);
     }
-    if (faults != 0 && cagd_vanishes_here(c, r))
+    if (faults != 0 && cagd_equal_here(c, r, cagd_value_int(0)))
         c->trouble = trouble;
     else
         region_faults |= faults;

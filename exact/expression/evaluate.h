@@ -89,7 +89,7 @@ typedef struct cagd_memo {
 typedef struct cagd_way {
     int (*name)(const char *key, cagd_value *value);    /* 0: there is none                            */
     int (*holds)(cagd_num_f d, cagd_relation relation); /* d relation 0                                */
-    int (*vanishes)(cagd_num_f d);                      /* d = 0 wherever the program takes this way   */
+    int (*equal)(cagd_num_f a, cagd_num_f b);           /* wherever the program takes this way         */
 } cagd_way;
 
 typedef struct cagd_context {
@@ -161,9 +161,9 @@ const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_va
 /* Whether relations hold: 1, 0; -1 and `split` or `trouble` where they depend on variables. */
 int cagd_truth(cagd_context *c, const cagd_tree *t);
 int cagd_truth_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
-/* On a way, whether d is 0 at its point, which is noted; whether it is 0 wherever the program takes that way. */
+/* Whether d is 0, on a way at its point, which is noted; whether a = b, on a way wherever the program takes it. */
 int cagd_is_zero_here(cagd_context *c, cagd_value d);
-int cagd_vanishes_here(cagd_context *c, cagd_value d);
+int cagd_equal_here(cagd_context *c, cagd_value a, cagd_value b);
 /* a relation b for two values, likewise. */
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
 

@@ -487,6 +487,36 @@ class Printed(Exactly):
         v = self.of(self.SLOPE, "u[7] increasing; c[4]; t in [u[2], u[4])", "double s = slope(u, c, t);", lines % "''")
         self.assertEqual(v["verdict"], "differs")
 
+    def test_the_derivative_of_a_rational_spline(self):
+        """A quotient of sums with pieces, at knots too: what is divided by is meant at the place, not beside it."""
+        code = """#include <math.h>
+static double basis(int i, int p, const double *u, double t)
+{
+    if (p == 0)
+        return u[i] <= t && t < u[i + 1];
+    return (t - u[i]) / (u[i + p] - u[i]) * basis(i, p - 1, u, t) + (u[i + p + 1] - t) / (u[i + p + 1] - u[i + 1]) * basis(i + 1, p - 1, u, t);
+}
+static double slope(int i, const double *u, double t)
+{
+    return 2 * (basis(i, 1, u, t) / (u[i + 2] - u[i]) - basis(i + 1, 1, u, t) / (u[i + 3] - u[i + 1]));
+}
+void curve(const double *u, const double *P, const double *w, double t, double *r) {
+    double x = 0, dx = 0, s = 0, ds = 0;
+    for (int i = 0; i < 3; i++) {
+        x += w[i] * P[i] * basis(i, 2, u, t), dx += w[i] * P[i] * slope(i, u, t);
+        s += w[i] * basis(i, 2, u, t), ds += w[i] * slope(i, u, t);
+    }
+    r[0] = x / s, r[1] = (dx * s - x * ds) / (s * s);
+}"""
+        block = (":::{exactly} it\n:source: code.c\n:declare: void curve(const double *, const double *, const double *, double, double *);\n"
+                 ":input: u[6] increasing; P[3]; omega[3] > 0; t in [u[2], u[3])\n:call: double R[2]; curve(u, P, omega, t, R);\n:output: R[2]\n"
+                 ":use: bspline N_{i,p}(t) over u_i\n"
+                 ":let: C(t) = \\frac{\\sum_{i=0}^2 \\omega_i P_i N_{i,2}(t)}{\\sum_{i=0}^2 \\omega_i N_{i,2}(t)}\n:printed: R_0 = C(t), \\quad R_1 = %s\n:::\n")
+        v = self.verdict(block % "C'(t)", code)
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+        self.assertIn("t = u[2]", self.conditions(v))
+        self.assertEqual(self.verdict(block % "C''(t)", code)["verdict"], "differs")
+
     def test_there_is_no_derivative_at_a_corner(self):
         code = """double slope(const double *u, const double *c, double t)
 {
