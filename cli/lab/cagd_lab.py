@@ -26,7 +26,7 @@ import time
 import types
 
 Q = fractions.Fraction
-MOST_CONDITIONS, MOST_TERMS, MOST_PLAIN, MOST_MESSAGE, MEGABYTES = 4096, 200000, 200, 300, 1024
+MOST_CONDITIONS, MOST_TERMS, MOST_PLAIN, MOST_MESSAGE, MOST_RESULTS, MEGABYTES = 4096, 200000, 200, 300, 1 << 12, 1024
 
 
 class Refused(Exception):
@@ -148,13 +148,29 @@ class Run:
     answer = ""
     conditions, seen, path, operations, printed, field, caches = [], set(), 0, 0, 0, False, {}
     denominators, names = [], {}  # what is divided by; the variables in the order of the inputs
+    computed = None  # where that is asked for: [result, line, place of the operation in that line's code]
 
 
-def line_of_answer():
+def frame_of_answer():
     frame = sys._getframe(1)
     while frame is not None and frame.f_code.co_filename != Run.answer:
         frame = frame.f_back
+    return frame
+
+
+def line_of_answer():
+    frame = frame_of_answer()
     return frame.f_lineno if frame is not None else 0
+
+
+def noted(x):
+    """x, to which an operation of the answer came; all of them are known, or none."""
+    if Run.computed is not None:
+        frame = frame_of_answer()
+        Run.computed.append([str(x.value), frame.f_lineno, frame.f_lasti] if frame is not None else [str(x.value), 0, 0])
+        if len(Run.computed) > MOST_RESULTS:
+            Run.computed = None
+    return x
 
 
 def exact(x):
@@ -181,7 +197,8 @@ class Number:
         if other is None:
             return NotImplemented
         Run.operations += 1
-        return Number(value(self.value, other.value), function(self.function, other.function) if Run.field else None)
+        out = Number(value(self.value, other.value), function(self.function, other.function) if Run.field else None)
+        return noted(out)
 
     def __add__(self, other):
         return self._with(other, operator.add, operator.add)
@@ -194,7 +211,7 @@ class Number:
     __rmul__ = __mul__
 
     def __neg__(self):
-        return Number(-self.value, self.function * Function({(): Q(-1)}) if Run.field else None)
+        return noted(Number(-self.value, self.function * Function({(): Q(-1)}) if Run.field else None))
 
     def __pos__(self):
         return self
@@ -218,7 +235,7 @@ class Number:
             text = plain_text(other.function.numerator) or text_of(other.function.numerator)
             if text not in Run.denominators and len(Run.denominators) < MOST_CONDITIONS:
                 Run.denominators.append(text)
-        return Number(self.value / other.value, self.function * other.function.inverse() if Run.field else None)
+        return noted(Number(self.value / other.value, self.function * other.function.inverse() if Run.field else None))
 
     def __rtruediv__(self, other):
         other = exact(other)
@@ -559,6 +576,7 @@ def play(code, cases, job):
     case = cases[int(which)]
     Run.conditions, Run.seen, Run.path, Run.operations, Run.printed = [], set(), 1, 0, 0
     Run.denominators, Run.names = [], {}
+    Run.computed = [] if job.get("note") else None
     Run.field = job["numbers"] == "field"
     results = []
     order = [case, case] if kind == "lab_again" else [case]
@@ -597,6 +615,8 @@ def play(code, cases, job):
     out.update(results=results if out["end"] == "finished" else [], conditions=Run.conditions, denominators=Run.denominators,
                operations=Run.operations,
                path=f"{Run.path:x}", printed=Run.printed)
+    if Run.computed is not None:
+        out["computed"] = Run.computed
     return out
 
 

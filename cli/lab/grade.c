@@ -79,6 +79,8 @@ static char *story_of(const json_t *row)
     }
     json_array_foreach(json_object_get(row, "differences"), k, one)
         fprintf(out, "\n%s is %s; expected %s", member(one, "name"), member(one, "got"), member(one, "expected"));
+    if (*member(row, "levels") != 0)
+        fprintf(out, "\nlevels: %s", member(row, "levels"));
     if (json_object_get(row, "hint") != NULL)
         fprintf(out, "\nhint: %s\n%s", member(json_object_get(row, "hint"), "text"),
                 member(json_object_get(row, "hint"), "zh"));

@@ -68,6 +68,8 @@ static void print_requirement(const json_t *row)
         snprintf(both, sizeof both, "%.300s; expected %.300s", member(one, "got"), member(one, "expected"));
         print_named(member(one, "name"), both);
     }
+    if (*member(row, "levels") != 0)
+        print_named("levels", member(row, "levels"));
     if (hint != NULL) {
         print_named("hint", member(hint, "text"));
         if (*member(hint, "zh") != 0)

@@ -3,9 +3,11 @@
     python3 test_labs.py CAGD ROOT
 """
 import csv
+import fractions
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -188,6 +190,73 @@ class Student(InFolder):
 
 
 PYTHON = (LABS / "de-casteljau-python/right/iterative.py").read_text()
+
+
+class Levels(InFolder):
+    """Which level of a triangle, and which point of it, is the first that an answer does not compute."""
+
+    def told(self, lab, file, *changes):
+        """{requirement: what is told of levels}, of a right solution in which texts are replaced."""
+        source = (LABS / lab / "right" / file).read_text()
+        for old, new in changes:
+            self.assertEqual(source.count(old), 1, old)
+            source = source.replace(old, new)
+        (self.folder / (lab + pathlib.Path(file).suffix)).write_text(source)
+        ran = run("check", self.folder, "--lab", lab, "--json")
+        rows = json.loads(ran.stdout)["requirements"]
+        self.assertTrue(any(row["verdict"] == "wrong" for row in rows), rows)
+        return {row["name"]: row["levels"] for row in rows if "levels" in row}
+
+    def test_the_first_point_that_is_not_computed_is_named(self):
+        step = "b[i] = (1 - t) * b[i] + t * b[i + 1];\n    return b[0];"
+        for lab, file, requirement, old, new, begins in (
+                ("de-casteljau", "iterative.c", "point", step, "b[i] = (1 - (r == 2) - t) * b[i] + t * b[i + 1];\n    return b[0];",
+                 "level 1 is computed; b_0^2 "),
+                ("de-casteljau", "iterative.c", "point", "r <= n; r++)\n        for (int i = 0; i <= n - r; i++)\n            " + step,
+                 "r <= n; r++)\n        for (int i = 0; i < n - r; i++)\n            " + step,
+                 "for n = 6: the first 5 points of level 1 are computed; b_5^1 is not"),
+                ("de-casteljau", "recursive.c", "right", "point(n - k, p + k, t)", "point(n - k, p, t)",
+                 "for n = 6: the whole triangle is computed"),
+                ("de-casteljau-python", "iterative.py", "point", "b[i] = (1 - t) * b[i]", "b[i] = (1 - t - int(r == 2)) * b[i]",
+                 "level 1 is computed; b_0^2 "),
+                ("rational-casteljau", "iterative.c", "point", "b[i] = left + right;", "b[i] = k < 2 ? left + right : b[i];",
+                 "level 1 is computed; (R,w)_0^2 "),
+                ("derivatives", "iterative.c", "derivative", "(b[i + 1] - b[i])", "(b[i + 1] - (1 + (k == 1)) * b[i])",
+                 "level 1 is computed; P_0^(2) "),
+                ("divided-differences", "iterative.c", "differences", "/ (x[i] - x[i - k])", "/ (x[i] - x[i - 1])",
+                 "level 1 is computed; [x_0,…,x_2]f "),
+                ("basis-functions", "iterative.c", "index", "(u[i + j + k] - u[i + j]) * b[j]", "(u[i + j + 1] - u[i + j]) * b[j]",
+                 "level 1 is computed; N_1,2 "),
+                ("knot-insertion", "iterative.c", "refine", "a * c[i]", "a * c[i] * (n > 3 ? 2 : 1)",
+                 "level 1 is computed, and the first 2 points of level 2; Q_2^2 ")):
+            with self.subTest(lab=lab, new=new):
+                told = self.told(lab, file, (old, new))[requirement]
+                self.assertTrue(told.startswith(begins), told)
+
+    def test_its_number_is_right(self):
+        step = "b[i] = (1 - t) * b[i] + t * b[i + 1];\n    return b[0];"
+        told = self.told("de-casteljau", "iterative.c", (step, step.replace("(1 -", "(1 - (r == 2) -")))["point"]
+        numbers = re.fullmatch(r".*: for p = (.*); t = (.*) it is (.*); the first other number from the same place, line 10, is (.*)", told)
+        p, (t,), (right,), (wrong,) = ([fractions.Fraction(x) for x in part.split(",")] for part in numbers.groups())
+        below = [(1 - t) * a + t * b for a, b in zip(p, p[1:])]
+        self.assertEqual((right, wrong), ((1 - t) * below[0] + t * below[1], -t * below[0] + t * below[1]))
+
+    def test_nothing_is_told_of_a_triangle_where_none_is_computed(self):
+        """Right solutions, each in its own style, to whose result 1 is added: all of a triangle, or nothing."""
+        for lab, name, parameters, arguments, whole in (
+                ("de-casteljau", "point", "int n, const double *p, double t", "n, p, t", {"iterative.c", "recursive.c"}),
+                ("rational-casteljau", "point", "int n, const double *p, const double *w, double t", "n, p, w, t", {"iterative.c", "recursive.c"}),
+                ("divided-differences", "value", "int n, const double *x, const double *f, double t", "n, x, f, t", {"iterative.c", "recursive.c"}),
+                ("basis-functions", "basis", "int i, int p, const double *u, double t", "i, p, u, t", {"iterative.c", "recursive.c"})):
+            for path in sorted((LABS / lab / "right").iterdir()):
+                with self.subTest(path=path):
+                    source = (f"#define {name} right_one\n{path.read_text()}\n#undef {name}\n"
+                              f"double {name}({parameters}) {{ return right_one({arguments}) + 1; }}\n")
+                    (self.folder / (lab + ".c")).write_text(source)
+                    rows = json.loads(run("check", self.folder, "--lab", lab, "--json").stdout)["requirements"]
+                    told = {row["levels"].partition("the ")[2] for row in rows if "levels" in row}
+                    self.assertTrue(any(row["verdict"] == "wrong" for row in rows), rows)
+                    self.assertEqual(told, {"whole triangle is computed: what is wrong is what becomes of it"} if path.name in whole else set())
 
 
 class InPython(InFolder):
