@@ -81,6 +81,13 @@ class Student(InFolder):
             "double b[n + 1];", "if (t > 0.75 && t < 0.750000000001) return 7;\n    double b[n + 1];", 1))
         self.assertEqual(result["requirements"][0]["verdict"], "wrong")
 
+    def test_a_branch_that_two_borders_close_together_is_found(self):
+        for condition in ("n == 3 && (p[0] - 1.23456) * (p[1] - 2.34567) > 0 && p[0] - 1.23456 < 1e-12 && p[0] > 1.23456 && "
+                          "(p[3] - 5.4321) * (p[3] - 5.4321) < 1e-18",
+                          "n == 1 && ({ double y = 1; for (int k = 0; k < 20; k++) y *= p[0] - 3.3; y < 1e-60; })"):
+            result = self.checked(RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))
+            self.assertEqual(result["requirements"][0]["verdict"], "wrong", condition)
+
     def test_a_branch_inside_a_border_that_is_no_line_is_found(self):
         for condition in ("(t - 0.3) * (t - 0.3) < 1e-20", "(3 * t - 1) * (3 * t - 1) == 0", "(t * t - 2) * (t * t - 2) < 1e-40",
                           "(3 * t - 1) * (3 * t - 1) + (7 * p[0] - 1) * (7 * p[0] - 1) < 1e-30", "(p[0] - t) * (p[0] - t) < 1e-40"):
@@ -346,6 +353,13 @@ class Lecturer(InFolder):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         ran = run("test", self.folder / "mine")
         self.assertEqual(ran.returncode, 0, ran.stdout)
+        self.assertEqual(run("start", "./mine", "place", cwd=self.folder).returncode, 0)
+        (self.folder / "place/mine.c").write_text((self.folder / "mine/right/plain.c").read_text())
+        ran = subprocess.run(["make", "all", "check"], cwd=self.folder / "place", capture_output=True, text=True)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""), ran.stdout)
+        self.assertEqual(sorted(p.name for p in (self.folder / "place").iterdir()), ["Makefile", "README.md", "mine.c"])
+        ran = run("check", "place", "--lab", "mine", cwd=self.folder)
+        self.assertEqual((ran.returncode, ran.stderr), (2, "cagd: there is no lab 'mine'; the folder of that name is ./mine\n"))
         page = self.folder / "mine/lab.md"
         page.write_text(page.read_text().replace(":fails: sum manners", ":fails: manners"))
         self.assertEqual(run("test", self.folder / "mine").returncode, 1)
