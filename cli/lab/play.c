@@ -7,7 +7,8 @@
  *     {"end": "finished", "message": "", "line": 0, "results": [{"name", "got", "field", "ulps"}], "conditions": [...],
  *      "denominators": ["t-1"], "operations": 12, "path": "1f...", "printed": 0, "kept": "", "kept_line": 0}
  * with "note": true in the job also "computed": [["3/4", 12, 7], ...], what each operation of the code came to, in line 12, with a number
- * for that operation.  Here kept is a variable of static storage that the code puts something into; "turned", where rounding turned a comparison, its line. */
+ * for that operation.  Here kept is a variable of static storage that the code puts something into; "turned", where rounding turned a comparison, its line;
+ * "whole", where a whole number is made of what varies, its line. */
 #include "cli/lab/lab.h"
 #include "exact/code/run.h"
 
@@ -201,6 +202,8 @@ static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
                             "line", of_the_call ? 0 : o->line, "results", results_of(o), "conditions", conditions_of(o),
                             "denominators", denominators_of(o), "operations", (json_int_t)o->operations, "path", path,
                             "printed", (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
+    if (row != NULL && o->whole_line > 0)
+        json_object_set_new(row, "whole", json_integer(o->whole_line));
     if (row != NULL && o->computed != NULL)
         json_object_set_new(row, "computed", computed_of(o));
     if (row != NULL && o->decided_otherwise > 0)

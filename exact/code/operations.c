@@ -554,6 +554,9 @@ cagd_code_value cagd_code_whole(cagd_code_value a, enum cagd_code_rounding how)
     cagd_code_follow(mpz_get_si(mpq_numref(n.at)));
     if (a.f.at == NULL)
         return whole;
+    int *line = &cagd_code_machine.outcome->whole_line;
+    if (*line == 0 && cagd_code_at != NULL)
+        *line = (int)cagd_code_at->line;
     cagd_num_q one = cagd_from_int_q(1), half = cagd_from_ratio_q(1, 2);
     int sign = cagd_sign_q(n);
     switch (how) {

@@ -106,6 +106,7 @@ struct cagd_code_outcome {
     struct cagd_code_computed
         *computed;  /* where results were noted, all of them; else, or where there are too many, NULL */
     char kept[100]; /* the first variable of static storage that is put into, or ""    */
+    int whole_line;                         /* the first that makes a whole number of what varies, or 0                   */
     int kept_line;  /* where; 0: a function of the library did it                      */
 };
 

@@ -134,6 +134,11 @@ class Student(InFolder):
         row = result["requirements"][0]
         self.assertEqual((row["verdict"], row["text"], row["inputs"]["t"]), ("stopped", "divides by zero, in line 6", ["2/7"]))
 
+    def test_a_whole_number_that_may_be_any_is_undecided(self):
+        for condition in ("(int)(p[0] * 1000) == 31400 + 15", "n == 2 && floor(p[0] * 1000) == 12345 && floor(p[1] * 1000) == -777"):
+            row = self.checked("#include <math.h>\n" + RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))["requirements"][0]
+            self.assertEqual((row["verdict"], row["points"], row["line"]), ("undecided", 0, 7), row)
+
     def test_all_ways_are_closed(self):
         lab = LABS / "basis-functions"
         (self.folder / "basis-functions.c").write_text((lab / "right/iterative.c").read_text())
