@@ -167,7 +167,7 @@ def noted(x):
     """x, to which an operation of the answer came; all of them are known, or none."""
     if Run.computed is not None:
         frame = frame_of_answer()
-        Run.computed.append([str(x.value), frame.f_lineno, frame.f_lasti] if frame is not None else [str(x.value), 0, 0])
+        Run.computed.append([str(x._value), frame.f_lineno, frame.f_lasti] if frame is not None else [str(x._value), 0, 0])
         if len(Run.computed) > MOST_RESULTS:
             Run.computed = None
     return x
@@ -185,19 +185,20 @@ def exact(x):
 
 
 class Number:
-    """A value and, in the field, the function of the inputs that it is the value of."""
-    __slots__ = ("value", "function")
+    """A value and, in the field, the function of the inputs that it is the value of.  An answer knows it by operations and comparisons alone:
+    names with a low line in front are refused in it, and so is a text, whose digits would decide."""
+    __slots__ = ("_value", "_function")
     __hash__ = None
 
     def __init__(self, value, function):
-        self.value, self.function = value, function
+        self._value, self._function = value, function
 
     def _with(self, other, value, function):
         other = exact(other)
         if other is None:
             return NotImplemented
         Run.operations += 1
-        out = Number(value(self.value, other.value), function(self.function, other.function) if Run.field else None)
+        out = Number(value(self._value, other._value), function(self._function, other._function) if Run.field else None)
         return noted(out)
 
     def __add__(self, other):
@@ -211,7 +212,7 @@ class Number:
     __rmul__ = __mul__
 
     def __neg__(self):
-        return noted(Number(-self.value, self.function * Function({(): Q(-1)}) if Run.field else None))
+        return noted(Number(-self._value, self._function * Function({(): Q(-1)}) if Run.field else None))
 
     def __pos__(self):
         return self
@@ -228,22 +229,22 @@ class Number:
         other = exact(other)
         if other is None:
             return NotImplemented
-        if other.value == 0:
+        if other._value == 0:
             raise ZeroDivisionError("division by zero")
         Run.operations += 1
-        if Run.field and not is_constant(other.function.numerator):
-            text = plain_text(other.function.numerator) or text_of(other.function.numerator)
+        if Run.field and not is_constant(other._function.numerator):
+            text = plain_text(other._function.numerator) or text_of(other._function.numerator)
             if text not in Run.denominators and len(Run.denominators) < MOST_CONDITIONS:
                 Run.denominators.append(text)
-        return noted(Number(self.value / other.value, self.function * other.function.inverse() if Run.field else None))
+        return noted(Number(self._value / other._value, self._function * other._function.inverse() if Run.field else None))
 
     def __rtruediv__(self, other):
         other = exact(other)
         return NotImplemented if other is None else other / self
 
     def __pow__(self, n):
-        if isinstance(n, Number) and (not Run.field or is_constant(n.function.numerator)) and n.value.denominator == 1:
-            n = int(n.value)
+        if isinstance(n, Number) and (not Run.field or is_constant(n._function.numerator)) and n._value.denominator == 1:
+            n = int(n._value)
         if not isinstance(n, int):
             raise Refused("a power whose exponent is no whole number is not exact")
         out = exact(1)
@@ -258,12 +259,12 @@ class Number:
         other = exact(other)
         if other is None:
             return NotImplemented
-        is_true = holds(self.value, other.value)
+        is_true = holds(self._value, other._value)
         if Run.field:
-            difference = self.function + other.function * Function({(): Q(-1)})
+            difference = self._function + other._function * Function({(): Q(-1)})
             if is_constant(difference.numerator):
                 return is_true
-        sign = (self.value > other.value) - (self.value < other.value)
+        sign = (self._value > other._value) - (self._value < other._value)
         line = line_of_answer()
         Run.path = (Run.path * 1000003 + line * 8 + 2 * (sign if name != "=" else abs(sign)) + is_true + 5) % (1 << 61)
         if Run.field:
@@ -277,7 +278,7 @@ class Number:
                 polynomial = ""
             if (text, relation, line) not in Run.seen and len(Run.conditions) < MOST_CONDITIONS:
                 Run.seen.add((text, relation, line))
-                Run.conditions.append({"left": self.function.text(), "relation": relation, "right": other.function.text(),
+                Run.conditions.append({"left": self._function.text(), "relation": relation, "right": other._function.text(),
                                        "difference": text, "polynomial": polynomial, "given": False, "line": line,
                                        "holding": {"=": 1, ">": 2, ">=": 3, "<": 4, "<=": 5, "!=": 6}[relation]})
         return is_true
@@ -310,7 +311,7 @@ class Number:
     __int__ = __index__ = __round__ = __floor__ = __ceil__ = __trunc__ = __float__
 
     def __repr__(self):
-        return str(self.value)
+        raise Refused("no text is made of a number")
 
 
 class OfFraction(type):
@@ -363,7 +364,7 @@ def refusal(tree):
                 for a in node.names:
                     if a.name != "*" and a.name not in MODULES[node.module][1]:
                         return line, f"{node.module}.{a.name} is no function for an assignment"
-        if isinstance(node, ast.Attribute) and (node.attr.startswith(INNER) or node.attr in ("mro", "format_map")):
+        if isinstance(node, ast.Attribute) and (node.attr.startswith(INNER) or node.attr in ("mro", "format", "format_map")):
             return line, f".{node.attr} is no part of an assignment"
         if isinstance(node, ast.Name) and node.id.startswith("__") and node.id != "__name__":
             return line, f"{node.id} is no part of an assignment"
@@ -441,7 +442,7 @@ def deliver(name, globals_=None, locals_=None, wanted=(), level=0):
 
 
 def say(*words, **_):
-    Run.printed += sum(len(str(w)) + 1 for w in words) + 1
+    Run.printed += len(words) + 1  # what of, nobody asks
 
 
 def as_is(x):
@@ -467,9 +468,9 @@ def put(results, name, count, x):
         value = exact(value)
         if value is None:
             raise Refused(f"{name} is no number")
-        row = {"name": name if count <= 1 else f"{name}[{k}]", "got": str(value.value)}
+        row = {"name": name if count <= 1 else f"{name}[{k}]", "got": str(value._value)}
         if Run.field:
-            row["field"] = value.function.text()
+            row["field"] = value._function.text()
         results.append(row)
 
 
@@ -489,7 +490,7 @@ def content(x, seen=None):
     """What can change in x, as a value that is compared: numbers and texts, what containers and functions hold, how far an iterator is."""
     seen = set() if seen is None else seen
     if x is None or isinstance(x, (Number, Q, int, float, complex, str, bytes, range, slice)) or x is Fraction:
-        return type(x).__name__, repr(x)
+        return type(x).__name__, str(x._value) if isinstance(x, Number) else repr(x)
     if id(x) in seen:
         return "again"
     seen.add(id(x))
@@ -611,7 +612,7 @@ def play(code, cases, job):
     except NameError as e:
         out = ended("crashed", str(e), e)
     except (Exception, SystemExit) as e:
-        out = ended("crashed", f"{type(e).__name__}: {e}", e)
+        out = ended("crashed", told_of(e), e)
     out.update(results=results if out["end"] == "finished" else [], conditions=Run.conditions, denominators=Run.denominators,
                operations=Run.operations,
                path=f"{Run.path:x}", printed=Run.printed)
@@ -636,6 +637,14 @@ def in_binary64(code, case, job, results):
         want = Q(row["got"])
         if math.isfinite(x):
             row["ulps"] = float(abs(Q(x) - want) / Q(math.ulp(float(want))))
+
+
+def told_of(e):
+    """An exception, in words; of one that has numbers of the inputs in it, its name."""
+    try:
+        return f"{type(e).__name__}: {e}"
+    except Refused:
+        return type(e).__name__
 
 
 def ended(end, message, e):

@@ -325,6 +325,14 @@ class InPython(InFolder):
             result = self.judged(f"import {inner.split('.')[0]}\n" + PYTHON.replace("return b[0]", f"return ({inner}, b[0])[1]"))
             self.assertEqual(result["requirements"][0]["verdict"], "stopped", inner)
 
+    def test_no_digits_decide(self):
+        for text in ("str(t)", "repr(p[0])", "f'{t}'", "'%s' % t", "str([t])", "str(ValueError(t))", "t.value", "t.function"):
+            row = self.judged(PYTHON.replace("return b[0]", f"return b[0] if {text} != '1/7' else 7"))["requirements"][0]
+            self.assertEqual((row["verdict"], row["points"]), ("stopped", 0), text)
+        self.assertIn("refused", self.judged(PYTHON.replace("return b[0]", "return b[0] if '{0.numerator}'.format(t) else 7")))
+        rows = self.judged(PYTHON.replace("return b[0]", "print(t, p)\n    return b[0]"))["requirements"]
+        self.assertEqual([(row["verdict"], row["text"]) for row in rows if row["points"] == 0], [("unclean", "prints")])
+
     def test_memory_time_and_depth_are_bounded(self):
         for code, says in (("x = [0] * 10 ** 10", "memory"), ("x = 9 ** 9 ** 9", ""), ("x = point(p, t)", "without end")):
             row = self.judged(PYTHON.replace("return b[0]", code + "\n    return b[0]"))["requirements"][0]
