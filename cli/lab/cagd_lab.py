@@ -30,7 +30,21 @@ MOST_CONDITIONS, MOST_TERMS, MOST_PLAIN, MOST_MESSAGE, MOST_RESULTS, MEGABYTES =
 
 
 class Refused(Exception):
-    """What cannot be carried exactly."""
+    """What cannot be carried exactly.  It ends the run, even where the answer catches it: else it could tell one kind of run from another."""
+
+    def __init__(self, message):
+        super().__init__(message)
+        Run.refused = Run.refused or message
+
+
+def tried(make, instead):
+    """What the judge itself may try in vain."""
+    before = Run.refused
+    try:
+        return make()
+    except Refused:
+        Run.refused = before
+        return instead
 
 
 # ---- polynomials: {monomial: coefficient}, a monomial is a sorted tuple of (variable, power) ----------------------
@@ -148,6 +162,7 @@ class Run:
     answer = ""
     conditions, seen, path, operations, printed, field, caches = [], set(), 0, 0, 0, False, {}
     denominators, names = [], {}  # what is divided by; the variables in the order of the inputs
+    refused = ""  # the first thing that could not be carried, or the end of memory or depth that the answer caught
     computed = None  # where that is asked for: [result, line, place of the operation in that line's code]
 
 
@@ -272,10 +287,7 @@ class Number:
             first = next(iter(difference.numerator))
             alone = len(difference.numerator) == 1 and not difference.factors and len(first) == 1 and first[0][1] == 1
             text = first[0][0] if alone else difference.text()
-            try:
-                polynomial = plain_text(difference.polynomial_of_sign())
-            except Refused:
-                polynomial = ""
+            polynomial = tried(lambda: plain_text(difference.polynomial_of_sign()), "")
             if (text, relation, line) not in Run.seen and len(Run.conditions) < MOST_CONDITIONS:
                 Run.seen.add((text, relation, line))
                 Run.conditions.append({"left": self._function.text(), "relation": relation, "right": other._function.text(),
@@ -329,6 +341,13 @@ class Fraction(metaclass=OfFraction):
     pass
 
 
+def caught():
+    """At the begin of a handler: the ends of memory and depth, which come earlier in the field, are none of the answer's business."""
+    e = sys.exc_info()[1]
+    if isinstance(e, (RecursionError, MemoryError)):
+        Run.refused = Run.refused or f"{type(e).__name__} is caught"
+
+
 def divide(a, b):
     """a / b, where two whole numbers have an exact quotient."""
     return Q(a, b) if isinstance(a, int) and isinstance(b, int) else a / b
@@ -374,6 +393,8 @@ def refusal(tree):
                 "eval", "exec", "open", "compile", "getattr", "setattr", "globals", "locals", "vars", "dir", "input", "type", "object",
                 "breakpoint", "memoryview", "super", "id", "hash", "callable", "delattr", "help", "exit", "quit"):
             return line, f"{node.func.id} is no function for an assignment"
+        if isinstance(node, ast.Try) and any(isinstance(n, (ast.Return, ast.Break, ast.Continue)) for part in node.finalbody for n in ast.walk(part)):
+            return line, "finally does not end what went wrong in an assignment"
         if isinstance(node, ast.ExceptHandler) and node.type is None:
             return line, "except without a name catches what is not the answer's business"
     return None
@@ -407,6 +428,11 @@ class Exactly(ast.NodeTransformer):
         name = "__divide" if isinstance(node.op, ast.Div) else "__power"
         value = ast.Call(ast.Name(name, ast.Load()), [ast.Name(node.target.id, ast.Load()), node.value], [])
         return ast.copy_location(ast.Assign([node.target], value), node)
+
+    def visit_ExceptHandler(self, node):
+        self.generic_visit(node)
+        node.body.insert(0, ast.copy_location(ast.Expr(ast.Call(ast.Name("__caught", ast.Load()), [], [])), node))
+        return node
 
     def visit_Constant(self, node):
         if isinstance(node.value, float):
@@ -455,7 +481,7 @@ def namespace():
                 if n not in ("True", "False", "None")}
     builtins.update({"print": say, "float": as_is, "pow": lambda a, b, m=None: power(a, b) if m is None else pow(a, b, m),
                      "__import__": deliver})
-    return {"__builtins__": builtins, "__name__": "answer", "__divide": divide, "__power": power, "__float": Q}
+    return {"__builtins__": builtins, "__name__": "answer", "__divide": divide, "__power": power, "__float": Q, "__caught": caught}
 
 
 def put(results, name, count, x):
@@ -577,6 +603,7 @@ def play(code, cases, job):
     case = cases[int(which)]
     Run.conditions, Run.seen, Run.path, Run.operations, Run.printed = [], set(), 1, 0, 0
     Run.denominators, Run.names = [], {}
+    Run.refused = ""
     Run.computed = [] if job.get("note") else None
     Run.field = job["numbers"] == "field"
     results = []
@@ -613,6 +640,8 @@ def play(code, cases, job):
         out = ended("crashed", str(e), e)
     except (Exception, SystemExit) as e:
         out = ended("crashed", told_of(e), e)
+    if Run.refused and out["end"] == "finished":
+        out = {"end": "refused", "message": Run.refused[:MOST_MESSAGE], "line": 0}
     out.update(results=results if out["end"] == "finished" else [], conditions=Run.conditions, denominators=Run.denominators,
                operations=Run.operations,
                path=f"{Run.path:x}", printed=Run.printed)
@@ -641,10 +670,7 @@ def in_binary64(code, case, job, results):
 
 def told_of(e):
     """An exception, in words; of one that has numbers of the inputs in it, its name."""
-    try:
-        return f"{type(e).__name__}: {e}"
-    except Refused:
-        return type(e).__name__
+    return tried(lambda: f"{type(e).__name__}: {e}", type(e).__name__)
 
 
 def ended(end, message, e):

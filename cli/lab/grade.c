@@ -70,6 +70,8 @@ static char *story_of(const json_t *row)
     const json_t *values, *value, *one;
     FILE *out = open_memstream(&text, &size);
     fprintf(out, "%s", member(row, "text"));
+    if (*member(row, "because") != 0)
+        fprintf(out, "\nbecause: %s", member(row, "because"));
     if (*member(row, "case") != 0)
         fprintf(out, "\nfor %s", member(row, "case"));
     json_object_foreach((json_t *)(uintptr_t)json_object_get(row, "inputs"), name, values)

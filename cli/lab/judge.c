@@ -171,6 +171,7 @@ struct found {
     struct cagd_code_point *point;
     struct pair at;                  /* what was said there                                         */
     int points, ways, proved, empty; /* empty: no case may stay without a point */
+    int unfollowed;                  /* the code itself could not be run in the field */
     int whole_line;                  /* where the code makes a whole number of what varies, or 0    */
     struct lab_open open;            /* what is not known of other ways                             */
     char why[300], hole[300];        /* why it is not proved; how the reference failed                 */
@@ -227,6 +228,7 @@ static void prove(struct trial *t, const struct lab_case *c, struct lab_ways *w,
             f->whole_line = (int)json_integer_value(json_object_get(at.got, "whole"));
         lab_ways_add(w, at.got, at.want, p);
     } else if (f->why[0] == 0) {
+        f->unfollowed = finished(at.want);
         snprintf(f->why, sizeof f->why, "%.250s", member(finished(at.got) ? at.want : at.got, "message"));
     }
     forget(&at);
@@ -687,10 +689,12 @@ static void tell_right(const struct lab_case *first, const struct lab_case *last
         snprintf(text, sizeof text, "no numbers were found for which the reference has a result");
     else if (untried)
         snprintf(text, sizeof text, "a whole number is made of a number, and not all that it can be were tried");
+    else if (sum->unfollowed)
+        snprintf(text, sizeof text, "right in %d exact cases%s, but not followed for all inputs", sum->points, range);
     json_object_set_new(row, "verdict",
-                        json_string(sum->empty > 0 || untried ? "undecided"
-                                    : proved                  ? "proved"
-                                                              : "sampled"));
+                        json_string(sum->empty > 0 || untried || sum->unfollowed ? "undecided"
+                                    : proved                                     ? "proved"
+                                                                                 : "sampled"));
     json_object_set_new(row, "text", json_string(text));
     if (untried)
         json_object_set_new(row, "line", json_integer(sum->whole_line));
@@ -738,6 +742,7 @@ static int judge_requirement(struct trial *t, int k, json_t *row)
         sum.open.conditions += f.open.conditions, sum.open.undecided += f.open.undecided;
         sum.open.branches += f.open.branches, sum.open.denominators += f.open.denominators;
         sum.empty += f.points == 0;
+        sum.unfollowed |= f.unfollowed;
         if (sum.whole_line == 0)
             sum.whole_line = f.whole_line;
         if (sum.why[0] == 0)

@@ -62,6 +62,8 @@ static void print_requirement(const json_t *row)
     put_behind(stdout, text, used, INDENT, page_width(MOST_WIDTH));
     fputs(style(stdout, PLAIN), stdout);
     print_inputs(row);
+    if (*member(row, "because") != 0)
+        print_named("because", member(row, "because"));
     json_array_foreach(json_object_get(row, "differences"), k, one)
     {
         char both[700];

@@ -226,7 +226,7 @@ int lab_play(const char *object)
     signal(SIGXFSZ, SIG_IGN);
     dup2(printed, STDERR_FILENO);
     for (json_t *j; (j = json_loadf(stdin, JSON_DISABLE_EOF_CHECK, NULL)) != NULL; json_decref(j)) {
-        struct cagd_code_job job = {.before = bound, .most_megabytes = MOST_MEGABYTES};
+        struct cagd_code_job job = {.before = bound, .one_object = 1, .most_megabytes = MOST_MEGABYTES};
         json_t *row;
         if (ftruncate(printed, 0) != 0 || lseek(printed, 0, SEEK_SET) != 0)
             return 1;

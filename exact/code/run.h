@@ -25,6 +25,7 @@ struct cagd_code_job {
     int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
     int no_root_variables; /* in the field such a root is refused: it is wanted as an interval          */
     int memcpy_moves;      /* memcpy between pieces that overlap does what memmove does; else it is refused */
+    int one_object;        /* addresses of different objects are not ordered, and not taken from one another: refused */
     int note_results;      /* in rationals: what each operation comes to is told                          */
     int inputs;
     const struct cagd_code_input *input;

@@ -139,6 +139,14 @@ class Student(InFolder):
             row = self.checked("#include <math.h>\n" + RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))["requirements"][0]
             self.assertEqual((row["verdict"], row["points"], row["line"]), ("undecided", 0, 7), row)
 
+    def test_addresses_decide_nothing(self):
+        for top, condition in (("static double g;\n", "({ double x; (&x - &g) % 4099 == 77; })"), ("", "p < &t"),
+                               ("#include <stdlib.h>\n", "({ char *a = malloc(24), *c = malloc(24); int less = a < c; free(a); free(c); !less; })")):
+            row = self.checked(top + RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))["requirements"][0]
+            self.assertEqual((row["verdict"], row["text"].partition(",")[0]), ("stopped", "addresses of different arrays are compared"), condition)
+        inside = "const double *end = p + n, *at = p; while (at < end) at++; if (at - p != n) return 7;"
+        self.assertEqual(self.checked(RIGHT.replace("double b[n + 1];", inside + "\n    double b[n + 1];", 1))["points"], 10)
+
     def test_all_ways_are_closed(self):
         lab = LABS / "basis-functions"
         (self.folder / "basis-functions.c").write_text((lab / "right/iterative.c").read_text())
@@ -332,6 +340,16 @@ class InPython(InFolder):
         self.assertIn("refused", self.judged(PYTHON.replace("return b[0]", "return b[0] if '{0.numerator}'.format(t) else 7")))
         rows = self.judged(PYTHON.replace("return b[0]", "print(t, p)\n    return b[0]"))["requirements"]
         self.assertEqual([(row["verdict"], row["text"]) for row in rows if row["points"] == 0], [("unclean", "prints")])
+
+    def test_what_the_field_cannot_carry_is_no_way_to_know_it(self):
+        grows = ("def hidden(p):\n    x = p[0]\n    try:\n        for k in range(12):\n            x = x * (x + p[0] * p[1]) + p[1]\n"
+                 "    except Exception:\n        return True\n    return False\n\n\n")
+        row = self.judged(grows + PYTHON.replace("return b[0]", "return b[0] if hidden(p) or t != 0.109375 else 7"))["requirements"][0]
+        self.assertEqual((row["verdict"], row["points"]), ("undecided", 0))
+        row = self.judged("def deep(n):\n    try:\n        return deep(n + 1)\n    except Exception:\n        return n\n\n\n" +
+                          PYTHON.replace("return b[0]", "return b[0] if deep(0) else 7"))["requirements"][0]
+        self.assertEqual((row["verdict"], row["text"]), ("stopped", "RecursionError is caught"))
+        self.assertIn("refused", self.judged(PYTHON.replace("return b[0]", "try:\n        return b[0]\n    finally:\n        return 7")))
 
     def test_memory_time_and_depth_are_bounded(self):
         for code, says in (("x = [0] * 10 ** 10", "memory"), ("x = 9 ** 9 ** 9", ""), ("x = point(p, t)", "without end")):
