@@ -62,7 +62,7 @@ static const struct {
     {"rho", "ρ"}, {"sigma", "σ"}, {"tau", "τ"}, {"phi", "φ"}, {"varphi", "φ"}, {"chi", "χ"}, {"psi", "ψ"},
     {"omega", "ω"}, {"eta", "η"}, {"zeta", "ζ"}, {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Lambda", "Λ"}, {"Phi", "Φ"},
     {"Psi", "Ψ"}, {"Omega", "Ω"}, {"Sigma", "Σ"}, {"Pi", "Π"}, {"ell", "ℓ"}, {"infty", "∞"}, {"partial", "∂"},
-    {"nabla", "∇"}, {"cdot", "·"}, {"times", "×"}, {"pm", "±"}, {"mp", "∓"}, {"le", "≤"}, {"leq", "≤"},
+    {"nabla", "∇"}, {"Re", "ℜ"}, {"cdot", "·"}, {"times", "×"}, {"pm", "±"}, {"mp", "∓"}, {"le", "≤"}, {"leq", "≤"},
     {"ge", "≥"}, {"geq", "≥"}, {"ne", "≠"}, {"neq", "≠"}, {"equiv", "≡"}, {"approx", "≈"}, {"sim", "∼"},
     {"in", "∈"}, {"notin", "∉"}, {"subset", "⊂"}, {"subseteq", "⊆"}, {"supseteq", "⊇"}, {"cup", "∪"},
     {"cap", "∩"}, {"bigcap", "⋂"}, {"bigcup", "⋃"}, {"to", "→"}, {"mapsto", "↦"}, {"Rightarrow", "⇒"}, {"Leftrightarrow", "⇔"}, {"iff", "⇔"},

@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { SAME = 1, GREATER = 2, LESS = 4, UNORDERED = 8, MOST_IN_CONDITION = 2000, MOST_IN_POLYNOMIAL = 40000 };
+
 /* ---- what rounding cost ------------------------------------------------------------------------------ */
 
 double cagd_code_real(cagd_code_value v)
@@ -158,7 +160,6 @@ cagd_code_value cagd_code_product(cagd_code_value a, cagd_code_value b)
     return v;
 }
 
-/* What is divided by must not be 0: noted once for each function. */
 static void note_denominator(cagd_num_f f)
 {
     struct cagd_code_outcome *o = cagd_code_machine.outcome;
@@ -181,6 +182,14 @@ static void note_denominator(cagd_num_f f)
     o->denominators = list;
 }
 
+void cagd_code_note_divisor(cagd_num_f f)
+{
+    cagd_trace_pause();
+    if ((cagd_code_signs_here(f) & SAME) != 0)
+        note_denominator(f);
+    cagd_trace_resume();
+}
+
 cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
 {
     static const struct arithmetic o = {cagd_div_q, cagd_div_i, cagd_div_f};
@@ -191,10 +200,8 @@ cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
     }
     if (b.q.at != NULL && cagd_is_zero_q(b.q))
         cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
-    cagd_trace_pause();
-    if (b.f.at != NULL && (cagd_code_signs_here(b.f) & 1) != 0)
-        note_denominator(b.f);
-    cagd_trace_resume();
+    if (b.f.at != NULL)
+        cagd_code_note_divisor(b.f);
     cagd_code_value v = combine(&o, a, b);
     if (rounding()) { /* x^/y^ - x/y = (x^ - x)/y^ - x/(y y^) (y^ - y) */
         v.d = a.d / b.d;
@@ -279,8 +286,6 @@ double cagd_code_neg(double a)
 }
 
 /* ---- order ------------------------------------------------------------------------------------------- */
-
-enum { SAME = 1, GREATER = 2, LESS = 4, UNORDERED = 8, MOST_IN_CONDITION = 2000, MOST_IN_POLYNOMIAL = 40000 };
 
 static int relation_of(int sign) { return sign == 0 ? SAME : sign > 0 ? GREATER : LESS; }
 

@@ -11,8 +11,19 @@ static struct {
 } signs_known[MOST_SIGNS];
 static int sign_count;
 
+/* f, or where it is linear a positive multiple of it, the same one for all of them. */
+static cagd_num_f scaled(cagd_num_f f)
+{
+    struct cagd_linear at;
+    if (!cagd_linear_f(f, &at) || at.count == 0)
+        return f;
+    cagd_num_q first = at.coefficient[0];
+    return cagd_div_f(f, cagd_from_rational_f(cagd_sign_q(first) < 0 ? cagd_neg_q(first) : first));
+}
+
 void cagd_code_know_sign(cagd_num_f f, int holding)
 {
+    f = scaled(f);
     int opposite = (holding & SAME) | (holding & LESS ? GREATER : 0) | (holding & GREATER ? LESS : 0);
     cagd_num_f minus = cagd_neg_f(f);
     for (int k = 0; k < sign_count; k++)
@@ -55,6 +66,7 @@ int cagd_code_vanishes_here(cagd_num_f f)
 /* What is known of f itself: a sum of SAME, GREATER, LESS. */
 static int known_of(cagd_num_f f)
 {
+    f = scaled(f);
     cagd_num_f minus = cagd_neg_f(f);
     for (int k = 0; k < sign_count; k++) {
         int sign = signs_known[k].sign;

@@ -392,10 +392,28 @@ static unsigned signs_beside(cagd_context *c, num_f f, const cagd_binding *b, nu
         f = derivative_f(f, b->value.f);
         side = product(side, turned);
         cagd_value there = cagd_value_f(substitute_f(f, b->value.f, place));
-        if (!cagd_value_is_zero(there))
+        if (!cagd_is_zero_here(c, there))
             return product(side, cagd_signs(c, there));
     }
     return CAGD_ANY_SIGN;
+}
+
+int cagd_is_beside(const cagd_context *c, cagd_value d)
+{
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        if (b->near && b->unknown && !d.rational && depends(d.f, b->value.f))
+            return 1;
+    }
+    return 0;
+}
+
+/* On the way. */
+static unsigned sign_here(const cagd_context *c, num_f f)
+{
+    if (c->way->holds(f, CAGD_EQUAL))
+        return CAGD_CAN_BE_ZERO;
+    return c->way->holds(f, CAGD_GREATER) ? CAGD_CAN_BE_POSITIVE : CAGD_CAN_BE_NEGATIVE;
 }
 
 unsigned cagd_signs(cagd_context *c, cagd_value d)
@@ -409,12 +427,14 @@ unsigned cagd_signs(cagd_context *c, cagd_value d)
         num_f place = cagd_in_field(settled(c, b->place));
         num_f f = mul_f(cagd_numerator_f(d.f), cagd_denominator_f(d.f));
         cagd_value there = cagd_value_f(substitute_f(f, b->value.f, place));
-        if (cagd_value_is_zero(there))
+        if (cagd_is_zero_here(c, there))
             return signs_beside(c, f, b, place);
         d = there;
     }
     if (d.rational || region_faults != 0)
         return region_faults != 0 ? CAGD_ANY_SIGN : sign_of_number(d.q);
+    if (c->way != NULL)
+        return sign_here(c, d.f);
     unsigned above = signs_of_polynomial(c, cagd_numerator_f(d.f), 0),
              below = signs_of_polynomial(c, cagd_denominator_f(d.f), 1);
     return product(above, below);

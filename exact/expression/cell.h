@@ -25,6 +25,8 @@ int cagd_is_linear(cagd_num_f a);
  * to split, or a form to cut, is noted in the context unless one is there already. */
 unsigned cagd_signs_of_form(cagd_context *c, cagd_num_f form);
 unsigned cagd_signs(cagd_context *c, cagd_value d);
+/* Whether it has a variable that is near a place, on one side of it. */
+int cagd_is_beside(const cagd_context *c, cagd_value d);
 /* Whether the value can be 0: a divisor that can is noted as above, or as a pole that is left out. */
 int cagd_divides(cagd_context *c, cagd_value d);
 

@@ -73,9 +73,12 @@ static void find_bounds(cagd_context *c, cagd_binding *b)
     }
 }
 
-/* A name without a value, as a variable of the field. */
+/* A name without a value: the way has one, or it becomes a variable of the field. */
 static cagd_value unknown(cagd_context *c, const cagd_tree *t, const char *key, const cagd_variable *v)
 {
+    cagd_value of_way;
+    if (c->way != NULL && c->way->name(key, &of_way))
+        return of_way;
     if (!c->in_field)
         return fail(c, t, FAULT_UNABLE, "a name without a value");
     char name[16];
@@ -347,11 +350,11 @@ static int is_value_at(cagd_context *c, const cagd_tree *t, const cagd_tree *bod
         value[t->lower + t->upper] = a;
         there = apply(c, t, value, f);
     }
-    return region_faults == 0 && cagd_value_is_zero(cagd_value_sub(there, limit));
+    return region_faults == 0 && cagd_vanishes_here(c, cagd_value_sub(there, limit));
 }
 
-/* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too; where the definitions end, it
- * is that of the side on which they fit, if the function has a value there, to which it tends. */
+/* The derivative; at a joint of pieces it is there if those of both sides are equal, and the lower ones, too, and the value there is
+ * theirs; where the definitions end, it is that of the side on which they fit, if the function has a value there, to which it tends. */
 static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[], long k,
                                 cagd_value a, const frame *f)
 {
@@ -369,8 +372,10 @@ static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_
         ends_below = !ends_above && ends_here(c);
         r = ends_above ? other : r;
         for (long j = 0; j <= k && region_faults == 0 && !ends_above && !ends_below; j++)
-            if (!cagd_value_is_zero(cagd_value_sub(above[j], below[j])))
+            if (!cagd_vanishes_here(c, cagd_value_sub(above[j], below[j])))
                 fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
+        if (region_faults == 0 && !ends_above && !ends_below && !is_value_at(c, t, body, value, a, above[0], f))
+            fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
     }
     if (region_faults == 0 && (ends_above || ends_below)) {
         if (!is_value_at(c, t, body, value, a, ends_above ? below[0] : above[0], f))
@@ -500,11 +505,23 @@ static int holds_for_signs(unsigned signs, cagd_relation relation)
     return all ? 1 : some ? -1 : 0;
 }
 
+int cagd_is_zero_here(cagd_context *c, cagd_value d)
+{
+    return cagd_value_is_zero(d) || (c->way != NULL && !d.rational && c->way->holds(d.f, CAGD_EQUAL));
+}
+
+int cagd_vanishes_here(cagd_context *c, cagd_value d)
+{
+    return cagd_value_is_zero(d) || (c->way != NULL && !d.rational && c->way->vanishes(d.f));
+}
+
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
 {
     cagd_value d = cagd_value_sub(a, b);
     if (region_faults != 0)
         return -1;
+    if (c->way != NULL && !d.rational && !cagd_is_beside(c, d))
+        return c->way->holds(d.f, relation);
     int is_first = c->split == NULL && !c->has_cut;
     int is = holds_for_signs(cagd_signs(c, d), relation);
     c->used_bounds |= !d.rational;
@@ -907,12 +924,7 @@ static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
         return a;
     if (!a.rational)
         return fail(c, t, FAULT_UNABLE, "a rounded number that depends on variables");
-    mpq_t r;
-    mpq_init(r);
-    (t->kind == CAGD_FLOOR ? mpz_fdiv_q : mpz_cdiv_q)(mpq_numref(r), mpq_numref(a.q.at), mpq_denref(a.q.at));
-    cagd_value result = cagd_value_constant(from_mpq_q(r));
-    mpq_clear(r);
-    return result;
+    return cagd_value_constant(t->kind == CAGD_FLOOR ? cagd_floor_q(a.q) : neg_q(cagd_floor_q(neg_q(a.q))));
 }
 
 /* The greater or the smaller one of the values before and the next, the `count`-th. */
@@ -970,7 +982,6 @@ static cagd_value cases(cagd_context *c, const cagd_tree *t, const frame *f)
             return evaluate(c, t->at[k], f);
     }
     c->fits_none = 1;
-    c->fits_none = 1;
     return fail(c, t, FAULT_UNDEFINED, "none of the cases");
 }
 
@@ -979,9 +990,11 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
     cagd_value a = evaluate(c, t->at[0], f), b = evaluate(c, t->at[1], f);
     if (region_faults != 0)
         return a;
-    if (cagd_value_is_zero(b) && cagd_value_is_zero(a) && c->scope->zero_over_zero)
-        return a;
-    if (c->scope->zero_over_zero && !b.rational && !cagd_divides(c, b))
+    if (c->scope->zero_over_zero && c->way != NULL && cagd_is_zero_here(c, b))
+        b = cagd_value_int(0);
+    if (c->scope->zero_over_zero && cagd_value_is_zero(b) && cagd_vanishes_here(c, a))
+        return cagd_value_int(0);
+    if (c->scope->zero_over_zero && c->way == NULL && !b.rational && !cagd_divides(c, b))
         return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
     if (!note_divisor(c, b))
         return fail(c, t, FAULT_UNABLE, "too many divisors");
@@ -1005,7 +1018,7 @@ static cagd_value product(cagd_context *c, const cagd_tree *t, const frame *f)
             return x;
         r = cagd_value_mul(r, x);
     }
-    if (faults != 0 && cagd_value_is_zero(r))
+    if (faults != 0 && cagd_vanishes_here(c, r))
         c->trouble = trouble;
     else
         region_faults |= faults;

@@ -61,8 +61,17 @@ typedef struct cagd_memo {
     unsigned signs;
 } cagd_memo;
 
+/* A way through a program that is run at one point: what names are, and how comparisons come out there, is known to it, and it notes
+ * them. */
+typedef struct cagd_way {
+    int (*name)(const char *key, cagd_value *value);    /* 0: there is none                            */
+    int (*holds)(cagd_num_f d, cagd_relation relation); /* d relation 0                                */
+    int (*vanishes)(cagd_num_f d);                      /* d = 0 wherever the program takes this way   */
+} cagd_way;
+
 typedef struct cagd_context {
     const cagd_scope *scope;
+    const cagd_way *way;      /* NULL: whatever values the names have                         */
     const cagd_tree *premise; /* what is supposed besides the conditions of the scope, or NULL */
     cagd_binding binding[CAGD_MOST_UNKNOWNS];
     int count;
@@ -116,6 +125,9 @@ const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_va
 /* Whether relations hold: 1, 0; -1 and `split` or `trouble` where they depend on variables. */
 int cagd_truth(cagd_context *c, const cagd_tree *t);
 int cagd_truth_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
+/* On a way, whether d is 0 at its point, which is noted; whether it is 0 wherever the program takes that way. */
+int cagd_is_zero_here(cagd_context *c, cagd_value d);
+int cagd_vanishes_here(cagd_context *c, cagd_value d);
 /* a relation b for two values, likewise. */
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
 

@@ -21,13 +21,7 @@ static const cagd_tree *find_sum(cagd_search *s, const cagd_tree *t, const cagd_
     if (t->kind == CAGD_SUM_OVER)
         return t->count == 3 ? t : NULL;
     if (t->kind == CAGD_NAME) {
-        const cagd_definition *d = cagd_defined(s->c.scope, t->head);
-        cagd_value value[CAGD_MOST_CHILDREN];
-        if (d == NULL || t->order > 0 || t->times != NULL)
-            return NULL;
-        cagd_arguments_of(&s->c, t, d, f, value);
-        const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, inner) : NULL;
-        region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+        const cagd_tree *body = cagd_called_body(s, t, f, room, inner);
         return body != NULL && body->kind == CAGD_SUM_OVER && body->count == 3 ? body : NULL;
     }
     if (t->kind != CAGD_PRODUCT || t->at[t->count - 1]->kind != CAGD_SUM_OVER)

@@ -11,15 +11,6 @@ enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12 };
 /* ---- numbers between numbers --------------------------------------------------------------------------- */
 
 static num_q one(void) { return from_int_q(1); }
-static num_q rounded_down(num_q a)
-{
-    mpq_t r;
-    mpq_init(r);
-    mpz_fdiv_q(mpq_numref(r), mpq_numref(a.at), mpq_denref(a.at));
-    num_q result = from_mpq_q(r);
-    mpq_clear(r);
-    return result;
-}
 
 num_q cagd_simplest_between(num_q a, num_q b)
 {
@@ -27,11 +18,11 @@ num_q cagd_simplest_between(num_q a, num_q b)
         return from_int_q(0);
     if (cagd_sign_q(a) < 0)
         return neg_q(cagd_simplest_between(neg_q(b), neg_q(a)));
-    num_q whole = rounded_down(a), next = add_q(whole, one()), above = sub_q(b, whole);
+    num_q whole = cagd_floor_q(a), next = add_q(whole, one()), above = sub_q(b, whole);
     if (cagd_compare_q(next, b) < 0)
         return next;
     if (cagd_equal_q(a, whole)) /* whole + 1/n */
-        return add_q(whole, div_q(one(), add_q(rounded_down(div_q(one(), above)), one())));
+        return add_q(whole, div_q(one(), add_q(cagd_floor_q(div_q(one(), above)), one())));
     return add_q(whole, div_q(one(), cagd_simplest_between(div_q(one(), above), div_q(one(), sub_q(a, whole)))));
 }
 

@@ -101,17 +101,25 @@ static int take_power(cagd_search *s, const cagd_tree *t, const cagd_frame *f, i
     return 1;
 }
 
-static int take_name(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out)
+const cagd_tree *cagd_called_body(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_frame room[],
+                                  const cagd_frame **inner)
 {
     const cagd_definition *d = cagd_defined(s->c.scope, t->head);
-    cagd_frame room[CAGD_MOST_CHILDREN];
     cagd_value value[CAGD_MOST_CHILDREN];
-    const cagd_frame *inner = NULL;
+    *inner = NULL;
     if (d == NULL || t->order > 0 || t->times != NULL)
-        return 0;
+        return NULL;
     cagd_arguments_of(&s->c, t, d, f, value);
-    const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, &inner) : NULL;
+    const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, inner) : NULL;
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    return body;
+}
+
+static int take_name(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out)
+{
+    cagd_frame room[CAGD_MOST_CHILDREN];
+    const cagd_frame *inner;
+    const cagd_tree *body = cagd_called_body(s, t, f, room, &inner);
     return body != NULL && cagd_take(s, body, inner, e, out);
 }
 

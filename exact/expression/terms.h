@@ -50,6 +50,9 @@ int cagd_linear_in(cagd_search *s, cagd_num_f v, int *p, int *q, cagd_num_f *c);
 int cagd_divides_in_range(const cagd_search *s, cagd_num_f a, long low, long last);
 /* Whether none of the divisors is 0 there; they are forgotten.  So that (n-9)/(n-9) is not taken for 1. */
 int cagd_divisors_are_not_zero(cagd_search *s, long low, long last);
+/* What the name t stands for, in the frame *inner whose nodes are room[]: NULL where it has no definition that fits, or is derived. */
+const cagd_tree *cagd_called_body(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_frame room[],
+                                  const cagd_frame **inner);
 /* The product times t^e; 0 where t is no product of that kind. */
 int cagd_take(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out);
 #endif

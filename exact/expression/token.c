@@ -41,6 +41,14 @@ static const struct {
 
 enum { SAME = sizeof same / sizeof *same, GREEK = sizeof greek / sizeof *greek };
 
+int cagd_is_greek(const char *command)
+{
+    for (int k = 0; k < GREEK; k++)
+        if (strcmp(greek[k].command, command) == 0)
+            return 1;
+    return 0;
+}
+
 enum { MOST_BARS = 16, FARTHEST_BAR = 4000 };
 
 static int is(const char *s, int n, const char *word)

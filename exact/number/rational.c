@@ -108,6 +108,14 @@ num_q cagd_root_q(int n, num_q a)
     return (num_q){r};
 }
 
+num_q cagd_floor_q(num_q a)
+{
+    mpq_ptr r = fresh();
+    mpz_fdiv_q(mpq_numref(r), mpq_numref(a.at), mpq_denref(a.at));
+    mpz_set_ui(mpq_denref(r), 1);
+    return (num_q){r};
+}
+
 num_q cagd_from_mpq_q(mpq_srcptr x)
 {
     mpq_ptr r = fresh();

@@ -243,12 +243,15 @@ g(s,t) = s^2 t^3
                 self.assertEqual(s["verdict"], expected, s)
 
     def test_derivatives_at_joints(self):
-        """There is none where the values of both sides differ, though their slopes are one; nor of a derivative that has a joint."""
+        """There is none where the values of both sides differ, though their slopes are one; nor of a derivative that has a joint, nor where the value
+        is another than on both sides."""
         step = "g(t) = \\begin{cases} 0 & t < 1 \\\\ 1 & t \\ge 1 \\end{cases}\n"
         bent = "h(t) = \\begin{cases} t^2 & t \\ge 0 \\\\ -t^2 & t < 0 \\end{cases}\nk(t) = h'(t)\n"
+        alone = "p(t) = t, \\quad t \\ne 2\np(t) = %s\n"
         for printed, let, expected in (("g'(1) = 0", step, "undecided"), ("g'(2) = 0", step, "holds"), ("h'(0) = 0", bent, "holds"),
                                        ("h''(0) = 2", bent, "undecided"), ("k'(0) = 2", bent, "undecided"), ("k'(1) = 2", bent, "holds"),
-                                       ("k'(-1) = -2", bent, "holds")):
+                                       ("k'(-1) = -2", bent, "holds"), ("p'(2) = 1", alone % "0", "undecided"), ("p'(2) = 1", alone % "2", "holds"),
+                                       ("p'(2) = 1", alone % "t", "holds")):
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
 
