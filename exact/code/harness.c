@@ -123,7 +123,7 @@ static int is_end(const struct cagd_code_harness *h, const char *text)
             if (h->input[k].count == 0)
                 return *at == 0;
             char *end;
-            long index = *at == '[' ? strtol(at + 1, &end, 10) : -1;
+            long index = *at == '[' && isdigit((unsigned char)at[1]) ? strtol(at + 1, &end, 10) : -1;
             return index >= 0 && index < h->input[k].count && strcmp(end, "]") == 0;
         }
     return 0;

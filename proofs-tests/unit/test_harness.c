@@ -87,12 +87,109 @@ static void the_language_is_that_of_a_source(void **state)
                 {":source: a.c\n:source: b.C", 1},
                 {":source: a.C\n:source: b.c", 1},
                 {":source: a.c\n:source: b.c", 0},
+                {":flag: -std=c++17", 1},
+                {":flag: -O1 -std=gnu++20", 1},
+                {":flag: -std=c17 -Dplus=++", 0},
+                {":flag: -std=c11", 0},
                 {"", 0}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         struct cagd_code_harness *h = block(list[k].lines);
         assert_int_equal(cagd_code_is_cpp(h), list[k].is_cpp);
         cagd_code_harness_free(h);
     }
+}
+
+/* What is wrong in the lines of a block, the first of which is the second of the file. */
+static void mistakes_have_their_lines(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *lines;
+        int line;
+        const char *cause;
+    } list[] = {
+        {":input: 2x", 2, "a name of at most"},
+        {":title: t\n:input: x[0]", 3, "from 1 to 1000"},
+        {":input: x[1001]", 2, "from 1 to 1000"},
+        {":input: x[1", 2, "from 1 to 1000"},
+        {":input: x; y; x", 2, "x is an input already"},
+        {":input: x increasing", 2, "is not known"},
+        {":input: x nondecreasing", 2, "is not known"},
+        {":input: x > 1", 2, "is not known"},
+        {":input: x = 1/0", 2, "is no number"},
+        {":input: x = 1 2", 2, "more values than the 1"},
+        {":input: x[3] = 1 2", 2, "x has 2 values; 3 were"},
+        {":input: x in 0, 1]", 2, "a range like"},
+        {":input: x in [0, 1", 2, "a range like"},
+        {":input: x in [0 1]", 2, "a range like"},
+        {":input: x in [0, y]; y", 2, "\"y\" is no end"},
+        {":input: x in [x, 1]", 2, "\"x\" is no end"},
+        {":input: z[2]; x in [z[], 1]", 2, "\"z[]\" is no end"},
+        {":input: z[2]; x in [z[-0], 1]", 2, "\"z[-0]\" is no end"},
+        {":input: z[2]; x in [0, z[2]]", 2, "\"z[2]\" is no end"},
+        {":input: z[2]; x in [0, z[1]0]", 2, "\"z[1]0\" is no end"},
+        {":input: z; x in [0, z0]", 2, "\"z0\" is no end"},
+        {":expect: r", 2, "what it should be"},
+        {":known: a.c = 1", 2, "FILE:LINE"},
+        {":known: a.c:x = 1", 2, "FILE:LINE"},
+        {":known: :3 = 1", 2, "FILE:LINE"},
+        {":known: a.c:3[0] = 1", 2, "FILE:LINE"},
+        {":known: a.c:3 == 1\n:known: a.c:3 + 1 = 1", 3, "FILE:LINE"},
+        {":points: 0", 2, "from 1 to 100000"},
+        {":points: 100001", 2, "from 1 to 100000"},
+        {":points: 7x", 2, "from 1 to 100000"},
+        {":roots: none", 2, "\"refuse\" or \"enclose\""},
+        {":memcpy: copies", 2, "\"moves\""},
+        {":inputs: x", 2, "no key \"inputs\""},
+        {":title", 2, ":key: text"},
+        {"title: t", 2, ":key: text"},
+        {":input: x; y[88]", 1, "more than 88 variables"},
+    };
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        char text[400];
+        struct cagd_code_harness_error error = {.line = 0};
+        snprintf(text, sizeof text, ":::{exactly} it\n%s\n:call: double r = 1;\n:output: r\n:::\n", list[k].lines);
+        assert_null(cagd_code_read_harness(text, &error));
+        if (error.line != list[k].line || strstr(error.cause, list[k].cause) == NULL)
+            fail_msg("%s: line %d: %s", list[k].lines, error.line, error.cause);
+    }
+}
+
+/* Of each key what it says, in the lists of its own; entries go on in lines that begin with a blank; as much as is allowed. */
+static void blocks_say_what_they_ask(void **state)
+{
+    (void)state;
+    struct cagd_code_harness *h = block(
+        ":title: one\n:title: two\n:source: a.c\n:include: a.h\n:declare: int f(void);\n\tint g(void);\n:where: x > 1\n"
+        ":flag: -O1\t -g\n:input: x; y[87]; z[2] = 0 1\n:points: 100000\n:roots: enclose\n:memcpy: moves\n"
+        ":known: a.c:3 = x\n:known: a.c:12[2] \t= y\n:expect: r = x");
+    assert_string_equal(h->title, "two");
+    assert_string_equal(h->source.text[0], "a.c");
+    assert_string_equal(h->include.text[0], "a.h");
+    assert_string_equal(h->declare.text[0], "int f(void);\n\tint g(void);");
+    assert_string_equal(h->where.text[0], "x > 1");
+    assert_string_equal(h->call.text[0], "double r = 1;");
+    assert_string_equal(h->output.text[0], "r");
+    assert_string_equal(h->expect.text[0], "r = x");
+    assert_int_equal(h->expect.number[0], 16);
+    assert_int_equal(h->flag.count, 2);
+    assert_string_equal(h->flag.text[1], "-g");
+    assert_int_equal(h->known.count, 2);
+    assert_true(h->notes_stores && h->memcpy_moves && h->enclose_roots && !h->refuse_roots);
+    assert_int_equal(h->points, 100000);
+    assert_int_equal(cagd_code_variables(h), 88);
+    assert_null(h->next);
+    cagd_code_harness_free(h);
+    h = block(":roots: refuse\n:points: 1\n:call: f();\n:output: y\n:::\n\ntext\n:::{exactly} another");
+    assert_true(h->refuse_roots && !h->enclose_roots && !h->memcpy_moves && !h->notes_stores);
+    assert_int_equal(h->points, 1);
+    assert_int_equal(h->line, 1);
+    assert_string_equal(h->next->name, "another");
+    assert_int_equal(h->next->line, 9);
+    assert_int_equal(h->next->points, 20);
+    assert_null(h->next->title);
+    assert_null(h->next->next);
+    cagd_code_harness_free(h);
 }
 
 static void numbers(void **state)
@@ -146,7 +243,10 @@ static void points_are_what_is_asked(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(inputs_have_the_shapes_that_are_written),
-                                       unit(the_language_is_that_of_a_source), unit(numbers),
+                                       unit(the_language_is_that_of_a_source),
+                                       unit(numbers),
+                                       unit(mistakes_have_their_lines),
+                                       unit(blocks_say_what_they_ask),
                                        unit(points_are_what_is_asked)};
     return run_unit_tests(tests);
 }
