@@ -209,6 +209,30 @@ static int is_known(const char *text)
     return read_count(&at, &count) == 0 && at[strspn(at, " \t")] == '=';
 }
 
+/* Whether it is "R[3]", an array with so many elements; R[k], (R[3]) and s.R[3] are one number. */
+static int is_array(const char *text, long *count)
+{
+    const char *bracket = strrchr(text, '[');
+    char *end;
+    *count = bracket != NULL ? strtol(bracket + 1, &end, 10) : 1;
+    return bracket != NULL && strcmp(end, "]") == 0 && strcspn(text, "[.->(") == (size_t)(bracket - text);
+}
+
+/* What is compared or told of an array is some of it: of nothing everything would be proved. */
+static int check_elements(const char *text, size_t length, int line, struct cagd_code_harness_error *error)
+{
+    char *name = trimmed(text, length);
+    long count;
+    int status =
+        is_array(name, &count) && count < 1
+            ? wrong(error, line,
+                    "%s: an array was expected with the number of its elements, at least 1; one element is (%s)", name,
+                    name)
+            : 0;
+    free(name);
+    return status;
+}
+
 static int take_entry(struct cagd_code_harness *h, const char *key, const char *text, int line,
                       struct cagd_code_harness_error *error)
 {
@@ -228,6 +252,9 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
                                  "\"FILE:LINE = what that line puts into a variable\", or \"FILE:LINE[COUNT] = "
                                  "array\", was expected");
             }
+            if ((lists[k].lines == &h->expect || lists[k].lines == &h->output) &&
+                check_elements(text, strcspn(text, "="), line, error) != 0)
+                return -1;
             return add_line(lists[k].lines, copied(text, strlen(text)), line, error);
         }
     if (strcmp(key, "flag") == 0) {
@@ -469,19 +496,17 @@ static void write_expectation(const char *text, int line, const char *path, FILE
 {
     const char *equal = strchr(text, '=');
     char *left = trimmed(text, (size_t)(equal - text)), *right = trimmed(equal + 1, strlen(equal + 1));
-    char *bracket = strrchr(left, '[');
-    char *end;
-    long count = bracket != NULL ? strtol(bracket + 1, &end, 10) : 0;
+    long count;
     fprintf(out, "#line %d \"%s\"\n", line, path);
-    /* R[3] with a name alone to its left is an array, compared element by element */
-    if (bracket != NULL && strcmp(end, "]") == 0 && strcspn(left, "[.->(") == (size_t)(bracket - left))
-        fprintf(out, "    cagd_code_expect(\"%.*s\", %ld, %.*s, %s);\n", (int)(bracket - left), left, count,
-                (int)(bracket - left), left, right);
-    else
+    if (is_array(left, &count)) {
+        int name = (int)strcspn(left, "[");
+        fprintf(out, "    cagd_code_expect(\"%.*s\", %ld, %.*s, %s);\n", name, left, count, name, left, right);
+    } else {
         fprintf(out,
                 "    { const double cagd_got = %s; cagd_code_side(2);\n      const double cagd_wanted = %s; "
                 "cagd_code_side(0);\n      cagd_code_expect(\"%s\", 1, &cagd_got, &cagd_wanted); }\n",
                 left, right, left);
+    }
     free(left);
     free(right);
 }
@@ -506,11 +531,11 @@ static void write_known(const char *text, int line, const char *path, FILE *out)
 
 static void write_output(const char *text, int line, const char *path, FILE *out)
 {
-    const char *bracket = strchr(text, '[');
+    int name = (int)strcspn(text, "[");
+    long count;
     fprintf(out, "#line %d \"%s\"\n", line, path);
-    if (bracket != NULL)
-        fprintf(out, "    cagd_code_output(\"%.*s\", %ld, %.*s);\n", (int)(bracket - text), text,
-                strtol(bracket + 1, NULL, 10), (int)(bracket - text), text);
+    if (is_array(text, &count))
+        fprintf(out, "    cagd_code_output(\"%.*s\", %ld, %.*s);\n", name, text, count, name, text);
     else
         fprintf(out, "    { const double cagd_out = %s; cagd_code_output(\"%s\", 1, &cagd_out); }\n", text, text);
 }
