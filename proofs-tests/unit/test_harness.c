@@ -34,6 +34,7 @@ static void inputs_have_the_shapes_that_are_written(void **state)
         {"x > 0", "x", NULL, NULL, 0, 0, 0, CAGD_CODE_POSITIVE},
         {"x[2] > 0", "x", NULL, NULL, 2, 0, 0, CAGD_CODE_POSITIVE},
         {"x in [0, 1]", "x", "0", "1", 0, 0, 0, CAGD_CODE_BETWEEN},
+        {"x in  [0, 1]", "x", "0", "1", 0, 0, 0, CAGD_CODE_BETWEEN},
         {"x in [0, 1)", "x", "0", "1", 0, 0, 1, CAGD_CODE_BETWEEN},
         {"x in (0, 1]", "x", "0", "1", 0, 1, 0, CAGD_CODE_BETWEEN},
         {"x in (-1/2,  7/3)", "x", "-1/2", "7/3", 0, 1, 1, CAGD_CODE_BETWEEN},
@@ -138,6 +139,7 @@ static void mistakes_have_their_lines(void **state)
         {":input: twelveletters", 2, "a name of at most 11"},
         {":input: in twelveletters", 2, "is not known"},
         {":known: a.c = 1", 2, "FILE:LINE"},
+        {":known: a.c: = 1", 2, "FILE:LINE"},
         {":known: a.c:x = 1", 2, "FILE:LINE"},
         {":known: :3 = 1", 2, "FILE:LINE"},
         {":known: a.c:3[0] = 1", 2, "FILE:LINE"},
@@ -162,14 +164,35 @@ static void mistakes_have_their_lines(void **state)
     }
 }
 
+static void texts_that_are_no_blocks(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int line;
+        const char *cause;
+    } list[] = {{"text\n", 1, "no block is in it"},
+                {"\n:::{exactly}\n:::\n", 2, "the block has no name"},
+                {"\n:::{exactly} it\n:call: f();\n:output: r\n", 2, "it: the block does not end"},
+                {":::{exactly} it\n more\n:::\n", 2, ":key: text"},
+                {"\n:::{exactly} it\n:output: r\n:::\n", 2, "it: there is no :call:"},
+                {":::{exactly} it\n:title: t\n:call: f();\n:::\n", 1, "it: there is neither :expect: nor :output:"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        struct cagd_code_harness_error error = {.line = 0};
+        assert_null(cagd_code_read_harness(list[k].text, &error));
+        if (error.line != list[k].line || strstr(error.cause, list[k].cause) == NULL)
+            fail_msg("%s: line %d: %s", list[k].text, error.line, error.cause);
+    }
+}
+
 /* Of each key what it says, in the lists of its own; entries go on in lines that begin with a blank; as much as is allowed. */
 static void blocks_say_what_they_ask(void **state)
 {
     (void)state;
     struct cagd_code_harness *h = block(
         ":title: one\n:title: two\n:source: a.c\n:include: a.h\n:declare: int f(void);\n\tint g(void);\n:where: x > 1\n"
-        ":flag: -O1\t -g\n:input: x; y[87]; z[2] = 0 1\n:points: 100000\n:roots: enclose\n:memcpy: moves\n"
-        ":known: a.c:3 = x\n:known: a.c:12[2] \t= y\n:expect: r = x");
+        ":flag: -O1\t -g\n:input: x; ; y[87]; z[2] = 0 1\n:points: 100000\n:roots: enclose\n:memcpy: moves\n"
+        ":known: a.c:3= x\n:known: a.c:12[2] \t= y\n:expect: r = x");
     assert_string_equal(h->title, "two");
     assert_string_equal(h->source.text[0], "a.c");
     assert_string_equal(h->include.text[0], "a.h");
@@ -230,7 +253,7 @@ static void the_driver_is_what_the_block_says(void **state)
         "    for (int cagd_k = 0; cagd_k < 1; cagd_k++)\n"
         "        cagd_code_where(((double)1 / (double)2) <= elevenlette && elevenlette < x);\n"
         "    for (int cagd_k = 0; cagd_k < 1; cagd_k++)\n"
-        "        cagd_code_where(((double)-3 / (double)1) < y[cagd_k] && y[cagd_k] <= ((double)7 / (double)20));\n"
+        "        cagd_code_where(((double)-30 / (double)1) < y[cagd_k] && y[cagd_k] <= ((double)7 / (double)20));\n"
         "    for (int cagd_k = 1; cagd_k < 3; cagd_k++)\n"
         "        cagd_code_where(u[cagd_k - 1] < u[cagd_k]);\n"
         "    for (int cagd_k = 1; cagd_k < 12; cagd_k++)\n"
@@ -259,7 +282,7 @@ static void the_driver_is_what_the_block_says(void **state)
         "      const double cagd_wanted = x; cagd_code_side(0);\n"
         "      cagd_code_expect(\"r\", 1, &cagd_got, &cagd_wanted); }\n"
         "#line 11 \"page.md\"\n"
-        "    cagd_code_expect(\"r\", 12, r, u);\n"
+        "    cagd_code_expect(\"r\", 12, r, uuu);\n"
         "#line 12 \"page.md\"\n"
         "    { const double cagd_got = s.u[1]; cagd_code_side(2);\n"
         "      const double cagd_wanted = u[1]; cagd_code_side(0);\n"
@@ -275,9 +298,9 @@ static void the_driver_is_what_the_block_says(void **state)
         "}\n";
     struct cagd_code_harness *h =
         block(":include: <a.h>\n:include: \"b.h\"\n:declare: int f(void);\n:input: x > 0; elevenlette in [1/2, x); "
-              "y[1] in (-3, 0.35]; "
-              "z[2] = 0 1; u[3] increasing; v[12] nondecreasing\n:where: x > 1\n:where: x < y[0]\n:known: a.c:3 = x\n"
-              ":known: a.c:12[2] \t= y\n:expect: r = x\n:expect: r[12] = u\n:expect: s.u[1] = u[1]\n:expect: u[k] = "
+              "y[1] in (-30, 0.35]; "
+              "z[2] = 0 1; u[3] increasing; v[12] nondecreasing\n:where: x > 1\n:where: x < y[0]\n:known: a.c:3= x\n"
+              ":known: a.c:12[2] \t= y\n:expect: r = x\n:expect: r[12] = uuu\n:expect: s.u[1] = u[1]\n:expect: u[k] = "
               "x\n:expect: (u[0]) = "
               "u[0]\n:output: u[3]\n:output: (u[0])");
     char *text = NULL;
@@ -305,6 +328,10 @@ static void numbers(void **state)
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
         if (cagd_code_is_number(bad[k]))
             fail_msg("%s", bad[k]);
+    cagd_region_faults = CAGD_FAULT_UNDEFINED; /* what was wrong before still is */
+    assert_true(cagd_code_is_number("3"));
+    assert_int_equal(cagd_region_faults, CAGD_FAULT_UNDEFINED);
+    cagd_region_faults = 0;
 }
 
 static num_q at(const struct cagd_code_point *p, int i, int j) { return cagd_from_string_q(p->input[i].value[j]); }
@@ -506,6 +533,7 @@ int main(void)
                                        unit(the_language_is_that_of_a_source),
                                        unit(numbers),
                                        unit(mistakes_have_their_lines),
+                                       unit(texts_that_are_no_blocks),
                                        unit(blocks_say_what_they_ask),
                                        unit(the_driver_is_what_the_block_says),
                                        unit(points_are_what_is_asked),
