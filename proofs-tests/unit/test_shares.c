@@ -127,6 +127,11 @@ static void sums_have_three_orders(void **state)
     in_orders(made('/', alone(2), four), 2, 2 / (1 + 4 * e), 2, 2 / (1 + 2 * e));
     in_orders(made('/', four, alone(2)), 0.5, (1 + 4 * e) / 2, 0.5, (1 + 2 * e) / 2);
     in_orders(made('r', made('*', four, alone(4)), alone(0)), 2, sqrt(4 * (1 + 4 * e)), 2, sqrt(4 * (1 + 2 * e)));
+    /* wherever the largest stands, and whatever its sign */
+    in_orders(made('+', made('+', small, one), small), 1, 1 + 2 * e, 1, 1);
+    in_orders(made('+', made('+', small, small), one), 1 + 2 * e, 1 + 2 * e, 1, 1);
+    in_orders(made('+', made('+', less, alone(-1)), less), -1, -1 + e, -1, -1);
+    in_orders(made('+', made('+', less, less), alone(-1)), -1 + e, -1 + e, -1, -1);
     /* what is subtracted is one sum with the rest, its signs turned, and turned again */
     in_orders(made('-', made('-', one, less), less), 1, 1 - e, 1, 1 - e);
     in_orders(made('-', one, made('+', less, less)), 1 - e, 1 - e, 1, 1 - e);
@@ -169,8 +174,8 @@ static void operations_are_noted_as_far_as_there_is_room(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(shares_make_the_error), unit(lines_are_told_apart),
-                                       unit(sums_have_three_orders), unit(long_sums_are_whole),
+    const struct CMUnitTest tests[] = {unit(sums_have_three_orders), unit(shares_make_the_error),
+                                       unit(lines_are_told_apart), unit(long_sums_are_whole),
                                        unit(operations_are_noted_as_far_as_there_is_room)};
     return run_unit_tests(tests);
 }
