@@ -99,6 +99,12 @@ static char *printed(const struct cagd_code_harness *h, const struct cagd_code_v
         abort();
     for (int k = 0; k < h->expect.count; k++)
         fprintf(out, "%s%s", k > 0 ? "; " : "", h->expect.text[k]);
+    for (int k = 0; k < h->printed.count; k++)
+        fprintf(out, "%s%s", h->expect.count + k > 0 ? "; " : "", h->printed.text[k]);
+    if (h->ranges[0] != 0)
+        fprintf(out, ", %s", h->ranges);
+    for (int k = 0; k < h->let.count; k++)
+        fprintf(out, "%s%s", k > 0 ? "; " : ", where ", h->let.text[k]);
     fprintf(out, " on %s%d ways through the code", v->exhaustive ? "all " : "", v->paths);
     for (int k = 0; k < v->paths; k++) {
         fprintf(out, "; way %d:", k);

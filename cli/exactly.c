@@ -157,11 +157,22 @@ static void print_first(const struct cagd_code_outcome *o)
     }
 }
 
+/* Whether an output is among what is told to differ. */
+static int is_told_again(const struct cagd_code_result *output)
+{
+    for (const struct cagd_code_result *r = output->next; r != NULL && output->wanted == NULL; r = r->next)
+        if (r->same == CAGD_CODE_DIFFERENT && r->wanted != NULL && strcmp(r->name, output->name) == 0)
+            return 1;
+    return 0;
+}
+
 static void print_results(const struct cagd_code_outcome *o)
 {
     int shown = 0;
     for (const struct cagd_code_result *r = o->results; r != NULL; r = r->next) {
         char line[2 * MOST_TEXT + 100];
+        if (is_told_again(r))
+            continue;
         if (r->wanted != NULL && (r->same != CAGD_CODE_DIFFERENT || r->stored > 0))
             continue;
         if (shown++ == MOST_SHOWN) {
@@ -253,7 +264,8 @@ static void print_scope(const struct cagd_code_harness *h, const struct cagd_cod
     printf(": equal for all values of the variables%s", has_preconditions(h) ? " that satisfy the preconditions" : "");
     puts(v->exhaustive ? "" : ", on each way that was met");
     if (divides)
-        print_row("as far as", "the code has a value there");
+        print_row("as far as", h->printed.count > 0 ? "the code and the formula have values there"
+                                                   : "the code has a value there");
     snprintf(line, sizeof line, "%d through the code%s", v->paths, v->exhaustive ? ", and there are no others" : "");
     print_row("ways", line);
     if (v->exhaustive)
@@ -601,8 +613,7 @@ const struct command command_exactly = {
     .usage = "HARNESS.md",
     .text =
         "Runs the C or C++ that the blocks of HARNESS.md name in exact arithmetic, and compares what it computes with "
-        "what "
-        "is expected. No letter of the code is changed: every operation on floating-point numbers is made one on "
+        "what is expected: other code, a formula as 'cagd check' reads it, or a kernel of this project. No letter of the code is changed: every operation on floating-point numbers is made one on "
         "rationals, or on rational functions of the inputs. Equal there is equal for all inputs that take the same way "
         "through the code; the comparisons that the code made are told as conditions.\n\n"
         "The code is compiled and run, in a process with bounds on memory and time but with your rights.\n\n"

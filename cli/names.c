@@ -114,6 +114,8 @@ static int as_end_of_id(const char *text, char *end, size_t room)
         }
     }
     int length = snprintf(end, room, "%.*s%s", (int)(place == text || colon == NULL ? 0 : colon + 1 - text), text, key);
+    if (length >= (int)room) /* no id is as long */
+        length = (int)room - 1;
     int separated = key[0] == '\0';
     for (; *place != '\0' && length + 2 < (int)room; place++) {
         static const char *const wide[] = {"（", "）"};

@@ -4,10 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Levenshtein's distance. */
-static int distance(const char *a, const char *b)
+/* Levenshtein's distance; it is no less than the difference of the lengths, which is all that is told where that is above `most`. */
+static int distance(const char *a, const char *b, int most)
 {
     size_t m = strlen(b);
+    int longer = (int)strlen(a) - (int)m;
+    if (abs(longer) > most)
+        return abs(longer);
     int *row = calloc(m + 1, sizeof *row);
     if (row == NULL)
         abort();
@@ -32,13 +35,13 @@ void consider_name(struct nearest *n, const char *name)
 {
     enum { SHORTEST = 3, LONGEST = 255 };
     const char *place = strchr(name, ':') != NULL ? strchr(name, ':') + 1 : name;
-    int length = (int)strlen(n->text), alike = 0;
-    int letters = distance(n->text, name), without = distance(n->text, place);
+    int length = (int)strlen(n->text), most = length / 4 + 1, alike = 0;
+    int letters = distance(n->text, name, most), without = distance(n->text, place, most);
     if (without < letters)
         letters = without;
     if (length >= SHORTEST && strstr(name, n->text) != NULL)
         letters = 1;
-    if (letters > length / 4 + 1 || letters >= length)
+    if (letters > most || letters >= length)
         return;
     while (alike < LONGEST && n->text[alike] != '\0' && n->text[alike] == name[alike])
         alike++;

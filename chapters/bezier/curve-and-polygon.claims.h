@@ -25,8 +25,6 @@ what it calls the degree is the number of points less one, whether or not the po
 :definition: yes
 :checked-by: decasteljau_evaluates_bezier_curve
 :figure: bezier_hull
-
-The degree is at most $n$: see the next entry.
 :::
 
 :::{statement} slides-ch4:4-degree
@@ -120,7 +118,7 @@ CLAIM(equally_spaced_points_make_a_line)
 :needs: zero_power_zero_takes_away_the_end | the line itself, with $0^0=1$ | $0^0=1$: with $0^0=0$ the curve would not begin in
   $P_0$
 
-With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0^{-1}$, which occurs in the derivative below.
+With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.
 :::
 
 :::{claim} zero_power_zero_takes_away_the_end
@@ -397,7 +395,7 @@ CLAIM(first_term_divides_by_zero)
   $(n-2)!$, and the four others are twice the two
 :figure: edges_and_end_tangents
 
-The signs are lost; each is determined by the sum before.
+The signs are lost.
 :::
 
 :::{claim} terms_in_a_row_come_twice_for_two_edges
@@ -587,11 +585,11 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :zh: 基函数的非负性与规范性
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
-:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends bernstein_alternates_outside
+:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bernstein_basis
 
-At most 1 because the others are not negative.  Outside the interval the signs alternate: `bernstein_alternates_outside`.
+At most 1 because the others are not negative.
 :::
 */
 

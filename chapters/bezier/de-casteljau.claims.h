@@ -89,7 +89,7 @@ CLAIM(decasteljau_evaluates_bezier_curve)
 :zh: Bernstein 形式的 Horner 法则
 :given: points $b_0,\dots,b_n$ of the plane, any $t$
 :then: `bezier_horner` gives $b(t)$
-:method: As for `decasteljau_evaluates_bezier_curve`.
+:method: The kernel against the sum, at a variable $t$ with every coordinate a variable.
 :degrees: 0..7 sampled 16
 :defines: bezier_horner
 :control: $t$ and $1-t$ exchanged

@@ -193,7 +193,7 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :figure: last_parameter
 :striking: 46
 
-In binary64 52 of the first 64 numbers of steps do not end at 1: `sum_of_steps_is_seldom_one`.
+In binary64 other numbers of steps miss 1, too: `sum_of_steps_is_seldom_one`.
 :::
 
 :::{statement} slides-ch4:4-program-all-points
@@ -485,8 +485,7 @@ Here every operation is carried out exactly and then rounded, as IEEE 754 asks; 
 :result: the last parameter = 0x1.fffffffffffffp-1
 :given: six steps, every operation rounded to binary64
 :then: the last parameter is $1-2^{-53}$, the greatest binary64 below 1
-:method: The quotient and the sums in rationals, each rounded to the nearest binary64, ties to even.  Six is the smallest such number of
-  steps.
+:method: The quotient and the sums in rationals, each rounded to the nearest binary64, ties to even.
 :control: five steps
 :::
 */
@@ -509,7 +508,7 @@ CLAIM(sum_of_steps_misses_one)
 :given: every number of steps up to $N$, every operation rounded to binary64
 :then: the last parameter is 1 for the numbers of steps that are listed and for no others; for one half of the others it is less than 1, for
   the other half it is greater
-:method: As for `sum_of_steps_misses_one`.  Beyond 1 the curve is left, and with it the hull.
+:method: The quotients and the sums in rationals, each rounded to the nearest binary64, ties to even.
 :control: 6 listed in the place of 8
 :::
 */

@@ -31,8 +31,8 @@ A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta
 :::
 
 A chord is as far from its piece of the curve as the second differences of the piece allow, and these shrink with the square of the
-step.  So many points are enough if the steps tend to 0.  To have many points is not enough, and the parabola of the next
-claim has a thousand of them in the wrong place.
+step.  So many points are enough if the steps tend to 0.  To have many points is not enough: on the parabola that follows
+they are in the wrong place.
 
 :::{claim} second_differences_of_a_piece
 :title: The second differences of a piece shrink with the square of its length
@@ -101,7 +101,7 @@ CLAIM(enough_equal_steps_bring_the_polyline_near)
 #if RATIONAL
 /*
 :::{claim} many_points_may_crowd
-:title: A thousand points that crowd at one end leave a chord where it was
+:title: Points that crowd at one end leave a chord where it was
 :zh: 点数增多而折线不收敛
 :kind: counterexample
 :data: R = (0,0) (1/2,0) (1,1); a = 1/2; ε = 1/100
@@ -154,7 +154,7 @@ the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is prin
 :printed: P_{0,n}(t)=(1-t)P_{0,n-1}(t)+tP_{1,n}(t)
 :holds-by: bernstein_recurrence
 :confirmed-by: curve_blends_two_curves_of_one_point_less
-:meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as the entry before corrects it.
+:meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as `slides-ch4:4-recursion-notation` is corrected.
 :figure: two_curves_of_one_point_less
 
 It is for $n\ge1$, and any $t$.
@@ -169,7 +169,7 @@ Bernstein polynomials, for every $n$.
 :printed: P_{0,n}(t)=P_{0,n-1}(t)+t\bigl(P_{1,n}(t)-P_{0,n-1}(t)\bigr)
 :holds-by: bernstein_recurrence
 :confirmed-by: curve_blends_two_curves_of_one_point_less
-:meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as in the line before.
+:meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as `slides-ch4:4-recursion-notation` is corrected.
 :figure: two_curves_of_one_point_less
 :::
 
@@ -298,7 +298,7 @@ CLAIM(each_point_has_one_coefficient_in_every_line)
 :confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less
 
-Where the dots are stands another line, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
+Where the dots are stands another line, `slides-ch4:4-recursion-proof-line-2`.  For $n=1$ the sums from 1 to $n-1$ are empty.
 :::
 
 :::{claim} proof_of_the_recursion_line_by_line

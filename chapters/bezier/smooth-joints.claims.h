@@ -59,9 +59,6 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice, and with $Q_0\ne Q_1$ for it to be necessary
 :hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: with $P_2\ne P_3$, for it to be necessary
 :figure: corner_without_edges
-
-For $P_2\ne P_3$ it suffices.  For $P_2\ne P_3$ and $Q_0\ne Q_1$ it is also necessary; a joint with one zero edge can be $G^1$, and more.
-For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
 :::
 
 :::{statement} slides-ch4:4-joint-g1-point
@@ -217,7 +214,7 @@ CLAIM(straight_joint_with_a_zero_edge)
 :holds-by: second_derivative_of_a_cubic
 :figure: second_derivatives_alone
 
-The signs are lost; the coefficients of powers of $t$ leave one choice.
+The signs are lost.
 :::
 
 :::{statement} slides-ch4:4-second-derivative-ends

@@ -242,7 +242,7 @@ CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 0, 0); }
 :reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row
 :figure: worked_table
 
-It is what the rounded factors of the row give, whose sum is 1.001; three digits after the point are more than they carry.
+It is what the rounded factors of the row give, whose sum is 1.001.
 :::
 
 :::{claim} table_misses_the_second_x
@@ -440,8 +440,7 @@ CLAIM(table_misses_the_third_x) { wrong_number(T, "x"); }
 :hypothesis: five_rounded_up_gives_another_digit | a five is not rounded up: 四舍五入 gives 2.37
 :figure: worked_table
 
-The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off.  The sum with the rounded factors is 2.367.  A last
-digit, 5, may also have been left out, as the 6 in the next row.
+The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off.  The sum with the rounded factors is 2.367.
 :::
 
 One number is right or not by the rule of rounding that is taken, because the exact value lies exactly between two candidates.
@@ -536,7 +535,7 @@ CLAIM(table_row_of_eighty_five_hundredths) { right_numbers(T, 0, 0); }
 :confirmed-by: rounded_factors_of_the_table
 :figure: worked_table
 
-The sum with the rounded factors is 3.2602; nothing near leads to 3.248, whose digits after the point are those of $x(0.35)$ in the same column.
+The sum with the rounded factors is 3.2602.  The digits after the point are those that are printed for $x(0.35)$.
 :::
 
 :::{claim} table_misses_the_fourth_x
@@ -568,7 +567,6 @@ CLAIM(table_misses_the_fourth_x) { wrong_number(T, "x"); }
 :figure: worked_table
 
 The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$: a digit, 6, is left out.
-To two digits after the point it is 1.76 or 1.77; by no rule of rounding, nor cut off, is it 1.75.
 :::
 
 :::{claim} table_misses_the_fourth_y

@@ -87,7 +87,7 @@ a fit knows about weights is in this one formula.
 :::{claim} derivative_by_a_weight_points_to_its_point
 :title: The derivative by the logarithm of a weight points from the curve to the point of that weight
 :zh: 对权的导数指向相应控制顶点
-:given: a segment as in `rational_basis_is_the_weighted_share`; weights, points, any $t$
+:given: a segment of degree $p$, clamped or with simple knots; in the field these are variables for $p=1$, and $0,1,3,7,\dots$ for $p>1$; weights, points, any $t$
 :then: $\partial C/\partial\lambda_m=R_m(P_m-C)$; `nurbs_by_weights` gives it with its first two derivatives by $t$
 :method: In the field $w_m\,\partial/\partial w_m$ of the quotient $\sum w_kN_kP_k/\sum w_kN_k$, its coefficients in a power series at $t$ being
   differentiated as rational functions; in the other number types the quotient rule for the series.
@@ -143,7 +143,7 @@ That its rows have the sum 0 says that a common factor of the weights changes no
 :::{claim} mixed_derivatives_are_a_covariance
 :title: The derivatives of the basis by the weights, which are the mixed derivatives by weights and points
 :zh: 有理基对权的导数(混合导数)
-:given: a segment as in `rational_basis_is_the_weighted_share`; weights, any $t$
+:given: a segment of degree $p$, clamped or with simple knots; in the field these are variables for $p=1$, and $0,1,3,7,\dots$ for $p>1$; weights, any $t$
 :then: `nurbs_basis_by_weights` gives $\partial R_m/\partial\lambda_k=R_m(\delta_{mk}-R_k)$, the covariance matrix of one draw among the $m$ with the
   probabilities $R_m$: symmetric, with row sums 0
 :method: In the field the quotient is differentiated; in the other number types by the quotient rule.
@@ -192,7 +192,7 @@ Newton's method needs second derivatives as well.  They follow from the formula 
 :::{claim} second_derivatives_by_two_weights
 :title: The second derivatives by two weights
 :zh: 对两个权的二阶导数
-:given: a segment as in `rational_basis_is_the_weighted_share`; weights, points, any $t$
+:given: a segment of degree $p$, clamped or with simple knots; in the field these are variables for $p=1$, and $0,1,3,7,\dots$ for $p>1$; weights, points, any $t$
 :then: `nurbs_by_two_weights` gives
   $\frac{\partial^2C}{\partial\lambda_m\partial\lambda_k}=\delta_{mk}R_m(P_m-C)-R_mR_k\bigl((P_m-C)+(P_k-C)\bigr)$
 :method: In the field the quotient is differentiated twice; in the other number types the quotient rule is taken twice,

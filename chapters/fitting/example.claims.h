@@ -86,7 +86,8 @@ system is left.  That answers another question.
 :data: t = 1/9 2/9 3/9 4/9 5/9 6/9 7/9 8/9
 :instead: t = 1/8 1/5 3/11 1/3 1/2 4/7 2/3 7/9
 :result: gradient = -5146773339403023908/10798334083391089 -1344638920422391068/53991670416955445 13981847292735113308/701891715420420785
-:given: the points of `pairs_about_a_circle_have_the_circle_as_minimum`, and for each of the pairs one parameter $t$ in the place of its feet, in equal steps
+:given: the quarter circle with points $R$ and weights $\omega$, at each of the places a pair of points, nearer to the centre and farther from it by
+  the share, and for each of the pairs one parameter $t$ in the place of its feet, in equal steps
 :then: the circle, which goes through the middle of every pair, is not stationary for $\sum_i|Q_i-C(t_i)|^2$
 :method: The gradient by $\lambda_1$, $x_1$, $y_1$, exactly; that it is 0 is refuted.
 :control: the parameters of the feet
@@ -117,7 +118,8 @@ made up for by moving the point, and the weight becomes much less certain.
 :data: R = (65,0) (65,65) (0,65); ω = 1 1 2; places = (63,16) (60,25) (56,33) (52,39) (39,52) (33,56) (25,60) (16,63); share = 1/16
 :data: times = 69
 :result: variance, the point free = 594737/8028288; variance, the point given = 325/303744
-:given: the points of `pairs_about_a_circle_have_the_circle_as_minimum` and $J^TJ$, $J$ the derivatives across the curve; $K=(J^TJ)^{-1}$
+:given: the quarter circle with points $R$ and weights $\omega$, at each of the places a pair of points, nearer to the centre and farther from it by
+  the share, and $J^TJ$, $J$ the derivatives across the curve; $K=(J^TJ)^{-1}$
 :then: $K\,J^TJ=1$; the variance of $\lambda_1$, in units of that of a residual, is $K_{11}$ when the point $P_1$ is free as well, $1/(J^TJ)_{11}$ when it is
   given, and the first is more than so many times the second as is given
 :method: Rationals; on the circle $|C'|$ cancels in $J^TJ$.  The error of $\log I_1=2\lambda_1-\log2$ is twice that of $\lambda_1$.

@@ -83,8 +83,7 @@ the foot changes the distance in the second order only, and the gradient is that
 :given: the conic with points $(0,0)$, $(x,y)$, $(1,0)$ and weights $1,w,1$; a point $Q=C(t)+k\,n$ with $n\perp C'(t)$, so that $t$ is its foot
 :let: $w$ grow to $w(1+\varepsilon+\frac{\varepsilon^2}2)$, which is $\lambda+\varepsilon$ to second order, and the foot move as $t+t_1\varepsilon+t_2\varepsilon^2$
 :then: the derivative of $\frac12|C-Q|^2$ by $\varepsilon$ at $0$ is $D\cdot\partial C/\partial\lambda$, whatever $t_1$ and $t_2$ are
-:method: The distance at the moved foot as a quotient of power series in $\varepsilon$; $x,y,w,t,k,t_1,t_2$ are variables.  The
-  end points are no restriction: a similarity brings any two different points there, and multiplies distances by a number.
+:method: The distance at the moved foot as a quotient of power series in $\varepsilon$; $x,y,w,t,k,t_1,t_2$ are variables.
 :over: x y: conic; k: normal distance; a b: movement of the foot
 :control: the foot $t+\frac12$ of another point
 :::
@@ -109,7 +108,8 @@ $\varphi'$, which lowers the curvature of the distance.
 :::{claim} hessian_of_the_reduced_distance
 :title: The second derivative of the reduced distance
 :zh: 消去垂足后距离的二阶导数
-:given: the conic, the point and the moves of `gradient_does_not_see_the_foot_move`
+:given: the conic with points $(0,0)$, $(x,y)$, $(1,0)$ and weights $1,w,1$; a point $Q=C(t)+k\,n$ with $n\perp C'(t)$; $w$ and the foot growing to
+  $w(1+\varepsilon+\frac{\varepsilon^2}2)$ and $t+t_1\varepsilon+t_2\varepsilon^2$
 :let: $\varphi'=|C'|^2+D\cdot C''$, and $t_1=-\bigl(C_\lambda\cdot C'+D\cdot C_\lambda'\bigr)/\varphi'$, as differentiation of $D\cdot C'=0$ gives
 :then: the second derivative of $\frac12|C-Q|^2$ by $\lambda$ is
   $|C_\lambda|^2+D\cdot C_{\lambda\lambda}-\frac{(C_\lambda\cdot C'+D\cdot C_\lambda')^2}{\varphi'}$, whatever $t_2$ is
@@ -144,8 +144,7 @@ $\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}$ with $\Delta$ diagonal, for no foo
 :given: a symmetric $A$ (2 by 2), $B$ (2 by $n$), a diagonal $\Delta$ of $n$ numbers other than 0, right sides $g$ and $h$
 :let: $S=A-B\Delta^{-1}B^T$ and $x=S^{-1}(g-B\Delta^{-1}h)$, $y=\Delta^{-1}(h-B^Tx)$
 :then: $Ax+By=g$ and $B^Tx+\Delta y=h$; the determinants satisfy $\det\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}=\det S\,\prod\Delta_i$.  At feet $h=0$
-:method: The four sides, everything variables; the determinant by the kernel from the whole matrix.  Other numbers of unknowns than 2 follow by
-  the same block elimination.
+:method: The four sides, everything variables; the determinant by the kernel from the whole matrix.
 :degrees: 1..3 sampled 8
 :over: a# b# c# d#: matrices; g# h#: right sides
 :control: $S=A+B\Delta^{-1}B^T$
@@ -252,9 +251,8 @@ All this is about one foot, and a point has many.  To find the nearest one for c
 :given: points $(x_i,y_i)$ with $x_i=i$ for $i<n$, $x_n=n^2$, and variable $y_i$: the polynomial curve, and the rational one with weights $1,w_1,\dots,w_n$; $Q=(0,0)$
 :let: $C=P/w$, so that $\varphi=(P-Qw)\cdot(P'w-Pw')/w^3$
 :then: the numerator of $\varphi$, reduced, is of degree exactly $2n-1$ in $t$ for the polynomial curve, $3n-2$ for the rational one, and its denominator
-  is $w^3$ without a common factor; for conics the degree is $4$, as everybody knows of ellipses
-:method: $\varphi$ is a rational function of $t$, $y_i$ and $w_i$, which the field reduces; its degrees are read off.  Since
-  $P'w-Pw'$ is of degree $2n-2$, no curve of degree $n$ and no $Q$ have more than that many feet, unless $\varphi=0$ for all $t$.
+  is $w^3$ without a common factor
+:method: $\varphi$ is a rational function of $t$, $y_i$ and $w_i$, which the field reduces; its degrees are read off.
 :degrees: 2..3
 :over: y#: points
 :control: the rational curve is said to have the degree $3n-1$

@@ -82,8 +82,8 @@ CLAIM(cauchy_pull_has_its_greatest_value_at_its_scale)
 A pull that fades has a price: where points disagree, there are several minima, and the one that is found depends on the start.
 
 :::{claim} cauchy_has_one_minimum
-:title: Cauchy's loss has several minima where points disagree
-:zh: Cauchy 损失可有多个极小
+:title: Cauchy's loss has several stationary points where points disagree
+:zh: Cauchy 损失可有多个驻点
 :kind: counterexample
 :data: a = 1; Q = -3 3
 :instead: a = 4
@@ -91,8 +91,7 @@ A pull that fades has a price: where points disagree, there are several minima, 
 :given: the scale $a$ and two points $Q_1,Q_2$ of a line, to which one number $x$ is fitted
 :then: $2F(x)=\rho((x-Q_1)^2)+\rho((x-Q_2)^2)$ has more than one stationary point
 :method: $F'=\sum_i\frac{x-Q_i}{1+(x-Q_i)^2/a^2}$ has the signs of its numerator, since the denominators are positive.  The real roots of the numerator
-  are counted exactly; that there is one is refuted.  For points $\pm q$ it is $2x\,(x^2-q^2+a^2)$: with $a\ge q$ there is one root, else there are minima
-  on both sides of $0$.
+  are counted exactly; that there is one is refuted.
 :control: a scale that is greater than the distance of the points from their middle
 :::
 */

@@ -79,13 +79,13 @@ apart; neither depends on where the point began.
 #if RATIONAL
 /*
 :::{claim} centre_is_never_turned
-:title: The centre stays under every rotation
+:title: The centre stays under a rotation
 :zh: 旋转不动圆心
 :kind: counterexample
 :given: the rotation whose angle has the tangent $a$ of its half, and $P_0$
 :data: a = 1; P_0 = (0,0)
 :instead: P_0 = (1,0)
-:then: $P_1=P_0$, the centre of the rotation: between the two there is no angle
+:then: $P_1=P_0$
 :result: P_1 = (0,0)
 :method: One step; that it moves the point is refuted.
 :control: a point beside the centre
@@ -151,8 +151,6 @@ found by Pythagoras, or from the tangent of half the angle.
 :reading: rational_step_has_no_angle | any small and constant step will do: then no such function is needed
 :argued: | The entries of the matrix are numbers of the step, and of the angle alone; so they have to be computed from it, by the two functions.
 :figure: three_generators
-
-It is two values, once for all points.
 :::
 */
 
@@ -210,7 +208,7 @@ CLAIM(rational_step_has_no_angle)
 :holds-by: small_step_is_the_rotation_to_first_order
 :figure: three_generators
 
-To first order, which is what the approximation means.  What the second order does follows.
+The approximation is meant to first order in the angle.
 :::
 */
 
@@ -260,7 +258,7 @@ says nothing about it.
 :::
 
 :::{claim} small_step_matrix_is_the_recursion
-:title: The matrix gives the two formulas, its determinant is more than 1
+:title: The matrix gives the two formulas, and has the determinant 1 + ε²
 :zh: 矩阵与递推一致
 :given: any point, any $\varepsilon$
 :then: the row times the matrix is $(x-\varepsilon y,\ \varepsilon x+y)$; the determinant is $1+\varepsilon^2$, the trace 2
@@ -294,8 +292,8 @@ treated alike in its four quadrants.
   arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
 :meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.
-:hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out.  In integers a point with
-  coordinates from 0 to $2^m-1$ does not move at all, both shifted ones being 0; and to be exact, $n$ steps from $(1,0)$ need $nm$ binary places.
+:hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: to be exact, $n$ steps from
+  $(1,0)$ need $nm$ binary places.
 :confirmed-by: short_coordinates_never_move
 :figure: circles_in_integers
 :::
@@ -413,8 +411,8 @@ a geometric progression.
 :needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
-It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  For $\varepsilon=\frac1{16}$ a turn
-takes a hundred steps and a part of one more, and ends with a radius larger by more than a fifth.
+It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  What a turn gains is computed for one $\varepsilon$:
+`turn_of_small_steps_gains_a_fifth`.
 :::
 
 :::{claim} small_steps_multiply_the_radius
@@ -468,7 +466,7 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 #if RATIONAL
 /*
 :::{claim} turn_of_small_steps_gains_a_fifth
-:title: A turn takes a hundred small steps and a part of one more, and ends with a radius larger by more than a fifth
+:title: The steps of a turn, counted, and the radius at its end between two bounds
 :zh: 一周约百步,半径增大逾五分之一
 :kind: decision
 :given: $P_0$, $\varepsilon$, half a turn of $k$ steps and a whole one of $n$, each with a part of one step more; bounds $b$ of the radius

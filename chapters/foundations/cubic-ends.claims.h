@@ -78,8 +78,8 @@ the two ends.
 :confirmed-by: positions_for_the_dots_miss_three_coefficients
 :figure: ends_with_lost_letters
 
-One symbol for two data.  If it means the position, $D$ is right below and $A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`); if it means
-the tangent, $C$ is right and the entries below say what is wrong with the others.
+One symbol for two data.  If it means the position, of the coefficients that are printed with it $D$ alone is right
+(`positions_for_the_dots_miss_three_coefficients`).
 :::
 */
 
@@ -159,8 +159,6 @@ coefficients would not notice where the curve is.
 :corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
 :corrected-by: end_data_determine_the_cubic
 :figure: ends_with_lost_letters
-
-The position vectors have been given the dots of the tangent vectors, here, in $B$ and in $D$.
 :::
 */
 
@@ -243,7 +241,7 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :meant: the dot over it, which is the derivative everywhere in section 1-4 | $\dot Q_0$ is the tangent vector at
   $t=0$.
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector
-:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$
+:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line of the source has it for $D$
 :figure: ends_with_lost_letters
 :::
 
@@ -255,7 +253,7 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :class: misprint
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
-:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before
+:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line of the source before
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too
 :meant: the sentence above, in which the first $\dot Q_0$ is called the position vector | The second; the dot is a slip.
 :figure: ends_with_lost_letters
@@ -303,7 +301,7 @@ and the second curve can be the first one, turned over.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | The two cubics, each run once, so correspond to each other.
 :hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve
-  can be one segment for many lengths.
+  can be one segment for different lengths.
 :hypothesis: exchanged_lengths_turn_the_cubic | the lengths of one curve are not those of the other with the ends exchanged:
   where curves that can be moved onto each other have one shape, as in section 1-2, such a curve can be the first one, turned,
   or a mirror image.
@@ -319,10 +317,7 @@ If the shape is the set of the points, where it is, the first hypothesis is enou
 :given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different
 :where: the ends and directions are not all parallel; the two pairs of lengths are different
 :then: the second curve is not contained in the implicit equation of the first
-:method: The equation by Bézout's determinant, at ten points of the second curve: a polynomial of degree at most 9 in $t$ that is
-  not 0 at all of them.  That no exception remains: two cubics with one arc are $P_2(t)=P_1(\phi(t))$ with a fractional
-  linear $\phi$, as soon as they are no line; polynomials leave only the affine ones, so $\phi(t)=t$ or $\phi(t)=1-t$.  The first makes the
-  lengths equal; the second makes $Q_0=Q_1$ and the tangents parallel.
+:method: The equation by Bézout's determinant, at ten points of the second curve, at one of which it is not satisfied.
 :control: the lengths equal
 :::
 */
@@ -395,8 +390,7 @@ CLAIM(cubic_run_backward_exchanges_the_ends)
 :given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
 :then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot
   Q_1|$, $|\dot Q_0|$
-:method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes
-  one to the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
+:method: The squares of the lengths by the definition, everything a variable.
 :scope: plane cubics
 :over: x# y#: coefficients; a: angle but π; m#: translations
 :control: the lengths of $P(1-t)$ not exchanged
@@ -435,7 +429,7 @@ CLAIM(congruent_cubics_have_these_lengths)
 #if RATIONAL
 /*
 :::{claim} exchanged_lengths_turn_the_cubic
-:title: With exchanged lengths the cubic is the first one, turned over
+:title: Two cubics with exchanged lengths that are the first ones, turned over
 :zh: 两端长度互换得旋转后的同一曲线
 :kind: counterexample
 :given: the ends $Q$; $P$ with the tangents $V$, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$,

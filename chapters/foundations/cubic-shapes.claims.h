@@ -25,17 +25,15 @@ coefficients, and by $\delta=3b^2-4ac$.
   parallel_tangents_give_an_s_or_an_arch
 :figure: forms_of_a_cubic
 
-Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$; not so for $a=0$:
-`delta_does_not_tell_graphs`.  On the arc it is decided by the lengths of the tangents, for all of them, where these
-point along the sides of a triangle $Q_0MQ_1$, towards $M$ and away from it, `signs_decide_the_form`, and where they are
-parallel, `parallel_tangents_give_an_s_or_an_arch`.  Directions in which the one or the other points backward are not
-among them.
+On the whole curve the sign of $\delta=3b^2-4ac$ tells a double point from two inflections if $a=A\times B\ne0$; not so for $a=0$:
+`delta_does_not_tell_graphs`.
 :::
 
 :::{claim} sign_of_delta_tells_the_form
 :title: A cubic with a double point, and a cubic with two inflections, have delta of different signs
 :zh: 判别式区分二重点与拐点
 :given: any $s$ and $u$, any vectors $L,M,N$ of the plane: $P(t)=N+(t-s)(t-u)(Lt+M)$, a cubic with $P(s)=P(u)=N$
+:where: $A\times B\ne0$
 :then: with $a=A\times B$ etc.: $\delta=-a^2(s-u)^2$, `cubic_double_point_polynomial` is $a^2(t-s)(t-u)$, `cubic_double_point` is $N$; and
   for every cubic the discriminant of $P'\times P''$ is $12\delta$, that of the double point polynomial $-a^2\delta$
 :method: The coefficients of $P$ are formed from $s,u,L,M,N$, all variables; the kernels then know nothing of these.  Conversely division
@@ -193,7 +191,7 @@ grow: the cusps are a curve in the plane of the lengths.
 :given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$
 :then: $\delta=-4\alpha\beta\,w^2\bigl((\alpha-2)(\beta-2)-1\bigr)$ with $w=2(Q_1-Q_0)\times(M-Q_0)$; the turning at the ends is
   $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$
-:method: The cubic of the ends, the kernels, everything a variable.  For $\alpha=\beta=1$ the curve is a parabola.
+:method: The cubic of the ends, the kernels, everything a variable.
 :over: x# y#: triangles; alpha; beta
 :control: $(\alpha-2)(\beta-2)-2$
 :::
@@ -245,7 +243,7 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
   and the sign of $\delta$ that are wanted
 :data: R = (0,0) (1,2) (3,0); (α,β) = (1/2,1/2) (1,3) (2,2) (3,3) (4,4); forms = (0,0,-1) (1,0,1) (2,0,1) (1,1,0) (0,2,-1)
 :instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
-:then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
+:then: on the open arc no, one and two inflections; a cusp, where $\delta=0$; a loop, whose double point has two parameters in $(0,1)$
 :method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
 :control: the second pair twice
 :::
@@ -281,7 +279,7 @@ way.  The result is a map of the quadrant of the lengths with three borders.
   $f_1^2-f_0f_2=-12\alpha\beta w^2((\alpha-2)(\beta-2)-1)$; the polynomial of the double point has
   $g_0=\alpha(\alpha+2\beta^2-3\beta)w^2$, $g_1=-\alpha\beta(2\alpha\beta-3\alpha-3\beta+4)w^2$, $g_2=\beta(\beta+2\alpha^2-3\alpha)w^2$;
   for $\alpha=2+p$, $\beta=2+q$, $p,q>0$: $g_0,-g_1,g_2>0$; and $\alpha(3-2\alpha)^2-(4-3\alpha)=4(\alpha-1)^3$
-:method: Identities, and signs of coefficients.  Let $\alpha,\beta>0$, $w>0$; then $f_1<0$.  Both below $\frac32$: $f_0,f_2<0$, no
+:method: Identities, and signs of coefficients.  Let $\alpha,\beta>0$, neither of them $\frac32$, and $w>0$; then $f_1<0$.  Both below $\frac32$: $f_0,f_2<0$, no
   inflection.  One below and one above: one change of sign, one inflection.  Both above: two changes, so two inflections, one double one
   at a cusp, or none, as $(\alpha-2)(\beta-2)$ is less than 1, is 1, or is more, which needs $\alpha,\beta>2$; then the double point has
   two parameters in $(0,1)$: a loop.  There is no other loop: it needs $(\alpha-2)(\beta-2)>1$, that is both more than 2, or both less

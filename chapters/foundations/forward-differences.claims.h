@@ -182,7 +182,7 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
 :zh: 差分将 Newton 基函数降一次
 :given: any $k\ge1$ and $x$, $c=\binom x{k-1}$, so that $\binom xk=c\frac{x-k+1}k$ and $\binom{x+1}k=c\frac{x+1}k$
 :then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
-  step $\delta$ is the constant $a_n$, and every further one is 0
+  step $\delta\ne0$ is the constant $a_n$, and every further one is 0
 :method: An identity with $k$, $x$ and $c$ variables, $x=t/\delta$.  The functions $\binom{t/\delta}0,\dots,\binom{t/\delta}n$ have the degrees
   $0,\dots,n$, so that every polynomial of degree at most $n$ is such a sum.
 :degrees: all
@@ -315,14 +315,13 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :holds-by: printed_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place
 :figure: forward_differences
-
-Four lines are those of a cubic; of degree $n$ there are $n+1$.
 :::
 
 :::{claim} step_takes_differences_to_the_next_place
 :title: The step of the table takes the differences at one place to those at the next
 :zh: 差分表前进一步
-:given: any coefficients in the plane, any $t$ and $\delta$
+:given: any coefficients in the plane, any $t$ and $\delta\ne0$
+:where: $\delta\ne0$
 :then: `power_difference_step`, and with the rows divided by $\delta^k$ `power_scaled_difference_step`, take the differences at $t$ to those
   at $t+\delta$
 :method: The kernels on the alternating sums at $t$, against those at $t+\delta$.

@@ -59,7 +59,7 @@ only the third derivative of a cubic; a second derivative that is constant would
 :corrected-by: derivatives_of_a_cubic
 :figure: derivatives_with_lost_dots
 
-The third dot is lost in this line, and in those that use it.
+The third dot is lost.
 :::
 */
 
@@ -127,8 +127,6 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say
 :hypothesis: curvature_divides_by_zero_at_a_cusp | $\dot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: curvature_and_the_speed
-
-One more dot is lost.  Without it the letter is the length of the arc.
 :::
 
 :::{claim} printed_letter_spoils_the_curvature
@@ -188,9 +186,8 @@ polynomial and everything can be compared in rational numbers.
 :confirmed-by: fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 
-For plane cubics it is what the word says elsewhere, a change from one side of the tangent to the other: a double zero
-of the quadratic $\dot P\times\ddot P$, without such a change, is a cusp for $A\times B\ne0$, and for $A\times B=0$ it is all of a line.  For higher
-degrees it is not: $(t,t^4)$ has $K=0$ at $t=0$ and stays on one side of its tangent there.
+For plane cubics with $A\times B\ne0$ a double zero of the quadratic $\dot P\times\ddot P$ is a cusp.  A curve of higher degree may have $K=0$
+and stay on one side of its tangent, as $(t,t^4)$ at $t=0$.
 :::
 
 :::{statement} hu-1987:1-4-inflection-parallel
@@ -274,8 +271,8 @@ P$ cancel, because $A\times A=0$; the quadratic one is $A\times B$, and it can v
 :zh: 拐点满足二次方程
 :printed: This is a quadratic equation of $t$, the parameter running over $[0,1]$.
 :holds-by: turning_of_a_cubic_is_quadratic
-:hypothesis: graph_of_a_cubic_turns_linearly | $A\times B\ne0$.  Otherwise the equation is of lower degree, as for every graph $y=f(x)$ of a
-  cubic function: one inflection.
+:hypothesis: graph_of_a_cubic_turns_linearly | $A\times B\ne0$.  Otherwise the equation is of lower degree, as for the graph $(t,t^3)$, with one
+  inflection.
 :figure: degrees_two_and_three
 :::
 
@@ -286,8 +283,8 @@ P$ cancel, because $A\times A=0$; the quadratic one is $A\times B$, and it can v
 :then: $P'\times P''=-2(3at^2+3bt+c)$, of degree 2 or less, in the plane and, with vector products $a,b,c$, in space; the kernels give
   the numbers $a,b,c$ and the three coefficients
 :method: The derivatives of the definition, multiplied, against the polynomial, everything a variable; $a,b,c$ as determinants
-  written out.  In space each of the three coordinates of the vector product is such a polynomial, and one of them is not 0 everywhere
-  unless the cubic is a line.
+  written out.  In space each of the three coordinates of the vector product is such a polynomial; where all of them are 0 everywhere,
+  $a,b,c$ are, so $A,B,C$ are parallel and the cubic is on a line.
 :defines: cubic_minors cubic_inflection_polynomial
 :over: x# y# d#: coefficients
 :control: the factor 2 in the place of the first 3

@@ -21,12 +21,12 @@ may meet none of them.
 :::
 
 :::{claim} one_cubic_passes_through_four_data
-:title: Through n+1 data at the parameters 0, 1, ..., n passes one curve of degree n
+:title: Through n+1 data at the parameters 0, 1, ..., n passes one curve of degree n or less
 :zh: n+1 个型值点唯一确定 n 次插值曲线
 :given: data $p_0,\dots,p_n$, any numbers
 :then: $P(t)=\sum_k\binom tk\Delta^kp_0$ has $P(i)=p_i$; and the data of any curve of degree $n$ give that curve back, so there is no other
 :method: The differences of the data by $n$ passes of subtraction, $\binom tk=\frac{t(t-1)\cdots(t-k+1)}{k!}$; at the $n+1$ places, and at a
-  variable $t$ for the values of a curve with variable coefficients.  Other parameters and other kinds of data need other formulas.
+  variable $t$ for the values of a curve with variable coefficients.
 :degrees: 1..6 sampled 10
 :over: p#: data; x#: coefficients
 :control: the last difference left out
@@ -91,8 +91,6 @@ needs one thing that interpolation does without, a measure of the distance from 
 :example: nearest is read as the least sum of squares; for one set of data the nearest line passes through none of
   them.
 :figure: through_and_near
-
-What "nearest as a whole" means has to be said; here it is the least sum of squares.
 :::
 
 Three data that go up and down again are enough to see the difference.  A parabola passes through them.  The nearest of
@@ -120,12 +118,10 @@ The plainest description needs neither: a curve can be kept as many points, join
   the less it may err, and three coefficients keep the parabola exactly
 :reading: how much is much, what is inconvenient and what not easy: opinions, which no computation decides
 :figure: through_and_near
-
-Of the three disadvantages the first can be counted: for a tenth of the error more than three times as many pieces are needed.
 :::
 
 :::{claim} polyline_of_a_parabola_needs_many_points
-:title: A piece of a polyline leaves the parabola by a quarter of the square of its length
+:title: A piece of a polyline leaves the parabola by a quarter of the square of the length of its interval
 :zh: 折线与抛物线的偏差
 :given: the parabola $y=x^2$ and its chord over $[a,a+h]$, any $a$, $h$ and $s$; $N$ pieces that are together shorter than $Nh$ by $g$, and one more, of the
   length $h-d$

@@ -32,8 +32,6 @@ enum { dim = 2, space = 3 };
 :reading: $C^0$, $C^1$, $C^2$ are here no more than names of the three properties, by the word "called" (称为): a choice of words, of which nothing is to be
   decided
 :figure: joints_of_order
-
-By the definition of $C^r$ in section 1-4 the derivatives themselves have to be continuous.
 :::
 */
 
@@ -87,8 +85,7 @@ derivative continuous; the three conditions of the source say what this requires
 :confirmed-by: pieces_tend_to_their_ends
 :figure: joined_and_closed
 
-One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in
-(1-5-2) and (1-5-3), where this can be understood.
+One letter for both curves; read as it stands, it makes one curve closed.
 
 For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ are multiples of $u$, so that the pieces tend to
 $P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$.
@@ -276,7 +273,7 @@ CLAIM(negative_ratio_turns_back)
 
 /*
 :::{claim} singular_end_has_no_ratio
-:title: At a singular end no ratio satisfies the condition
+:title: At a singular end of a straight piece no ratio satisfies the condition
 :zh: 奇异端点处条件失效
 :kind: counterexample
 :given: two pieces of one straight line without any corner, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
@@ -320,7 +317,7 @@ curvature that grows without bound.
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 
-The index $x$ stands for II.  That it suffices is decided here; whether it is necessary, as the words before it have it, in an entry below.
+The index $x$ stands for II.  That it suffices is decided here.
 :::
 
 :::{statement} hu-1987:1-5-3-beta
@@ -603,7 +600,7 @@ CLAIM(signed_curvature_is_that_of_the_vector)
 :zh: 线性参数变换
 :given: any $t_0$ and $t_1$, any $u$; and an interval, $t_1=t_0+h$, $h>0$
 :then: $(1-u)t_0+ut_1=t_0+(t_1-t_0)u$, which is $t_0$ for $u=0$ and $t_1$ for $u=1$; of two values of $u$ the larger one gives the larger value
-  where $t_0<t_1$, so that $0\le u\le1$ is taken to $t_0\le t\le t_1$, each value once; and then any curve at $t$ is a curve over $[0,1]$
+  where $t_0<t_1$, so that $0\le u\le1$ is taken to $t_0\le t\le t_1$, each value once
 :method: Identities with everything a variable; the difference of two values is $h$ times that of the parameters, with $h>0$.
 :over: r s u: parameter value; d h: -
 :control: $t_0$ and $t_1$ exchanged in the first form

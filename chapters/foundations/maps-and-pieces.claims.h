@@ -29,15 +29,15 @@ denominator with it as a weight.
 :reading: what is easy: an opinion, which no computation decides
 :figure: projective_image_of_a_parabola
 
-The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.  Of control points the section does not
-speak yet.
+The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.
 :::
 
 :::{claim} projective_image_of_a_power_curve_is_rational
 :title: The projective image of a polynomial curve is the quotient of two polynomials of the mapped coefficients
 :zh: 多项式曲线的射影象
 :given: a sum $S=\sum c_kt^k$ of some terms, homogeneous coordinates of a point of space, four numbers, with one more coefficient $c$ and power
-  $p=t^k$; any $4\times4$ matrix $T$
+    $p=t^k$; any $4\times4$ matrix $T$
+:where: the last coordinate of the image is not 0
 :then: the three quotients of $(S+cp)\,T$ by its last coordinate are those of $ST+(cT)\,p$; so the image of the point with the homogeneous
   coordinates $\sum c_kt^k$ has the homogeneous coordinates $\sum_k(c_kT)\,t^k$
 :method: Both sides with everything a variable; by induction for any number of terms.  A polynomial curve has $1$ for the last coordinate of $c_0$ and
@@ -129,11 +129,11 @@ them.
 :confirmed-by: elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
 :meant: the words, that the degree is raised (使曲线的次数增大) | The curves have a degree: they are polynomial ones.
 
-What is decided is that both are possible, in every degree, and keep the shape.  There are more coefficients then to adjust.
+What is decided is that both are possible, in every degree, and keep the shape.
 :::
 
 :::{claim} division_keeps_power_curve
-:title: The two halves of a curve in powers are the curve, at the cost of nothing
+:title: The two pieces of a divided curve in powers are the curve, and a further coefficient 0 changes nothing
 :zh: 分割保持形状
 :given: a curve of degree $n$ in powers of $t$, any parameter $s$ of division, any $u$
 :then: its pieces over $[0,s]$ and $[s,1]$ at $u$ are the points $P(su)$ and $P(s+(1-s)u)$; a further coefficient $c_{n+1}=0$

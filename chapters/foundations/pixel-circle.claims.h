@@ -167,8 +167,7 @@ and the positive root.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
 :needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
-  $0<\theta\le\frac\pi2$; as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is
-  not $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
+    $0<\theta\le\frac\pi2$; as for a small step
 :figure: step_of_the_third_way
 :::
 
@@ -241,7 +240,7 @@ general no rational number, but the matrix of two steps has a rational trace, an
 unity plus its inverse is an algebraic integer, and a rational one of these is whole.
 
 :::{claim} third_way_closes_for_two_radii
-:title: For a whole radius the third way closes for r = 1 and r = 2 only
+:title: Of the whole radii up to a bound the third way closes for r = 1 and r = 2 only
 :zh: 整数半径时仅 r=1,2 闭合
 :kind: decision
 :given: $r=1,\dots,N$; $\tau=2-\frac4{r^2}$, the trace of $R^2$

@@ -118,7 +118,7 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
 :meant: the reason that is given, a curve whose coordinates are explicit functions of $t$ | Of a curve, easy is: by inserting $t$, without an equation to be
   solved; the functions are polynomials, as in all of the section.
 
-The word printed is "surface", the reason is one for curves.  It takes as many products and sums as the degree has steps; what they cost is counted below.
+The word printed is "surface", the reason is one for curves.
 :::
 
 The source says that curves of degree below three do not occur.  They do, as parabolas, and in a section of its own
@@ -205,7 +205,7 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 #if RATIONAL
 /*
 :::{claim} lines_of_lower_degree_have_curvature_zero
-:title: Lines of degree one and two have curvature zero everywhere
+:title: A line with parameters of degree one and two has curvature zero
 :zh: 一、二次直线的曲率恒为零
 :kind: counterexample
 :given: two parameters of one line on $[0,1]$, with the coefficients $P$ and $Q$

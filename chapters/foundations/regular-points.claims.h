@@ -80,7 +80,7 @@ the line that turns back, the trouble begins where the point stands still.
 :figure: cusp_and_its_derivative
 
 The words are out of order: the derivatives of positive order up to $r$ must be meant.
-By this definition the cusp below, whose coordinates are polynomials, is of no class at all at $t=\frac12$.
+By this definition the curve of the example is of no class at $t=\frac12$.
 :::
 
 The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, and for a
@@ -436,8 +436,6 @@ by what the point does after it, and this leads to the source's last example, wh
 :reading: point_moves_forward_back_and_forward | there are such points of another kind: on a line the point turns back
 :reading: singular_point_of_a_plain_segment | at every singular point: at some the point only stands still for a moment, and nothing is seen
 :figure: singular_point_of_a_segment
-
-The source's own anomalies are a change of direction: at the cusp, and twice on the line that follows.
 :::
 */
 
@@ -455,7 +453,7 @@ The source's own anomalies are a change of direction: at the cusp, and twice on 
 :result: φ' = "12*t^2 - 12*t + 3"; φ'(t) = 0; zeros of φ' in [0,1] = 1
 :method: $\phi$ at the ends, the sign of $\phi'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back
   somewhere, is refuted.
-:control: the line that follows
+:control: a cubic that goes back
 :::
 */
 CLAIM(singular_point_of_a_plain_segment)

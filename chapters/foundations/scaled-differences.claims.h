@@ -146,7 +146,7 @@ belongs to the first, the formulas that stand above the sentence to the second.
 :meant: the formula (1-4-5) that follows, and the number $4\times3$ | The differences at $t=0$ as rows, each with the three coordinates of space.
 :figure: forward_differences
 
-In the plane the matrix is $4\times2$.  The step (1-4-4), which stands above the sentence, has a matrix as well, with four rows and four columns:
+The step (1-4-4), which stands above the sentence, has a matrix as well, with four rows and four columns:
 `step_multiplies_by_a_square_matrix`.
 :::
 
@@ -252,15 +252,14 @@ CLAIM(stepping_reaches_the_other_end)
 #if RATIONAL
 /*
 :::{claim} stepping_is_exact_for_short_coefficients
-:title: For coefficients of 20 bits and 256 steps binary64 steps without any error
+:title: For short coefficients and a power of two of steps binary64 steps without any error
 :zh: 短系数时双精度差分无误差
 :types: rational
 :given: $N$ random cubics with coefficients of $b$ binary places in $[-1,1]$, $\delta=\frac1n$, $n$ steps
 :data: N = 3; b = 20; n = 256
 :instead: n = 255
 :then: every one of the $n+1$ points of each by `power_difference_step` in binary64 is the exact value
-:method: The kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
-  $2^8$, and so have no more bits than a binary64.
+:method: The kernel in binary64 and in rationals; the values are compared as rationals.
 :control: a number of steps that is no power of two
 :::
 */
@@ -318,7 +317,7 @@ CLAIM(errors_of_the_table_grow_with_the_cube)
 #if RATIONAL
 /*
 :::{claim} stepping_loses_what_horner_keeps
-:title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
+:title: A table begun with rounded points loses many digits that one begun with the coefficients keeps
 :zh: 差分表的舍入误差取决于起始方式
 :kind: decision
 :given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta=\frac1n$, $n$ steps in binary64; the table begun with the

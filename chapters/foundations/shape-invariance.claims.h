@@ -172,8 +172,7 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
   two_cubes_from_the_origin_trace_the_segment
 :figure: two_cubes_and_their_image
 
-The conclusion is true for the printed points and the reason given for it is not one: two lines further down the source
-itself has the same factors and a curve.
+The conclusion is true for the printed points.
 :::
 */
 
@@ -335,12 +334,12 @@ CLAIM(new_coordinates_are_a_translation)
 :title: In the new coordinates the example is a curve
 :zh: 新坐标系中例为曲线
 :printed: For $0<t<1$, $P^*(t)=(1-t)^3[-3,-2]+t^3[7,8]$ represents a curve.
-:holds-by: image_of_the_example_turns_everywhere image_of_the_example_lies_on_a_cubic
+:holds-by: image_of_the_example_turns_everywhere
+:confirmed-by: image_of_the_example_lies_on_a_cubic
 :figure: two_cubes_and_their_image
 :striking: 40
 
-It is not only not straight: no part of it is.  It turns to one side all the way, $P'\times P''$ being 0 at $P_0^*$ and $P_1^*$ only, meets its
-chord at the ends only, and is an arc of an irreducible cubic curve.
+No part of it is straight: $P'\times P''$ is 0 at $P_0^*$ and $P_1^*$ only.
 :::
 
 :::{claim} image_of_the_example_turns_everywhere
@@ -422,8 +421,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :figure: two_cubes_and_their_image
 
 For the source's own points and translation the curve is a segment in the one system and, in the other, an arc that turns everywhere: the shape
-is another.  For other factors, of the sum 1, a matrix or a translation applied to the points is applied to the curve; the sentence is about $(1-t)^3$ and
-$t^3$.
+is another.
 :::
 
 :::{claim} image_of_the_example_is_not_the_translated_curve
@@ -462,7 +460,7 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
 :checked-by: matrices_pass_to_the_points
 :figure: rotations_of_the_example
 
-The functions are polynomials in the source; nothing here uses it, so they are variables below: any functions.
+The functions are polynomials in the source; nothing here uses it.
 :::
 
 :::{claim} matrices_pass_to_the_points
@@ -510,7 +508,7 @@ the points whatever the functions are: that is the associative law of the produc
   shape is kept.
 :holds-by: matrices_pass_to_the_points
 :needs: rotation_about_a_point_moves_the_example | the proof multiplies by one matrix $T$ | the rotation is about the origin:
-  such a one is a matrix.  About another point it contains a translation, and needs the condition below.
+  such a one is a matrix.  About another point it contains a translation.
 :figure: rotations_of_the_example
 :::
 */
@@ -636,8 +634,7 @@ CLAIM(doubled_functions_keep_the_shape)
 :printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
 :holds-by: translation_adds_the_sum_of_the_functions
 :hypothesis: shape_is_kept_without_the_sum_one | the curve goes where its points go, $P^*(t)=P(t)+m$.  To keep its shape, of
-  which the section speaks, a constant sum $s$ is enough, since $P^*(t)=P(t)+s\,m$, and necessary: with all $Q_i=0$ the
-  curve is a point, and its image $\{s(t)\,m\}$ is one only if $s$ is constant.
+  which the section speaks, a constant sum $s$ is enough, since $P^*(t)=P(t)+s\,m$.
 :confirmed-by: doubled_functions_keep_the_shape
 :figure: sums_of_functions
 :::
@@ -733,10 +730,7 @@ its values; section 1-2 has moved control points, which is another thing.
 :holds-by: image_of_a_power_curve_is_one
 :hypothesis: image_keeps_no_chord | functions that are not moved with the points have the sum 1: the relation of Cauchy.  The
   curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
-:confirmed-by: turned_graph_is_no_graph
 :figure: two_cubes_and_their_image
-
-A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.
 
 As a vector function the curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.
 :::

@@ -66,10 +66,8 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
   x_{n+1}$
 :holds-by: second_orbit_has_equal_angles second_step_is_a_rotation_in_other_coordinates
 :needs: second_step_of_two_has_no_angle | $\varepsilon=2^{-m}$, $m$ a positive whole number, from (1-3-4) on | $|\varepsilon|<2$: then every point can be written
-  so; for $\varepsilon=2$ it would be $\Delta\theta=\pi$ and $y_n=x_n$
+  so
 :figure: ellipse_of_the_second_way
-
-The equations are true of all angles and radii.  That the step is described by them asks for an angle and a radius to every point.
 :::
 
 :::{claim} second_orbit_has_equal_angles
@@ -134,30 +132,29 @@ CLAIM(second_step_is_a_rotation_in_other_coordinates)
 #if RATIONAL
 /*
 :::{claim} second_step_of_two_has_no_angle
-:title: With the step 2 the orbit runs away
-:zh: 步长为二时轨道无界
+:title: With the step 2 a point has no angle and radius
+:zh: 步长为二时点不能如此表示
 :kind: counterexample
-:given: $\varepsilon$, $P_0$, $n$ steps of the second way, and a bound $b$
-:data: ε = 2; P_0 = (1,0); n = 10; b = 4/3
+:given: $\varepsilon=2\sin\frac{\Delta\theta}2$ and a point $P_0=(x,y)$
+:data: ε = 2; P_0 = (1,0)
 :instead: ε = 1
-:then: $|x_n|=2n-1$ grows without end: the points are on the two lines $(x-y)^2=1$, on no ellipse
-:result: P_n = (-19,-20); x_n - y_n = 1
-:method: Exact steps; $x_n^2$ is compared with $b$, the largest $x^2$ on the ellipse $x^2+y^2-xy=1$ of the control.
-:control: a step for which there is an ellipse
+:then: for $x=r\cos\theta$, $y=r\sin(\theta+\frac{\Delta\theta}2)$ the form $x^2+y^2-\varepsilon xy$ would be
+  $r^2\cos^2\frac{\Delta\theta}2=0$ for every $r$, and it is not 0
+:result: cos²(Δθ/2) = 0; x² + y² - εxy = 1
+:method: Both numbers, exactly; that some $r^2$ times the first is the second is refuted.
+:control: a step for which there is such an $r$
 :::
 */
 CLAIM(second_step_of_two_has_no_angle)
 {
-    num M[4], P[2];
-    G(second_step)(given(T, "ε"), M);
+    num P[2], epsilon = given(T, "ε");
     given_points(T, "P_0", 1, 2, P);
-    int n = given_whole(T, "n");
-    num bound = given(T, "b");
-    G(steps)(n, M, P);
-    found_points(T, "P_n", 1, 2, P);
-    found(T, "x_n - y_n", sub(P[0], P[1]));
-    about(T, "whether x_n² is at most b");
-    agree(T, compare_q(mul(P[0], P[0]), bound) <= 0);
+    num square = sub(from_int(1), div(mul(epsilon, epsilon), from_int(4))); /* cos²(Δθ/2) = 1 - ε²/4 */
+    num form = sub(G(norm_squared)(2, P), mul(epsilon, mul(P[0], P[1])));
+    found(T, "cos²(Δθ/2)", square);
+    found(T, "x² + y² - εxy", form);
+    about(T, "whether the second is the first times some r²");
+    agree(T, is_zero_q(form) || sign_q(square) * sign_q(form) > 0);
 }
 #endif
 
@@ -177,7 +174,8 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :::{claim} second_orbit_satisfies_the_printed_equation
 :title: The points of the difference equations are on the printed ellipse
 :zh: 差分方程的点满足椭圆方程
-:given: any $r$, any $\theta$ and $\delta$ with the tangents $a$ and $b$ of their halves
+:given: any $r$, any $\theta$ and $\delta=\frac{\Delta\theta}2$ with the tangents $a$ and $b$ of their halves, $\cos\delta\ne0$
+:harmless: $\cos\delta\ne0$ | the printed equation divides by it
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
 :method: An identity in $a$, $b$ and $r$, term by term as printed.
 :over: a b: angle but π; r: radius
@@ -263,8 +261,8 @@ of second order, and both are half the sine to first order.
 :reading: ellipse_leaves_the_circle_by_more | the largest distance of all: inwards it is larger
 :figure: ellipse_of_the_second_way
 
-With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ a little
-larger than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
+With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ larger
+than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
 :::
 
 :::{claim} ellipse_lies_between_two_circles
@@ -362,13 +360,13 @@ putting in the example's $m$.
 :figure: error_of_the_second_way
 :striking: 41
 
-The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
+The source's own example, $m=4$, is that of the corrected exponent.
 :::
 */
 
 /*
 :::{claim} printed_error_is_twice_the_error
-:title: For m = 4 the printed approximation gives 3.1 per cent, the formula 1.6
+:title: For m = 4 the printed approximation is nearly twice the error
 :zh: 近似式给出两倍的误差
 :kind: counterexample
 :given: the $m$ of the source's example, and $s=2^{-m-1}$
@@ -459,8 +457,8 @@ CLAIM(error_is_half_the_sine)
 #if RATIONAL
 /*
 :::{claim} error_for_four_is_as_printed
-:title: The error for m = 4 is 1.6 per cent to the digits printed
-:zh: m=4 时误差为百分之一点六
+:title: The error for m = 4 is the printed one, to its digits
+:zh: m=4 时误差与印刷数值一致
 :kind: decision
 :given: the $m$ of the source, $s=2^{-m-1}$, and the printed error $p$ in per cent, with half a unit $h$ of its last digit
 :data: m = 4; p = 1.6; h = 0.05
@@ -504,9 +502,9 @@ points stay on it for ever; but they never come back to where they were.
 :data: M = 6; K = 48
 :then: $2^{2mk}V_k$ is an odd integer; so $V_k\ne2$.  A point that returned after $k$ steps would belong to
   the eigenvalue 1 of $T^k$; the other one would be 1, too, because $\det T=1$, and their sum $V_k$ would be 2
-:method: The traces by the recursion, exactly.  For every $k$: $V_k$ is a polynomial in $2-\varepsilon^2$ with whole
-  coefficients and leading coefficient 1, and $2-\varepsilon^2=(2^{2m+1}-1)/2^{2m}$ is in lowest terms, so $2^{2mk}V_k$ is odd:
-  the eigenvalues are no roots of unity, because their sum is no algebraic integer.
+:method: The traces by the recursion, exactly.
+:argued: every m and k | $V_k$ is a polynomial in $2-\varepsilon^2$ of degree $k$ with whole coefficients and leading coefficient 1, and
+  $2-\varepsilon^2=(2^{2m+1}-1)/2^{2m}$ is in lowest terms, so $2^{2mk}V_k$ is odd.
 :scope: m = 1 to 6, k = 1 to 48 steps
 :control: $\varepsilon=1$, where $V_6=2$
 :::
@@ -542,7 +540,7 @@ CLAIM(second_orbit_never_closes)
 :given: any first point, $\varepsilon$, and an even number $n$ of steps
 :data: ε = 1; n = 6
 :instead: n = 5
-:then: $P_n=P_0$, and $P_{n/2}=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_n$
+:then: $P_n=P_0$, and $P_{n/2}=-P_0$
 :method: All steps with variable $P_0$.
 :over: x y: first point
 :control: one step less

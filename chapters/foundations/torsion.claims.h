@@ -19,8 +19,7 @@ torsion is a single number, which vanishes exactly when the cubic is plane.
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
 :figure: derivatives_with_lost_dots
 
-A mixed product with one vector twice is 0, whatever is meant by the letter $s$, which has lost its dot as in the
-formula of the curvature.
+A mixed product with one vector twice is 0, whatever is meant by the letter $s$.
 :::
 
 :::{claim} torsion_by_speed_and_curvature
@@ -61,7 +60,7 @@ static num G(sarrus)(const num r0[], const num r1[], const num r2[])
 #if RATIONAL
 /*
 :::{claim} printed_vectors_have_no_torsion
-:title: With the second derivative twice every torsion is zero
+:title: With the second derivative twice the printed torsion is zero
 :zh: 重复二阶导矢时挠率恒为零
 :kind: counterexample
 :given: a cubic in space with the coefficients $c$, and $t$
@@ -103,12 +102,12 @@ curve has to be taken at a place where it is not; there one sees that the sixth 
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
 :figure: torsion_and_the_speed
 
-The same formula as in the entry before, read with the lost dots restored, $\dddot P$ in the last place and $\dot s$ below:
-the power of the speed is wrong then, too.
+The formula is read with the lost dots restored, $\dddot P$ in the last place and $\dot s$ below: the power of the speed is
+wrong then, too.
 :::
 
 :::{claim} printed_power_spoils_the_torsion
-:title: With the third power of the speed the torsion is wrong where the speed is not one
+:title: With the third power of the speed the torsion is wrong at a place where the speed is not one
 :zh: 速率三次幂给出错误的挠率
 :kind: counterexample
 :given: a cubic in space with the coefficients $c$, and $t$
@@ -221,7 +220,7 @@ from the others remove $t$ altogether; with the printed entry it does depend on 
 :::{statement} hu-1987:1-4-torsion-entry
 :title: The determinant with the coefficients inserted
 :zh: 代入系数的行列式
-:printed: \begin{vmatrix}3A_xt^2+2B_xt+C_x&3A_yt^2+2B_yt+C_y&3A_zt+2B_zt+C_z\\6A_xt+2B_x&6A_yt+2B_y&6A_zt+2B_z\\6A_x&6A_y&6A_z\end{vmatrix}=-12\,(A,B,C)
+:printed: \begin{vmatrix}3A_xt^2+2B_xt+C_x&3A_yt^2+2B_yt+C_y&3A_zt+2B_zt+C_z\\6A_xt+2B_x&6A_yt+2B_y&6A_zt+2B_z\\6A_x&6A_y&6A_z\end{vmatrix}=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}
 :refuted-by: printed_entry_spoils_the_determinant
 :class: misprint
 :corrected: The last entry of the first row is $3A_zt^2+2B_zt+C_z$.

@@ -34,7 +34,7 @@ being continuous, one that has their limits without being continuous itself.
 :hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
 :figure: differentiable_without_continuity
 
-It is right for all curves of the slides: two polynomials with these equalities differ by a multiple of $(x-x_0)^{k+1}$.
+Two polynomials with these equalities differ by a multiple of $(x-x_0)^{k+1}$.
 Read with difference quotients from either side, the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous
 there;
 read with limits of $f',\dots,f^{(k)}$ from either side it does not even say that $f$ is continuous.
@@ -52,7 +52,7 @@ read with limits of $f',\dots,f^{(k)}$ from either side it does not even say tha
 :result: f(x)/x at most = 1/3000; f'(1/n) = 1
 :given: $f(0)=0$, $f(-x)=f(x)$, and on $[\frac1{n+1},\frac1n]$ the Hermite cubic with the values 0 and the slopes
   $(-1)^{n+1}$ and $(-1)^n$ at its ends
-:then: $f$ is continuously differentiable for $x\ne0$, $f'(0)=0$ from both sides, and $f'(\frac1n)=(-1)^n$ is not near $f'(0)$, however large $n$ is
+:then: $f'(0)=0$ from both sides, as $\frac{f(x)}x$ tends to 0 with $x$; and for the given even $n$ the derivative $f'(\frac1n)$ is not near $f'(0)$
 :method: With $h=\frac1{n(n+1)}$ the inner Bézier ordinates of a piece have the size $d$, a third of $h$, hence $|f|\le d$ and
   $\bigl|\frac{f(x)}x\bigr|\le d\,(n+1)$, a third of $\frac1n$, which tends to 0.  Computed for one even $n$: the bound of the quotient,
   and the derivative at $\frac1n$; that it differs from $f'(0)=0$ by no more than the given bound is refuted.
@@ -92,7 +92,7 @@ CLAIM(equal_derivatives_are_not_continuous)
 :data: left = 0; right = 1; k = 3
 :instead: right = 0
 :given: a function that has one constant value to the left of $x=0$ and another from there on
-:then: all derivatives have the limit 0 from both sides, and the values differ
+:then: the derivatives up to the order $k$ have one limit from both sides, and the values differ
 :method: Both pieces as polynomials, values and derivatives at 0 up to the order $k$.
 :control: one value everywhere
 :::
@@ -143,8 +143,7 @@ CLAIM(a_factor_raises_the_order_of_a_zero)
 :given: any polynomial $p$ of degree 7, any $x_0$, any $r$ of degree 2; $q(x)=p(x)+(x-x_0)^{k+1}r(x)$
 :scope: polynomials of degree 7
 :then: $q^{(j)}(x_0)=p^{(j)}(x_0)$ for $j\le k$, and $q^{(k+1)}(x_0)-p^{(k+1)}(x_0)=(k+1)!\,r(x_0)$
-:method: $q$ is multiplied out in powers of $x$; everything a variable.  By Taylor's formula every $q$ with these $k+1$ equalities is of
-  this form with some $r$.
+:method: $q$ is multiplied out in powers of $x$; everything a variable.
 :degrees: order k = 0..4 sampled 8
 :over: p# r#: coefficients; x: x₀
 :control: the exponent $k$
@@ -189,8 +188,7 @@ is no way in either direction: the figure does not know how fast it is run throu
 :figure: upright_cube_root
 
 A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
-$f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
-$(1+f'^2)^{3/2}$.
+$f''/(1+f'^2)^{3/2}$.
 :::
 */
 
@@ -204,8 +202,8 @@ $(1+f'^2)^{3/2}$.
 :instead: s = 1/10
 :result: P'(0) = (0,1); P''(0) = (0,0); f(h)/h = 1000000
 :given: the cube root $f$, and its graph $P(s)=\sum_kc_ks^k$, which is at $h=s^3$ for the parameter $s$ and at the origin for $s=0$
-:then: the graph has a derivative whose second coordinate is 1, hence the curvature $\frac{P'\times P''}{|P'|^3}$ for all $s$; the quotient
-  $\frac{f(h)}h=\frac1{s^2}$ is beyond every bound
+:then: the graph has at the origin a derivative that is not 0, hence the curvature $\frac{P'\times P''}{|P'|^3}$; the quotient
+  $\frac{f(h)}h=\frac1{s^2}$ is more than the given bound
 :method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is not greater than the given bound
   is refuted.
 :control: a point that is not so near to the origin
@@ -353,7 +351,7 @@ CLAIM(end_of_a_curve_has_no_parameter)
 :title: A change of the parameter that keeps the end keeps the point
 :zh: 参数变换不改变端点位置
 :given: a polynomial of degree $n$ with any coefficients, $\phi(u)=\lambda u+\beta u^2$
-:then: $P(\phi(0))=P(0)$, and $(P\circ\phi)'(0)=\lambda P'(0)$: the value is kept for every $\phi$, the derivative only for $\lambda=1$
+:then: $P(\phi(0))=P(0)$, and $(P\circ\phi)'(0)=\lambda P'(0)$: the value is kept for every $\phi$
 :method: $P\circ\phi$ is multiplied out in powers of $u$; everything a variable.
 :degrees: 1..5 sampled 8
 :over: c#: coefficients; l b: parameter change
@@ -560,8 +558,6 @@ The section ends with the word fair (光顺), which is explained by three condit
   proportional derivatives; at a cusp the derivatives of both sides are equal, hence proportional, and the tangent turns back
 :reading: what is superfluous, and which change of the curvature is small: the text does not say, so that nothing is there
   to be decided
-
-Of the three conditions only the first is precise.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -213,9 +213,8 @@ must come out.  That it holds with several choices is due to symmetries: where a
 :figure: worked_patch
 
 The signs are lost and have been put back by computation: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
-values, all 48 of them.  Few choices fit: 2 of 4096 for $x$, 4 of 4096 for $y$, 4 of 256 for $z$.  Those for $x$ differ by the sign of all
-derivatives with respect to $w$, the twists among them.  In $z$ the sign of the tangents along $w$ and that of the twists are free; in $y$ that of the
-tangents along $u$ and that of the twists.  The numbers alone leave 32 readings, and no misprint.
+values.  Those for $x$ differ by the sign of all derivatives with respect to $w$, the twists among them.  In $z$ the sign of the tangents along
+$w$ and that of the twists are free; in $y$ that of the tangents along $u$ and that of the twists.
 :::
 */
 

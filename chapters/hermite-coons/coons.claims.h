@@ -438,8 +438,8 @@ CLAIM(blendings_without_sum_one_move_the_patch)
 :types: field
 :given: cubics $f_0,f_1,u0,u1,0w,1w$ with any coefficients, any corners
 :then: the patch has degree at most 3 in $u$ and in $w$
-:method: The fourth difference $\sum_k(-1)^k\binom4kP(u+k,w)$ is 0 for all $u$ and $w$, and that in $w$ too; everything variable.  A rational
-  function whose fourth difference is 0 is a polynomial of degree at most 3.
+:method: The fourth difference $\sum_k(-1)^k\binom4kP(u+k,w)$ is 0 for all $u$ and $w$, and that in $w$ too; everything variable.  A polynomial
+  whose fourth difference is 0 is of degree at most 3.
 :over: f# g#: blending functions; x# y# a# b#: border curves; m#: corners
 :control: a curve $u0$ of degree 4
 :::

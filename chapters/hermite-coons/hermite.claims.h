@@ -22,9 +22,6 @@ serves for existence and uniqueness, the system being square.
 :hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
-
-The slides only ask for the polynomial.  That it can always be found, and that there is no choice, is the reason why the
-number of conditions is one more than $N$.
 :::
 */
 
@@ -37,8 +34,6 @@ number of conditions is one more than $N$.
   the data of a polynomial of degree $N=m_0+\dots+m_k-1$ give it back
 :reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
 :figure: hermite_blending_functions
-
-The cubics of the next section stay cubics, however many nodes there are.
 :::
 */
 
@@ -237,8 +232,7 @@ CLAIM(cubic_equations_are_the_conditions)
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
-The signs are lost.  The monomials are linearly independent, so each sign is
-determined by the value of the sum: one choice is true.
+The signs are lost, and have been put back.
 :::
 */
 
@@ -369,7 +363,7 @@ $2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in
 :data: t = 0 1; f = 1 1; f' = 0 0
 :result: P(t_1) with -2f(t_0) = -1; P(t_1) with +2f(t_0) = 3
 :given: the nodes $t$, and the values $f$ and derivatives $f'$ of a constant
-:then: with either sign of its first term the printed $a_2$ is not 0, as it must be, and the curve does not end in $f(t_1)$
+:then: with either sign of the first term of the printed $a_2$ the curve does not end in $f(t_1)$
 :method: The printed sum with the lost sign of the first term put in both ways; its value at $t_1$.
 :control: the term with its prime
 :::
@@ -697,7 +691,7 @@ CLAIM(unit_blending_functions)
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: hermite_blending_functions
 
-The signs are lost; of the 1024 ways to give the ten entries signs, one is true.
+The signs are lost; of all choices of them one is true.
 :::
 */
 

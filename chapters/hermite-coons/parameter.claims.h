@@ -312,7 +312,6 @@ The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ a
 the ellipses of $z=y$ and of $z=-y$, `two_cylinders_are_two_ellipses`.  Two of the cylinders of the
 circle $x^2+y^2+z^2=2$, $x+y+z=0$ have in common the circle and an ellipse of a plane in which two coordinates are equal,
 `two_cylinders_of_the_circle_hold_an_ellipse`.
-The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
 :::
 
 :::{claim} both_equations_hold_at_one_point
@@ -629,8 +628,6 @@ CLAIM(maps_of_the_equations_are_one_matrix)
 :reading: parametric_cubic_crosses_itself | more than graphs: there are shapes that no graph $y=f(x)$ has
 :reading: how much freedom, which power is strong or rich: the slides do not say, so that nothing is there to be decided
 :figure: graphs_and_axes
-
-A parametric cubic of the plane has eight coefficients, of which the graph of a cubic, $x=t$, has four.
 :::
 
 :::{statement} slides-ch4:1-dimensions
@@ -640,10 +637,8 @@ A parametric cubic of the plane has eight coefficients, of which the graph of a 
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
 :reading: matrices_pass_to_the_points | a further coordinate changes no other: with the matrix that leaves a coordinate out, the curve of the projected points
   is the projection
-:reading: another_coordinate_changes_no_other | a curve of space has in two of its coordinates the curve of the plane
+:reading: another_coordinate_changes_no_other | a Bézier curve of space has in two of its coordinates the curve of the plane
 :reading: what is easy, and when variables are completely separated: the slides do not say, so that nothing is there to be decided
-
-In $\sum\varphi_iQ_i$ no coordinate of the $Q_i$ occurs in another coordinate of the sum, however many there are.  The functions are any, of one parameter or two.
 :::
 
 :::{claim} another_coordinate_changes_no_other
@@ -786,11 +781,7 @@ CLAIM(triangle_of_parameters_is_no_rectangle)
 :reading: surface_part_is_the_piece | a surface is cut so as well
 :reading: derivatives_go_down_through_the_differences | of any order the derivatives at the ends are differences of the points next to them, so that points can be chosen for a smooth joint
 :reading: what is convenient and what easy: an opinion, which no computation decides
-:confirmed-by: bernstein_sum_of_powers_is_a_power bernstein_derivative differences_lower_the_newton_functions
-
-A curve is cut into pieces over $[0,1]$ of the same degree.  At the joint of two pieces of degree $n$ the
-derivatives of order $r$ are $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$ and $\frac{n!}{(n-r)!}\Delta^rQ_0$; for $Q_i=\sum_j\binom ij\Delta^jP_{n-j}$, $i=0,\dots,k$, the differences of
-$Q$ are these, $\Delta^rQ_0=\Delta^rP_{n-r}$, so that the joint is $C^k$, whatever the other points are.
+:confirmed-by: bernstein_sum_of_powers_is_a_power bernstein_derivative
 :::
 
 Last come two pairs of words.  To interpolate is to pass through the points.  To approximate is used in two senses that exclude each

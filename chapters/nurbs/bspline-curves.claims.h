@@ -60,9 +60,10 @@ CLAIM(blossom_of_a_segment_is_its_polar_form) { G(check_blossom_of_a_segment_is_
 :::{claim} blossom_is_polar_form_in_higher_degrees
 :title: The polar form of a segment of higher degree
 :zh: 高次时的极形式
-:given: as for `blossom_of_a_segment_is_its_polar_form`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: a segment over the knots $0,1,3,6,10,\dots$ in each of the patterns; points and arguments $x_0,\dots,x_{p-1}$, variables
+:then: `bspline_blossom` gives $f[x_0,\dots,x_{p-1}]$
+:method: The kernel against the polar form of the segment, written in elementary symmetric polynomials of the arguments; the segment from the recursion of de Boor and Cox
+  by its letter.
 :types: field
 :degrees: 5..7
 :scope: the distinct knots $0,1,3,6,10,\dots$
@@ -467,9 +468,9 @@ CLAIM(bspline_derivatives_of_every_order) { G(check_bspline_derivatives_of_every
 :::{claim} bspline_derivatives_in_higher_degrees
 :title: The derivatives of a segment of higher degree
 :zh: 高次时的导矢
-:given: as for `bspline_derivatives_of_every_order`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: a segment over the knots $0,1,3,6,10,\dots$ in each of the patterns; points and $t$, variables; orders $0,\dots,p+1$
+:then: `bspline_derivatives` gives $s^{(r)}(t)$, $0$ for $r>p$; the points of the span alone give the same
+:method: The kernel against the coefficients in powers about the same $t$, from the recursion by its letter.
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$

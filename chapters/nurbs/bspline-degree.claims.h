@@ -71,9 +71,11 @@ CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T,
 :::{claim} elevation_in_higher_degrees
 :title: Elevation in higher degrees
 :zh: 高次时的升阶
-:given: as for `elevation_keeps_bspline_curve`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: several segments over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; points, variables
+:then: with every knot of the domain once more, the spline of degree $p+1$ of the points of `bspline_elevate` is the old one; it does
+  not matter which admissible span a point is computed from
+:method: Both splines in powers, from the recursion of de Boor and Cox by its letter, once with the first admissible span for every
+  point, once with the last.
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
@@ -196,10 +198,10 @@ CLAIM(reduction_inverts_bspline_elevation) { G(check_reduction_inverts_bspline_e
 :::{claim} reduction_in_higher_degrees
 :title: Reduction in higher degrees
 :zh: 高次时的降阶
-:given: as for `reduction_inverts_bspline_elevation`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; the spline
-  that is reduced is of degree $p+1$
-:then: the same in these degrees
-:method: The same computation; points are variables.
+:given: several segments of a spline of degree $p$, which is reduced from degree $p+1$, over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; points, variables
+:then: `bspline_reduce` applied to the points of `bspline_elevate` gives the points before; applied to the points $1,0,\dots,0$ over the same knots and
+  elevated again, it does not give these points
+:method: Both kernels one after the other, with the first admissible span and with the last.
 :types: field
 :degrees: 5..5
 :scope: the distinct knots $0,1,3,6,10,\dots$

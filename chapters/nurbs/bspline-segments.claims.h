@@ -60,9 +60,10 @@ CLAIM(segment_is_a_bezier_curve) { G(check_segment_is_a_bezier_curve)(T, 0); }
 :::{claim} bezier_points_in_higher_degrees
 :title: The Bézier points of a segment of higher degree
 :zh: 高次时的 Bézier 点
-:given: as for `segment_is_a_bezier_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: a segment over the knots $0,1,3,6,10,\dots$ in each of the patterns; points, variables
+:then: with $b_0,\dots,b_p$ of `bspline_to_bezier`, $s(t)=\sum_iB_i^p\bigl(\frac{t-u_\mu}{u_{\mu+1}-u_\mu}\bigr)b_i$
+:method: The Bernstein polynomials by the binomial theorem, the segment in powers of $t-u_\mu$ from the recursion of de Boor and Cox by
+  its letter; the coefficients are compared.
 :types: field
 :degrees: 5..7
 :scope: the distinct knots $0,1,3,6,10,\dots$
@@ -189,9 +190,11 @@ CLAIM(split_gives_both_parts_of_bspline) { G(check_split_gives_both_parts_of_bsp
 :::{claim} split_in_higher_degrees
 :title: A curve of higher degree cut at a parameter
 :zh: 高次时的分割
-:given: as for `split_gives_both_parts_of_bspline`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: several segments over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; points, variables; $t$, a variable, in every interval of the domain, and at every knot of it, of multiplicity $s$
+:then: the right part of `bspline_split`, with $n-\mu+p$ points, is the curve to the right of $t$, and the left part, with $\mu-s+1$ points,
+  the curve to the left of $t$, if $t$ is not the first knot of the domain; each part has $t$ as a knot of multiplicity $p+1$, and its
+  other knots from the curve
+:method: The knots one by one; the splines in powers on every interval, from the recursion of de Boor and Cox by its letter.
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$

@@ -155,7 +155,7 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :title: The curve of a span in powers
 :zh: 曲线段的幂基表示
 :printed: \mathbf r^*(u)=\sum_{i=r-k+1}^rN_{i,k}(t)\mathbf r_i=(1,u,\dots,u^{k-1})\,\mathbf A_{r,k,T}\,(\mathbf
-  r_{r-k+1},\dots,\mathbf r_r)^T,\quad 0\le u<1
+  r_{r-k+1},\mathbf r_{r-k+2},\dots,\mathbf r_r)^T,\quad 0\le u<1
 :holds-by: matrix_gives_homogeneous_curve
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
@@ -273,8 +273,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :zh: 系数矩阵各行之和
 :given: orders $k=p+1$, simple knots, variables
 :then: $\sum_ia_{0,i}=1$ and $\sum_ia_{j,i}=0$ for $j\ge1$: the $N_{i,k}$ have the sum 1
-:method: The sums of the entries of the kernel.  An identity of rational functions of simple knots holds for coincident
-  ones, because the denominators are differences of knots on the two sides of the span.
+:method: The sums of the entries of the kernel.
 :degrees: 0..5 sampled 7
 :scope: simple knots
 :over: t#: knots
@@ -419,8 +418,6 @@ the sums has room for.
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: matrices_of_merging_knots
-
-The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and what the powers allow.
 :::
 
 :::{claim} column_by_differences_is_the_function
@@ -429,7 +426,7 @@ The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and wha
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
   random patterns for greater $k$
 :then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
-:method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
+:method: The kernel, which takes its weights from power series and sums by Horner's rule, against the recursion of Cox and de Boor.
 :degrees: 0..4 sampled 7
 :scope: every multiplicity of the knots of a function
 :over: t#: knots
@@ -471,9 +468,6 @@ CLAIM(column_by_differences_is_the_function)
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
-
-For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and
-their bases are positive.
 :::
 
 :::{statement} wang-ch4:thm-4.4.1-curve
@@ -494,7 +488,7 @@ For the homogeneous curve (4.1.1).
 :given: every pattern of the 2k knots around a span up to the order 3, variables; greater orders with simple knots and
   with the knots of Bernstein in the field, with random patterns in the other number types
 :then: `bspline_matrix_by_differences` and `bspline_matrix` give the same matrix
-:method: Entry by entry.  That all multiplicities are covered up to the order 5 is the claim on columns.
+:method: Entry by entry.
 :degrees: 0..4 sampled 7
 :scope: every pattern of the knots around a span up to order 3, the two extreme ones above
 :over: t#: knots

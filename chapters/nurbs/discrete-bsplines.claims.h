@@ -238,7 +238,7 @@ a number of steps that grows with the cube of the order, where the minors themse
 :where: the knots and the sites increase
 :then: the matrix $\bigl(N_{j,p}(x_i)\bigr)$ is totally nonnegative
 :method: The elimination of `total_positivity.h`, which knows nothing of B-splines, on the values of the recursion of de Boor and
-  Cox by its letter.  The claim before is the reason, and no sample.
+  Cox by its letter.  The reason, which is no sample, is `bspline_collocation_is_product_of_insertions`.
 :types: rational
 :degrees: 1..6
 :control: the first two sites exchanged

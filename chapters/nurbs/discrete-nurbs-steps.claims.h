@@ -239,12 +239,12 @@ Insert one knot often enough and a new point is the point of the curve.
 :zh: k-1 次嵌入 t' 后,曲线上的点即控制顶点
 :printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
 :holds-by: repeated_insertion_reaches_the_curve
-:meant: the index $\mu$ of the vertex, and the proof of lemma 4.2.1 | The interval is $(t_\mu,t_{\mu+1}]$; for the letter $u$ see the next entry.
+:meant: the index $\mu$ of the vertex, and the proof of lemma 4.2.1 | The interval is $(t_\mu,t_{\mu+1}]$; for the letter $u$ see `thm-4.1.1-index`.
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no
-  $r_0$; or, if copies of $t_k$ follow on an earlier $t_1$, it is the left limit, from outside the domain
+  $r_0$
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: for every
   multiplicity $0,\dots,k$ and at $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
 :reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: a knot of multiplicity $m$ is inserted $k-1-m$
@@ -284,7 +284,7 @@ static int G(knots_below)(const struct G(refinement) * r, int place)
 :given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k-1$, values
   variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points, and $t'=x_1$ of the
   multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain
-:where: the new weights and the common weight are not 0
+:where: the new weights and $w(t')$ are not 0
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$; the values from both sides agree
 :method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
   knots before $t'$.
@@ -329,6 +329,7 @@ CLAIM(repeated_insertion_reaches_the_curve)
 :method: (4.1.6) by its letter, against (4.1.2) on the interval on the left; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
 :degrees: 1..6 sampled 6
 :scope: a knot of every multiplicity below k between simple and clamped ones; the distinct knots variables up to order 6, numbers above
+:where: the new weights and $w(t')$ are not 0
 :control: one insertion less, for $m<k-1$
 :::
 */
@@ -356,6 +357,7 @@ CLAIM(fewer_insertions_suffice)
 :method: (4.1.6) by its letter, against (4.1.2) on the interval on the right.
 :degrees: 1..6 sampled 6
 :scope: a knot of every multiplicity up to k between simple and clamped ones, and a clamped start; the distinct knots variables up to order 6, numbers above
+:where: the new weights and $w(t')$ are not 0
 :control: the value from the left
 :::
 */
@@ -501,9 +503,6 @@ CLAIM(index_of_another_interval_is_another_point)
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: for (4.1.9)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: insertion_to_the_curve
-
-The cases of the three formulas are not the same: (4.1.7) ran for 17 triples of patterns of knots, (4.1.8) for 22 pairs, (4.1.9) for knots of every
-multiplicity below $k$ between simple and clamped ones.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -29,7 +29,7 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
 :confirmed-by: nothing_inserted_changes_nothing
 :figure: nurbs_polygons_converge
 
-The index is $\iota$ for $k$, see the next entry.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
+The index is $\iota$ for $k$, see `notation-order`.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
 $i=j$ and $0$ otherwise.
 :::
 */
@@ -122,7 +122,7 @@ itself. It is stronger than the equality of the quotients, which a common factor
 :title: The new points, weights and knots give the same curve
 :zh: 新的顶点、权因子与节点给出同一条曲线
 :given: pairs $T$, $T'$ of patterns of knots; weights and points; every interval of the domain, any $t$
-:where: the new weights and the common weight are not 0
+:where: the new weights and $w(t)$ are not 0
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6
@@ -227,7 +227,7 @@ which the later proof answers in another way than the definition of the $\alpha$
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
 :meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, as they are read here: intervals closed on the left.
-:reading: knots_outside_the_domain_cut_corners | with these $\alpha$, for knots outside the domain, too
+:reading: knots_outside_the_domain_cut_corners | with these $\alpha$, for one knot outside the domain, too, over simple knots
 :reading: knot_at_an_outer_end_has_no_shares | with these $\alpha$, for $t_1$ and $t_{n+k}$ that are single knots: the first or the last weight is 0
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
   closed on the right, for a knot at the start of a clamped curve: $\tau=t_1$ has to be excluded
@@ -249,9 +249,7 @@ outside makes the weight of an end smaller, and all stay positive.
 :then: new point $j$ has no share but in $r_{j-1}$ and $r_j$, and both shares are nonnegative; they sum up to $1$ for $1<j\le n$, while
   $r_1'=r_1$ with $\alpha_{1,k}(1)=\frac{\tau-t_1}{t_k-t_1}$ or $1$ and $r_{n+1}'=r_n$ with
   $\alpha_{n,k}(n+1)=\frac{t_{n+k}-\tau}{t_{n+k}-t_{n+1}}$ or $1$; and (4.1.8) is (4.1.2) on the domain
-:method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.  The shares are
-  quotients of sums of gaps, whose denominators contain a gap next to $\tau$; it stays positive when others are 0, so that the same is
-  true of multiple knots.  More knots one after the other, by (4.1.7).
+:method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.
 :types: field rational
 :degrees: 1..6 sampled 7
 :scope: one knot outside the domain of k+1 points over simple knots; the distinct knots variables up to order 4, numbers above
@@ -321,6 +319,7 @@ CLAIM(knots_outside_the_domain_cut_corners)
 :degrees: 1..6 sampled 7
 :scope: clamped ends with one knot of every multiplicity below k between, or a simple one beside it
 :defines: nurbs_insert
+:where: the new weights are not 0
 :control: the knot inserted at the next value
 :::
 */
@@ -459,9 +458,9 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: the new $N_{j,k}$ between its
   copies are zero, and such $r_j$ do not count
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist; as there; otherwise a term of the sum is
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist; otherwise a term of the sum is
   $0\cdot\frac00$
-:reading: knots_outside_the_domain_cut_corners | for $T'$ outside the domain, in $(t_1,t_{n+k})$, too
+:reading: knots_outside_the_domain_cut_corners | for one knot outside the domain, in $(t_1,t_{n+k})$, too, over simple knots
 :figure: insertions_commute
 :::
 

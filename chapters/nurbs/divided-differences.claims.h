@@ -40,8 +40,6 @@ node one more, unless the other factor is 0 there (`osculation_is_divisibility`)
 :checked-by: derivative_lowers_the_multiplicity_by_one
 :confirmed-by: osculation_is_divisibility
 :figure: osculating_polynomial
-
-$m$ conditions at a node of multiplicity $m$; with one more the nodes would have one more.
 :::
 */
 
@@ -96,7 +94,7 @@ CLAIM(derivative_lowers_the_multiplicity_by_one)
 
 :::{claim} osculation_is_divisibility
 :title: A multiple of the product of all t - t_i has the derivatives that osculation asks to vanish
-:zh: 密切等价于差被节点多项式整除
+:zh: 节点多项式的倍式满足密切条件
 :given: every set of multiplicities of $k+1$ nodes, the nodes and $s_0,s_1$ variables, $p-q=(s_0+s_1t)\prod(t-t_i)$
 :then: $p^{(j)}(\tau_i)=q^{(j)}(\tau_i)$ for $j<l_i$, and for $j=l_i$ the difference is
   $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, not 0
@@ -141,8 +139,6 @@ CLAIM(osculation_is_divisibility)
 :definition: yes
 :checked-by: compositions_are_all_multiplicities
 :figure: osculating_polynomial
-
-The order of the $\tau_i$ is used nowhere in the identities of this section; that they differ is.
 :::
 */
 
@@ -353,7 +349,7 @@ CLAIM(printed_last_row_has_wrong_factor)
 :figure: osculating_polynomial
 
 No equals sign is printed.  Two columns have run into one, in the copy at hand if not in the book: the unknowns $c_0,\dots,c_k$, which the sentence names, an equals sign, and
-the values of $f$ and its derivatives.  With the values of $f$ in the places of $c_3,\dots$ the product is not the vector of values.
+the values of $f$ and its derivatives.  With the values of $f$ in the places of $c_3,\dots$ the product need not be the vector of values.
 :::
 */
 

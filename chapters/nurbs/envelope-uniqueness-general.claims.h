@@ -50,13 +50,13 @@ vanishing curvature or torsion, and its members have them.
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
 :confirmed-by: second_envelopes_of_spans member_of_span_is_polar
 :argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
-  is a polar form of the level before.
+  is a polar form of the level before: to put in one argument $\tau$ maps the polynomials of degree $m$ onto those of degree $m-1$, only the
+  multiples of $(\cdot-\tau)^m$ going to 0.
 :striking: 2
 :figure: nurbs_envelope_square
 
 Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  As $f[\tau^r,t^{k-1-r}]$ says (`member_of_span_is_polar`), $r$ and $k-1-r$ have the same solutions
-with $t$ and $\tau$ exchanged, in every dimension: for $r=k-2$ they are the $\tau$ with $\mathbf r'\times\mathbf r''=0$, and any $t$.  In space two equations have to be fulfilled, so as a rule single
-pairs are left and no curve; for $k=7$ there can be a curve.
+with $t$ and $\tau$ exchanged, in every dimension: for $r=k-2$ they are the $\tau$ with $\mathbf r'\times\mathbf r''=0$, and any $t$.
 :::
 
 Two remarks on the polar form carry the section.  To replace one argument $t$ by $\tau$ is a step along the tangent of
@@ -216,7 +216,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
   r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: with
   $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form
-:confirmed-by: derivative_by_tau_is_that_of_the_level_before second_envelopes_of_spans
+:confirmed-by: derivative_by_tau_is_that_of_the_level_before second_envelopes_of_spans first_level_condition_factors
 :figure: nurbs_envelope_square
 
 What the proof cites under this number is in `thm-4.3.3-alternatives`.
@@ -665,9 +665,8 @@ factors the condition; the drawings show what comes out.
 :title: The other factor of the condition, and the curves that it gives
 :zh: 包络条件的另一因子及所得曲线
 :types: field
-:given: the families of `convex_quartic_of_span_has_second_envelope`, `twisted_sextic_has_second_envelope` and
-  `solution_over_the_whole_span`, each curve by the vectors of its powers over uniform knots; $r=2$ for the quartic,
-  and an $r$ for the two others; any $t$ and $\tau$
+:given: the families of a quartic, a sextic and a cubic, each curve by the vectors of its powers over uniform knots; $r=2$ for
+  the quartic, and an $r$ for the two others; any $t$ and $\tau$
 :data: t_i of the quartic = -9 -7 -5 -3 -1 1 3 5 7 9; quartic = (0,0) (1,0) (0,3) (0,0) (0,2); t_i of the sextic = -26
   -22 -18 -14 -10 -6 -2 2 6 10 14 18 22 26; sextic = (0,0,0) (1,0,0) (0,-15,0) (0,0,10) (0,0,0) (0,0,3) (0,1,0); t_i
   of the cubic = -11 -9 -7 -5 -3 -1 1 3 5 7 9 11; cubic = (0,0) (1,0) (0,0) (0,1) (0,0) (0,0); α = 1/2; β = 4; γ =
@@ -738,13 +737,13 @@ corners arise.
 #if FIELD || RATIONAL
 /*
 :::{claim} convex_polygon_of_span_has_one_envelope
-:title: A strictly convex polygon of the span with positive weights has the curve as its only envelope, for every r
-:zh: 该段控制多边形严格凸且权为正时包络只有曲线本身
+:title: The determinant of the level before is a sum of triangles of the control points, no factor of which is negative
+:zh: 上一层族曲线的行列式是控制顶点三角形之非负组合
 :types: field rational
 :given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, with positive gaps,
   variables for $k\le4$ and numbers above; homogeneous points of the plane; $t$, $\tau$ inside the span; every
   $r=1,\dots,k-2$
-:let: $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows
+:let: $a=t_j$, $b=t_{j+1}$, $P_i=(w_ir_i,w_i)$; $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows
   at $(\tau^{r-1},t^{k-r-2},x,y)$ with $(x,y)=(a,a),(a,b),(b,b)$
 :then: with $Q=P^{[r-1]}(\cdot,\tau)$ and $m=k-r$:
   $(b-a)^3\det(Q,Q',Q'')=m^2(m-1)\sum_{i<l<h}M_{ilh}\det(P_i,P_l,P_h)$, and every $3\times3$ minor $M_{ilh}$ is
@@ -752,10 +751,7 @@ corners arise.
 :method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
   right side is Cauchy-Binet.  The minors have no negative coefficient in the gaps and in $x$, $y$ with
   $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$, and at the ends of the span they are nonnegative as limits; for $k>5$ they
-  are sampled, and nonnegative because $M$ is a product of matrices with nonnegative entries on two neighbouring
-  diagonals, one for each inserted knot.  The rows of $M$ are independent, as $q$ may be any polynomial of degree 2:
-  to put in one argument $\tau$ maps the polynomials of degree $m$ onto those of degree $m-1$, since only the
-  multiples of $(\cdot-\tau)^m$ go to 0. So one minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the
+  are sampled.  If one minor is positive and the points $r_{j-k+1},\dots,r_j$ are the
   corners of a strictly convex polygon in this order, all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have
   one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5

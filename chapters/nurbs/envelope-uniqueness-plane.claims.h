@@ -204,9 +204,8 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :holds-by: family_moves_with_its_points
 :figure: nurbs_second_line
 
-What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not depend on the coordinates.  (4.3.12)
-does depend on them: it refers to the origin, and a motion keeps the origin only if it turns about it.  As the plane
-passes through the origin, by the step before, such a rotation suffices.
+That two derivatives are parallel does not depend on the coordinates.  Where the plane
+passes through the origin, as in `thm-4.3.2-coplanar`, a rotation about the origin suffices.
 :::
 
 To turn the plane of the points into $z=0$ one has to know that the construction does not depend on coordinates.  The
@@ -285,7 +284,7 @@ CLAIM(family_moves_with_its_points)
 :holds-by: first_level_condition_factors
 :figure: nurbs_second_line
 
-The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step is right, and it disproves the theorem.
+The factor between them is $w^3/((k-1)^2W^3)$, which is positive.
 :::
 
 :::{statement} wang-ch4:formula-4.3.14
@@ -295,15 +294,12 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :class: invalid-proof
 :refuted-by: inflected_cubic_is_not_straight
 :meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
-:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: every
-  inflection is a counterexample
+:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives
 :reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
 :argued: | A quotient whose derivative is 0 on an interval is constant there: so the slope $y'/x'$ is, and $y=ax+b$; where $x'$ is 0 for all $t$, $x$ is constant.
 :figure: nurbs_second_line
-
-This is where the proof breaks: an equation that has to hold at one $t$ is used as if it held for all.
 :::
 */
 
@@ -465,7 +461,7 @@ for more room.
 :title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well
 :zh: 三次曲线 (t,t³) 的二次族曲线还与 y=0 相切
 :kind: counterexample
-:given: the cubic of `inflected_cubic_is_not_straight`, which is $(t,t^3)$; $r=1$, the member $\tau$ at the inflection
+:given: the cubic $\sum a_mt^m$, which is $(t,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, the member $\tau$ at the inflection
   $t$
 :data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (0,0) (0,1); t = 0; τ = 1/2
 :instead: τ = 0
@@ -492,7 +488,7 @@ CLAIM(inflected_cubic_has_second_envelope)
 :title: A curve of space, not in a plane, whose family of order 4 touches a line as well
 :zh: 非平面曲线的族另有包络
 :kind: counterexample
-:given: the curve of `vanishing_curvature_says_nothing_about_the_points`, which is $(t,t^3,t^4)$; $r=1$, the member
+:given: the quartic curve of space $\sum a_mt^m$, which is $(t,t^3,t^4)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, the member
   $\tau$ at the $t$ where the curvature is 0
 :data: t_i = -9 -7 -5 -3 -1 1 3 5 7 9; a = (0,0,0) (1,0,0) (0,0,0) (0,1,0) (0,0,1); t = 0; τ = 1/2
 :instead: τ = 0

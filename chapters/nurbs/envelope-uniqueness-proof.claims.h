@@ -83,9 +83,9 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :class: invalid-proof
 :refuted-by: member_osculates_a_plane_through_the_origin
 :reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, as the alternative to $\tau=t$ arises
-:reading: points_are_polar_values_of_the_segment | for all pairs of the square, as in theorem 4.3.2, each member
+:reading: points_are_polar_values_of_the_segment | for all pairs of the square, each member
   being in a plane through the origin and its points with it, but not by linear independence | The Wronskian of the coordinates
-  of the member is 0 for all $t$, so they are linearly dependent, as in theorem 4.3.2.
+  of the member is 0 for all $t$, so they are linearly dependent.
 :meant: the proof, in which the sum is the alternative to $\tau=t$ | The first: at one pair $(t,\tau)$.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
   whatever the points are
@@ -227,7 +227,7 @@ CLAIM(weighted_points_follow_the_recursion)
 :corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
-$k-r+1$ equations do not determine $k-r+2$ unknowns.  No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
+No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
 :::
 */
 
@@ -275,12 +275,9 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :needs: twisted_sextic_has_products_zero | the sentence is about the whole span | the condition holds for all pairs of the
   square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
   need not be coplanar
-:argued: | As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
+:argued: | Either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
   slopes have the derivative 0, and with them, at $\tau=t$, the segment.
 :figure: nurbs_envelope_space
-
-But (4.3.15) gives the products at single pairs
-only; here the proof loses the curves of space.
 :::
 
 What is left is the conclusion from vanishing products to coplanar points.  At a pair with another solution the member
@@ -291,7 +288,8 @@ the points.
 :title: At another solution of a curve of space all products are 0; the points are not coplanar
 :zh: 空间曲线在另一解处各混合积为零而顶点不共面
 :kind: counterexample
-:given: the curve and the pair of $t$ and $\tau$ of `twisted_sextic_has_second_envelope`, $r=3$
+:given: the sextic curve of space $\sum a_mt^m$, which is $(t,t^6-15t^2,3t^5+10t^3)$, as a segment over the uniform knots
+  $t_i$, weights 1; $r=3$, a pair of $t$ and $\tau$
 :data: t_i = -26 -22 -18 -14 -10 -6 -2 2 6 10 14 18 22 26; a = (0,0,0) (1,0,0) (0,-15,0) (0,0,10) (0,0,0) (0,0,3)
   (0,1,0); r = 3; t = 1; τ = -1
 :then: $(r_i,\partial_tR,\partial_t^2R)=0$ for all the points, with the member $R$ of level $r-1$; the points are not

@@ -43,12 +43,12 @@ inflection: it is touched by every member.
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
   convex_polygon_of_span_has_one_envelope
 :argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
-  is a polar form of the level before.  And that an extra segment is more than $\mathbf r$: a rational curve that is not straight has finitely many points on a tangent.
+  is a polar form of the level before: to put in one argument $\tau$ maps the polynomials of degree $m$ onto those of degree $m-1$, only the
+  multiples of $(\cdot-\tau)^m$ going to 0.  And that an extra segment is more than $\mathbf r$: a rational curve that is not straight has finitely many points on a tangent.
 :striking: 2
 :figure: nurbs_second_line
 
-For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its
-own.  A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
+A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
 its pairs have the point $\mathbf r(t_0)$.
 :::
 
@@ -66,7 +66,7 @@ its pairs have the point $\mathbf r(t_0)$.
   to each member where it passes it.
 :figure: nurbs_second_line
 
-The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$.  The section uses it as what an envelope is.
+The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -278,6 +278,7 @@ The words before it are lost in the copy at hand.
 :then: both printed formulas, in one coordinate
 :method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
   $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
+:where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; p# w#: coefficients
 :control: $k-1$ in the place of $k-2$
@@ -378,6 +379,7 @@ r''$, so that the other case is the inflections of the curve and nothing else.
 :title: The condition of the envelope is the printed equation of vector products
 :zh: 包络条件与所印方程等价
 :given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
 :method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
   are positive on the span.
@@ -400,15 +402,14 @@ CLAIM(first_level_condition_as_printed)
 
 /*
 :::{claim} first_level_condition_factors
-:title: The condition of the envelope is (τ-t) r' x r'' up to a positive factor
+:title: The condition of the envelope is (τ-t) r' x r'' up to a factor
 :zh: 包络条件等价于 (τ-t) r'×r''=0
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
 :method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
-  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$; a continuous
-  function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
-  $\tau(t)=t$.
+  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
 :where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
@@ -441,7 +442,8 @@ inflection is touched by all.
 :::{claim} extra_points_run_along_the_tangent
 :title: The points of a line t = t₀ of the square are a segment of the tangent
 :zh: 直线 t=t₀ 上的点构成切线段
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
 :method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
@@ -473,16 +475,17 @@ CLAIM(extra_points_run_along_the_tangent)
 :corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
 :figure: product_that_says_nothing
 
-For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.  And either product
-is one equation in the place of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
+For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.
 :::
 
 :::{claim} product_with_second_derivative_loses_the_left_side
 :title: The scalar product of the condition with p'' is w'' times a triple product
 :zh: 与 p'' 的数量积只留下 w'' 倍的混合积
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
 :method: Everything a variable.
+:where: the weights of curve and member are not 0
 :degrees: all
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w''$ left out
@@ -501,7 +504,8 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :::{claim} product_with_the_numerator_gives_the_triple_product
 :title: The scalar product of the condition with the numerator of the member is the triple product
 :zh: 与族曲线分子的数量积给出混合积
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
 :method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
   is 0.
@@ -576,26 +580,27 @@ It solves (4.3.9) and gives the curve.
 :::{statement} wang-ch4:formula-4.3.12
 :title: The second alternative, a triple product with the points
 :zh: 第二种情形:混合积之和
-:printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
+:printed: \tau(t)=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
 :needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0; as for
   positive weights and $t$ and $\tau$ in one span
 :figure: points_off_the_plane
 
-For $\tau\ne t$ it is equivalent to the triple product before.  It says that the osculating plane passes through the origin, which the condition (4.3.9) does not
-know: see `thm-4.3.2-independence`.
+For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
 :::
 
 :::{claim} triple_product_is_that_of_the_point
 :title: The triple product is that of p, r', r'', up to the factor −W
 :zh: 混合积与 (p, r', r'') 只差因子 −W
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$, and the member that they give; and for
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$; and for
   $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
+:let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
 :method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
   product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
   weights, knots and $t$ as variables.
 :scope: k = 2 to 4 for the sum over the points
+:where: $w(t)\ne0$
 :argued: every order | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
   $N_{i,k}(t)w_ir_i$.
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w

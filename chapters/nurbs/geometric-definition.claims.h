@@ -29,7 +29,7 @@ envelope.
 :figure: nurbs_polygons
 
 With strictly increasing knots the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf
-r_n$ at $t_{n+1}$, and the weights say how fast.
+r_n$ at $t_{n+1}$.
 :::
 
 :::{statement} wang-ch4:def-4.3.1-segment
@@ -46,7 +46,7 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :title: On a span the sum is the printed leg, however many points there are
 :zh: 任意顶点数时二阶曲线的每一段
 :given: a span that is not empty and the three knots at either end of it, in every pattern; weights and points; any $t$
-:where: the common weight is not 0
+:where: $w(t)\ne0$
 :then: of the four functions of order 2 that these knots have the two outer ones are 0 on the span, and the sum of all is the printed quotient of the
   two points between
 :method: The sums by the recursion of de Boor and Cox as it is defined.  Every other function of order 2 is made from two functions of order 1
@@ -82,12 +82,13 @@ CLAIM(leg_of_every_polygon_is_the_curve_of_order_two)
 :::{claim} polygon_is_the_curve_of_order_two
 :title: The sum over all points is the printed leg on every span
 :zh: 二阶曲线的每一段
-:given: $n=5$ points with weights; seven simple knots, and double knots inside, at one end, at the other and at both;
+:given: $n=5$ points with weights; seven simple knots, and double knots inside, at one end, at the other and at both, and inside and at one end;
   every span that is not empty; any $t$
 :then: $\sum_{i=1}^nN_{i,2}(t)w_ir_i/\sum_{i=1}^nN_{i,2}(t)w_i$ is the printed quotient, $j=2,\dots,n$
 :method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
   variable.
 :scope: k = 2 with five points; simple knots and five patterns with double ones
+:where: $w(t)\ne0$
 :control: the weights of the two points exchanged
 :::
 */
@@ -474,9 +475,6 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope first_level_condition_factors
   derivative_by_tau_is_that_of_the_level_before
 :figure: nurbs_polygons_extra
-
-For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is
-no recursion and the polygon is the curve.
 :::
 
 For quadratic curves nothing of the kind can happen: a parabola or another conic has no inflection, however far it is

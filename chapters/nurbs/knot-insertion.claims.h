@@ -62,9 +62,11 @@ CLAIM(boehm_insertion_keeps_curve) { G(check_boehm_insertion_keeps_curve)(T, 0);
 :::{claim} boehm_insertion_in_higher_degrees
 :title: Boehm's insertion in higher degrees
 :zh: 高次时的插入节点
-:given: as for `boehm_insertion_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: several segments over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; points, variables; a new knot $x$, a variable, in every interval of the domain and at every knot
+  of it of multiplicity at most $p$
+:then: the knots of `bspline_insert` are the old ones and $x$; the spline of its $n+1$ points is the old one on every interval
+:method: Both splines in powers of $t$ minus the knot on the left of each new interval, from the recursion of de Boor and Cox
+  by its letter.
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
@@ -306,9 +308,12 @@ CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
 :::{claim} refinement_in_higher_degrees
 :title: The Oslo algorithm in higher degrees
 :zh: 高次时的 Oslo 算法
-:given: as for `refinement_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: several segments over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; points, variables; to the knots of the domain are added: one in the first interval,
+  two equal ones in the last, and one more at each inner knot of multiplicity at most $p$
+:then: the spline of the points of `bspline_refine` is the old one; its points are those of inserting one knot after the other;
+  it does not matter which admissible span a point is computed from
+:method: Both splines in powers, from the recursion by its letter; the points against those of `bspline_insert`; once with the
+  first admissible span for every point, once with the last.
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$

@@ -68,9 +68,10 @@ CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
 :::{claim} removal_in_higher_degrees
 :title: Removal in higher degrees
 :zh: 高次时的消去节点
-:given: as for `removal_inverts_insertion`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
-:then: the same in these degrees
-:method: The same computation; points, parameters and new knots are variables.
+:given: several segments over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; points $b_i$, variables; a knot $x$ inserted in every interval of the domain and at every
+  knot of it of multiplicity at most $p$
+:then: `bspline_remove` gives back the knots and the $b_i$, and the defect $0$
+:method: Insertion by `bspline_insert`, then removal.
 :types: field
 :degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$

@@ -224,8 +224,6 @@ The entries do not change when all knots move by one number, although $t_r$ stan
 :printed: Marsden's identity gives another explicit form of the coefficient matrix (4.4.2); with (4.4.12) these are the two explicit matrix forms of the most general case (preface)
 :holds-by: both_explicit_matrices_agree
 :figure: both_matrices
-
-Both are the matrix of the span, so they are equal, whatever the multiplicities of the knots.
 :::
 
 Two explicit matrices and a recursive one are now at hand.  They look nothing alike: one distinguishes cases by the
@@ -238,9 +236,7 @@ representation in powers.
 :given: every pattern of the 2k knots around a span up to the order 5, the knots variables; random patterns in the
   other number types
 :then: `bspline_matrix_by_differences`, `bspline_matrix_by_marsden` and `bspline_matrix` give the same matrix
-:method: Entry by entry.  `bspline_matrix` and `bspline_matrix_by_marsden` divide by differences of knots on the two
-  sides of the span only, so where they agree for simple variable knots they agree for coincident ones as well; the
-  case distinctions of the other kernel are settled column by column in the section before.
+:method: Entry by entry.
 :degrees: 0..4 sampled 6
 :scope: every pattern of the knots around a span
 :over: t#: knots

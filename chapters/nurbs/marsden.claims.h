@@ -133,8 +133,7 @@ as well.
 :zh: Marsden 恒等式(节点为变量)
 :given: orders $k=p+1$, simple knots, all variables; $x$ and $t$ variables
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
-:method: The B-splines by their definition.  On the span they are rational functions of the knots whose denominators are
-  differences of knots on its two sides; so the identity holds for coincident knots as well.
+:method: The B-splines by their definition.
 :degrees: 0..5 sampled 7
 :scope: simple knots
 :over: t#: knots; x
@@ -236,7 +235,7 @@ CLAIM(outer_functions_are_made_of_outer_ones)
 :given: every pattern of the 2k knots around a span up to the order 4, the different knots, $x$ and $t$ variables; for
   greater orders random patterns in rationals
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
-:method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
+:method: The B-splines by their definition, with the rule $0/0=0$.
 :degrees: 0..4 sampled 7
 :scope: every pattern of the knots around a span up to order 4, random ones above
 :over: t#: knots; x

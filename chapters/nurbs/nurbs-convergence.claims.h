@@ -15,27 +15,26 @@ of the curve and the curve does not jump, and then with the square of the larges
 :::{statement} wang-ch4:cor-4.1.1
 :title: There is a growing sequence of knots for which the polygons converge to the curve
 :zh: 推论 4.1.1:存在递增节点集序列使多边形收敛到曲线
-:printed: There is a sequence of sets of knots $\{T_m'\}$, $T_m'\subseteq T_{m+1}'$, with
+:printed: There is a sequence of sets of knots $\{T_m'\}$, $T_m'\subseteq T_{m+1}'$, $m=1,2,\dots$, with
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve; for which $(k-1)$-fold $t_k$ and
-  $t_{n+1}$ suffice ($t_2=\dots=t_k$, $t_{n+1}=\dots=t_{n+k-1}$): otherwise $r_1$, a vertex of every polygon, keeps its distance
+:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve: otherwise $r_1$, a vertex of every polygon, keeps its distance
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide: otherwise every
   polygon keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that the first hypothesis is needed.
 :reading: first_vertex_stays_off_the_curve | the whole polygon, over any knots
-:reading: polygon_is_within_the_bound_of_the_spline | the part of the polygon over the domain, over any knots: with the same bound
+:reading: polygon_is_within_the_bound_of_the_spline | the part of the polygon over the domain, over knots that are at most $(k-2)$-fold inside: it is near
+  the spline, with a bound by the points of $f''$
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
-  all refinements, and $h_m\to0$.  For $k=2$ the curve over the domain is the polygon.
+  all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve, and either side is treated alone.  For $k=2$ the curve over the
+  domain is the polygon.
 :figure: nurbs_polygons_converge
 :striking: 42
 
-Choose for $T_m'$ the knots that halve every gap $m$ times: nested, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon
-passes through the curve, and either side is treated alone.  At a $k$-fold one either side converges, but the polygon is connected and
-the curve need not be: the limit is the curve together with the edges over its jumps.
+Choose for $T_m'$ the knots that halve every gap $m$ times: nested, and $h_m\to0$.
 :::
 
 :::{statement} wang-ch4:remark-4.1.1-convergence
@@ -50,7 +49,7 @@ the curve need not be: the limit is the curve together with the edges over its j
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
-  all refinements, and $h_m\to0$.
+  all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve, and either side is treated alone.
 :figure: no_convergence
 :::
 
@@ -121,7 +120,7 @@ $p$.
 :zh: 节点间距不超过 h 时偏差不超过 k h²/24
 :given: $p$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
 :let: $V_p=\sum_{i<j}(i-j)^2$
-:then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect above is $\frac{p+1}{24}h^2$; with smaller gaps
+:then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect $\frac{V_ph^2}{2p^2(p-1)}$ is $\frac{p+1}{24}h^2$; with smaller gaps
   it is not larger
 :method: $V_1=0$ and $V_{p+1}-V_p=\sum_{d=1}^pd^2=\frac{p(p+1)(2p+1)}6$: induction on $p$, an identity in $p$.  For the gaps
   $|x_i-x_j|\le|i-j|\,h$ term by term, $p\le7$: signs are read off coefficients.
@@ -195,7 +194,7 @@ static poly G(segment)(int p, const num u[], int mu, const num c[])
 :let: $c''$ the points of $f''$, $\delta_j=\frac1{2p(p-1)}\sum_i(x_{j,i}-\xi_j)^2$
 :then: $\sum_iN_i\xi_i=t$; and $f-d=\sum_ib_i\,c_i''$ with $b_i\ge0$ on the domain and $\sum_ib_i=\frac{t^2}2-d_{t^2/2}$, which is at most
   $\max_j\delta_j$; hence $|f-d|\le\max|c_i''|\max_j\delta_j$
-:method: The argument above, which is for all degrees and knots, is tried on instances.  The equality is linear in the points: $b_i$ is
+:method: Instances.  The equality is linear in the points: $b_i$ is
   $f-d$ for the spline with $c_i''=1$ and all others 0.  On every interval between neighbouring knots and Greville abscissae both are
   polynomials; the inequalities are decided by their signs on the closed interval.
 :types: rational
@@ -404,7 +403,7 @@ inserted.
 :given: a quadratic segment of the points $r$ and weights $w$ over the simple knots $T$; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
 :data: T = -2 -1 0 1 2 3; r = (0,0) (1,2) (2,0); w = 1 1 1; M = 3
 :instead: T = -2 0 0 1 1 3
-:then: the first vertex is $r_1$ for every $m$, while the curve, in the hull of its Bézier points $b$, is to the right of $b_0$
+:then: the first vertex is $r_1$ for each of these $m$, while the curve, in the hull of its Bézier points $b$, is to the right of $b_0$
 :result: b = (1/2,1) (1,2) (3/2,1); the first vertex = (0,0)
 :method: (4.1.6) by its letter.  If the polygons tended to
   the curve, their first vertices would come near it.  For every $T'$: of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$,

@@ -30,10 +30,6 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
   linearly independent; it goes straight on, and so does the curve, since no line across is crossed more often.
 :figure: convex_polygon_convex_spline
-
-For a periodic curve the closed polygon of one period must be convex; written as
-an ordinary curve it repeats $k-1$ vertices and does not run through once, but its insertions cut the corners of the closed
-polygon (`periodic_curves_of_convex_polygons_are_convex`).
 :::
 
 :::{claim} inserted_parameters_become_vertices
@@ -43,10 +39,9 @@ polygon (`periodic_curves_of_convex_polygons_are_convex`).
   inserted $k-1$ times: both in one interval, in different ones, at the inner knot, at the right end
 :then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$
 :method: The printed insertions and the curve by its definition, knots, parameters and points variables; a coordinate of the
-  homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
-  treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
-  at $t',\dots,t'$.
+  homogeneous points is any coordinate.
 :degrees: k = 2..6 sampled 6
+:argued: every number of parameters | Later parameters leave the vertices of the earlier ones alone.
 :scope: clamped ends with one knot of every multiplicity below k between
 :control: the second vertex counted one too low
 :::
@@ -308,26 +303,25 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :meant: the step itself, which names $\boldsymbol r_k(t)$ | The polygons are those of one NURBS curve.
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
-:argued: | A limit of points of the boundaries is on the boundary of the limit, as the remarks say.
+:argued: | Let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
+  $A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
+  $A$, the limit of the hulls, is the hull of the limit.  A NURBS curve on a line has its polygon on that line.
 :figure: where_hypotheses_are_needed
-
-The reason is not given.  It is this: let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
-$A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
-$A$, the limit of the hulls, is the hull of the limit.  That the curve runs there once is another matter: convex polygons can
-flatten to a segment that is run through twice.  A NURBS curve on a line has its polygon on that line, which settles it.
 :::
 
 :::{claim} convex_polygons_have_splines_of_one_turn
-:title: NURBS curves of convex polygons never turn to the other side
+:title: Designed NURBS curves of convex polygons never turn to the other side
 :zh: 设计算例曲线的转向
 :kind: decision
-:given: the curves of `inserted_polygons_stay_convex`
+:given: seven designed curves of the orders 2 to 4 with convex polygons, and four families of positive weights
 :then: $\det(P,P',P'')\ge0$ on every interval of knots, and any three of thirteen points of the curve, equally spaced in the
   parameter, turn left in their order or are on one line
 :method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.  The points by the
   kernel, the areas exactly.
 :degrees: k = 2..4
 :scope: the stated curves
+:harmless: convex polygons | they are those of the stated curves
+:harmless: positive weights | they are those of the stated curves
 :control: the third point thrown across the line of the first two
 :::
 */
@@ -369,15 +363,14 @@ A closed curve without an end is not covered by the theorem as it stands, since 
 itself. Cutting the corners of the closed polygon works as before, and this is what is decided for the curves below.
 
 :::{claim} periodic_curves_of_convex_polygons_are_convex
-:title: A closed polygon that is convex has a convex periodic curve
-:zh: 闭合周期曲线的保凸性
+:title: Three closed convex polygons have convex periodic curves
+:zh: 三个闭合凸多边形的周期曲线为凸
 :kind: decision
 :given: a triangle, a quadrilateral and a pentagon, convex and closed; orders $3$ and $4$; the first knots of $T$ as a period of different
   intervals; weights equal, large and small in turn, and growing
 :data: triangle = (0,0) (3,0) (1,2); quadrilateral = (0,0) (3,0) (3,3) (0,1); pentagon = (0,0) (4,0) (5,3) (2,5) (0,1); T = 0 2 3 5 6 7
 :then: the Bézier points of all intervals, joined, are a closed convex polygon that runs round once
-:method: That polygon is what one gets by inserting every knot until its multiplicity is $k-1$; it is a polygon for which the
-  theorem holds.  Convexity by `exact/decide/hull.h`.
+:method: The Bézier points of each interval by the kernel.  Convexity by `exact/decide/hull.h`.
 :degrees: k = 3..4
 :scope: the stated curves
 :control: the second point moved across the line of its neighbours

@@ -22,8 +22,7 @@ the corners and pass to the curve.
 :definition: yes
 :printed: a continuous plane curve $\Gamma$ is called convex if it is the boundary of a convex set of the plane, or part of it
 :checked-by: convex_polygons_lie_on_the_border_of_their_hull
-:meant: the words of the definition, which speak of a set | The first reading.  The entries that follow are decided with it, and the last reading is the
-  hypothesis that they need.
+:meant: the words of the definition, which speak of a set | The first reading.
 :reading: polygon_that_turns_back_loses_convexity | that convexity is kept by insertion, lemma 4.2.1, when the set of points of $\Gamma$ has to be part of the boundary
 :reading: polygon_that_overlaps_itself_loses_convexity | the same, when besides $\Gamma$ must never turn back
 :reading: turns_of_one_sign_are_not_enough | that the curve of a convex polygon is convex, theorem 4.2.1, when $\Gamma$ has to turn always to the same side, which the
@@ -32,8 +31,7 @@ the corners and pass to the curve.
   point twice except the end to the start: this can be told from the areas of triangles, by which lemma 4.2.1 is decided
 :figure: what_convex_must_mean
 
-As a definition it states nothing; what the readings say is whether lemma and theorem are true or false with them.  A straight curve is convex: it is
-part of the boundary of a half plane.
+As a definition it states nothing; what the readings say is whether lemma and theorem are true or false with them.
 :::
 */
 
@@ -126,7 +124,8 @@ static int every_edge_on_the_border(int n, const num_q R[])
 :title: A convex polygon is part of the boundary of its hull
 :zh: 凸多边形位于其凸包边界上
 :kind: decision
-:given: the polygons of `triangles_of_one_sign_make_a_polygon_convex`
+:given: all polygons of $n$ points: of the grid $\{0,1,2\}^2$ for $n=3,4$, of $\{0,1,2\}\times\{0,1\}$ for $n=5$, of $\{0,1\}^2$
+  for $n=6$
 :then: if a polygon runs through once and is convex, then each of its edges has all vertices on one side: it is part of the boundary
   of the hull
 :method: An edge is part of the boundary of the hull exactly when no two vertices are on different sides of its line.  Convexity by
@@ -182,8 +181,7 @@ example shows that it does not help to forbid turning back.
 :then: the points of the polygon are two sides of a triangle, so part of the boundary of a convex set; the new polygon $r'$ has an edge inside
   its hull
 :result: r' = (0,0) (1,0) (1/4,0) (0,1/2) (0,1)
-:method: By the printed formulas; an edge is on the boundary of the hull when no two vertices are on different sides of it.  For order two
-  an insertion changes no set of points, and a polygon of three points never loses convexity by the letter.
+:method: By the printed formulas; an edge is on the boundary of the hull when no two vertices are on different sides of it.
 :control: the points of a square
 :::
 */
@@ -200,7 +198,7 @@ CLAIM(polygon_that_turns_back_loses_convexity) { lose_convexity(T, 4); }
 :instead: r = (0,0) (2,0) (0,2) (0,1) (0,0)
 :then: the points of the polygon are the sides of the triangle; the new polygon $r'$ has an edge inside its hull
 :result: r' = (0,0) (1,0) (3/2,1/2) (0,2) (0,0) (2,0)
-:method: By the printed formulas; an edge is on the boundary of the hull when no two vertices are on different sides of it.  With four points the three edges are different sides, if the polygon never turns back, and none runs over another.
+:method: By the printed formulas; an edge is on the boundary of the hull when no two vertices are on different sides of it.
 :control: the last two points on the third side: the polygon is closed and runs round once
 :::
 */

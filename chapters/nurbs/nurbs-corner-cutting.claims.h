@@ -22,7 +22,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :title: A convex polygon stays convex when knots are inserted
 :zh: 嵌节点保持控制多边形的凸性
 :printed: let $\Phi$ be the empty set, and let the initial control polygon $\Gamma_k^{(T)}(\Phi)$ of the plane NURBS curve (4.1.2) be a convex curve; then for every
-  finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and the hulls decrease (see the next entry)
+  finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and the hulls decrease (`lemma-4.2.1-hulls`)
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares knots_outside_the_domain_cut_corners
   inserted_points_divide_the_edges
@@ -31,7 +31,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   is there as a set is not enough
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
-:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
@@ -41,10 +41,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   new vertices are on its edges, one on each and in their order, so that the new polygon does.
 :figure: cutting_corners
 
-Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  A knot outside the domain makes the weight of an end
-smaller and cuts corners like the others: the first row of $M$ is $\alpha_1,0,\dots$, or the last $\dots,0,1-\alpha_{n+1}$.
-$T'$ is a multiset.  The minors of an
-insertion involve three rows and so six columns at most, so that their signs are decided for every $n$.
+$T'$ is a multiset.
 :::
 */
 
@@ -127,7 +124,7 @@ CLAIM(printed_insertion_keeps_the_curve)
 :::{claim} printed_factors_are_the_discrete_shares
 :title: The printed factors are the discrete B-splines of one knot
 :zh: 所印因子即单节点的离散 B 样条
-:given: the knots of `printed_insertion_keeps_the_curve`; $\tau$ inside any interval of the domain, or a knot there of a multiplicity below $k$
+:given: all knots simple, or both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or a knot there of a multiplicity below $k$
 :then: $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is the printed $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so that (4.1.6) is
   the printed mean of two points
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.
@@ -375,15 +372,13 @@ CLAIM(mixed_weights_cut_beside_the_edges)
   need not exist; or $A$ is taken as the hull
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: as for the lemma
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
-:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: | One knot after the other, in the domain or, as the first reading says, outside: the new vertices are on edges of the polygon before, hence in its hull, and
   the hull of points of a convex set is part of the set.
 :figure: hulls_of_knot_sets
-
-Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
 :::
 
 :::{claim} inserted_points_divide_the_edges
@@ -467,13 +462,8 @@ CLAIM(vanishing_weight_loses_the_new_point)
 :holds-by: printed_insertion_keeps_the_curve printed_factors_are_the_discrete_shares inserted_points_divide_the_edges
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
-:reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in the chapter's
-  other sections, the formula gives the same factors, or repeats another of two points
+:reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in algorithm 4.1.1, the formula gives the same factors, or repeats another of two points
 :figure: where_hypotheses_are_needed
-
-At a knot of multiplicity $m\le k-1$ both conventions give the same numbers $\alpha_i$; for $m\ge k$ the closed end decides
-which of two points is repeated.  With the end closed on the right the start of a clamped curve cannot be inserted again:
-then $\mu\le0$, and $\alpha_1=0$ asks for a point $r_0$.
 :::
 
 In one place the intervals are closed on the left, in another on the right. At a knot this changes $\mu$ by the multiplicity, but
@@ -484,8 +474,8 @@ see it in the points.
 :title: At a knot, both conventions of the span give the same factors, or repeat one of two points
 :zh: 两种区间约定
 :given: order $k$; a knot $\tau=t_{\mu+1}=\dots=t_{\mu+m}$ of multiplicity $m=1,\dots,k+1$ between knots of multiplicity $1$ each
-:then: for $m\le k-1$ the factors $\alpha_i$ with $(t_\mu,t_{\mu+1}]$ are those with $[t_{\mu+m},t_{\mu+m+1})$, for all $i$; for
-  $m\ge k$ the first repeats $r_\mu$, the second $r_{\mu+m-k+1}$, and the old points are all kept
+:then: for $m\le k-1$ the factors $\alpha_i$ with $(t_\mu,t_{\mu+1}]$ are those with $[t_{\mu+m},t_{\mu+m+1})$, for
+  $2\le i\le n$; for $m\ge k$ the first repeats $r_\mu$, the second $r_{\mu+m-k+1}$
 :method: All $\alpha_i$ by the printed cases, with the knots variables.
 :degrees: k = 2..6
 :scope: a multiple knot among simple ones
@@ -545,7 +535,7 @@ CLAIM(clamped_end_may_be_inserted_again)
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: mixed_weights_and_convexity
 
-This is about the $s_i$ that exist; for which knots the line before asks for a weight $w_0$ is the matter of `lemma-4.2.1-step-points`.
+This is about the $s_i$ that exist; for which knots the formula of the points asks for a weight $w_0$ is the matter of `lemma-4.2.1-step-points`.
 :::
 
 :::{statement} wang-ch4:lemma-4.2.1-step-inscribed
@@ -573,7 +563,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
-  is not enough; it does not run over its start
+  is not enough
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $\tau_1$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :argued: straight polygons, every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
   order than the factors, which are between 0 and 1.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
@@ -665,8 +655,7 @@ not show; in the second equation the index $k$ is left out.  The sum $\oplus$ ke
   intervals, the same knot twice, or the knots of the curve themselves
 :then: the printed insertion, once for each knot, gives the same points and weights in either order; the homogeneous points are those
   of `bspline_refine`
-:method: The field, all knots, weights and points variables.  For more knots by induction: every two neighbours in the order may be
-  exchanged.
+:method: The field, all knots, weights and points variables.
 :degrees: k = 2..6 sampled 7
 :scope: clamped ends with two simple knots between
 :over: r#: points
@@ -737,7 +726,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: as for the lemma
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
-:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again

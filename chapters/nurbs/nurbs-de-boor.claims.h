@@ -156,8 +156,6 @@ CLAIM(divisors_contain_the_span)
 :holds-by: rational_triangle_gives_the_point
 :reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$
 :figure: deboor_triangle
-
-Better with $j$ in the place of $i$, as $i$ has been running up to here.
 :::
 
 :::{claim} rational_triangle_gives_the_point
@@ -201,7 +199,7 @@ CLAIM(rational_triangle_gives_the_point)
 /*
 ## Where it may be used
 
-The recursion computes a polynomial of $t$, the same for every $t$ once $j$ is chosen. Nothing in it notices that $t$ has left the
+The recursion computes a rational function of $t$, the same for every $t$ once $j$ is chosen. Nothing in it notices that $t$ has left the
 interval: it goes on drawing the segment beyond its ends. So the sentence that ties $j$ to $t$ is part of the algorithm, and just
 this sentence has the wrong letter.
 
@@ -343,8 +341,7 @@ weights of the levels, which are means of the given ones, are positive.
   divided outside
 :figure: deboor_triangle
 
-Level $r$ puts one point on each of the $k-r$ edges of the polygon of level $r-1$ that belongs to the interval.  At $t=t_j$ some
-points are the old ones: a ratio is $0$ where $t_i=t_j$.
+Level $r$ puts one point on each of the $k-r$ edges of the polygon of level $r-1$ that belongs to the interval.
 :::
 
 :::{claim} every_level_divides_its_edges
@@ -477,6 +474,7 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
 :method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
 :over: v w: weight; a: coefficient of de Boor's algorithm
+:where: no divisor is 0
 :control: $v$ and $w$ exchanged
 :::
 */

@@ -31,9 +31,7 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
   coordinates counts, so that a control point is a point together with its weight
 :figure: nurbs_definition
 
-The first point of the polygon is printed with the index $i$, see the next entry.  The polygon that later sections cut and compare with lines
-is $r_1r_2\cdots r_n$ in space.  What the definition leaves
-open is in the entries after that: whether there is an interval, what happens at its right end, and how multiple a knot may be.
+The first point of the polygon is printed with the index $i$, see `def-4.1.1-polygon`.
 :::
 */
 
@@ -172,6 +170,7 @@ CLAIM(outer_knots_do_not_count)
   $(\lambda-1)\,w_1w_2\,(r_2-r_1)$, of $N_{1,2}N_{2,2}$, and of the reciprocals of both denominators
 :method: The curve from the definition on the span, everything a variable.
 :scope: k = 2 on one span
+:where: both denominators are not 0
 :control: both points multiplied by $\lambda$
 :::
 */
@@ -324,12 +323,10 @@ CLAIM(right_end_belongs_to_no_interval)
 :meant: the sentence gives a name | Nothing is said about a share in the curve; the readings say when the points that are called so have one.
 :reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: for $t_i=t_{i+k}$ the function
   $N_{i,k}$ is zero and $r_i$ has none
-:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: without $t_k<t_{k+1}$ and
-  $t_n<t_{n+1}$ the support of the first or of the last function meets the domain in no interval
+:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: without $t_k<t_{k+1}$
+  the support of the first function meets the domain in no interval
 :reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
 :figure: idle_point
-
-The source does not say that every control point counts, and the curve exists when one does not.
 :::
 */
 
@@ -463,7 +460,7 @@ The equation of both forms is true wherever $w(t)\ne0$.  What the range of $t$ a
 :title: A point of the curve is the mean of the points with weights N_i w_i
 :zh: 曲线上的点是以 N_i w_i 为权的平均
 :given: several segments, the distinct knots variables; weights and points; any interval of the domain, any $t$
-:where: the common weight is not 0
+:where: $w(t)\ne0$
 :then: the projection of the homogeneous spline, computed on the span by de Boor's algorithm, is
   $\sum_{i=1}^nN_{i,k}(t)w_ir_i/\sum_{i=1}^nN_{i,k}(t)w_i$
 :method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by
@@ -568,6 +565,7 @@ CLAIM(equal_weights_give_bspline)
 :method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
 :degrees: 1..6 sampled 8
 :scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
+:where: $w(t)\ne0$
 :control: the weight of one point doubled on one side
 :::
 */
@@ -608,13 +606,13 @@ but of other points; the star in the printed formula leaves open which is meant.
   idle
 :reading: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ by the letter of the half-open intervals, when $t_{2k}=t_{k+1}$:
   all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
-:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots, but then
+:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over simple knots, but then
   they are not the given ones
 :needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | $n=k$ and
   $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$: otherwise the starred data differ from the given ones
 :figure: bezier_knots
 
-The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask anything of them, but for the last value of $t$.
+The knots $t_1$ and $t_{2k}$ do not count, but for the last value of $t$.
 :::
 
 :::{claim} bezier_knots_give_rational_bezier
@@ -624,6 +622,7 @@ The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask a
 :then: $r(t)$ is the rational Bézier curve of $r_1,\dots,r_k$ and $w_1,\dots,w_k$ at $(t-t_k)/(t_{k+1}-t_k)$
 :method: The curve from the definition against the kernel for rational Bézier curves.
 :degrees: 1..6 sampled 9
+:where: $w(t)\ne0$
 :control: the weights taken in the opposite order
 :::
 */
@@ -645,8 +644,8 @@ CLAIM(bezier_knots_give_rational_bezier)
 
 /*
 :::{claim} segment_of_any_knots_is_rational_bezier
-:title: Every segment is a rational Bézier curve, of other points and weights
-:zh: 任意节点上的一段均为有理 Bézier 曲线
+:title: A segment over simple knots is a rational Bézier curve, of other points and weights
+:zh: 单节点上的一段为有理 Bézier 曲线
 :given: simple knots, values variables; weights and points; the interval $[t_k,t_{k+1}]$
 :then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
 :method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.

@@ -94,6 +94,7 @@ does not exist, here as there.
   nothing of knots.
 :degrees: 1..6 sampled 7
 :scope: (k-1)-fold ends of the span; the distinct knots variables up to order 5, numbers above
+:where: the weights of the levels are not 0
 :control: $1-\lambda$ in the place of $\lambda$
 :::
 */

@@ -34,9 +34,7 @@ span; what has to be asked is whether the members exist.
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
 the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first three
-hypotheses are fulfilled (`equal_weights_stay_equal_for_the_whole_curve`).  What is left out is not asked for elsewhere: if
-$t_i=t_{i+k-r+1}$, then $t_i=t_{i+k-r}$ and $t_{i+1}=t_{i+1+k-r}$, and the points of the next level that would need
-$i$ are left out too.
+hypotheses are fulfilled (`equal_weights_stay_equal_for_the_whole_curve`).
 :::
 */
 
@@ -115,7 +113,8 @@ CLAIM(whole_member_is_polar_on_every_span)
 :::{claim} equal_weights_stay_equal_for_the_whole_curve
 :title: With equal weights all weights of all levels and all denominators of members are that weight
 :zh: 权相等时各层权与族曲线分母恒为该权
-:given: one weight $w$ for all points over the knots of `whole_member_is_polar_on_every_span`; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
+:given: one weight $w$ for all points over simple knots, and over knots one of which, inside, is double, $(k-1)$-fold or
+  $k$-fold; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
 :then: $w_i^{[r]}(\tau)=w$ for $i=r+1,\dots,n$, but for the $i$ with $t_i=t_{i+k-r}$, and $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)=w$
 :method: (4.1.3) for all indices by its letter, the sum by the recursion of de Boor and Cox as it is defined.
 :degrees: 2..6 sampled 6
@@ -270,8 +269,8 @@ CLAIM(whole_member_ends_in_no_interval)
 :title: With positive weights a member of the whole curve may run to infinity
 :zh: 权全为正时整条曲线的族曲线也可能有极点
 :kind: counterexample
-:given: a curve as in `extrapolated_weight_vanishes`, the last weight still larger; $r=1$, $\tau=t_3$, and a $t$ of
-  the last span
+:given: a quadratic curve of four points with the positive weights $w_i$ over the simple knots $t_i$, of two spans;
+  $r=1$, $\tau=t_3$, and a $t$ of the last span
 :data: t_i = 1 2 3 4 5 6 7; w_i = 1 1 1 5; τ = 3; t = 9/2
 :instead: w_i = 1 1 1 2
 :then: no weight of level 1 is 0, but $\sum_{i=2}^4N_{i,2}(t)w_i^{[1]}(\tau)=0$

@@ -531,10 +531,7 @@ CLAIM(corner_has_two_tangents)
 :needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: nurbs_envelope_families
 
-This is existence: every member touches the curve, in the point of its own parameter, and nothing else is said here;
-that there may be other envelopes is the matter of theorems 4.3.2 and 4.3.3.  Formula (4.3.2) covers the half-open
-spans, so that the last point $t_{n+1}$ of the curve is in none of them; the polynomials of the last span reach it. 
-For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
+This is existence: every member touches the curve, in the point of its own parameter.  For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
 for every $r$: `span_derivatives_are_parallel`, `curvatures_have_a_fixed_ratio`.
 :::
 

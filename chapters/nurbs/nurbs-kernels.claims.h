@@ -449,7 +449,7 @@ CLAIM(nurbs_curvature_from_homogeneous_coordinates)
 :given: weights, points of space, $p\ge3$, any $t$; simple knots and, in the field, clamped ones, the distinct knots variables
 :then: with $P=(w,x,y,z)$ the homogeneous curve, `nurbs_torsion` gives $w^2\det(P,P',P'',P''')$ over the sum of the squares of the minors of
   $(P,P',P'')$ in the columns $yzw$, $zxw$ and $xyw$
-:method: As for the curvature: the derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter, no derivative of a
+:method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter, no derivative of a
   quotient, and in the field the coefficients of $P$ about $t$ as variables.  In a
   greater degree there are further coefficients, on which $P,\dots,P'''$ do not depend.
 :types: field rational

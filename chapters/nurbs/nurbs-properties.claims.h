@@ -35,8 +35,7 @@ the curve itself rather than about its homogeneous form has to be carried throug
   denominator agree, those of the curve do, by the rule for quotients.
 :figure: knot_vectors
 
-Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one; each of the
-usual properties is decided.  Convexity and the number of intersections follow in 4.2.
+Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one.
 :::
 */
 
@@ -52,6 +51,7 @@ usual properties is decided.  Convexity and the number of intersections follow i
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
   the distinct knots variables up to order 3, numbers above
 :over: d: shift of a point; e: positive increment of a weight
+:where: $w(t)\ne0$ with the old and with the new weight
 :control: $\Delta$ doubled on the right
 :::
 */
@@ -181,6 +181,7 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 :degrees: 1..6 sampled 6
 :scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
 :over: m# v#: affine maps
+:where: $w(t)\ne0$
 :control: the last point is not moved
 :::
 */
@@ -214,6 +215,7 @@ CLAIM(nurbs_moves_with_its_points)
 :method: The definition, everything a variable.
 :degrees: 1..6 sampled 6
 :scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
+:where: $w(t)\ne0$
 :control: the weights are not reversed
 :::
 */
@@ -323,7 +325,7 @@ CLAIM(nurbs_sides_agree)
 #if RATIONAL
 /*
 :::{claim} one_order_more_jumps
-:title: The next derivative jumps, and with it curvature or torsion
+:title: The next derivative may jump, and with it the curvature
 :zh: 高一阶的导矢一般间断
 :kind: counterexample
 :given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$; its simple inner knot $t$, where derivatives are continuous
@@ -468,11 +470,11 @@ alone carries the segment: its points are shared with the next ones.
 :title: Point, tangent, curvature and torsion at a clamped end
 :zh: 端点的位置、切向、曲率与挠率
 :given: $t_2=\dots=t_k<t_{k+1}<t_{k+2}<\dots$, values variables; weights, points; $a=r_2-r_1$, $b=r_3-r_2$, $c=r_4-r_3$,
-  $\Delta_i=t_{k+i}-t_k$
+  $\Delta_i=t_{k+i}-t_k$; $a\ne0$ for the curvature, $a\times b\ne0$ for the torsion
 :then: $r(t_k)=r_1$, $r'(t_k)=\frac{k-1}{\Delta_1}\frac{w_2}{w_1}a$, in the plane
   $\kappa^2(t_k)=\bigl(\frac{k-2}{k-1}\frac{\Delta_1}{\Delta_2}\frac{w_1w_3}{w_2^2}\bigr)^2\frac{(a\times b)^2}{|a|^6}$, and in
   space $\tau(t_k)=\frac{k-3}{k-1}\frac{\Delta_1}{\Delta_3}\frac{w_1w_4}{w_2w_3}\frac{(a,b,c)}{|a\times b|^2}$
-:method: The kernels at $t=t_k$; for $k=3$ without the torsion.  With equal $\Delta_i$ these are the formulas of rational Bézier curves.
+:method: The kernels at $t=t_k$; for $k=3$ without the torsion.
 :degrees: 2..6 sampled 7
 :scope: a start of multiplicity k-1, simple knots behind it
 :where: the gaps of the knots are positive

@@ -32,7 +32,7 @@ counted, or, for insertion, if it counts as infinitely many points.
 :printed: $I(\Gamma,\boldsymbol L)$ is the number of points of intersection of the plane curve $\Gamma$ and a line $\boldsymbol L$ of its
   plane
 :checked-by: designed_splines_cross_no_more designed_splines_meet_no_more
-:meant: the words 交点个数, number of points of intersection | Points of the plane; the entries that use the number take it so, and say what else has to be counted.
+:meant: the words 交点个数, number of points of intersection | Points of the plane.
 :reading: designed_splines_cross_no_more | lemma and theorem 4.2.2 for crossings: how often the curve changes sides, counted along the curve
 :reading: designed_splines_meet_no_more | lemma and theorem for common points counted along the curve, a piece on the line counting once
 :reading: touching_point_is_no_crossing | that these two counts are one: a curve may touch the line, in a common point that is no crossing
@@ -42,7 +42,7 @@ counted, or, for insertion, if it counts as infinitely many points.
 :reading: cut_corner_lies_on_the_line | the lemma for points, of which an edge on the line has infinitely many
 :figure: what_must_be_counted
 
-As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.  The source's chapter on Bézier curves means crossings, and says so.
+As a definition it states nothing; the readings say whether lemma 4.2.2 and theorem 4.2.2 are true or false with them, the true ones for the designed curves.
 :::
 */
 
@@ -195,8 +195,8 @@ Between curve and polygon stands a third count, that of the polygon after an ins
 :title: Designed splines cross a line no more often than their polygons
 :zh: 设计算例的跨越次数
 :kind: decision
-:given: the designed curves of order $k$: simple knots, ends of multiplicity $k$, inner knots of multiplicity 1, $k-1$
-  and $k$; all ordinates among the $y$; the weights 1, and $w$ and 1 in turn
+:given: the designed curves of order $k$: simple knots for $k\ge3$; ends of multiplicity $k$ and inner knots of multiplicity 1, $k-1$
+  and, for $k\le3$, $k$; all ordinates among the $y$; the weights 1, and $w$ and 1 in turn
 :data: y = -1 0 1; w = 1000
 :then: crossings of the curve $\le$ crossings of the polygon with the middles of all intervals inserted $\le$
   crossings of the polygon
@@ -223,7 +223,8 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :title: Designed splines have no more in common with a line than their polygons
 :zh: 设计算例的公共点
 :kind: decision
-:given: the curves of `designed_splines_cross_no_more`
+:given: the designed curves of order $k$: simple knots for $k\ge3$; ends of multiplicity $k$ and inner knots of multiplicity 1, $k-1$
+  and, for $k\le3$, $k$; all ordinates among the $y$; the weights 1, and $w$ and 1 in turn
 :data: y = -1 0 1; w = 1000
 :then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the
   polygon with knots inserted $\le$ those of the polygon
@@ -406,7 +407,7 @@ change can arise.
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: averages_between_neighbours_keep_sign_changes | of crossings
 :reading: cut_corners_meet_a_line_no_more | of common points, a piece on the line counting once
-:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for knots outside the domain, too
+:reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof of lemma 4.2.1, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
@@ -414,8 +415,7 @@ change can arise.
   vertices away; one after the other these are the cases that were decided.
 :figure: line_and_cut_corners
 
-The source gives no proof; the index $t$ of the curve is $k$, see `notation-order`.  Any multiplicities are allowed.  The argument is about one corner at a time and holds
-for polygons of every length.
+The source gives no proof; the index $t$ of the curve is $k$, see `notation-order`.
 :::
 
 :::{claim} cut_corners_meet_a_line_no_more
@@ -516,15 +516,9 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :reading: designed_splines_cross_no_more | of crossings
 :reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
 :argued: | Insert parameters where the curve is on alternating sides until these points are vertices: the new polygon changes sides as
-  often as the curve, and the old one no less often.
+  often as the curve, and the old one no less often.  For common points take one parameter of each intersection and one, off the line,
+  between any two.
 :figure: line_and_cut_corners
-
-A proof for every order, for crossings: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$
-where it is on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$
-times, so the old one does.  For common points take one parameter of each intersection and one, off the line,
-between any two. No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the
-polygon crosses with it.  If an edge on the line has infinitely many points, the theorem is true as well: over a piece of the curve on the line an edge lies there,
-as the B-splines of a span are independent.  Points of the plane will do, an edge or piece on the line counting once, for a polygon that does not meet itself on the line.
 :::
 
 To pass from the polygon to the curve one has to know the sign of the form $ax+by+c$ on the curve.  It is a quotient
@@ -542,6 +536,7 @@ heights matter.
 :degrees: k = 1..6 sampled 7
 :scope: clamped ends with one simple knot between
 :over: l#: lines
+:where: $w(t)\ne0$
 :control: the constant $c$ left out at the last vertex
 :::
 */
@@ -574,10 +569,10 @@ CLAIM(line_form_of_a_nurbs_curve)
 #if RATIONAL
 /*
 :::{claim} self_crossing_polygon_meets_the_line_less_than_its_spline
-:title: The curve of that polygon has two points on the line
+:title: A curve with two points on a line, of which its polygon has one
 :zh: 自交于直线的多边形与其曲线
 :kind: counterexample
-:given: the curve of `self_crossing_polygon_gains_points_on_a_line`, and two parameters $t$
+:given: a NURBS curve of order $k$ with the $n$ points $r_i$, weights $w_i$ and knots $t_i$; the line $y=0$; two parameters $t$
 :data: k = 3; n = 4; t_i = 0 0 0 1 2 2 2; r_i = (-1,1) (1,-1) (-1,-1) (1,1); w_i = 3 1 1 3; t = 1/2 3/2
 :then: the points $r(t)$ of the two parameters differ and are all points of the curve on the line $y=0$; the polygon
   has one point there
@@ -629,8 +624,7 @@ point.
   point of the curve, which has a parameter.
 :figure: points_of_the_line_as_vertices
 
-With crossings counted the theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line
-one of its parameters is taken.
+Where a piece of curve is on the line one of its parameters is taken.
 :::
 
 :::{claim} polygon_through_the_crossings_crosses_as_often
@@ -643,7 +637,7 @@ one of its parameters is taken.
   1 1 1; t_i of the spline = 0 0 0 1 2 2 2; y = -3 1 -1 3; crossings of the spline = 3/5 1 7/5; w = 1000
 :then: after each root is inserted $k-1$ times, vertex $\mu_i+(i-1)(k-1)$ is on the line, and the polygon crosses it and
   meets it exactly as often as the curve
-:method: The printed insertions; the counts as in the claims before.
+:method: The printed insertions; the curve by counting roots, polygons by `exact/decide/crossings.h`.
 :scope: the stated curves
 :control: the first root inserted once only
 :::
@@ -744,15 +738,14 @@ CLAIM(jump_crosses_the_line_without_a_point)
   $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
 :holds-by: inserted_parameters_become_vertices
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing
-  can be inserted by the printed formula, and need not be, since $r_k(t_k)$ is the vertex $r_1$
+  can be inserted by the printed formula
 :reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$: then $r(t'_i)$ is a vertex, too,
   though not the one with the index of (4.1.9)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :figure: points_of_the_line_as_vertices
 
 In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
-$\mu_i+(i-1)(k-1)$.  A parameter that is a knot of multiplicity $m$ already becomes one of multiplicity $m+k-1$, which
-may be more than $k$; then some vertices are repeated and nothing else happens.
+$\mu_i+(i-1)(k-1)$.  A parameter that is a knot of multiplicity $m$ already becomes one of multiplicity $m+k-1$.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-meet
@@ -763,14 +756,13 @@ may be more than $k$; then some vertices are repeated and nothing else happens.
 :holds-by: inserted_parameters_become_vertices
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; as in the step before
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing can be inserted
+  by the printed formula
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :argued: every curve | The points are common points of the line and of the polygon, being vertices.
 :figure: points_of_the_line_as_vertices
 
-As common points this is obvious, for different points of the plane; two parameters with one point are two vertices
-with one point, and count twice along curve and polygon.  That the polygon then changes sides where the curve does was
-tried for the stated curves (`polygon_through_the_crossings_crosses_as_often`).
+Two parameters with one point are two vertices with one point, and count twice.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-contradiction
@@ -779,12 +771,13 @@ tried for the stated curves (`polygon_through_the_crossings_crosses_as_often`).
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
-:hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; as points of the plane
-  there is no contradiction, and there cannot be
+:hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; for points of the plane
+  the lemma fails
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | it counts as one intersection
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; as in the step before
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing can be inserted
+  by the printed formula
 :figure: what_must_be_counted
 :::
 
@@ -813,6 +806,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
 :degrees: k = 1..6 sampled 7
 :over: r#: points; f: common weight
+:where: $w(t)\ne0$
 :control: the first two weights exchanged; for $k=1$ the point moved
 :::
 */

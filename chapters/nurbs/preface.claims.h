@@ -45,8 +45,7 @@ this can be computed is decided here.
 :zh: 以离散 NURBS 曲线为工具
 :printed: One is used to computing with NURBS in homogeneous coordinates, but in these it is hard to infer their geometric properties in the
   three-dimensional world; we analyse its discrete structure: with the discrete NURBS curve as a tool, that convexity is kept and variation diminished is obvious
-:reading: insertion_cuts_the_corners | that the discrete curves cut corners, in the space of the curve; both properties
-  follow, with the hypotheses of `thm-4.2.1` and `thm-4.2.2`
+:reading: insertion_cuts_the_corners | that the discrete curves cut corners, in the space of the curve
 :reading: polygon_that_turns_back_loses_convexity | that the first holds for every polygon that is convex by the letter of definition 4.2.1
 :reading: insertion_turns_like_its_triangles | of homogeneous coordinates: in them, too, that convexity is kept can be seen, by the determinants
   of three points
@@ -95,7 +94,7 @@ $m\le k-3$, and where it is not 0 the torsion for $m\le k-4$.
 :reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
 :figure: nurbs_circle
 
-A whole circle is one NURBS curve, with rational points and weights, and with every choice of the knots.
+A whole circle is one NURBS curve with rational points and weights, whatever the five distinct knots are.
 :::
 */
 
@@ -130,9 +129,8 @@ CLAIM(tangent_conics_are_curves_of_order_three)
 }
 
 /*
-A parabola is all that polynomials of degree two can draw, and no polynomial draws an arc of a circle at all. With weights it
-takes nine points. What is easily overlooked is how much is free in it: the knots may be any numbers, since each quarter is a
-conic for itself. That the points lie on the circle is not yet that the circle is run through; the claim after it says that.
+A parabola is all that polynomials of degree two can draw, and no polynomial draws an arc of a circle at all. With weights nine points draw the whole
+circle. The distinct knots may be any numbers, since each quarter is a conic for itself. That the points lie on the circle is not yet that the circle is run through; the claim after it says that.
 
 :::{claim} circle_is_a_nurbs_curve
 :title: A whole circle as one quadratic NURBS curve
@@ -222,17 +220,14 @@ The preface confuses the size of the expression with the number of operations; b
 :refuted-by: recursion_is_not_exponential
 :class: false
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
-  dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m$,
+  dimension only, and the insertion of one knot, with another such constant, takes $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m$,
   and an exponential does not
 :corrected-by: recursion_is_quadratic twice_the_degree_takes_less_than_four_times_the_steps
 :meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.
 :reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
-  occurs again: then the time does double with the order.  Nobody needs to do so, and algorithm 4.1.1, level after
-  level, does not.
+  occurs again: then the time at least doubles with the order
 :figure: recursion_steps
 :striking: 40
-
-The same source calls de Boor's recursion simple and stable; it is the way in which most programs compute.
 :::
 */
 
@@ -480,7 +475,7 @@ static long terms_of_determinant(int n, unsigned used, int row)
 :zh: 行列式按定义展开有 k! 项
 :kind: decision
 :given: the determinant of order $k$ as the sum over permutations
-:then: from order $k-1$ to order $k$ the number of terms is multiplied by $k$, so that it is $k!$, more than any power of $k$
+:then: from order $k-1$ to order $k$ the number of terms is multiplied by $k$, so that it is $k!$
 :method: The terms are counted one by one, as they are summed.
 :degrees: k = 2..8
 :argued: every k | The first row offers $k$ columns, and each leaves a determinant of order $k-1$.
@@ -503,7 +498,7 @@ CLAIM(determinant_written_out_is_factorial)
 :data: m = 4; n = 6
 :given: the kernels `bspline_matrix`, by the recursion, and `bspline_matrix_by_marsden`, by the second explicit form
 :then: the first takes at most $4k^3$ operations, the second at most $4k^6$
-:method: The kernels on numbers that count.  Both are loops inside loops, as many as the exponent says.
+:method: The kernels on numbers that count.
 :degrees: k = 2..17
 :control: the bound $m\,k^2$ for both
 :::
@@ -548,10 +543,9 @@ and references.
 :zh: 1991 年 ISO 正式颁布的 STEP 标准以 NURBS 为自由曲线曲面的唯一定义
 :printed: Because of these merits NURBS are the only definition of free-form curves and surfaces in the STEP standard for the exchange of product data, formally
   issued by ISO in 1991 [1]; and well-known CAD companies, too, build their modelling systems first of all on the mathematical model of NURBS
-:reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP; the first
-  parts of ISO 10303 are commonly dated 1994.
+:reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP.
 :reading: as mathematics, that no other kind of curve is needed beside NURBS: that is not said; B-spline and rational Bézier curves are
-  among them (see the first entry).
+  among them, see `preface-generalization`.
 :::
 */
 #include "chapters/judge/claims_off.h"

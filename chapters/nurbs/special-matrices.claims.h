@@ -145,7 +145,7 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :zh: 单节点 B 样条基
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}
 :reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$
-:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$: so
+:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what `simple-divided-difference` has in front of $f(t_l)$ as printed: so
   read it is $-N_{i,k}$ for odd $k$
 :corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
 :corrected-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
@@ -716,7 +716,7 @@ CLAIM(uniform_letter_in_last_sum_fails)
 :confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_matrices
 
-The last $l$ is a new one: it is $r+1+s$ minus the old.  With the digit 1 in the exponents, see the entries before, each term of a sum is one of the next.
+The last $l$ is a new one: it is $r+1+s$ minus the old.  With the digit 1 in the exponents, see `uniform-line-1` to `uniform-line-4`, each term of a sum is one of the next.
 :::
 
 :::{claim} uniform_terms_pass_into_one_another

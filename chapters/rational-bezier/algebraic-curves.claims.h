@@ -29,8 +29,7 @@ the printed definition the words and the formula disagree.
 
 The printed words and the printed sum disagree: the sum has terms up to $x^ny^n$, of degree $2n$, and an equation of this form need not be of degree $n$.  The words, which have their usual meaning,
 decide; the degree of theorem 3.4.2 is the total degree, and every polynomial of total degree $n$ is such a sum.  Taken by the
-sum alone a hyperbola would have degree 1 in one system of coordinates and not in another, and theorem 3.4.3, whose $n$
-this is, would be false at once (`printed_degree_spoils_the_genus`).  Better is the sum over $i+j\le n$.
+sum alone the hyperbola of the example would have degree 1 in one system of coordinates and not in another.
 :::
 */
 
@@ -160,16 +159,14 @@ the equation.
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
-:hypothesis: elevated_curve_has_no_equation | the curve has no base point; else theorem 3.4.2 says nothing, and the degree is
-  less than $n$
+:hypothesis: elevated_curve_has_no_equation | the curve has no base point; else $F$ may be 0 and theorem 3.4.2 says nothing
 :reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors, though
   $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
   for a proper parametrisation
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it
 :figure: arc_of_a_line
 
-Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.  That $F$ is
-irreducible when the parametrisation is proper, is proved in [sendra-winkler-perez-diaz-2008].
+Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.
 :::
 
 :::{claim} doubled_parameter_halves_the_degree
@@ -212,8 +209,7 @@ For the converse one curve suffices that no rational curve can follow.
 :holds-by: smooth_cubic_has_two_separate_parts rational_cubic_has_one_double_point
 :cites: Lüroth's theorem: a curve with a rational parametrization has one that runs through it once | A rational cubic
   so has a parametrization of degree 3, hence a double point by `rational_cubic_has_one_double_point`; this one has
-  none.  That no arc of it is rational, therefore, and the two parts show it a second time, as a rational curve is
-  connected in the projective plane.
+  none.  So no arc of it is rational.
 :figure: smooth_cubic
 
 That it need not hold is shown by one curve.

@@ -26,8 +26,8 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle.
 :figure: circular_arc
 
-If: $B=0$ and $A=C$ say that $x_1=0$ and $\omega^2=\frac{l^2}{l^2+y_1^2}$, and this is the arc of the second claim.  Only if: a curve on a circle has
-$\|R_0R_1\|=\|R_2R_1\|$, so $x_1=0$, and $\omega^2\|R_0R_1\|^2=l^2$, by the third.  Right angles and equal units on the axes, as the special coordinates have them, are used.
+If: $B=0$ and $A=C$ say that $x_1=0$ and $\omega^2=\frac{l^2}{l^2+y_1^2}$, and this is the arc of `arc_and_its_central_angle`.  Only if: a curve on a circle has
+$\|R_0R_1\|=\|R_2R_1\|$, so $x_1=0$, and $\omega^2\|R_0R_1\|^2=l^2$, by `curve_on_a_circle_has_five_conditions`.  Right angles and equal units on the axes, as the special coordinates have them, are used.
 :::
 
 :::{claim} circles_among_the_conics_of_the_curve
@@ -410,7 +410,7 @@ CLAIM(isosceles_triangle_with_another_angle)
 
 /*
 :::{claim} negative_weight_gives_the_other_arc
-:title: With a negative middle weight the curve is the other arc of the circle
+:title: With a negative middle weight the curve can be the other arc of the circle
 :zh: 中间权为负时得到优弧
 :kind: counterexample
 :data: R = (-1,0) (0,4/3) (1,0); ω = 1 -3/5 1; cos θ = 3/5; t = 1/2 1/3

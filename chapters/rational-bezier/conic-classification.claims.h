@@ -18,12 +18,12 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 :printed: By theorem 3.4.1 the curve (3.1.5) can be made implicit and its class be determined.
 :holds-by: implicit_form_is_the_resultant kind_in_any_coordinates directions_at_infinity
 :needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on
-  a line; as in the frame of (3.1.5).
+  a line.
 :needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so $\omega_1\ne0$.
 
 For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
-degenerate conic, and its class is told by the sign of $AC-B^2$; the next entries do it in special coordinates.
+degenerate conic, and its class is told by the sign of $AC-B^2$.
 :::
 */
 
@@ -130,8 +130,7 @@ polynomial behind the sign of equality are not the same, though both are 0 on th
 :figure: determinant_factor
 
 In the text at hand the second and the fourth row stand below the first and the third without a shift, and the zeros are lost; the rows are read as those of
-(3.4.1).  At the points of the curve all three members of the chain are 0, so nothing
-that follows is touched by the factor; only who takes the coefficients (3.5.4) for those of the determinant errs.
+(3.4.1).
 :::
 */
 
@@ -294,8 +293,8 @@ CLAIM(discriminant_in_special_coordinates)
 :printed: By what is known from analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
   $\omega>1$.
 :holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
-:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line;
-  as in the frame of (3.1.5): $l\ne0$, $y_1\ne0$.
+:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line:
+  $l\ne0$, $y_1\ne0$.
 :needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: so $\omega>0$.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
@@ -398,8 +397,8 @@ static void ellipse_expected(trial *T)
 
 /*
 :::{claim} flat_triangle_is_no_conic
-:title: With three points on a line the curve is a segment
-:zh: 三点共线时曲线为线段
+:title: With three points on a line the conic is degenerate
+:zh: 三点共线时二次曲线退化
 :kind: counterexample
 :data: R = (-1,0) (0,0) (1,0); ω = 1 1/2 1
 :instead: R = (-1,0) (0,1) (1,0)
@@ -430,8 +429,8 @@ CLAIM(weight_minus_one_is_a_parabola) { ellipse_expected(T); }
 
 /*
 :::{claim} weight_zero_is_a_segment
-:title: The weight 0 gives a segment
-:zh: ω_1=0 时为线段
+:title: With the middle weight 0 the conic is degenerate
+:zh: ω_1=0 时二次曲线退化
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = 1 0 1
 :instead: ω = 1 1/2 1
@@ -457,20 +456,14 @@ its hypotheses is needed, and an example without it stands beside.
   $I_1=1$ or $I_1>1$.
 :holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
 :confirmed-by: points_at_infinity_tell_the_kind
-:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line;
-  as in the frame of (3.1.5).
+:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line.
 :needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\omega_2>0$; as for positive weights.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$; as for
   positive weights.
 :figure: classification_by_weight
 
-A circle is an ellipse here.  That an ellipse, a parabola, a hyperbola has no, one, two points at infinity is counted on curves themselves, too
-(`points_at_infinity_tell_the_kind`).  The theorem is better than its proof: it holds for either sign of $\omega_1$, since
-$I_1=\omega^2$, while the proof compares $\omega$ with 1.  In any coordinates
-$AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\left(\frac d2\right)^2$ with $d$ twice the area of the triangle, so neither
-special coordinates nor the standard form are needed, and weights of any signs are covered by the sign of
-$\omega_0\omega_2-\omega_1^2$.
+A circle is an ellipse here.  In any coordinates the sign of $AC-B^2$ is that of $\omega_0\omega_2-\omega_1^2$, for either sign of $\omega_1\ne0$.
 :::
 
 :::{claim} kind_in_any_coordinates

@@ -20,8 +20,7 @@ $l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
 :holds-by: plane_sections_of_a_cone_are_quadratic
 :confirmed-by: conic_value_and_gradient conic_invariants_are_determinants
 
-A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said: such an equation may also be that of two parallel
-lines, or of nothing.
+A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said.
 :::
 
 :::{claim} plane_sections_of_a_cone_are_quadratic
@@ -345,8 +344,7 @@ CLAIM(dependent_conics_have_no_pencil)
 :striking: 4
 :figure: pencil_of_conics
 
-At a common point the equation reads $0=0$ whatever $\lambda$ is: that is what makes it a common point.  After (3.1.4)
-the source itself uses one point of the curve to find $\lambda$.
+After (3.1.4) the source itself uses one point of the curve to find $\lambda$.
 :::
 
 :::{claim} common_points_leave_lambda_free
@@ -501,7 +499,7 @@ common points is now a matter of how the four lines lie.
 :needs: parallel_lines_meet_in_two_points | the sentence itself, by which the pairs meet two by two in four points | each of
   $l_1,l_2$ meets each of $l_3,l_4$.
 :needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | the four points are different.
-:hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted; as in (3.1.2).
+:hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3l_4=0$ is missing.
 :figure: pencil_of_conics
 :::
 

@@ -11,9 +11,9 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 
 /*
 :::{statement} wang-ch3:prop-3.2.5
-:title: The convex hull property
+:title: The curve lies in the convex hull of its control points
 :zh: 凸包性
-:printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
+:printed: The convex hull property.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: curve_points_are_convex_combinations curve_points_have_hull_certificates
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
@@ -24,7 +24,7 @@ make a point of the convex hull; this is the whole proof, and positive weights a
   $-1$ of the weights changes nothing; weights without opposite signs make all shares nonnegative.
 :figure: convex_hull
 
-So weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.  The claim
+The claim
 `curve_points_have_hull_certificates` decides the membership without the shares, as a linear problem, for some polygons.
 :::
 
@@ -227,8 +227,7 @@ points.  That $\omega(t)$ has no zero is not enough; it only keeps the curve fin
 :given: the quadratic curve with points $R$ and weights $\omega$, of which the middle one is negative, though $\omega(t)$ has no zero in $[0,1]$;
   a parameter $t$ of $[0,1]$
 :then: $R(t)$ is outside the triangle
-:method: A linear function that is at most the offset on the three points and larger at $R(t)$ is found and checked exactly.  No smaller
-  degree will do: a segment ($n=1$) with weights of both signs has a pole.
+:method: A linear function that is at most the offset on the three points and larger at $R(t)$ is found and checked exactly.
 :control: the middle weight made positive
 :::
 */
@@ -280,7 +279,7 @@ CLAIM(share_with_negative_weight_is_negative)
 Beyond the interval it is the Bernstein functions that are negative.  Already a segment shows it.
 
 :::{claim} curve_leaves_hull_outside_the_interval
-:title: Beyond t = 1 the curve leaves the hull
+:title: Beyond t = 1 a curve can leave the hull
 :zh: t > 1 时曲线越出凸包
 :kind: counterexample
 :data: R = 0 1; ω = 1 1; t = 2

@@ -54,12 +54,9 @@ curve is.  The weights come in as products of three, so that positive ones canno
   whenever their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
 :meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | A polygon is convex if with its chord it
-  bounds a convex region, the second hypothesis; one that only turns to one side is not meant.
+  bounds a convex region, the hypothesis; one that only turns to one side is not meant.
 :figure: convex_polygon_convex_curve
 
-By these words, if all $D_{ijk}\ge0$ and one is positive, any three points of the curve with parameters in $(0,1)$ turn left in their order, none are on one
-line, and the curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
-and Binet's, for every $n$, and so are the minors.  The Wronskian is computed for every $n$, too, so that the curvature has one sign in every degree.
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
 :::
 
@@ -253,15 +250,14 @@ do.  To turn left at every inner vertex is not enough for it: that is a conditio
 only.
 
 :::{claim} convex_polygons_have_triangles_of_one_sign
-:title: All triangles of a convex polygon turn to one side
+:title: The triangles of designed convex polygons turn to one side
 :zh: 凸多边形的所有三角形同向
 :kind: decision
 :given: all polygons of $n+1$ points of the grid $\{0,1,2\}^2$ for $n=2,3$; for $n=4,5$ all that run once round the eight
   points on the border of the grid, stopping or starting anywhere
 :then: if the polygon closed by its chord is convex and counterclockwise, then $D_{ijk}\ge0$ for all $i<j<k$, and not all
   are $0$
-:method: Convexity is decided by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.  For all: three points taken
-  in order from the boundary of a convex region, counterclockwise, turn left or are collinear.
+:method: Convexity is decided by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.
 :degrees: 2..5
 :scope: the stated polygons
 :control: polygons that need only turn left at each inner vertex
@@ -375,7 +371,7 @@ The property is also tried directly, with weights that differ by a factor of a m
 corner after the other.
 
 :::{claim} designed_convex_polygons_have_convex_curves
-:title: Curves of convex polygons, under extreme weights, have curvature of one sign
+:title: Curves of designed convex polygons, under extreme weights, have curvature of one sign
 :zh: 极端权因子下的保凸性
 :kind: decision
 :given: polygons that are convex when closed, among them a square, a polygon with collinear and one with repeated vertices, one
@@ -420,7 +416,7 @@ $D_{ijk}$ whose vertices are not all neighbours is negative.
 :given: the cubic curve with points $R$ and equal weights $\omega$, whose polygon turns left at both inner vertices and does not meet itself;
   three parameters $t_1<t_2<t_3$
 :then: $x'y''-y'x''$ changes its sign at $t_1$ and $t_3$ and nowhere else in $(0,1)$, and is negative at $t_2$
-:method: The polynomial is computed and evaluated; its roots are counted.  For $n=2$ there is one turn, and the curve turns as it does.
+:method: The polynomial is computed and evaluated; its roots are counted.
 :control: the last point moved to the left, so that the polygon is convex when closed
 :::
 */
@@ -479,7 +475,7 @@ A negative weight makes products $\omega_i\omega_j\omega_k$ negative, and the su
 sign although all $D_{ijk}$ are positive.
 
 :::{claim} mixed_weights_lose_convexity
-:title: With weights of both signs a square has a curve with inflections
+:title: With weights of both signs a square can have a curve with inflections
 :zh: 权因子变号时正方形对应的曲线有拐点
 :kind: counterexample
 :data: R = (0,0) (1,0) (1,1) (0,1); ω = 4 -1 4 4
@@ -487,7 +483,7 @@ sign although all $D_{ijk}$ are positive.
 :result: det(P,P',P'') = "-1440*t^3 + 864*t^2 + 576*t - 288"; inflections in (0,1) = 2
 :given: the cubic curve with the corners $R$ of a square and weights $\omega$, of which one is negative, though $\omega(t)>0$ on $[0,1]$
 :then: $\det(P,P',P'')$ changes its sign twice in $(0,1)$
-:method: The polynomial is computed, its sign decided by counting roots.  For $n=2$ it has one term, and one sign.
+:method: The polynomial is computed, its sign decided by counting roots.
 :control: the negative weight made positive
 :::
 */
@@ -518,9 +514,8 @@ CLAIM(mixed_weights_lose_convexity)
 :argued: | Repeated, the subdivided polygons converge to the curve, and a limit of convex polygons is convex.
 :figure: convex_halves
 
-The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,
-the polygons converge to the curve; a limit of convex polygons is convex.  The first of these is decided here, with the
-formulas (3.3.1) as they should read, the convergence in the section on subdivision.  Theorem 1.4.2 is not at hand.
+Theorem 1.4.2 is not at hand.  What is decided is that the two polygons of the halves, joined, have no triangle that turns to the
+other side.
 :::
 
 :::{claim} subdivided_polygon_turns_like_its_triangles
@@ -575,7 +570,7 @@ Rows of this matrix are the new points as means of the old ones.  That all its m
 again a statement on the degree alone; for polygons and weights it is tried once more.
 
 :::{claim} subdivided_convex_polygons_are_convex
-:title: The polygon of the two halves of a convex polygon is convex
+:title: The polygon of the two halves of a designed convex polygon is convex
 :zh: 凸多边形离散后仍凸
 :kind: decision
 :data: λ = 1/3

@@ -26,8 +26,6 @@ hypothesis: no weight is $0$.
 
 The form of a plane, on the curve, is $\sum B_i^n\omega_if(R_i)/\omega(t)$; if it is 0, then so is $(1-t)^n\sum\binom ni\omega_if(R_i)s^i$ with $s=\frac t{1-t}$, a
 polynomial in $s$, and so is every $\omega_if(R_i)$.
-The vertices are in every plane that contains the curve: if the curve is a segment, so is the polygon (on its line).  Up to
-$n=2$ the word coplanar says nothing, for three points always are; that they are in the plane of the curve says something.
 :::
 
 First the equation of any plane, not only of $z=0$, is put into the curve.  It behaves as a coordinate does: the
@@ -90,8 +88,7 @@ polynomial, by way of the powers of $t$.
 :then: $\sum_iB_i^n(t)b_i=\sum_kc_kt^k$ and $b_i=\sum_{k\le i}\binom ik\binom nk^{-1}c_k$; so if the polynomial vanishes for
   infinitely many $t$, or all $c_k$ vanish, then all $b_i$ do
 :method: The sums are written out and compared in the field with the results of the kernels, with de Casteljau's algorithm at a variable
-  $t$, and with the $b_i$.  For every degree: $t^k=\sum_i\binom ik\binom nk^{-1}B_i^n(t)$ (`powers_in_every_degree`), so the $n+1$
-  functions span a space of dimension $n+1$ and are independent.
+  $t$, and with the $b_i$.  
 :degrees: 1..10 sampled 12
 :defines: bernstein_to_power bernstein_from_power
 :over: b#: coefficients
@@ -182,7 +179,7 @@ static int is_positive(int n, const num_q w[])
 A vertex of weight $0$ occurs neither in the numerator nor in the denominator, and the curve cannot know where it is.
 
 :::{claim} vertex_of_weight_zero_leaves_the_plane
-:title: A vertex of weight 0 may be anywhere
+:title: A vertex of weight 0 may be outside the plane of the curve
 :zh: 权为零的顶点可在平面之外
 :kind: counterexample
 :data: R = (0,0,0) (0,0,1) (1,0,0) (0,1,0); ω = 1 0 1 1
@@ -190,8 +187,7 @@ A vertex of weight $0$ occurs neither in the numerator nor in the denominator, a
 :result: ω(t) z(t) = "0"; (a_1, a_2, a_3) = 1
 :given: the cubic curve of space with points $R$ and weights $\omega$, of which one is $0$, though $\omega(t)>0$ on $[0,1]$; $a_i=R_i-R_{i-1}$
 :then: the curve is in the plane $z=0$, and the four vertices are not coplanar
-:method: The numerator of $z(t)$ is computed, and the determinant of the edges.  Three points are always coplanar, so that no smaller $n$
-  would do.
+:method: The numerator of $z(t)$ is computed, and the determinant of the edges.
 :control: equal weights
 :::
 */
@@ -344,9 +340,8 @@ The mean of the numbers $z_i$ is the quotient of the two sums; where it is 0, it
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
 
-Divided by $(1-t)^n$ the sum is $\sum\binom ni\omega_iz_is^i$ with $s=\frac t{1-t}$, by (2) of the first claim; a polynomial in $s$ that is 0 for all $s>0$ has
-no coefficient but 0.  Not all $t$ are needed: as the sum is a polynomial of degree $n$, $n+1$ different parameters suffice (up to $n=4$ by a determinant, too), and so $n+1$ points of the
-curve in the plane bring all vertices there.
+Divided by $(1-t)^n$ the sum is $\sum\binom ni\omega_iz_is^i$ with $s=\frac t{1-t}$, by (2) of `change_of_parameter_acts_on_one_factor`; a polynomial in $s$ that is 0 for all $s>0$ has
+no coefficient but 0.
 :::
 
 :::{claim} collocation_determinant_does_not_vanish
@@ -418,7 +413,7 @@ In the last step it is seen once more, in one coordinate, what a weight $0$ hide
 :result: ω(t) z(t) = "0"
 :given: degree $2$, values $z$ at the vertices of which the middle one is not $0$, and weights $\omega$ of which the middle one is $0$
 :then: $z(t)\equiv0$ and $z_1\ne0$
-:method: The numerator of $z(t)$ is computed.  For $n=1$ a weight $0$ is a zero of $\omega(t)$ at an end.
+:method: The numerator of $z(t)$ is computed.
 :control: equal weights
 :::
 */

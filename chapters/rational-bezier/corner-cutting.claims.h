@@ -24,7 +24,8 @@ edges, and on what the ratio depends.
 :holds-by: equal_weights_stay_equal triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: equal_weights_give_polynomial_triangle
 
-Theorem 1.4.1 is taken as in the entry on the proof: the triangle of de Casteljau gives the two parts of a polynomial curve.  It is the case of equal weights.
+Chapter 1 of the source is not at hand; its theorem is taken to be that the triangle of de Casteljau gives the two parts of a polynomial curve.  It is the case
+of equal weights.
 :::
 
 :::{claim} equal_weights_stay_equal
@@ -145,7 +146,7 @@ have a pole for that.
   R_i^{r-1}(c)$.
 :holds-by: cut_coefficients_are_convex
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive: otherwise, on a perfectly regular curve, a coefficient is negative
+  positive: otherwise a coefficient may be negative although $\omega(t)$ has no real zero
 :figure: cut_leaves_the_edge
 :::
 
@@ -195,7 +196,7 @@ CLAIM(cut_coefficients_are_convex)
 #if RATIONAL
 /*
 :::{claim} negative_weight_breaks_convexity
-:title: With a negative weight a point of the triangle leaves its edge
+:title: With a negative weight a point of the triangle can leave its edge
 :zh: 异号权时割角点离开边
 :kind: decision
 :data: ω = 1 -1/4 1; λ = 1/2

@@ -27,8 +27,7 @@ no weight falls below the least $\omega_i$, the projection to points of space mu
 fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$, which tends to 0.
 :figure: cut_polygons_converge
 
-By the same words it holds for ratios that are kept away from 0 and 1.  The order is $h^2$ in the length $h$ of the longest piece: cut in the middle, the error of a quarter circle is
-divided by 4 each time (`quarter_circle_error_is_quartered`).
+Cut in the middle, the error of a quarter circle is divided by 4 in each of the steps computed (`quarter_circle_error_is_quartered`).
 :::
 
 :::{claim} second_differences_shrink_quadratically
@@ -186,7 +185,7 @@ and can be followed exactly.
 :instead: λ = 1/4
 :result: errors = 1 1/4 1/16 1/64 1/256 1/1024 1/4096
 :given: the quarter circle with points $R$ and weights $\omega$, whose pieces are all cut at $\lambda$, again and again
-:then: the largest $|\|V\|^2-1|$ over all vertices $V$ of the polygons is 1 at first, and each cut divides it by $q$
+:then: the largest $|\|V\|^2-1|$ over all vertices $V$ of the polygons is 1 at first, and each of the cuts listed divides it by $q$
 :method: All pieces are computed exactly, $2^k$ of them after $k$ cuts.
 :control: every piece cut nearer to its first end
 :::
@@ -266,10 +265,10 @@ CLAIM(crowded_cuts_do_not_converge)
 
 /*
 :::{claim} linear_weights_of_both_signs_have_a_pole
-:title: With weights of both signs the curve may be unbounded
-:zh: 异号权时曲线可无界
+:title: With weights of both signs the denominator of a segment vanishes
+:zh: 异号权时一次曲线的分母有零点
 :given: $n=1$, weights $p$ and $-q$, $p,q>0$
-:then: $\omega(t)=0$ at $t=p/(p+q)$, which is in $(0,1)$: no sequence of bounded polygons converges there
+:then: $\omega(t)=0$ at $t=p/(p+q)$, which is in $(0,1)$
 :method: Computed as rational functions of $p$ and $q$.
 :scope: n = 1
 :over: p# q#: weights

@@ -28,10 +28,8 @@ source defines it.
 :checked-by: homogeneous_point_determines_point_and_weight mean_grows_by_one_term
 :confirmed-by: homogeneous_points_carry_their_weight common_factor_of_weights_is_free
 
-The pair $(R_i,\omega_i)$ and the homogeneous point determine each other as long as $\omega_i\ne0$.  For
-$\omega_i=0$ the printed equality leaves only $(0,0,0,0)$: a point of weight $0$ does not count, and control points at
-infinity, $(X_i,Y_i,Z_i,0)\ne0$, are not part of this definition.  The curve in space depends on the ratios of the
-weights alone, since a common factor of the weights does not change a mean.
+The pair $(R_i,\omega_i)$ and the homogeneous point determine each other as long as $\omega_i\ne0$.  A common
+factor of the weights does not change the curve in space.
 :::
 
 :::{claim} homogeneous_point_determines_point_and_weight
@@ -278,7 +276,7 @@ CLAIM(rational_point_is_weighted_mean)
 
 With $W$ and $M$ for the weight and the quotient of some of the homogeneous points $B_i^n(t)\tilde{\mathbf R}_i$ together, one more,
 $c(\mathbf R_i,1)$ with $c=B_i^n(t)\omega_i$, makes the quotient $\frac{WM+c\mathbf R_i}{W+c}$; so the quotients of all $n+1$ together are those of
-the two sums.  The derivatives of this quotient, which the next sections need, are computed here as well.
+the two sums.  The derivatives of this quotient are computed as well.
 :::
 */
 
@@ -411,8 +409,6 @@ is for those who do.
 :reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The
   sentence does not say so: it says that they suffice.
 :figure: weights_and_poles
-
-From here on the source has $\omega_i>0$, and so have we: where a statement needs it, leaving it out is tried.
 :::
 
 :::{claim} positive_weights_keep_denominator_positive
@@ -509,9 +505,7 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
   an inner weight: nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
 :figure: growing_weight
 
-More is true than experiments show: every point $R(t)$, $0<t<1$, moves on the straight line to $R_i$, all the way as
-$\omega_i\to\infty$.  Hence the distance of the curve from $R_i$ never grows.  A segment ($n=1$) stays the same
-segment; its points move in it.
+Every point $R(t)$, $0<t<1$, moves on the straight line to $R_i$, all the way as $\omega_i\to\infty$.
 :::
 
 The source appeals to experiments.  The reason is one line: when $\omega_i$ grows by $\delta$, the point $R_i$ is added to
@@ -641,7 +635,7 @@ static struct G(growth) G(given_growth)(trial *T, int n)
 }
 /*
 :::{claim} growing_negative_weight_pushes_away
-:title: Where the denominator is negative, a growing weight pushes the curve away
+:title: Where the denominator is negative, a growing weight can push the curve away
 :zh: 分母为负处权增大使曲线远离顶点
 :kind: counterexample
 :data: R = 0 1; ω = -1 -1; ω, grown = -1 -1/2; t = 1/2
@@ -694,15 +688,12 @@ CLAIM(ends_do_not_move_with_inner_weight)
   bernstein_sum_of_powers_is_a_power
 :argued: | That two kinds of curves are similar is a judgement.  It rests here on the properties that both have: invariance, symmetry, the ends, the
   convex hull, elevation, each as in the list that follows.
-:meant: the list that follows | The properties 3.2.1 to 3.2.9, as far as they are true.
+:meant: the list that follows | The properties of that list, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, the line before: one usually prescribes $\omega_i>0$ | the weights are
   positive: for the convex hull
 :confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
   reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges
   curve_points_are_convex_combinations elevation_keeps_rational_curve
-
-The sentence announces the properties 3.2.1 to 3.2.9, each of which has its own entry; there stands what is not true of them as printed.  With
-equal weights the curve is the Bézier curve of its points, so that the properties of Bézier curves are among those that follow.
 :::
 
 :::{claim} equal_weights_give_bezier_curve
@@ -740,18 +731,19 @@ weight.  To map a polygon means to map the points $R_i$ and to leave the weights
 weights together.  Other readings are tried, and they fail already for a segment with two different weights.
 
 :::{statement} wang-ch3:prop-3.2.1
-:title: Geometric and affine invariance
+:title: An affine map of the points maps the curve
 :zh: 几何不变性与仿射不变性
-:printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
+:printed: Geometric invariance and affine invariance.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: affine_image_of_the_curve_is_the_curve_of_the_images
-:meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The map is applied to the points $R_i$.
+:meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The curve does not depend on the coordinate system,
+  and an affine map of the points $R_i$, their weights kept, maps the curve.
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
-  of definition 3.2.1, to whose first three coordinates the map is applied.  A linear map still maps the curve; a
-  translation need not, when the weights are not $1$.
+  of definition 3.2.1, to whose first three coordinates the map is applied: a translation need not
+  translate the curve, when the weights are not $1$.
 :figure: affine_image
 
-The map is applied to the points $R_i$; the weights stay.  No sign of the weights is needed, only $\omega(t)\ne0$.
+No sign of the weights is needed, only $\omega(t)\ne0$.
 Geometric invariance is the case of a change of rectangular coordinates.
 :::
 
@@ -790,7 +782,7 @@ CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
 #if RATIONAL
 /*
 :::{claim} translated_homogeneous_points_give_no_translate
-:title: Translating the homogeneous points does not translate the curve
+:title: Translating the homogeneous points need not translate the curve
 :zh: 平移齐次控制点并不平移曲线
 :kind: counterexample
 :data: R = 0 1; ω = 1 2; d = 1
@@ -828,15 +820,14 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :::{statement} wang-ch3:prop-3.2.2
 :title: Symmetry in t and 1−t
 :zh: 关于 t 与 1−t 的对称性
-:printed: The curve is symmetric in the parameters $t$ and $1-t$.
+:printed: Symmetry in the parameters $t$ and $(1-t)$.
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: reversed_points_and_weights_reverse_the_curve
-:meant: (3.2.2), which has a weight with every point | The control points are taken backwards with their weights.
+:meant: (3.2.2), which has a weight with every point | The control points are taken backwards with their weights; they give $R(1-t)$.
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
 :figure: reversed_polygon
 
-The control points of the definition carry their weights, and in reversed order, weights included, they give $R(1-t)$: the
-same curve run through the other way.  No sign of the weights is needed.
+No sign of the weights is needed.
 :::
 
 :::{claim} reversed_points_and_weights_reverse_the_curve
@@ -868,7 +859,7 @@ CLAIM(reversed_points_and_weights_reverse_the_curve)
 #if RATIONAL
 /*
 :::{claim} reversed_points_alone_do_not_reverse_the_curve
-:title: The points alone in reversed order give another parametrisation
+:title: The points alone in reversed order can give another parametrisation
 :zh: 仅将点倒序得不到 R(1−t)
 :kind: counterexample
 :data: R = 0 1; ω = 1 2; t = 1/2

@@ -15,14 +15,13 @@ arise so.
 :zh: 可退化性:权相等时为 Bézier 曲线
 :printed: When the weights are $\omega_i=\omega$, $i=0,1,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2).
 :holds-by: change_of_parameter_acts_on_one_factor mean_grows_by_one_term bernstein_sum_of_powers_is_a_power
-:confirmed-by: equal_weights_give_polynomial_curve unit_invariants_give_polynomial_curve
+:confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
 :needs: weights_that_are_zero_have_no_curve | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega\ne0$
 :reading: polynomial_line_with_unequal_weights | read as "exactly when", which is not claimed
 :figure: equal_weights
 
-Besides $\omega>0$ any $\omega\ne0$ will do.  Positive weights with $I_i=1$ for all $i$ become equal by a change of the parameter
-(`unit_invariants_give_polynomial_curve`).
+Besides $\omega>0$ any $\omega\ne0$ will do.
 :::
 
 :::{claim} equal_weights_give_polynomial_curve
@@ -351,8 +350,6 @@ CLAIM(zero_alpha_collapses)
 :meant: the curve that the property displays | To a curve of the form (3.2.2).
 :reading: geometric_weights_term_by_term | to a curve of the form (3.2.2), the one displayed
 :reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter, for $n\ge2$
-
-The curves (3.2.2) with the same points and positive weights that are reached are exactly those with $I_1=\dots=I_{n-1}=1$ (`unit_invariants_give_polynomial_curve`).
 :::
 */
 

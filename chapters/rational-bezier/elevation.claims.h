@@ -138,7 +138,7 @@ and then there is no vertex, though the homogeneous point is there and the curve
 :given: weights $\omega$ of degree $2$, of which the middle one is negative, though $\omega(t)>0$ for all $t\in[0,1]$
 :then: $\hat\omega_1=\hat\omega_2=0$: the two inner vertices of the cubic form of this curve are at infinity
 :method: The elevated weights are computed exactly and asked to be different from $0$; the sign of $\omega(t)$ is
-  decided by counting roots.  For $n=1$ a denominator without zero in $[0,1]$ has weights of one sign.
+  decided by counting roots.
 :control: the middle weight made positive
 :::
 */
@@ -365,7 +365,7 @@ CLAIM(elevation_cuts_corners)
 #if RATIONAL
 /*
 :::{claim} elevated_vertex_may_leave_the_edge
-:title: With weights of both signs a corner is not cut
+:title: With weights of both signs a corner need not be cut
 :zh: 权因子变号时不再是割角
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = 4 -1 4
@@ -462,9 +462,7 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
   are positive; with mixed ones already the first step may fail
 :figure: elevation_mixed_weights
 
-Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
-$(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ some weights
-of the degrees $3$ and $4$ are $0$, and from degree $5$ on none is.
+Positive weights stay positive, since every new one is a mean of two old ones.
 :::
 
 All steps together have a closed form.  Its coefficients are those of drawing without replacement: if $i$ things are
@@ -573,9 +571,7 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :figure: elevation_converges
 
 The convergence is uniform and of order $1/N$, not better: for the parabola $y=x^2$ the $i$-th vertex is exactly
-$x(1-x)/(N-1)$ below the curve at $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` computes it for other curves.
-By the same words, if $\omega(t)>0$ on $[0,1]$ but some weights are not positive, the bound for the denominator makes all weights
-positive from some degree on, and the polygons converge from there; an instance is `mixed_weights_become_positive`.
+$x(1-x)/(N-1)$ below the curve at $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` compares other curves with the bound.
 :::
 
 First the coefficients of a power of $t$ in degree $N$.  They are written down and proved by raising them once more.
@@ -712,7 +708,7 @@ $N$, seems to settle at a number that is not $0$.
   middle, and mixed; all degrees from $n+1$ to $N$
 :then: every vertex is within the bound of `elevated_polygons_converge`
 :method: The curves are elevated step by step with rational numbers; every vertex of every degree $N$ is compared with $R(i/N)$.
-  For the second curve the largest error is shown, multiplied by $N$: it tends to a number that is not $0$.
+  For the second curve the largest error is shown, multiplied by $N$.
 :scope: the six curves, degrees up to 32
 :control: the bound divided by $N-n+1$ once more, as if the error were of order $1/N^2$
 :::
@@ -797,7 +793,7 @@ above with $\omega$ for $f$.  A denominator that is positive on $[0,1]$ so has p
 happens on the way.
 
 :::{claim} mixed_weights_become_positive
-:title: A positive denominator has positive weights in high degrees
+:title: Elevated weights of a positive denominator may become positive
 :zh: 正分母的权因子在高次时皆正
 :kind: decision
 :data: ω = 2 -1 2; N = 5
@@ -835,7 +831,7 @@ A denominator with a zero gives no such hope.  For $\omega(t)=1-2t$ the weights 
 $1-2i/N$, and in every even degree one of these is the value at the zero.
 
 :::{claim} elevation_fails_at_a_pole
-:title: If the denominator vanishes, every second polygon lacks a vertex
+:title: If the denominator vanishes, an elevated polygon may lack a vertex
 :zh: 分母有零点时, 升阶多边形不存在
 :kind: counterexample
 :data: ω = 1 -1; t = 1/2; N = 20

@@ -375,11 +375,10 @@ Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive
   curvature_and_torsion_belong_to_arc_length
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  the weights are positive for the curvature; as in (3.2.5).
+  the weights are positive for the curvature.
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf a_1\ne\mathbf
-  0$; as in (3.2.5).
-:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion; as
-  in (3.2.6).
+  0$.
+:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion.
 
 Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
 :::
@@ -480,11 +479,11 @@ CLAIM(factor_of_the_curvature_is_positive)
   factor_of_the_curvature_is_positive bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  the weights are positive for the curvature; as in (3.2.5), the example to be read in reversed order.
+  the weights are positive for the curvature; the example is to be read in reversed order.
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf a_n\ne\mathbf
-  0$; as in (3.2.5), the example to be read in reversed order.
+  0$; the example is to be read in reversed order.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion;
-  as in (3.2.6), the example to be read in reversed order.
+  the example is to be read in reversed order.
 
 The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it
 puts the edges into the order $(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)$ of the print.

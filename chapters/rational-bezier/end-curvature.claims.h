@@ -298,7 +298,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  the weights are positive; as at $t=0$.
+  the weights are positive; in general the right side needs $|\omega_{n-2}\omega_n|$; the example is to be read in reversed order.
 :figure: end_curvature
 :::
 
@@ -315,7 +315,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
   makes it $0$, the torsion of a plane curve.
 :figure: end_formulas_undetermined
 
-The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\omega_2$ are not $0$; the positive weights that are usual have no 0 among them.
+The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\omega_2$ are not $0$.
 :::
 
 :::{statement} wang-ch3:3.2.6-right
@@ -328,8 +328,6 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :confirmed-by: end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
   to be read in reversed order.
-
-Reversed order turns every edge round and reverses their order in the mixed product: four changes of sign, hence none, as printed.
 :::
 */
 
@@ -396,7 +394,8 @@ CLAIM(end_curvature_at_zero)
 :where: $\mathbf a_n\ne\mathbf 0$
 :then: $\kappa(1)^2=\left(\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\right)^2\frac{|a_{n-1}\times a_n|^2}{|a_n|^6}$ and the factor that is
   squared is positive
-:method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
+:method: The squares are one element of the field of rational functions of the weights and the coordinates; both $\kappa(1)$ and the printed side are not
+  negative, so they are equal.  The curve is not reversed, the kernel is asked at $t=1$; intervals and binary64 also compare the roots.
 :degrees: 2..6 sampled 10
 :control: the length $|a_{n-1}|$ in place of $|a_n|$
 :::
@@ -448,7 +447,8 @@ CLAIM(end_torsion_at_zero)
 :given: points of space with $a_{n-1}\times a_n\ne0$ and otherwise free, weights of which $\omega_{n-2},\omega_{n-1},\omega_n$ are not $0$
 :where: $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$; $\omega_{n-2}\omega_{n-1}\omega_n\ne0$
 :then: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(a_{n-2},a_{n-1},a_n)}{|a_{n-1}\times a_n|^2}$
-:method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
+:method: Both sides are one element of the field of rational functions of the weights and the coordinates; the curve is not reversed, the kernel is
+  asked at $t=1$.
 :degrees: 3..6 sampled 10
 :control: the edges in the order $(a_n,a_{n-1},a_{n-2})$, the sign that a thoughtless reversal gives
 :::
@@ -474,8 +474,7 @@ CLAIM(end_torsion_at_one)
 :definition: yes
 :printed: By the usual practice the curvature is also written $k$; in this book it is written $k$ from here on.
 
-The source remarks, at the end of its proof, that the curvature is also written $k$, as it is from there on.  In (3.2.3) and (3.2.4)
-$k$ is a number of points; here it stays that.
+In (3.2.3) and (3.2.4) $k$ is a number of points.
 :::
 
 ### What the formulas need
@@ -593,7 +592,7 @@ If just one of the weights $\omega_0$ and $\omega_2$ is negative, the factor is 
 with it, while a curvature is not.  The curve itself may be quite regular.
 
 :::{claim} negative_weight_makes_printed_curvature_negative
-:title: With a negative weight the printed curvature is negative
+:title: With a negative weight the printed curvature can be negative
 :zh: 权为负时所印曲率为负
 :kind: counterexample
 :data: R = (0,0) (1,0) (1,1) (0,1); ω = 1 1 -1/4 1

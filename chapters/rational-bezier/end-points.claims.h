@@ -18,7 +18,7 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :::{statement} wang-ch3:prop-3.2.3
 :title: The curve joins the end points and is tangent to the end edges
 :zh: 端点插值性
-:printed: At $t=0$ and $t=1$ the curve passes through the end points of its B-net and is tangent to the end edges.
+:printed: Interpolation of the end points: the curve passes through the end points of its B-net and is tangent to the end edges of the B-net.
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term end_direction_has_a_positive_factor
 :confirmed-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points
   end_derivatives_at_one_with_repeated_points
@@ -31,8 +31,7 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
   otherwise the edge is on the tangent, but behind the end point.
 :figure: end_tangents
 
-The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that
-point.
+The end edges are the first and the last of positive length, $R_0R_k$ and $R_{n-h}R_n$.
 :::
 */
 
@@ -399,9 +398,8 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :figure: end_derivatives
 
 Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it
-for the first time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even
-when $h=k$.  No choice of the parameter saves the sign, for in the parameter $1-t$ it is wrong for every $h$.  The print
-is right for $h=k$ odd, in particular for simple end points.
+for the first time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way.  The
+print is right for $h=k$ odd, in particular for simple end points.
 :::
 
 ### In every degree
@@ -567,9 +565,7 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
 :confirmed-by: curve_expands_about_its_first_point first_power_decides_the_end_derivative
 
 The differences $\mathbf R_i-\mathbf R_0$ have the same mean as the points, less $\mathbf R_0$: this is the claim with $f(X)=X-\mathbf R_0$, coordinate by
-coordinate.  Those with $i<k$ are 0, and $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$ is written out.  With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left
-half of (3.2.3) and (3.2.4).  The right half is left to the reader; by symmetry it comes with $(1-t)^h$, whose $h$-th
-derivative brings the factor $(-1)^h$; with $R_{n-h}-R_n$ turned round it is the $(-1)^{h+1}$ that the print lacks.
+coordinate.  Those with $i<k$ are 0, and $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$ is written out.
 :::
 
 :::{claim} curve_expands_about_its_first_point

@@ -27,11 +27,11 @@ binomial coefficients.
 :class: false
 :refuted-by: cubic_member_has_other_curvature
 :reading: member_runs_slower_than_the_curve | equal derivatives in $t$; already of the first ones the ratio is $(n-r)/n$
-:reading: cubic_member_has_other_curvature | equal derivatives after a change of parameter, the usual meaning; they are not,
-  whenever $n-r\ge2$ and $\kappa\ne0$
-:reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections; there are two
-:reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count; there are two
-  for $n-r=3$ and for $n-r=1$ as well
+:reading: cubic_member_has_other_curvature | equal derivatives after a change of parameter, the usual meaning; in the example, with
+  $n-r=2$, the second ones are not
+:reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections; in the example there are two
+:reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count; in the example there are two
+  for either level
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights
   (`unweighted_derivatives_are_parallel`), but not for others
 :reading: members_are_flatter_powers | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
@@ -46,7 +46,7 @@ binomial coefficients.
 :striking: 1
 
 For $r=n-1$ the member is the tangent line and the printed order 1 is right where $\kappa\ne0$.  The ratio holds in
-space as well as in the plane; `curvature_of_the_member` computes both curvatures, as the second way.
+space as well as in the plane.
 :::
 
 :::{claim} expansion_about_the_contact
@@ -443,7 +443,7 @@ CLAIM(quartic_member_meets_the_curve_twice)
 
 /*
 :::{claim} weighted_member_has_other_directions
-:title: With weights the second derivatives of curve and member are not parallel
+:title: With weights the second derivatives of curve and member need not be parallel
 :zh: 有权时二阶导矢不平行
 :kind: counterexample
 :data: R = (0,0) (1,0) (1,1) (0,1); ω = 1 2 1 1; c = 0

@@ -30,9 +30,8 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :reading: members_are_flatter_powers | "an envelope", a curve that in each of its points is touched by a member,
   wherever $\mathbf R'\ne0$
 :reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the
-  equality sign says, from $n=3$ on; already the cubic $(\tau,\tau^3)$ has another one
-:reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections, from
-  $n=4$ on
+  equality sign says; already the cubic $(\tau,\tau^3)$ has another one
+:reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections
 :corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
   $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
   $\mathbf R$ alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$
@@ -44,10 +43,8 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :figure: envelope_extra
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
-$\operatorname{env}$ means is not said in this chapter.  When all points lie on a line the condition holds everywhere and the envelope loses its meaning
-(`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent
-at a $\tau$ where $R'\times R''=0$ and $R'\ne0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this
-tangent.  Such a $\tau$ is mostly an inflection; but a curve may be flat there and not change its side
+$\operatorname{env}$ means is not said in this chapter.  When three points lie on a line the condition holds everywhere
+(`flat_polygon_has_no_envelope`).  Where $R'\times R''=0$ and a further envelope appears, the curve need not change its side
 (`flat_point_has_another_envelope`).
 :::
 
@@ -354,7 +351,7 @@ CLAIM(second_envelopes_by_elimination)
 #if RATIONAL
 /*
 :::{claim} flat_polygon_has_no_envelope
-:title: With all points on a line every point of every member satisfies the envelope condition
+:title: With three points on a line every point of every member satisfies the envelope condition
 :zh: 顶点共线时包络条件恒成立
 :kind: counterexample
 :data: R = (0,0) (1,1) (4,4); ω = 1 2 1

@@ -85,8 +85,7 @@ control polygon, and the polar form says of which curve.
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
 :figure: triangle_point_at_infinity
 
-The vertices $\mathbf R_{r+i}^r(c)$, $i=0,\dots,n-r$, with the weights $\omega_{r+i}^r(c)$ are the control polygon of the curve of the parameter $c$.  That the family has
-the curve for its envelope is an entry of its own.
+The vertices $\mathbf R_{r+i}^r(c)$, $i=0,\dots,n-r$, with the weights $\omega_{r+i}^r(c)$ are the control polygon of the curve of the parameter $c$.
 :::
 */
 
@@ -101,7 +100,7 @@ the curve for its envelope is an entry of its own.
 :result: real zeros of ω(t) = 0; ω_1^1, ω_2^1 = 0 1/2
 :given: $n=2$, three weights $\omega$, the middle one negative, whose $\omega(t)$ has no real zero; $r=1$ and a
   parameter $c$
-:then: $\omega_1^1(c)=0$, so that $R_1^1(c)$ is not defined although the curve is regular everywhere
+:then: $\omega_1^1(c)=0$, so that $R_1^1(c)$ is not defined although $\omega(t)$ has no real zero
 :method: The zeros of $\omega(t)$ are counted, and the weights of level 1 are computed exactly; that they are not 0 is
   what is compared.
 :control: the middle weight with the other sign

@@ -528,7 +528,7 @@ CLAIM(means_of_powers_go_one_way)
 :degrees: all
 :scope: $0<t_1<t_2<t_3<1$
 :harmless: numbers $u_1<u_2<u_3$ and $v_l$ with $v_2-v_1=c(u_2-u_1)-f$, $v_3-v_2=c(u_3-u_2)+e$, $c,e,f>0$ | powers of parameters
-  in order are such numbers, by the claim before it
+  in order are such numbers, by `means_of_powers_go_one_way`
 :over: u v p q c e f s: -
 :control: the two differences of $v$ exchanged
 :::

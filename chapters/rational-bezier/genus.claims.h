@@ -46,8 +46,7 @@ order on its line decide whether it is an ordinary cusp.
 :reading: printed_degree_spoils_the_genus | $n$ is the range of the sum printed in definition 3.4.1; $x^2y+xy^2+1=0$ is
   against it
 :reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve; but an
-  isolated point is on no arc, and with positive weights a Bézier curve is bounded, so that already a line is not
-  one
+  isolated point is on no arc
 :corrected: let a real plane curve of degree $n$ be irreducible over $\mathbb C$ and have a simple real point. For
   $n\le3$ its short regular arcs are rational Bézier curves of degree $n$ if and only if it has $\frac{(n-1)(n-2)}2$
   singular points in the complex projective plane; for $n\ge4$ they are if it has a point of multiplicity $n-1$, and
@@ -61,10 +60,7 @@ order on its line decide whether it is an ordinary cusp.
 :striking: 5
 
 The correction says no more than what is proved here: an identity for each of its parts, and the argument from there
-in the method of the claim; a line and a conic have no singular point.  Only cited is the theorem for every $n$, which
-takes its place: the short regular arcs are rational Bézier curves if and only if
-$\frac{(n-1)(n-2)}2-\sum_P\delta_P=0$, the sum over all singular points of the complex projective plane; it is $d+s$ if
-they are all nodes and ordinary cusps.  `curves_that_fit_the_theorem` and the counterexamples agree with it.
+in the method of the claim.
 :::
 
 That a curve is rational is shown by giving the parametrisation.  A line through a point of multiplicity $n-1$ meets
@@ -718,9 +714,8 @@ CLAIM(printed_degree_spoils_the_genus)
 
 The genus of a rational curve is 0, and the two quartics are rational.  Where it is only a name for the count, nothing is said that could fail.
 
-$\frac{(n-1)(n-2)}2$ is the number of double points that an irreducible curve of degree $n$ can have; the genus says
-how many are missing.  The imaginary points count, as the source says, and so do those at infinity: the lemniscate
-has only one finite double point.  A point of higher multiplicity counts for several double points.
+The imaginary points count, as the source says, and so do those at infinity: the lemniscate
+has only one finite double point.
 :::
 
 :::{claim} curves_that_fit_the_theorem

@@ -19,13 +19,11 @@ entries of degree one; the source takes another way, by operations on columns, a
 :printed: $F(x,y)$ in (3.4.1) is a polynomial in two variables of degree at most $n$.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
-  variables_stay_in_the_first_columns top_form_is_a_resultant_row_by_row top_form_is_a_resultant common_zero_makes_the_equation_vanish
+  variables_stay_in_the_first_columns common_zero_makes_the_equation_vanish
 :figure: implicit_degree
 
 The claim is the proof of the source, with the recursion corrected: after its column operations $x$ and $y$ stand in $n$ columns only, in degree one, and a product of one
-entry from every column has degree at most $n$.  It divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  A second proof is by Bézout's
-matrix.  Sharper, by `top_form_is_a_resultant_row_by_row` and the words there: the degree
-is exactly $n$, or $F$ is 0 everywhere.
+entry from every column has degree at most $n$.  It divides by $\omega_0$; for $\omega_0=0$ the first column and the polynomial are 0.
 :::
 
 :::{claim} bezout_entries_are_linear
@@ -260,7 +258,7 @@ CLAIM(column_operations_give_the_corrected_recursion)
 :figure: implicit_recursion
 
 For $r=1$ the two agree.  From $r=2$ on the printed index runs beyond $n$, where there is no $\omega_i$; even with
-$\Omega_i=0$ there, the determinant changes.
+$\Omega_i=0$ there, the determinant of the example changes.
 :::
 */
 
@@ -442,8 +440,8 @@ Where a base point is, $F$ has no degree at all; every elevated curve has one.
 :zh: 升阶使分子分母同乘 1+u
 :given: weights and one coordinate of the points, $n\ge1$, any $u$
 :then: $\hat W(u)=(1+u)W(u)$ and $\hat A(u)=(1+u)A(u)$
-:method: The elevated points and weights by the kernel; both sides in the field.  So every elevated curve has the common
-  zero $u=-1$.  For every $n$: $\binom{n+1}i\hat\omega_i=\binom ni\omega_i+\binom n{i-1}\omega_{i-1}$.
+:method: The elevated points and weights by the kernel; both sides in the field.  So the elevated curve has the common
+  zero $u=-1$.
 :degrees: 1..6 sampled 12
 :control: the factor $1-u$
 :::

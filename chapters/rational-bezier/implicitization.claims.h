@@ -214,7 +214,7 @@ CLAIM(curve_in_the_new_parameter)
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
-  are positive: so that the denominator does not vanish for $u\ge0$; else both equations may hold for every $(x,y)$
+  are positive: so that the denominator does not vanish for $u\ge0$; else both equations may hold at a point off the curve
 :needs: start_is_the_point_of_no_number | theorem 3.4.1, its proof: or $a_0=b_0=0$ ($x=x_0$, $y=y_0$) | $t\ne a$: the parameter of this point
   is $u=+\infty$, for which the equations have no meaning but $a_0=b_0=0$.
 
@@ -257,7 +257,7 @@ CLAIM(equations_of_a_point)
 #if RATIONAL
 /*
 :::{claim} start_is_the_point_of_no_number
-:title: The point of t = a satisfies the two equations for no number u
+:title: The point of t = a can satisfy the two equations for no number u
 :zh: 始点不对应任何有限的 u
 :kind: counterexample
 :data: R = (0,0) (1,0); ω = 1 1; t = 0
@@ -285,8 +285,8 @@ CLAIM(start_is_the_point_of_no_number)
 
 /*
 :::{claim} base_point_satisfies_the_equations
-:title: Where numerators and denominator vanish together both equations hold for every point
-:zh: 基点处两方程对一切点成立
+:title: Where numerators and denominator vanish together both equations hold at a point off the curve
+:zh: 基点处两方程对曲线外的点也成立
 :kind: counterexample
 :data: R = (0,0) (0,0); ω = 1 -1; P = (5,7); u = 1
 :instead: ω = 1 1
@@ -504,7 +504,7 @@ CLAIM(common_root_of_an_isolated_point) { compare_with_the_arc(T, 3); }
 
 /*
 :::{claim} nonnegative_common_roots_are_the_points
-:title: Common roots u ≥ 0, or R_0, are exactly the points of the arc
+:title: Common roots u ≥ 0, or R_0, are exactly the points of the arc, on designed curves
 :zh: 非负公根与弧上的点一一对应
 :kind: decision
 :data: line = (0,0,1) (1,0,1); doubled line = (0,0,1) (0,0,1) (1,1,1); parabola = (0,0,1) (1/2,0,1) (1,1,1);
@@ -516,8 +516,7 @@ CLAIM(common_root_of_an_isolated_point) { compare_with_the_arc(T, 3); }
   points of the parameters $t$, inside and outside of $[0,1]$, the same moved off by the offset in the direction of
   the first axis, and the point $P$, isolated on the last curve
 :then: the criterion with roots $u\ge0$ agrees with membership in the arc
-:method: The common root by the greatest common divisor in $u$, membership in the arc by that in $t$; the roots are counted in two ways.  For all curves with positive weights it follows from the
-  bijection $u=(b-t)/(t-a)$ of $(a,b]$ and $[0,\infty)$ and from $\sum a_iu^{n-i}=W(u)(X(u)-x)$, $W(u)>0$.
+:method: The common root by the greatest common divisor in $u$, membership in the arc by that in $t$; the roots are counted in two ways.
 :scope: 7 curves, 17 points each
 :control: any common root
 :::
@@ -589,7 +588,7 @@ determinant is identically 0.
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; with $\omega_0=0$ the first column vanishes
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
-  space $F=0$ is only the cylinder over its projection
+  space $F=0$ may hold beside the curve
 :meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation.
 :reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs no hypothesis | A square matrix that takes a
   vector that is not 0 to 0 has the determinant 0.
@@ -597,10 +596,8 @@ determinant is identically 0.
   isolated
 :figure: implicit_elevation
 
-That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
-`elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: $F$ is an
-equation then too, but may have a repeated factor, as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$ (`doubled_parameter_halves_the_degree`).  The curve of space
-is drawn in `implicit_shadow`.
+That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that elevated curves are such,
+`elevation_multiplies_by_one_plus_u`.  The curve of space is drawn in `implicit_shadow`.
 :::
 
 :::{claim} top_form_is_a_resultant_row_by_row

@@ -22,7 +22,7 @@ all triangles.
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
 :hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$; so that $l_3$ joins two points; $l_1$ and
   $l_2$ may be parallel.
-:hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; as in (3.1.2).
+:hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing.
 :figure: limings_pencil
 :::
 
@@ -259,7 +259,8 @@ CLAIM(limings_pencil_misses_one_conic)
   two others are tangents.
 :reading: limings_conics_touch_the_lines | The lines have these parts: then the pencil is determined by them, whatever factors
   their equations have.
-:reading: three_lines_have_three_pencils | Three lines without parts: each of them may be the chord, and there are three pencils.
+:reading: three_lines_have_three_pencils | Three lines without parts: each of them may be the chord, and with another chord the pencil is
+  another one.
 
 The figure itself is not in the text at hand.
 :::
@@ -386,11 +387,11 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
 :meant: what follows, by which one point of the curve determines $\lambda$ of (3.1.4) | $\lambda$ of (3.1.4) is the parameter of the pencil in this form; it need not be the number
   of (3.1.3).
 :needs: half_circle_has_no_frame | the line before: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
-  With parallel tangents, as of a half circle, (3.1.3) is right and there is no $R_1$.
+  With parallel tangents, as of a half circle, there is no $R_1$.
 :reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter; then it is always so, with one of the two
-  signs, mostly with both.
+  signs.
 :reading: scaled_lines_change_lambda | $\lambda$ is the same number in both.  This is so, with the minus sign, when
-  the lines are written as determinants of their points (`limings_pencil_in_the_frame`), and not for other factors of
+  the lines are written as determinants of their points (`limings_pencil_in_the_frame`), and not for all factors of
   their equations.
 :figure: limings_pencil
 :::
@@ -464,7 +465,7 @@ CLAIM(every_scaling_takes_the_normal_form)
 #if RATIONAL
 /*
 :::{claim} scaled_lines_change_lambda
-:title: A factor of a line's equation changes lambda
+:title: A factor of a line's equation can change lambda
 :zh: 直线方程乘以因子即改变 λ
 :kind: counterexample
 :data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4) with +, with - = 1/2 1/2
@@ -651,7 +652,7 @@ CLAIM(lambda_inside_the_triangle)
 #if RATIONAL
 /*
 :::{claim} lambda_on_the_border
-:title: On the border of the triangle lambda is 0 or 1
+:title: On the border of the triangle lambda can be 0 or 1
 :zh: 三角形边界上 λ 为 0 或 1
 :kind: counterexample
 :data: R = (1/2,0) (1/2,1/2)

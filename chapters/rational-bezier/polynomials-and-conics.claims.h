@@ -24,7 +24,7 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
   these carry segments.
 :figure: polynomial_on_conics
 
-To represent a conic means to run through an arc of it; no curve over $[0,1]$ is a whole parabola.
+To represent a conic means to run through an arc of it.
 :::
 */
 
@@ -237,8 +237,8 @@ CLAIM(line_pair_carries_a_segment)
   triangle of these and of the point where they meet.
 :figure: polynomial_on_conics
 
-To represent means again to run through an arc.  A conic without real points, $x^2+y^2+1=0$, has none.  The fuselage is an
-example of the source; that both kinds are one formula, and so one program, is what is decided.
+To represent means to run through an arc.  The fuselage is an example of the source; that both kinds are one formula is what is
+decided.
 :::
 
 A denominator takes the obstacle away, since now it is a quotient of polynomials that has to satisfy the equation.  That

@@ -61,7 +61,7 @@ CLAIM(signed_ratios_give_the_point)
 #if RATIONAL
 /*
 :::{claim} lengths_give_another_point
-:title: Outside the triangle the ratios of lengths lead to another point
+:title: Outside the triangle the ratios of lengths can lead to another point
 :zh: 三角形外由长度之比得到另一点
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
@@ -217,8 +217,8 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 :needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
   on a line.
 :reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant.
-:reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc; but every constant has
-  its own.
+:reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc; but two constants have
+  two arcs.
 :figure: tangent_ratios
 
 The arc goes from $R_0$ to $R_2$ inside the triangle, and is all of the conic that is inside.
@@ -316,7 +316,7 @@ CLAIM(every_point_of_the_arc_is_reached)
 #if RATIONAL
 /*
 :::{claim} complementary_arc_leaves_the_triangle
-:title: With a negative middle weight the curve runs outside the triangle
+:title: With a negative middle weight a point of the curve is outside the triangle
 :zh: 中间权为负时曲线在三角形外
 :kind: counterexample
 :data: R = (1,0) (0,0) (0,1); ω = 2 -1 2; t = 1/2
@@ -443,7 +443,8 @@ CLAIM(weights_with_one_constant_give_one_curve)
 :where: $0<t<1$
 :let: $x$ and $y$ be its coordinates in the frame, found from areas
 :then: $\frac{4xy}{(x+y-1)^2}=\frac{\omega_0\omega_2}{\omega_1^2}$, so one curve cannot have two constants
-:method: An identity in the six coordinates, the weights and $t$; both sides of the quotient are 0 at the ends.
+:method: An identity in the six coordinates, the weights and $t$; at the ends numerator and denominator of
+  the left side are 0.
 :control: 2 for 4
 :::
 */

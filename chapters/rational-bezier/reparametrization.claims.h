@@ -26,10 +26,10 @@ proof line by line, and the definition of the $I_i$.
 :checked-by: fractional_change_runs_once
 :confirmed-by: projective_change_of_unit_interval_is_fractional
 :needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
-  and $b$ have one sign: positive weights give it; with $a/b<0$ the denominator vanishes inside $[0,1]$
+  and $b$ have one sign: positive weights give it; otherwise the denominator can vanish inside $[0,1]$
 :figure: reparametrization
 
-Every projective map of the parameter line that fixes $0$ and $1$ has this form, so nothing is lost by it.
+Every projective map of the parameter line that fixes $0$ and $1$ has this form.
 :::
 */
 
@@ -109,7 +109,7 @@ CLAIM(projective_change_of_unit_interval_is_fractional)
 :holds-by: fractional_change_term_by_term
 :confirmed-by: fractional_change_keeps_curve
 :needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
-  and $b$ have one sign: positive weights give it; with $a/b<0$ both denominators vanish inside $[0,1]$
+  and $b$ have one sign: positive weights give it; otherwise both denominators can vanish inside $[0,1]$
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega(t)\ne0$:
   otherwise there is no point $\mathbf R(t)$
 
@@ -246,7 +246,7 @@ CLAIM(invariants_by_definition)
 :checked-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
 :needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
-  are positive: for even $n$: otherwise the roots need not be real
+  are positive: otherwise, for even $n$, the roots need not be real
 
 The two numbers are to give $a^ib^{n-i}\omega_i=\omega_i^*$ under (3.2.12).  For $i=0$ and $i=n$ this is the definition; for the others it follows because the ratios
 $\omega_i^{*}/\omega_i$ are geometric and positive numbers have one positive $n$-th root.
@@ -569,7 +569,7 @@ CLAIM(quotient_is_lost_up_to_sign)
 :holds-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
-  are positive: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is $1$ for $i=1$, the right side $-1$
+  are positive: with a negative one the two sides may differ in their sign
 :::
 
 :::{claim} end_weights_give_the_factors
@@ -652,9 +652,7 @@ CLAIM(standard_form_has_unit_ends)
 :checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
 :needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
-  and $b$ have one sign: positive weights give it; with $a/b<0$ the denominator vanishes inside $[0,1]$
-
-For positive weights they are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
+  and $b$ have one sign: positive weights give it; otherwise the denominator can vanish inside $[0,1]$
 :::
 
 Of the definition this much is sure: the numbers belong to points and weights up to a change of the parameter.
@@ -711,7 +709,7 @@ CLAIM(invariants_survive_fractional_change)
   coordinates are then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.
 :figure: same_parabola_two_sets
 
-Run backwards, a curve has $I_{n-i}$ for $I_i$: without a direction the point set has its invariants up to this order.
+Run backwards, a curve has $I_{n-i}$ for $I_i$ (`reversal_exchanges_invariants`).
 :::
 */
 

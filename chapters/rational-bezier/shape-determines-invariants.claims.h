@@ -40,10 +40,10 @@ set run in the same direction; the same map of the parameter; or congruent curve
   are positive: for "if"
 :needs: segment_has_two_invariants | the theorem | for $n=2$ the three points are not collinear
 :needs: palindromes_of_degree_four | the theorem | for $n=4$ the edges are not coplanar at one end at least; without it the
-  point set, run backwards, has other invariants
+  point set, run backwards, can have other invariants
 :needs: common_factor_hides_the_weights | the theorem | for $n=5$ the edges are not coplanar; a plane quintic can be one and the
   same map for weights with different invariants
-:needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: for $n\ge6$ the point set, run backwards, can
+:needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: above it the point set, run backwards, can
   have other invariants
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used in step (1).
@@ -51,14 +51,11 @@ set run in the same direction; the same map of the parameter; or congruent curve
   that plane, too (property 3.2.9); so its algebraic curve has at least the degree 3.  When common factors are removed, each parametrization has a degree of at most 5 that is a
   multiple of it, hence equal to it: the curve is run once.  By the cited theorem the two differ by a projective map $\varphi$ of the parameter line, which maps $[0,1]$ onto itself.
 :argued: | (2) They have one direction.  If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for $n=5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would
-  be one; by the first claim the first edges would then be dependent, against the hypothesis.
+  be one; by `backward_run_flattens_the_first_edges` the first edges would then be dependent, against the hypothesis.
 :argued: | (3) Only if: curvature and torsion agree at corresponding ends.  By the claims they determine $I_1$, $I_1I_2$, $I_{n-1}$, $I_{n-2}I_{n-1}$, as $a_1\times a_2$ and, for $n\ge3$,
-  $(a_1,a_2,a_3)$ are not 0: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by the last four claims, and needs nothing but positive weights.
+  $(a_1,a_2,a_3)$ are not 0: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by `equal_invariants_mean_geometric_ratios`, `fractional_change_term_by_term`,
+  `larger_numbers_have_larger_powers` and `fractional_change_runs_once`, and needs nothing but positive weights.
 :figure: shape_and_invariants
-
-For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=3$ the condition on the edges can go: three points not collinear at
-each end suffice, as the curvatures give $I_1$ and $I_2$ (`plane_cubic_cannot_run_backwards`).  For $n=4$ one of the two torsions suffices.  When the same shape is to have the same
-direction, step (2) is not needed.  What is true in every degree stands after definition 3.2.2.
 :::
 */
 
@@ -111,7 +108,7 @@ CLAIM(end_curvature_contains_one_invariant)
   $\tau(1)I_{n-2}I_{n-1}\|a_{n-1}\times a_n\|^2=\frac{n-2}n(a_{n-2},a_{n-1},a_n)$
 :method: The torsions are computed from the derivatives of the curve; both sides are rational functions of the weights and the coordinates.  When $(a_1,a_2,a_3)\ne0$, curvature and torsion
   at $0$ determine $I_1$ and $I_2$; when $(a_{n-2},a_{n-1},a_n)\ne0$, those at $1$ determine $I_{n-1}$ and
-  $I_{n-2}$: all invariants for $n\le5$, and for $n=4$ one of the torsions is enough.
+  $I_{n-2}$.
 :degrees: 3..6 sampled 10
 :control: $I_1$ for $I_1I_2$
 :::
@@ -184,17 +181,15 @@ CLAIM(backward_run_flattens_the_first_edges)
 /*
 ## Without the hypotheses
 
-How much of the hypotheses is needed?  For $n=3$ the curvatures alone give both invariants, and the condition on three edges can go.
+How much of the hypotheses is needed?  For $n=3$ the direction is fixed without the condition on three edges.
 
 :::{claim} plane_cubic_cannot_run_backwards
 :title: A cubic with three points not collinear at its start is not the other one run backwards
 :zh: 三次曲线:首三点不共线即不可能反向重合
 :given: $n=3$, $a_1+a_2+a_3=0$ and $a_3=c\,a_1$
 :then: $a_1\times a_2=0$
-:method: $a_2=-(1+c)a_1$.  So for $n=3$ the direction is fixed when $R_0,R_1,R_2$ are not collinear, in the plane as
-  well; and a cubic that is no part of a line, common factors removed, is run once, as its degree is at most $3$ and
-  that of its curve at least $2$.  The end curvatures then give $I_1$ and $I_2$: no condition on three edges is
-  needed.
+:method: $a_2=-(1+c)a_1$.  If one cubic is the other run backwards, then $R_0=R_3$, and there the tangents of the two agree:
+  these are the relations given.
 :scope: n = 3
 :over: a#: edges; c: -
 :control: $a_3=c\,a_1$ left out
@@ -214,7 +209,7 @@ CLAIM(plane_cubic_cannot_run_backwards)
 }
 
 /*
-For $n=5$ it cannot.  A quintic over the polygon $P_0,P_1,P_2,P_0,P_1,P_2$ of a triangle run through twice can be a
+For $n=5$ the condition is needed.  A quintic over the polygon $P_0,P_1,P_2,P_0,P_1,P_2$ of a triangle run through twice can be a
 quadratic in disguise, with weights in which a number $c$ is free.
 
 :::{claim} common_factor_hides_the_weights
@@ -326,7 +321,7 @@ Over a polygon that reads the same backwards the direction gets lost.  If the in
 reversed weights have other ones, and the same point set.
 
 :::{claim} palindromes_of_degree_four
-:title: A plane quartic over a palindromic polygon, run backwards, has other invariants
+:title: A plane quartic over a palindromic polygon, run backwards, can have other invariants
 :zh: 四次平面回文多边形:反向后不变量不同
 :kind: decision
 :data: R = (0,0) (1,0) (0,1) (1,0) (0,0); ω = 1 2 1 1 1
@@ -367,7 +362,7 @@ In space such a polygon can have independent first edges if it is long enough: o
 way, hence degree $6$.
 
 :::{claim} space_palindromes_beyond_degree_five
-:title: From degree 6 on the point set does not determine the invariants
+:title: In higher degrees the point set need not determine the invariants
 :zh: 六次起点集不能确定不变量
 :kind: decision
 :data: e = (0,0,0) (1,0,0) (0,1,0) (0,0,1); ω_1 = 2
@@ -376,8 +371,7 @@ way, hence degree $6$.
   $e_0,e_1,e_2,e_3,\dots,e_3,e_2,e_1,e_0$; $\omega=(1,\omega_1,1,\dots,1)$ and $\omega^*=(1,\dots,1,\omega_1,1)$
 :then: $R^*(t)=R(1-t)$, so that the point sets are one; the first and the last three edges are not coplanar; but
   $I_1\ne I_1^*$ and $I_{n-1}\ne I_{n-1}^*$
-:method: The polynomials of the two curves are compared; the rest is exact arithmetic.  The same points and weights
-  do it for every larger $n$.
+:method: The polynomials of the two curves are compared; the rest is exact arithmetic.
 :degrees: 6..9
 :control: the weight $\omega_1$ at both places in both
 :::
@@ -621,9 +615,7 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The counterexample
 has two curves of different shape, while the display stands under the hypothesis of one shape, under which it reads $0=0$; what it refutes is that the second
 expression is the difference of the torsions.  The two expressions are the differences of the curvatures
-and of the torsions, without their left sides; as the difference of the torsions, which property 3.2.4 is said to give,
-the second is wrong.  The proof does not suffer: when the curves have the same shape both are zero, with the wrong
-denominator too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$.
+and of the torsions, without their left sides.
 :::
 
 The two factors are those of $n=5$:

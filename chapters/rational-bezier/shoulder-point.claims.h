@@ -153,7 +153,7 @@ static void G(middle_of_the_chord)(const num R[], num M[])
 
 /*
 :::{claim} negative_weight_leaves_the_median
-:title: With a negative weight the shoulder point is not between vertex and base
+:title: With a negative weight the shoulder point need not be between vertex and base
 :zh: ω<0 时肩点不在中线段上
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = 1 -1/2 1
@@ -301,14 +301,14 @@ CLAIM(flat_triangle_has_a_shoulder_point) { ellipse_by_shoulder(T); }
 
 /*
 :::{claim} weight_zero_has_ratio_zero
-:title: The weight 0 has the ratio 0 and gives a segment
-:zh: ω_1=0 时肩点比为 0
+:title: The weight 0 has the ratio 0 and gives no ellipse
+:zh: ω_1=0 时肩点比为 0 而非椭圆
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = 1 0 1
 :instead: ω = 1 1/2 1
 :result: M = (0,0); R_s = (0,0); square of the ratio = 0; A, …, F = 0 0 1 0 0 0; AC-B² = 0
 :given: the points $R$ of a triangle, and the weights $\omega$ with $\omega_1=0$
-:then: $R_s=M$, the ratio is 0, but the curve is the segment $R_0R_2$
+:then: $R_s=M$, the ratio is 0, but $AC-B^2=0$: the conic $y^2=0$ is no ellipse
 :method: The point and the conic are computed.
 :control: a positive middle weight
 :::

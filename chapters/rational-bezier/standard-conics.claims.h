@@ -84,8 +84,7 @@ of $u$, and $u$ can stand under no root.
 :figure: standard_parameter
 
 The roots belong over the weights alone; in the text at hand they cover $u$ and $1-u$ too.  With the printed roots the
-three terms are as $1-u:2\omega\sqrt{u(1-u)}:u$, with the root of a quadratic polynomial in the middle.  Both ends, and $t=\frac12$
-for equal weights, are the same, so that the slip is easily overlooked.
+three terms are as $1-u:2\omega\sqrt{u(1-u)}:u$, with the root of a quadratic polynomial in the middle.
 :::
 */
 
@@ -201,7 +200,7 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :::
 
 :::{claim} negative_weights_lose_their_sign
-:title: With three weights of the other sign the formula takes the wrong arc
+:title: With three weights of the other sign the formula can take the wrong arc
 :zh: 权全变号时公式失效
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = -1 1/2 -1; u = 1/2

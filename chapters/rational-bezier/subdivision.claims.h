@@ -115,7 +115,7 @@ the points: run first, it tells where the division is not possible.
 :checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :confirmed-by: triangle_in_closed_form triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive: otherwise $\omega_i^r$ may be $0$ on a perfectly regular curve
+  positive: otherwise $\omega_i^r$ may be $0$ although $\omega(t)$ has no real zero
 :figure: triangle_point_at_infinity
 
 The range of $r$ and $i$ in the second line, which is not repeated, is that of (3.3.2); the denominators are $\omega_i^r(c)$.  In the text at hand this
@@ -126,7 +126,7 @@ formula has the number (3.3.2), and the next sentences call it (3.3.3).
 #if RATIONAL
 /*
 :::{claim} intermediate_weight_can_vanish
-:title: A regular curve whose triangle has a point at infinity
+:title: A curve without poles whose triangle has a point at infinity
 :zh: 曲线正则而三角阵中权为零
 :kind: decision
 :data: ω = 1 -1/2 1; λ = 2/3 1/3
@@ -195,7 +195,7 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
   vanish although all $\omega_i>0$
 :figure: subdivision_triangle
 
-What the theorem says in words is true, and so is its left branch; the numerator of the right one has two slips.  The branches follow one at a time.
+The left branch is true; the numerator of the right one has two slips.
 :::
 */
 
@@ -296,7 +296,7 @@ CLAIM(cut_at_an_end_is_empty)
 #if RATIONAL
 /*
 :::{claim} cut_outside_can_fail
-:title: Outside the interval positive weights do not suffice
+:title: Outside the interval positive weights need not suffice
 :zh: 分割点在区间外时正权亦不足
 :kind: decision
 :data: ω = 1 2; c = -1
@@ -388,8 +388,6 @@ coincide would not give that point.
   $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
 :needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
-
-As an identity it holds for every $t$.
 :::
 
 :::{statement} wang-ch3:3.3.1-right

@@ -58,7 +58,7 @@ CLAIM(tangent_meets_the_conic_doubly)
 :::{claim} slope_exists_inside_the_triangle
 :title: Inside the triangle the tangent is parallel to neither side
 :zh: 三角形内切线斜率存在
-:given: $\lambda\in(0,1)$ and a point inside the triangle, $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ with $a,b>0$
+:given: the minus sign, $\lambda\in(0,1)$ and a point inside the triangle, $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ with $a,b>0$
 :then: $S_y\ge(1-\lambda)x>0$ and $S_x\ge(1-\lambda)y>0$
 :method: $S_y-(1-\lambda)x$ and $S_x-(1-\lambda)y$ have numerators and denominators with coefficients of one sign in
   $a$, $b$ and $\frac\lambda{1-\lambda}$.
@@ -192,7 +192,7 @@ Three things can go wrong with the printed point.  It is computed for the minus 
 tangent may be parallel to the side.  And at the ends of the curve the tangent is the side itself.
 
 :::{claim} plus_sign_moves_the_cut
-:title: With the plus sign the printed point is not on the tangent
+:title: With the plus sign the printed point need not be on the tangent
 :zh: 取正号时所印 A 有误
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
@@ -412,8 +412,9 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus.
 :needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$; as in
-  the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point, as it does not in $R_2$, where it is the
-  side.
+  the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_2$: there the
+  tangent is the side.
 :::
 
 With $s=x+y-1$ the relation $(1-\lambda)xy=\lambda s^2$ turns the printed $g_1=\frac{-2\lambda s}{(1-\lambda)y}$ into
@@ -461,7 +462,7 @@ static num printed_ratio(struct member_at_point m, int factor)
 
 /*
 :::{claim} outside_the_triangle_lengths_lose_the_sign
-:title: Outside the triangle the ratio of lengths is not the printed quotient
+:title: Outside the triangle the ratio of lengths need not be the printed quotient
 :zh: 三角形外长度之比与所印公式不符
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
@@ -541,8 +542,8 @@ while the sentence is about every curve of the family.
   that of ratios with signs, $X_A/(1-X_A)$; with either the sentence fails.
 :figure: ratio_product_extra
 
-The source has $0<\lambda<1$ and the minus sign in mind, which it names just before for the points of the triangle; what it
-prints is about every curve of the family.  With $0<\lambda<1$ and the minus sign the two ratios have one sign at every
+The source names $0<\lambda<1$ and the minus sign before, for the points of the triangle; what it
+prints here is about every curve of the family.  With $0<\lambda<1$ and the minus sign the two ratios have one sign at every
 point, so that it does not matter whether they have signs or are lengths.  With the plus sign the product of the signed
 ratios is $-4\lambda/(1-\lambda)$.
 :::

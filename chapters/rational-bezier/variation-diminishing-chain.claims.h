@@ -73,7 +73,7 @@ CLAIM(line_form_of_the_curve)
   clause of the property
 
 Where $y(t)$ changes its sign the numerator does, and a polynomial that does so has a root between.  In the place of $Z_{0<t<1}$ the text at hand has a sign of
-summation with $0<t<l$; this has an entry of its own.
+summation with $0<t<l$ (`wang-ch3:prop-3.2.7-notation`).
 :::
 
 The first inequality loses something: at a root where $y(t)$ keeps its sign the line is touched and not crossed.  It also needs the
@@ -116,7 +116,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
 #if RATIONAL
 /*
 :::{claim} curve_changes_sides_at_a_pole
-:title: At a pole the curve changes sides without a root
+:title: At a pole a curve can change sides without a root
 :zh: 极点处变号而无根
 :kind: counterexample
 :data: y = 1 -1; ω = 1 -1; t = 1/4 3/4
@@ -231,7 +231,7 @@ CLAIM(numerator_in_powers_of_the_ratio)
 :confirmed-by: numerator_in_powers_of_the_ratio root_counts_survive_the_substitution
 :figure: roots_and_the_substitution
 
-In the place of $Z_{0<t<1}$ and $Z_{0<s<+\infty}$ the text at hand has signs of summation, the first with $0<t<l$; this has an entry of its own.  It holds for different roots and for roots
+In the place of $Z_{0<t<1}$ and $Z_{0<s<+\infty}$ the text at hand has signs of summation, the first with $0<t<l$ (`wang-ch3:prop-3.2.7-notation`).  It holds for different roots and for roots
 counted as often as their multiplicity, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
 
@@ -326,15 +326,13 @@ CLAIM(root_counts_survive_the_substitution)
 :figure: roots_and_the_substitution
 
 The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
-times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step is false.
-Both are slips of the type or of its capture, nothing more; the meaning is not in doubt.
-The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
+times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step can be false.
 :::
 
 What the letter would mean, if it were one, is seen at a line that the curve crosses late.
 
 :::{claim} roots_must_be_counted_up_to_one
-:title: With an l below 1 the first step is false
+:title: With an l below 1 the first step can be false
 :zh: 若 l<1 则第一步不成立
 :kind: counterexample
 :data: y = -2 1; ω = 1 1; l = 1/2
@@ -371,9 +369,9 @@ CLAIM(roots_must_be_counted_up_to_one)
 :confirmed-by: descartes_rule_by_sign_patterns
 :hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$: the curve is not contained in $L$
 
-In the place of $Z_{0<s<+\infty}$ the text at hand has a sign of summation, as in the whole chain.  The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
+In the place of $Z_{0<s<+\infty}$ the text at hand has a sign of summation (`wang-ch3:prop-3.2.7-notation`).
 The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by
-multiplying one factor $s-\rho$ after the other, and a second time, with a theorem of Rolle, by taking away one change of sign after the other.
+multiplying one factor $s-\rho$ after the other.
 :::
 
 Descartes' rule itself is short.  Between two positive roots of a function its derivative has one.  Let $q$ first be
@@ -494,7 +492,7 @@ CLAIM(positive_factors_keep_sign_changes)
 A single negative weight is enough to add two changes of sign.
 
 :::{claim} mixed_weights_change_sign_changes
-:title: A negative weight changes the changes of sign
+:title: A negative weight can change the number of changes of sign
 :zh: 负权改变变号数
 :kind: counterexample
 :data: y = 2 5 2; ω = 2 -1 2

@@ -6,8 +6,8 @@ the polygon.  What is counted decides whether this is true.  A *crossing* is a c
 has a point in common with the curve and crosses nothing, and neither does an end on the line.
 
 The source derives the property from Descartes' rule of signs.  Every step of its chain is decided by
-itself in the next section.  Here the property is proved a second time without Descartes, from total positivity for the degrees
-computed, and a third time from the cutting of corners for every degree.
+itself in the next section.  Here the property is tried on designed curves, and cutting corners, by which it can be proved
+without Descartes, is tried on patterns of signs.
 */
 #include "chapters/rational-bezier/crossings.h"
 
@@ -22,8 +22,7 @@ computed, and a third time from the cutting of corners for every degree.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term ratio_is_an_increasing_bijection
   change_of_parameter_acts_on_one_factor factor_of_a_positive_root_adds_a_sign_change
   averages_between_neighbours_keep_sign_changes sign_changes_are_counted_one_by_one bernstein_sum_of_powers_is_a_power
-:confirmed-by: elevation_cuts_corners powers_in_every_degree elevated_polygons_converge
-  bernstein_collocation_is_totally_positive designed_curves_cross_no_more corner_cutting_adds_no_sign_change
+:confirmed-by: designed_curves_cross_no_more
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are positive
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon, also when edges, ends or the whole curve are on the line.
@@ -34,15 +33,7 @@ computed, and a third time from the cutting of corners for every degree.
 :figure: line_crossings
 
 The chain of the source proves it, for every degree: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
-roots of which are no more than its changes of sign, and these are the crossings of the polygon.  There are two more proofs, in words, that use no rule of Descartes.  By elevation: every elevation replaces the values
-$y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
-them without adding one, and taking numbers away adds none (`averages_between_neighbours_keep_sign_changes`; the polygons of low degree all at once in
-`corner_cutting_adds_no_sign_change`).  The elevated values
-converge to $y(i/N)$; so if $y(t)$ changes its sign $I$ times, the values of some high degree do so $I$ times at least, and
-$V[y_0,\dots,y_n]\ge I$.
-By total positivity: all minors of $(B_j(t_i))$, $t_0<t_1<\dots$, are positive, and such a matrix does not increase the
-number of changes of sign (Schoenberg; Gantmacher and Krein); with positive weights a minor of
-$(B_j(t_i)\omega_j/\omega(t_i))$ is a minor of $(B_j(t_i))$ times positive numbers.
+roots of which are no more than its changes of sign, and these are the crossings of the polygon.
 :::
 
 :::{statement} wang-ch3:prop-3.2.7-crossings
@@ -86,7 +77,7 @@ static poly designed_curve(int n, int family, const int y[], num_q R[], num_q w[
 }
 
 /*
-Before it is proved the property is tried where it is most in danger: with vertices and whole edges on the line, where
+The property is tried where it is most in danger: with vertices and whole edges on the line, where
 crossings and common points part ways, and with weights that differ by many powers of ten, which press the curve
 against single vertices.  Signs are all that matters, so a few heights will do.
 
@@ -169,10 +160,10 @@ CLAIM(designed_curves_meet_no_more)
 }
 
 /*
-Nor is the polygon's number too large: in each degree there is a curve that crosses as often as its polygon.
+Nor is the polygon's number too large: there are curves that cross as often as their polygons.
 
 :::{claim} crossings_reach_their_bound
-:title: In every degree a curve crosses as often as its polygon
+:title: A curve that crosses as often as its polygon
 :zh: 上界可以达到
 :kind: decision
 :given: $y(t)=\prod_{j=1}^n(t-j(1-t))$, all weights $1$
@@ -216,8 +207,7 @@ crosses itself on the line would count once where the curve meets the line twice
 :given: the cubic curve with points $R$ and weights $\omega$; the line $y=0$
 :then: the polygon has one point on the line, where its first and last edge cross; the curve has two
 :method: The curve is evaluated at the parameters $t$, which are all its roots; the connected parts of the
-  polygon on the line are counted.  For $n\le2$ two edges that cross a line in one point are on one line, and then the curve is,
-  too.
+  polygon on the line are counted.
 :control: crossings counted along curve and polygon instead: two and two
 :::
 */
@@ -247,7 +237,7 @@ Nothing of this is left for weights of both signs.  The middle vertex, with its 
 through a line from which the polygon keeps away.
 
 :::{claim} mixed_weights_cross_more
-:title: With weights of both signs the curve crosses a line that the polygon does not meet
+:title: With weights of both signs a curve can cross a line that the polygon does not meet
 :zh: 权因子变号时变差缩减性不成立
 :kind: counterexample
 :data: R = (-1,2) (0,5) (1,2); ω = 2 -1 2; t = 1/3 2/3
@@ -293,18 +283,16 @@ CLAIM(mixed_weights_cross_more)
   averages_between_neighbours_keep_sign_changes
 :confirmed-by: designed_curves_cross_no_more designed_curves_meet_no_more
 
-The symbol $Z$ has no place for the interval $(a,b)$ in the text at hand.  Different roots, or roots counted as often as their multiplicity: the chain is right with
-either, as the claims count with multiplicity.
+The symbol $Z$ has no place for the interval $(a,b)$ in the text at hand.
 :::
 */
 
 /*
-Of the two proofs given after the property the first one, for every degree, is elementary.  Its only step is that
-means of neighbours do not change their sign more often than the numbers of which they are means; and for this the
+Means of neighbours do not change their sign more often than the numbers of which they are means; for this the
 numbers do not matter, only their signs.
 
 :::{claim} corner_cutting_adds_no_sign_change
-:title: Means of neighbours change sign no more often
+:title: Means of neighbours change sign no more often, in low degrees
 :zh: 相邻项的凸组合不增加变号数
 :kind: decision
 :given: numbers $y_0,\dots,y_n$ and $\hat y_i$, $0\le i\le n+1$, with $\hat y_0=y_0$, $\hat y_{n+1}=y_n$, and $\hat y_i$ a mean

@@ -68,13 +68,12 @@ CLAIM(printed_kernel_is_formula_one)
 
 /*
 :::{claim} corrected_kernel_is_its_formula
-:title: The kernel computes the corrected functions of every degree
+:title: The kernel computes the corrected functions
 :zh: 核函数即修正后的基函数
 :given: any $\beta$ and $t$
 :then: `shape_basis` gives $B_{i,n}$, and `shape_factors` the $\nu_i$, $\varphi_i$ with
   $B_{i,n}=(\nu_i(1-t)+\varphi_it)(1-t)^{n-i}t^i$
-:method: The formula with binomial coefficients from factorials, $\beta$ and $t$ variables.  `shape_basis` builds the
-  functions by a recursion that knows nothing of the $a_i$.
+:method: The formula with binomial coefficients from factorials, $\beta$ and $t$ variables.
 :degrees: 2..9 sampled 16
 :defines: shape_basis shape_factors
 :control: $-\beta$ in the place of $\beta$
@@ -106,8 +105,8 @@ CLAIM(corrected_kernel_is_its_formula)
 :class: false
 :corrected: with $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed,
   the properties 2.2, 2.3, 2.4 and 2.7 hold for every $\beta$, 2.4 and 2.7 with the indices corrected, and 2.1 and 2.5 for
-  $-\frac{21}4\le\beta\le1$; 2.6 does not hold.  These two functions are the only ones that are mirror images with linear
-  factors and make the sum 1
+  $-\frac{21}4\le\beta\le1$; 2.6 does not hold.  With the other six as printed these two functions are the only ones that
+  are mirror images with linear factors and make the sum 1
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
   corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends beta_zero_gives_bernstein_polynomials
   nonnegative_exactly_in_the_range derivative_of_a_function_factors each_function_rises_then_falls
@@ -116,13 +115,12 @@ CLAIM(corrected_kernel_is_its_formula)
 :figure: eight_functions
 :striking: 7
 
-Two digits of (1) and the indices of (8) and (9) are misprints; what is wrong with 2.1, 2.5 and 2.6 is no slip: the range, and
-the sign of the slopes.  Elsewhere these functions are called the corrected ones.  The corrected functions have the rule that the printed ones nearly show, and have it in every
-degree: $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with
-$a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.  For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
+Elsewhere these functions are called the corrected ones.  In degree $n$ they are
+$B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with $s=1-t$ and
+$a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.
 :::
 
-Two claims stand behind this entry.  The first writes the correction out.  The second says that there is no other: leave
+The first claim writes the correction out.  The second says that there is no other: leave
 six of the functions as they are printed, let the other two be any mirror images with linear factors, and the sum 1 alone
 fixes them.
 
@@ -153,13 +151,14 @@ CLAIM(two_digits_are_corrected)
 
 /*
 :::{claim} mirror_images_with_sum_one_are_unique
-:title: The two corrected functions are the only possible ones
+:title: For mirror images with linear factors the sum 1 leaves the two corrected functions
 :zh: 修正的唯一性
 :given: any $\beta$, and $\hat B_3=(xs+yt)s^4t^3$, $\hat B_4=(ys+xt)s^3t^4$ with any $x$ and $y$, the other six functions as
   printed
 :then: the sum of the eight functions is $1+(x-35-5\beta)(s^5t^3+s^3t^5)+(2y-70)s^4t^4$; so it is 1 for all $t$ only for
   $x=35+5\beta$, $y=35$
-:method: $\beta$, $t$, $x$ and $y$ are variables.  The three products are linearly independent.
+:method: $\beta$, $t$, $x$ and $y$ are variables.  $s^5t^3$, $s^4t^4$, $s^3t^5$ are multiples of three Bernstein polynomials of degree 8, which are
+  linearly independent.
 :degrees: 7..7
 :over: x y: linear factor
 :control: the sum without the factor 2
@@ -194,7 +193,7 @@ $\beta$.
 :zh: 八次多项式
 :printed: a set of polynomial basis functions of degree eight with the shape parameter $\beta$ is given (abstract, introduction and summary)
 :holds-by: leading_coefficients_are_multiples_of_beta
-:hypothesis: degree_falls_for_beta_zero | $\beta\ne0$; for $\beta=0$ the degree is 7
+:hypothesis: degree_falls_for_beta_zero | $\beta\ne0$; for $\beta=0$ the degree of the first function is 7
 :figure: beta_zero
 :::
 
@@ -230,14 +229,14 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
 #if RATIONAL
 /*
 :::{claim} degree_falls_for_beta_zero
-:title: For beta = 0 the functions have degree seven
-:zh: β=0 时次数为七
+:title: For beta = 0 the first function has degree seven
+:zh: β=0 时首个函数的次数为七
 :kind: counterexample
 :data: β = 0
 :instead: β = 1
 :result: B_0(t) = "-t^7 + 7*t^6 - 21*t^5 + 35*t^4 - 35*t^3 + 21*t^2 - 7*t + 1"; degree of B_0 = 7
 :given: this $\beta$, and the first function $\hat B_0$
-:then: the function is a power of $1-t$, and its degree is one less than the text says
+:then: its degree is one less than the text says
 :method: The degree of the exact polynomial.
 :control: a $\beta$ that is not zero
 :::
@@ -263,15 +262,11 @@ together gives the one exception, $\nu_2$ and $\varphi_5$ give the other.
 :zh: 基函数的线性无关性
 :printed: the polynomials (1) are called basis functions with the parameter $\beta$, where $-7\le\beta\le1$
 :holds-by: functions_are_independent_but_for_two_values
-:confirmed-by: leading_coefficients_are_multiples_of_beta beta_zero_gives_bernstein_polynomials
 :hypothesis: two_functions_coincide | $\beta\ne-7$
 :hypothesis: a_combination_vanishes | $\beta\ne-\frac{21}4$
 :figure: dependent_functions
 
-The text only gives the name; what is decided is what the word says.  The left end of the printed range is one of the two
-values, the left end of the true range (property 2.1) the other.  There different polygons have the same curve, and the
-functions span a space of dimension 7; otherwise of dimension 8.  The polynomials of degree at most 8 have dimension 9.  The space is not
-the same for all $\beta$: for $\beta=0$ it is that of degree at most 7, for the others the functions are of degree 8.
+The text only gives the name; what is decided is whether they are linearly independent.
 :::
 
 :::{claim} functions_are_independent_but_for_two_values
@@ -359,7 +354,7 @@ CLAIM(a_combination_vanishes)
 
 /*
 :::{claim} two_functions_coincide
-:title: At beta = -7 two of the functions are the same
+:title: At beta = -7 the printed functions are linearly dependent, and two of the corrected ones are the same
 :zh: β=-7 时 B_3=B_4
 :kind: counterexample
 :data: β = -7; k, printed functions = 0 0 0 50/9 -10 5 1 0; k, corrected functions = 0 0 0 1 -1 0 0 0
@@ -368,8 +363,7 @@ CLAIM(a_combination_vanishes)
   B_3, corrected = "35*t^8 - 140*t^7 + 210*t^6 - 140*t^5 + 35*t^4";
   B_4, corrected = "35*t^8 - 140*t^7 + 210*t^6 - 140*t^5 + 35*t^4"
 :given: this $\beta$, and coefficients $k$ for the printed and for the corrected functions
-:then: $\sum k_iB_i$ is the zero polynomial, for both; for the corrected functions it is the difference of $B_3$ and $B_4$,
-  which are a multiple of $(1-t)^4t^4$
+:then: $\sum k_iB_i$ is the zero polynomial, for both; for the corrected functions it is the difference of $B_3$ and $B_4$
 :method: The nine Bernstein coefficients of the combination are computed exactly.
 :control: another $\beta$ below the true range
 :::
@@ -461,8 +455,7 @@ CLAIM(printed_sum_in_closed_form)
 :zh: 修正后的权性
 :given: any $\beta$ and $t$
 :then: $\sum B_{i,n}(t)=1$
-:method: The kernel's functions are added, $\beta$ and $t$ variables.  For every $n$ it follows from the recursion: the three
-  functions of degree 3 add up to 1, and so do the Bernstein polynomials of degree $n-2$.
+:method: The kernel's functions are added, $\beta$ and $t$ variables.
 :degrees: 2..10 sampled 20
 :control: the first function left out
 :::
@@ -594,11 +587,11 @@ static void G(function_derivatives)(int printed_ones, int n, int i, num beta, nu
 
 /*
 :::{claim} functions_vanish_to_their_orders_at_the_ends
-:title: Function i vanishes i-fold at 0 and (7-i)-fold at 1
+:title: Function i vanishes at least i-fold at 0 and (7-i)-fold at 1
 :zh: 端点处的零点重数
 :given: any $\beta$, printed and corrected functions, $i=0,\dots,7$
 :then: the derivatives of orders $0,\dots,i-1$ vanish at $t=0$, those of orders $0,\dots,6-i$ at $t=1$;
-  $\hat B_0(0)=\hat B_7(1)=1$
+    function 0 is 1 at $t=0$, function 7 at $t=1$
 :method: The derivatives of the polynomial whose Bernstein coefficients the kernel gives, $\beta$ a variable.
 :degrees: 7..7
 :control: the orders at 1 reach one too far
@@ -679,8 +672,6 @@ CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
 :corrected: $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
 :corrected-by: functions_vanish_to_their_orders_at_the_ends
 :figure: degree_five_at_the_end
-
-Unlike those of (6) these misprints matter: read as functions of degree five, $B_{4,5}$ has only one factor $1-t$.
 :::
 */
 
@@ -806,8 +797,7 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :reading: corrected_functions_sum_to_one | drawn from the corrected formulas
 :figure: eight_functions
 
-The value $\beta=-1$ is in the true range, so that nothing of what fails near $\beta=-7$ is to be seen.  The figure itself
-is not in the text that was examined.
+The figure itself is not in the text that was examined.
 :::
 */
 #include "chapters/judge/claims_off.h"

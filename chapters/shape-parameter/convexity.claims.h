@@ -22,26 +22,26 @@ sense, for a triangle and its base.
 :::{statement} deng-zhang-2022:property-3.7
 :title: Convex polygons have convex curves
 :zh: 保凸性
-:printed: by property 3.6, when the control polygon is convex, any line of the plane has not more than two points of intersection with the curve, for the
-  $-7\le\beta\le1$ of definition 2.1
+:printed: by property 3.6, when the control polygon is convex, any line of the plane has not more than two points of intersection with the curve
+  (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
   curve_of_a_triangle_meets_a_line_three_times
 :class: false
 :corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not
   on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
-:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
-  third_function_has_a_zero_for_every_smaller_beta
+:corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
+    linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
+  third_function_has_a_zero_for_every_smaller_beta functions_are_independent_but_for_two_values
 :confirmed-by: roots_are_at_most_sign_changes
 :meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
-  possible, at $\beta=-\frac{21}4,0,1$
+  possible
 :figure: convexity_lost
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
 it none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is
-possible, and $t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at $\beta=-\frac{21}4$, needs
-three changes.
+possible, and $t=0$, $t=1$ are one point of the curve.  The whole curve is on a line only at $\beta=-\frac{21}4$, for multiples of the
+coefficients of `a_combination_vanishes`, which have three changes.
 :::
 
 :::{statement} deng-zhang-2022:property-3.7-reason
@@ -69,7 +69,7 @@ three changes.
 :result: parameters on the line = 3 3 3; those in (0,1) = 1 1 1
 :given: three values of $\beta$, a convex heptagon with $P_7=P_0$, and the line through $Q=P_0$ with the normal vector
   $u$; corrected functions
-:then: for each $\beta$ the parameters $t=0$, $t=1$ and one in $(0,1)$ are on the line: three parameters, two points
+:then: for each $\beta$ three parameters are on the line, one of them in $(0,1)$
 :method: The common points are counted exactly by their parameters; `hull.h` decides that the polygon is convex.
 :control: a line beside the corner
 :::

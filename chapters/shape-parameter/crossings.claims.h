@@ -94,7 +94,7 @@ CLAIM(inversions_of_two_diagonals_meet_a_zero)
 :zh: 双对角矩阵的子式
 :given: any $(n+2)\times(n+1)$ matrix whose entries are $0$ but for $E_{i,i}$ and $E_{i+1,i}$, which are variables
 :then: every minor is the product of the entries on its own diagonal
-:method: All minors, by an elimination with pivots.  For every $n$ it is `inversions_of_two_diagonals_meet_a_zero`.
+:method: All minors, by an elimination with pivots.
 :types: field rational
 :degrees: 2..4 sampled 5
 :over: v# w#: entries
@@ -211,12 +211,12 @@ coefficients are 0 but for one, so they do not change their sign.
 
 :::{claim} third_function_has_a_zero_for_every_smaller_beta
 :title: For every beta below the range the third function has a zero inside
-:zh: β<-21/4 时 B_2 在 (0,1/2) 内有零点
+:zh: β<-21/4 时 B_2 在 (0,4/9) 内有零点
 :given: any $\beta=-\frac{21}4-b$, $b>0$; printed and corrected functions
 :then: $B_2$ vanishes at $t=\frac{4b}{9(21/4+b)}$, which is in $(0,\frac49)$ and not a root of the other factors
 :method: The value of the kernel at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
-  $k=(0,0,1,0,\dots)$ there is a root and no change of sign, and the triangle $(0,0),(1,1),(2,0)$ with the points of
-  the counterexample for the smallest printed $\beta$ has three common points with the line $y=0$.
+  $k=(0,0,1,0,\dots)$ there is a root and no change of sign.  With the points
+  $(0,0),(0,0),(1,1),(2,0),\dots,(2,0)$ the height of the curve is $B_2$, and it has $t=0$, this $t$ and $t=1$ on the line $y=0$.
 :types: field rational
 :degrees: 7..7
 :scope: every β < −21/4
@@ -337,7 +337,7 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
 :result: crossings of the curve = 2; crossings of the polygon = 0; roots of (20) in (0,1) = 0
 :given: the right end of the range of $\beta$, points on a line, and the line through $Q$ with the normal vector $u$, a
   little below
-:then: the line does not meet the polygon, $SA=0$, and the curve crosses it; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
+:then: the line does not cross the polygon, and the curve crosses it; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
 :method: The crossings are counted exactly by `crossings.h`, the roots of the polynomial by `roots.h`.
 :control: the corrected functions
 :::

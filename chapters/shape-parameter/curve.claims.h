@@ -59,8 +59,7 @@ CLAIM(printed_curve_kernel_is_the_sum)
 :zh: 核函数即修正后的曲线
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
 :then: `shape_point` gives $\sum P_iB_{i,n}(t)$
-:method: The formula of the functions, everything a variable.  The kernel uses de Casteljau's algorithm and no function of
-  degree above 3.
+:method: The formula of the functions, everything a variable.
 :degrees: 2..7 sampled 14
 :defines: shape_point
 :control: $-\beta$ in the place of $\beta$
@@ -95,7 +94,7 @@ With the printed functions and with the corrected ones it is a Bézier curve of 
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
 :then: the curve of degree $n+1$ of the points of `shape_bezier_points` is $\sum P_iB_{i,n}(t)$; they are the rows of
   `shape_matrix` applied to the $P_i$; and
-  $Q_k-P_{k-1}=\bigl(\frac{n+1-k}{n+1}+\beta\frac{a_k}{\binom{n+1}k}\bigr)(P_k-P_{k-1})$
+    $Q_k-P_{k-1}=\bigl(\frac{n+1-k}{n+1}+\beta\frac{a_k}{\binom{n+1}k}\bigr)(P_k-P_{k-1})$ for $1\le k\le n$
 :method: The points as coefficients of Bernstein polynomials of degree $n+1$ against the formula of the functions,
   everything a variable.
 :degrees: 2..7 sampled 14
@@ -184,8 +183,6 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
   $\beta$, for the printed functions; on which side is a matter of the polygon, which the text does not give
 :reading: points_move_evenly_with_beta | the same for the corrected functions
 :figure: curves_for_several_beta
-
-The last two curves of the figure, $\beta=-6$ and $-7$, are outside the true range.
 :::
 
 :::{claim} points_move_evenly_with_beta
@@ -251,14 +248,14 @@ CLAIM(printed_points_move_evenly_with_beta)
   corrected ones: these polygons $P_0,\dots,P_7$, any $v$, $P$ and $Q$, have one curve for all $\beta$
 :figure: edges_that_do_not_move
 
-Different as parametrized curves; their sets of points are not compared.  For $n=7$ the number $a_4$ is 0.
+Different as parametrized curves; their sets of points are not compared.
 :::
 */
 
 #if RATIONAL
 /*
 :::{claim} polygons_that_do_not_move
-:title: Only the polygons of one middle edge have the same curve for all beta
+:title: The polygons that have the same curve for all beta
 :zh: 与 β 无关的控制多边形
 :kind: decision
 :data: k, corrected functions = 1 1 1 1 0 0 0 0; k', corrected functions = 0 0 0 0 1 1 1 1;
@@ -300,8 +297,8 @@ CLAIM(polygons_that_do_not_move)
 
 /*
 :::{claim} edges_that_do_not_move
-:title: A polygon of one middle edge has one curve for all beta
-:zh: 仅有中间一边的控制多边形与 β 无关
+:title: Two polygons, one for each family of functions, with the same curve for two values of beta
+:zh: 两个 β 值给出同一曲线的控制多边形
 :kind: counterexample
 :data: β = 0 1; P, corrected functions = (0,0) (0,0) (0,0) (0,0) (1,2) (1,2) (1,2) (1,2);
   P, printed functions = (0,0) (0,0) (0,0) (0,0) (5,10) (1,2) (1,2) (1,2)
@@ -458,9 +455,6 @@ CLAIM(derivatives_of_the_curve)
 :hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
 :figure: end_edges
-
-At $\beta=-7$, an end of the printed range, the curve leaves $P_0$ towards $\frac14(5P_1-P_2)$; below $-7$ it would leave
-against the edge.
 :::
 */
 
@@ -588,7 +582,7 @@ CLAIM(printed_curve_leaves_a_single_point)
 :instead: β = -5
 :result: q(t) = (-171625953/25600000000,-190659623/25600000000)
 :given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, and a
-  small $t$; printed and corrected functions have the same $y$
+  small $t$; corrected functions
 :then: $y(t)=B_2(t)<0$ while all points have $y\ge0$
 :method: The point of the corrected curve; `hull.h` is asked whether it is in the hull.
 :control: a $\beta$ of the true range
@@ -692,7 +686,7 @@ As printed, with one meaning of $B_1$, the ends of the chain say that every curv
 :kind: counterexample
 :data: β = -1; P = 0 1 2 3 4 5 6 7; t = 0
 :result: q(1-t) = 7; q(t) = 0
-:given: points on an axis, one coordinate of each, and the first parameter; $\beta$ does not matter
+:given: points on an axis, one coordinate of each, and the first parameter; corrected functions
 :then: $q(1-t)\ne q(t)$: they are the last and the first point
 :method: The two ends of the chain are computed.
 :control: the curve of the reversed polygon on the left
@@ -726,7 +720,7 @@ where it is, do no harm.
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; the printed curve of the points $P_i+v$ is the old one
   moved by $(1-4\beta(1-t)^3t^4)v$, so it moves along only for $\beta=0$ or $v=0$; linear maps, rotations about the origin
-  among them, do no harm
+  among them, take the printed curve along
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
 :figure: hull_and_sum
 :striking: 10

@@ -26,9 +26,6 @@ are positive.  That the argument nowhere uses the range of $\beta$ could have be
 :definition: yes
 :checked-by: combination_begins_and_ends_with_its_coefficients
 
-Roots may be counted with or without multiplicity: what is decided below holds for both, and the counterexamples have simple
-roots.
-
 The number of roots is called Zeros in (15) and Zero in (20), and the rule of signs 符号法制 once and 符号法则 afterwards.
 :::
 */
@@ -39,10 +36,8 @@ The number of roots is called Zeros in (15) and Zero in (20), and the rule of si
 :title: A combination of the functions has its first and its last coefficient as values at the ends
 :zh: 组合函数的端点值为首末系数
 :given: any $k_0,\dots,k_7$ and $\beta$; printed and corrected functions
-:then: $f(0)=k_0$, $f(1)=k_7$; so when these have different signs, the number of roots in $(0,1)$, counted with
-  multiplicity, is odd, and of a polynomial of degree 8 at most 7
-:method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of
-  odd multiplicity.
+:then: $f(0)=k_0$, $f(1)=k_7$
+:method: The kernels at the two integers, everything a variable.
 :types: field rational
 :degrees: 7..7
 :over: k#: coefficients
@@ -63,6 +58,31 @@ CLAIM(combination_begins_and_ends_with_its_coefficients)
             same(T, sum, k[end ? 7 : 0]);
         }
 }
+
+/*
+:::{claim} roots_inside_tell_the_signs_at_the_ends
+:title: An even number of roots in (0,1) leaves equal signs at the ends, an odd number different ones
+:zh: (0,1) 内根的个数的奇偶性决定两端的符号
+:given: a polynomial $f=(t-r_1)\cdots(t-r_m)\,g$ with the roots $r_i$ in $(0,1)$, each as often as its multiplicity, $m=1,\dots,8$; $f$ of a degree of at most 8; $g$ has
+  the values $a$ and $b$ at $0$ and $1$, of one sign, since it has no root in $[0,1]$
+:then: $(-1)^mf(0)f(1)=ab\,r_1(1-r_1)\cdots r_m(1-r_m)>0$
+:method: $r_i=s_i/(1+s_i)$ with $s_i>0$ a variable, $a$ and $b$ positive variables; with $-g$ both change their signs.
+:types: field rational
+:scope: polynomials of degree at most 8
+:over: s# a b: -
+:control: $(-1)^{m+1}$
+:::
+*/
+CLAIM(roots_inside_tell_the_signs_at_the_ends)
+{
+    num one = from_int(1), a = positive(T, "a", 0), b = positive(T, "b", 0), at_0 = a, at_1 = b;
+    for (int m = 1; m <= 8; m++) {
+        num s = positive(T, "s", m), r = div(s, add(one, s));
+        at_0 = mul(at_0, neg(r)), at_1 = mul(at_1, sub(one, r));
+        num product = mul(at_0, at_1);
+        G(must_be_positive)(T, (m + fault(T, 0, 1)) % 2 == 0 ? product : neg(product));
+    }
+}
 #endif
 
 #if RATIONAL
@@ -76,8 +96,7 @@ alternate as they do in the case that the source treats.
 :given: random $k$ with $k_0>0$ and alternating signs, any $\beta$; corrected functions
 :then: $f(0)=k_0$, $f(1)=k_7$, the number of roots of $f$ in $(0,1)$, each counted as often as its multiplicity, is odd and at
   most 7
-:method: The roots of the exact polynomial are counted.  In general: $f$ changes its sign at a root exactly when the
-  multiplicity is odd.
+:method: The roots of the exact polynomial are counted.
 :types: rational
 :control: the last sign is changed
 :::
@@ -111,8 +130,6 @@ CLAIM(parity_of_the_roots)
   first_function_has_a_zero_for_every_larger_beta
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
-
-The sum of the functions plays no part here, so that the misprints do no harm.
 
 With two neighbours $k_{i-1},k_i$ each Bernstein coefficient of $\sum k_iB_i$ is a multiple of an average of the two, not a negative one, where the entries of the
 matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.
@@ -171,9 +188,6 @@ CLAIM(positive_coefficients_with_two_roots)
   sign of this $k_i$ for small $t>0$, and in the same way that of the last one near $t=1$
 :corrected-by: first_coefficient_gives_the_sign
 :figure: zero_at_the_beginning
-
-The signs of $f(0)=k_0$ and $f(1)=k_7$, on which the proof rests, say nothing when one of them is 0.  With $SA=7$ all
-eight are different from 0; in the other cases they need not be.
 :::
 
 A sum whose first coefficient is 0 is not covered by the words "without loss of generality".  It takes little to cover it:
@@ -235,16 +249,41 @@ CLAIM(first_coefficient_gives_the_sign)
 }
 
 /*
+:::{claim} seven_changes_end_below_zero
+:title: When eight numbers of which the first is positive change their sign seven times the last is negative
+:zh: k_0>0 且变号七次时 k_7<0
+:kind: decision
+:given: all sequences of eight signs $-1,0,1$ that begin with 1
+:then: where the sign changes seven times, the last is $-1$
+:method: All are counted through.
+:degrees: 7..7
+:control: those with six changes
+:::
+*/
+CLAIM(seven_changes_end_below_zero)
+{
+    int found_some = 0;
+    for (int code = 0; code < 2187; code++) {
+        num k[8] = {from_int(1)};
+        for (int i = 1, rest = code; i <= 7; i++, rest /= 3)
+            k[i] = from_int(rest % 3 - 1);
+        if (G(sign_changes)(7, k) != fault(T, 7, 6))
+            continue;
+        found_some = 1;
+        agree(T, sign_q(k[7]) < 0);
+    }
+    agree(T, found_some);
+}
+
+/*
 :::{statement} deng-zhang-2022:property-3.6-case-1
 :title: Seven changes of sign: at most seven roots
 :zh: 情形 1
 :printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
-:holds-by: combination_begins_and_ends_with_its_coefficients
+:holds-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends seven_changes_end_below_zero
 :figure: roots_at_minus_seven
 
-Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is
-odd when $f(0)=k_0$ and $f(1)=k_7$ have different signs.  The lemma that is cited for $k_7<0$ is not in the text, and not
-needed: seven changes among eight signs leave no other sign for $k_7$.
+The lemma that is cited for $k_7<0$ is not in the text.
 :::
 
 :::{statement} deng-zhang-2022:property-3.6-case-2
@@ -255,13 +294,12 @@ needed: seven changes among eight signs leave no other sign for $k_7$.
 :class: invalid-proof
 :corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
   when $k_7=0$ it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
-:corrected-by: combination_begins_and_ends_with_its_coefficients totally_positive_exactly_in_the_range
-  averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
+:corrected-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends
+  totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven
 
 With $k_0,k_7\ne0$ the number of roots, counted with multiplicity, is even or odd as $SA$ is, so that it is not $SA+1$.
-The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.
 :::
 
 The two counterexamples enter the two gaps.  In the first the signs at the ends differ, and an odd number of roots is
@@ -275,7 +313,7 @@ allowed: three as well as one.  In the second $f(1)=0$.
 :instead: β = -21/4
 :result: roots in (0,1) = 3; SA = 1
 :given: the left end of the printed range, and coefficients $k$ with $k_0>0>k_7$; printed functions
-:then: $f=\sum k_i\hat B_i$ has more roots in $(0,1)$ than $k$ has changes of sign, by two; the signs at the ends allow this
+:then: $f=\sum k_i\hat B_i$ has more roots in $(0,1)$ than $k$ has changes of sign, by two
 :method: The roots of the exact polynomial are counted.
 :control: the left end of the true range
 :::
@@ -298,8 +336,7 @@ CLAIM(one_change_of_sign_and_three_roots)
 :instead: β = -21/4
 :result: roots in (0,1) = 2; SA = 1; f(t)/(t-1)² = "630*t^6 - 638*t^5 + 33*t^4 + 4*t^3 + 3*t^2 + 2*t + 1"
 :given: the left end of the printed range, and coefficients $k$ with $k_0>0$ and $k_7=0$; printed functions
-:then: $f=\sum k_i\hat B_i$ has a double root at 1 and, in $(0,1)$, more roots than $k$ has changes of sign; $f(1)=0$ says
-  nothing
+:then: $f=\sum k_i\hat B_i$ has a double root at 1 and, in $(0,1)$, more roots than $k$ has changes of sign
 :method: The roots of the exact polynomial are counted, and it is divided by $(t-1)^2$.
 :control: the left end of the true range
 :::
@@ -327,7 +364,7 @@ CLAIM(one_change_of_sign_and_two_roots)
 :corrected-by: nonnegative_exactly_in_the_range each_function_rises_then_falls
 :figure: roots_at_minus_seven
 
-No function is 0 in $(0,1)$ there: $\nu_i,\varphi_i\ge0$ are not both 0 for $0<i<7$, and $B_0$ falls from 1 to 0.  With $k=0$ every $t$ is a
+No function is 0 in $(0,1)$ there: $\nu_i,\varphi_i\ge0$ are not both 0 for $0<i<7$, $B_0$ falls from 1 to 0, and $B_7$ is its mirror image.  With $k=0$ every $t$ is a
 root, although there is no change of sign.
 :::
 */

@@ -73,7 +73,7 @@ CLAIM(curve_is_a_blend_of_three_points)
 #if RATIONAL
 /*
 :::{claim} blend_is_convex_from_minus_two_to_one
-:title: The point is in the last triangle for beta from -2 to 1, nearer to its vertex for larger beta
+:title: The factors of the last three points are nonnegative for beta from -2 to 1, and only that of the middle point grows with beta
 :zh: -2≤β≤1 时点在最后的三角形内
 :kind: decision
 :data: range of β = -2 1
@@ -117,8 +117,7 @@ every degree, because of $\varphi_0$.
 :zh: 线性因子的封闭形式
 :given: any $\beta$, $k=0,\dots,n$
 :then: $n(n-1)\nu_k=\binom nk\bigl(n(n-1)+\beta k(n+1-2k)\bigr)$
-:method: The kernel against the closed form, $\beta$ a variable.  For every $n$: $\binom{n-2}{k-1}$ and $\binom{n-2}{k-2}$ are
-  $\binom nk$ times $\frac{k(n-k)}{n(n-1)}$ and $\frac{k(k-1)}{n(n-1)}$.
+:method: The kernel against the closed form, $\beta$ a variable.
 :degrees: 2..16 sampled 40
 :control: $n+1-k$ in the place of $n+1-2k$
 :::
@@ -144,8 +143,7 @@ CLAIM(factors_in_closed_form)
 :data: l = -2 -3 -4 -5 -5 -21/4 -28/5 -6 -6 -55/9 -44/7
 :given: all real $\beta$, the corrected functions of degree $n$
 :then: they are nonnegative on $[0,1]$ exactly for $l_n\le\beta\le1$, where $l_2$, $l_3$, … are the numbers $l$ in their order
-:method: $-l_n$ is the least of the numbers $\frac{n(n-1)}{k(n+1-2k)}$.  All factors are nonnegative on the interval, one
-  vanishes at each end and is negative beyond it.
+:method: All factors are nonnegative on the interval, one vanishes at each end and is negative beyond it.
 :degrees: 2..12
 :scope: every real β
 :control: the interval begins 1 below
@@ -170,17 +168,15 @@ CLAIM(range_of_every_degree)
 #endif
 
 /*
-No range goes below $-8$, however high the degree.  Completing the square in $k(n+1-2k)$ shows it, and since some whole $k$
-is at most $\frac12$ from the vertex of the parabola, the bound is approached.
+No range goes below $-8$, however high the degree: by completing the square in $k(n+1-2k)$ as in the first identity below, and since some whole
+$k$ has $|d|\le\frac12$, the bound is approached.  For the upper end take $j=k-1$: that $\varphi_j\ge0$ says $n(n-1)\ge\beta(n-j)(n-1-2j)$.
 
 :::{claim} lower_end_is_between_two_bounds
-:title: The lower end of the range is above -8 in every degree and tends to it
-:zh: 范围下端 l_n>-8 且趋于 -8
+:title: Two identities for the lower end of the range
+:zh: 关于范围下端的两个恒等式
 :given: any $n$, $k$ and $d$ with $k=\frac{n+1}4+d$
 :then: $8k(n+1-2k)=(n+1)^2-16d^2$, and $8n(n-1)(n+3)=8n((n+1)^2-4)$
-:method: Identities with $n$ and $d$ variables.  Some whole $k$ has $|d|\le\frac12$, so the largest $k(n+1-2k)$ is between
-  $\frac{(n+1)^2-4}8$ and $\frac{(n+1)^2}8$, and $\frac{8n(n-1)}{(n+1)^2}\le-l_n\le\frac{8n}{n+3}<8$.  At $n=7$ the left
-  bound is attained.
+:method: Identities with $n$ and $d$ variables.
 :degrees: all
 :over: n d: k
 :control: $(n+1)^2$ in the place of $(n+1)^2-4$
@@ -200,12 +196,11 @@ CLAIM(lower_end_is_between_two_bounds)
 
 /*
 :::{claim} upper_end_is_one
-:title: The upper end of the range is 1 in every degree
-:zh: 范围上端恒为 1
-:given: any $n$ and $j=k-1$
-:then: $\binom n{k-1}-\beta a_k\ge0$ says $n(n-1)\ge\beta(n+1-k)(n+1-2k)$, and
-  $n(n-1)-(n-j)(n-1-2j)=j(3n-1-2j)$, which is $\ge0$ for $0\le j\le n$
-:method: An identity with $n$ and $j$ variables; for $j=0$ there is equality at $\beta=1$.
+:title: An identity for the upper end of the range
+:zh: 关于范围上端的恒等式
+:given: any $n$ and $j$
+:then: $n(n-1)-(n-j)(n-1-2j)=j(3n-1-2j)$
+:method: An identity with $n$ and $j$ variables.
 :degrees: all
 :over: n j: k
 :control: $3n-1-j$ in the last factor
@@ -223,14 +218,14 @@ CLAIM(upper_end_is_one)
 #if RATIONAL
 /*
 :::{claim} pattern_breaks_in_degree_six
-:title: In degree six the range -n to 1 is too wide for the first time
+:title: In degree six the range -n to 1 is too wide
 :zh: 六次起 -n≤β≤1 不再保证非负
 :kind: counterexample
 :data: n = 6; t = 1/20
 :instead: n = 5
 :result: B_2(t) = -390963/128000000
 :given: the degree $n$, $\beta=-n$ and a small $t$
-:then: $B_{2,n}(t)<0$; in every smaller degree the range $-n\le\beta\le1$ is right by `range_of_every_degree`
+:then: $B_{2,n}(t)<0$
 :method: The value of the function, exactly.
 :control: the degree one less
 :::
@@ -336,7 +331,9 @@ Both examples have four points with whole coordinates.  The first refutes the tw
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is
   farther than even the larger of the two distances; for the first $\beta$ every control point is nearer to the curve than
   $R$, for the second one is farther
-:method: As in `larger_beta_takes_the_curve_away_from_its_polygon`.
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by the signs of three
+  polynomials (the foot on the edge, the distance to its line).  Farther: one rational $t$ and all edges; for a control
+  point the sign of $|q(t)-P_i|^2-R^2$ on $[0,1]$.
 :control: the two values of $\beta$ exchanged
 :::
 */

@@ -27,7 +27,7 @@ intersections" is true or false according to what is counted.
 :checked-by: points_of_a_line_by_its_normal
 :figure: line_along_an_edge
 
-A normal vector is not 0; with $u=0$ all points would be on $L$, `no_normal_no_line`.
+A normal vector is not 0 (`no_normal_no_line`).
 :::
 
 :::{claim} points_of_a_line_by_its_normal
@@ -102,7 +102,7 @@ CLAIM(points_between_two_on_one_side_are_on_it)
 #if RATIONAL
 /*
 :::{claim} no_normal_no_line
-:title: With the normal vector 0 every point is on L
+:title: With the normal vector 0 three points that are not on a line are on L
 :zh: 法向量为零时不成直线
 :kind: counterexample
 :data: X = (0,0) (1,0) (0,1); Q = (0,0); u = (0,0)
@@ -227,7 +227,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :class: false
 :corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
   curve is not on $L$
-:corrected-by: totally_positive_exactly_in_the_range nonnegative_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+:corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero nonnegative_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign line_function_of_the_curve
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
@@ -263,7 +263,7 @@ What is right about (20) is an identity.  It also shows by how much the printed 
 of $Q\cdot u$, so a line through the origin would not have shown it.
 
 :::{claim} line_function_of_the_curve
-:title: With the sum 1 the function of the proof is the distance of the curve from the line
+:title: With the sum 1 the function of the proof is (q(t)-Q).u
 :zh: 曲线与直线的函数
 :given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
 :then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for the printed functions the difference of the two sides is

@@ -22,23 +22,17 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
   triangle $b_0b_1b_2$, its weight at $b_1$ does not fall and those at $b_0$ and $b_2$ do not grow; if the polygon is convex and turns by
-  at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1; whether
-  the curve comes nearer to the polygon depends on the polygon
+  at most two right angles,  each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
-:confirmed-by: growing_beta_pushes_by_the_turns convex_polygon_prefers_beta_one quadratic_distance_to_a_line_shrinks
-  quadratic_distance_to_an_end_shrinks
+:confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :striking: 11
 
-The first refutation is for both senses at once, and both are for the printed and for the corrected functions.  That for three points
-no point moves away from the polygon while $-2\le\beta\le1$ is argued in `every-degree` from `quadratic_distance_to_a_line_shrinks` and
-`quadratic_distance_to_an_end_shrinks`; polygons of four for which it is false are there, too.
-
-Below $-\frac72$ a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
+Below this range a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
 
 Outward is to the right of $q'$, or along it, where the polygon turns to the left: $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with
-the factors of the claims, none of them positive in the range.  To some convex polygons it comes nearer: `convex_polygon_prefers_beta_one`.
+the factors of the claims, none of them positive in the range.
 :::
 */
 
@@ -112,7 +106,7 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
 :data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = 1 0; r² = 111/20
 :instead: β = 0 1
 :result: t of a farther point = 35/64 35/64
-:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, the right end of the range and the $\beta$ of
+:given: a convex polygon, the right end of the range and the $\beta$ of
   the Bézier curve, and the square of a distance; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve,
   some point is farther
@@ -142,9 +136,8 @@ another one it is lost.
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
 :class: false
 :corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it
-  holds for some convex polygons and fails for others
+  holds for one convex polygon and fails for another
 :corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
-:confirmed-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 :::
 
@@ -155,7 +148,7 @@ another one it is lost.
 :data: P = (-3,-3) (-3,-4) (-2,-4) (5,0) (4,5) (3,5) (2,4) (-2,-1); β = 0 1; r² = 91/20
 :instead: β = 1 0
 :result: t of a farther point = 15/32 15/32
-:given: another convex polygon, the $\beta$ of the Bézier curve and the right end of the range, and the square of a
+:given: a convex polygon, the $\beta$ of the Bézier curve and the right end of the range, and the square of a
   distance; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one

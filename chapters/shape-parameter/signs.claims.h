@@ -22,7 +22,7 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :::{statement} deng-zhang-2022:property-2.1
 :title: The functions are not negative
 :zh: 非负性，式 (2)
-:printed: $B_{i,7}\ge0$, $i=0,\dots,7$, for the $t\in[0,1]$ and $-7\le\beta\le1$ of definition 2.1
+:printed: $B_{i,7}\ge0$, $i=0,\dots,7$ (definition 2.1: $t\in[0,1]$, $-7\le\beta\le1$)
 :refuted-by: third_function_is_negative
 :class: false
 :corrected: all eight functions, printed or corrected, are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
@@ -30,8 +30,6 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :confirmed-by: range_of_every_degree
 :figure: negative_function
 :striking: 8
-
-For degrees up to five the range $-n\le\beta\le1$ would have been right: see `every-degree`.
 :::
 */
 
@@ -45,8 +43,8 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
 :instead: β = -21/4
 :result: B_2(t) = -413343/100000000
 :given: the left end of the printed range of $\beta$, and a small $t$
-:then: $\hat B_2(t)<0$: the linear factor is $\nu_2s+\varphi_2t$, and $\nu_2$ is negative
-:method: The value of the printed formula; it is the corrected one too.
+:then: $\hat B_2(t)<0$
+:method: The value of the printed formula.
 :control: the left end of the true range
 :::
 */
@@ -108,7 +106,7 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
 :::{statement} deng-zhang-2022:property-2.5
 :title: Each function has one local maximum
 :zh: 单峰性
-:printed: having one peak (单峰性): each of the basis functions has a local maximum on $[0,1]$, for the $-7\le\beta\le1$ of definition 2.1
+:printed: having one peak (单峰性): each of the basis functions has a local maximum on $[0,1]$ (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: third_function_has_two_maxima
 :class: false
 :corrected: for $-\frac{21}4\le\beta\le1$ each function, printed or corrected, has exactly one local maximum on $[0,1]$ and
@@ -121,7 +119,6 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
   one, below $-\frac{21}4$ by this claim as in the true range by the correction
 :figure: negative_function
 
-That there is at least one local maximum is true of every continuous function on $[0,1]$.
 $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$.
 :::
 
@@ -223,7 +220,7 @@ Below the true range the argument breaks for $i=2$ and its mirror image $i=5$ al
 changes of sign.  The function then begins with 0, falls, and has to rise again.
 
 :::{claim} third_function_falls_then_rises_below_the_range
-:title: Below the range two functions have an inner minimum too, all have one inner maximum
+:title: Below the range two of the six inner functions have an inner minimum too, the others have one inner maximum alone
 :zh: -7≤β<-21/4 时的极值
 :kind: decision
 :data: range of β = -7 -21/4
@@ -237,7 +234,7 @@ changes of sign.  The function then begins with 0, falls, and has to rise again.
   $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both
   signs and vanishes at both ends.  $B_5$ is the mirror image.
 :degrees: 7..7
-:scope: below it down to −7
+:scope: −7 ≤ β < −21/4
 :control: an interval that reaches into the true range
 :::
 */
@@ -269,9 +266,9 @@ CLAIM(third_function_falls_then_rises_below_the_range)
 :result: B_2'(t) = "-504*t^7 + 2254*t^6 - 3990*t^5 + 3500*t^4 - 1540*t^3 + 294*t^2 - 14*t"; its roots in (0,1) = 2;
   local maxima on [0,1] = 2
 :given: the left end of the printed range, and $\hat B_2$
-:then: the derivative is negative near $t=0$ and has simple roots in $(0,1)$: the local maxima on $[0,1]$ are $t=0$ and the
-  last root
-:method: The roots of the exact derivative are counted, and its sign near 0 is that of its first coefficient that is not 0.
+:then: the derivative is negative near $t=0$ and changes its sign at both roots in $(0,1)$: the local maxima on $[0,1]$ are
+  $t=0$ and the last root
+:method: The roots of the exact derivative and its changes of sign are counted, and its sign near 0 is that of its first coefficient that is not 0.
 :control: the value of figure 1
 :::
 */

@@ -22,8 +22,8 @@ the range from $-\frac{21}4$ to 1.
   control polygon
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
-:corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight line,
-  evenly; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
+:corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each inner Bézier point $Q_k$ on the line of
+  its edge $P_{k-1}P_k$, and each point of the curve on a straight line, evenly; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns
@@ -39,15 +39,14 @@ the range from $-\frac{21}4$ to 1.
   edge_is_not_tangent_at_minus_seven
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
-  not 0, variation diminution in the sense of property 3.6; at $\beta=-\frac{21}4$ too, but variation diminution for crossings, and
-  for common points unless the curve is on the line and the polygon is not
+  not 0, variation diminution for crossings and common points, counted along the curve and along the polygon; at
+  $\beta=-\frac{21}4$ too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
-  combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one reversed_polygon_reverses_the_curve
+  totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
   linear_factor_adds_a_change_of_sign functions_are_independent_but_for_two_values
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: ranges_of_beta
-
-For the end properties, the hull, the symmetry and the variation see the properties 3.1, 3.2, 3.3 and 3.6, whose corrections these are.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-better
@@ -56,9 +55,9 @@ For the end properties, the hull, the symmetry and the variation see the propert
 :printed: from the point of view of approximation the curve is better than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: for $\beta=1$ it depends on the polygon: to some convex ones the curve is nearer than the Bézier curve
+:corrected: for $\beta=1$ it depends on the polygon: to one convex polygon the curve is nearer than the Bézier curve, to another
+  it is not
 :corrected-by: convex_polygon_prefers_beta_one
-:confirmed-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 :::
 
@@ -71,11 +70,14 @@ For the end properties, the hull, the symmetry and the variation see the propert
   edge_is_not_tangent_at_minus_seven curve_of_a_triangle_meets_a_line_three_times
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
-  not 0, variation diminution in the sense of property 3.6, convexity in that of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$
+  not 0, variation diminution for crossings and common points, counted along the curve and along the polygon, and, for polygons convex when
+  closed and not on a line, at most two points of the curve on any line; at $\beta=-\frac{21}4$
   too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
   not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
-  combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
+  combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one
+  totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
+  linear_factor_adds_a_change_of_sign
   four_vertices_of_a_convex_polygon_do_not_alternate functions_are_independent_but_for_two_values
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: ranges_of_beta
@@ -87,7 +89,8 @@ For the end properties, the hull, the symmetry and the variation see the propert
 :printed: the curve has better adjustability and better approximation than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: adjustable it is, but for the polygons of `abstract-adjustable`; whether the curve of $\beta=1$ is nearer to its
+:corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions and $0,0,0,0,5v,v,v,v$ with the printed
+  ones; whether the curve of $\beta=1$ is nearer to its
   polygon than that of $\beta=0$ depends on the polygon
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :figure: closer_or_not
@@ -103,8 +106,7 @@ For the end properties, the hull, the symmetry and the variation see the propert
 :argued: every n | By its definition the sum has one value for given points and parameters, whatever the degree.
 :figure: curves_for_several_beta
 
-Curve and surface are computed from their control points and the parameters, and from nothing else, so that another curve has other
-points.  As a parametrized curve of the same degree that of other points is another one (`bernstein_basis_is_independent`).
+As a parametrized curve of the same degree that of other points is another one (`bernstein_basis_is_independent`).
 :::
 
 :::{statement} deng-zhang-2022:sec-1-bezier-properties
@@ -207,9 +209,6 @@ CLAIM(second_volume_is_of_the_second_year)
 :reading: degree_with_the_parameter_exceeds_that_of_the_polygon | the degree $m$ exceeds that of a polygon of $n+1$ points: for
   $l,n>1$ by $(l-1)(n-1)$
 :reading: that [11] has this degree, that its parameter is vague and its degree too high: no computation decides it, and [11] is not at hand
-
-For $l=1$ it is the Bézier curve of degree $n$; for larger $l$ the degree is higher by a product.  What is vague, and what too high, is not
-said.
 :::
 
 :::{claim} degree_with_the_parameter_exceeds_that_of_the_polygon
@@ -240,8 +239,8 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 :confirmed-by: more_weight_moves_a_mean_to_its_point growing_weight_pulls_each_point_straight_to_the_vertex
 :figure: geometric_weights
 
-They can, which does not say that every change of the weights does: weights changed from $w_i$ to $cr^iw_i$ give another
-parametrization of the same curve (`weights_in_a_progression_keep_the_shape`), and points on a line may keep their segment
+They can, which does not say that every change of the weights does: weights in a geometric progression may leave the curve on the
+parabola of equal weights (`weights_in_a_progression_keep_the_shape`), and points on a line may keep their segment
 (`points_on_a_line_keep_their_segment`).  The sentence goes on that it is not clear yet how to choose the weights; that is an opinion,
 which no computation decides.
 :::
@@ -283,8 +282,8 @@ CLAIM(points_on_a_line_keep_their_segment)
 
 /*
 :::{claim} weights_in_a_progression_keep_the_shape
-:title: Weights in a geometric progression keep the shape
-:zh: 等比权因子不改变曲线形状
+:title: Weights in a geometric progression leave a curve on the parabola of equal weights
+:zh: 等比权因子的曲线仍在同一抛物线上
 :kind: counterexample
 :data: P = (0,0) (1,2) (2,0); w = 1 2 4
 :instead: w = 1 3 4

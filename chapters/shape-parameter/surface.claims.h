@@ -27,12 +27,7 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :zh: 起点与终点重合得封闭曲线
 :printed: when the first and the last point coincide a closed curve is obtained, as with the Bézier curve of degree seven
 :holds-by: end_points_and_end_derivatives
-:confirmed-by: second_derivative_takes_over_at_minus_seven
 :figure: petals
-
-For $\beta\ne-7$ and end edges that are not 0 its tangent is continuous at that point exactly when $P_1$, $P_0=P_7$ and
-$P_6$ are on a line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends are 0, and the second ones, $14(5P_1-P_2-4P_0)$
-and $14(5P_6-P_5-4P_7)$, give the tangents where they are not 0.
 :::
 
 :::{statement} deng-zhang-2022:fig-3
@@ -160,7 +155,7 @@ for the sum, a net with one row different from 0 for a sign.
 :given: degrees 3 and 2, any points, $\beta$, $\gamma$, $u$ and $v$; corrected functions
 :then: the surface of the points $P_{3-i,2-j}$ at $(1-u,1-v)$ is that of the $P_{ij}$ at $(u,v)$; the same for one
   direction alone
-:method: Both by the kernel, everything a variable.  For $n=7$ by the symmetry of the functions.
+:method: Both by the kernel, everything a variable.
 :scope: degrees 3 and 2
 :control: $v$ in the place of $1-v$
 :::
@@ -222,7 +217,7 @@ CLAIM(printed_surface_leaves_a_single_point)
 :given: the left end of the printed range, and a net of numbers that are positive in one row and 0 in all others; a small
   $u$, and $v$ in the middle
 :then: the value of the surface is negative, with the corrected and with the printed functions
-:method: The double sum; it is the sum of the $B_j(v)$, which is positive, times $B_i(u)$.
+:method: The double sum.
 :control: the left end of the true range
 :::
 */
@@ -332,7 +327,7 @@ columns may all be straight, and the surface a saddle.
 :title: A net of straight rows and columns whose surface is a saddle
 :zh: 行列皆直的控制网生成鞍面
 :given: $P_{ij}=(i,j,ij)$, degrees $n$ and $n$, any $\beta$, $u$ and $v$
-:then: the surface satisfies $z=xy$: it lies on a hyperbolic paraboloid, which is convex to no side
+:then: the surface satisfies $z=xy$, the equation of a hyperbolic paraboloid
 :method: The three coordinates by the surface kernel, $\beta$, $u$, $v$ variables.
 :degrees: 2..7 sampled 7
 :control: the corner $P_{00}$ moved to $(1,0,0)$
@@ -363,7 +358,7 @@ CLAIM(net_of_straight_lines_gives_a_saddle)
 :instead: coefficients of i², ij, j² in the height = 1 0 1
 :result: point of the surface = (7/2,7/2,49/4); heights of the two chords = 49/2 0
 :given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; the right
-  end of the range of $\beta$, corrected functions; the middle of the square.  The net as a whole is not convex
+  end of the range of $\beta$, corrected functions; the middle of the square
 :then: the point of the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so
   convex to no side
 :method: The height of the point of the surface and of the two chords above it.  The control: a net whose columns and rows
@@ -402,9 +397,8 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
   $i,j\ge4$: with the corrected functions; with the printed ones not $P_{ij}=k_ik_jv$ with $k=(0,0,0,0,5,1,1,1)$ and some $v$
 :figure: shape_surface
 
-One $\beta$ in both directions, and surfaces with their parameters: then they are not the same for all $\beta$; two values
-may still give one, as $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27,-27,5,0,0)$, with the corrected functions: there
-$\sum k_iB_i$ is linear in $\beta$ and 0 at $-\frac{21}4$ (`a_combination_vanishes`).
+One $\beta$ is taken in both directions.  Decided is that the surface, with its parameters, is not the same for all $\beta$; single
+values of $\beta$ are not compared.
 :::
 
 :::{claim} nets_that_do_not_move
@@ -474,8 +468,8 @@ CLAIM(nets_that_do_not_move)
 
 /*
 :::{claim} surface_that_does_not_move
-:title: A net of four points has one surface for all beta
-:zh: 与 β 无关的曲面
+:title: Nets with the same surface for two values of beta
+:zh: 两个 β 值给出同一曲面的控制网
 :kind: counterexample
 :data: β = 0 1; f, corrected functions = 0 0 0 0 1 1 1 1; f, printed functions = 0 0 0 0 5 1 1 1
 :instead: f, corrected functions = 0 0 0 0 0 1 1 1; f, printed functions = 0 0 0 0 1 1 1 1
@@ -522,11 +516,6 @@ number type that counts its operations.
 :holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
 :hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same method
 :figure: operations_for_a_point
-
-By Horner's rule the degree $n$ takes $2(d+1)n$ products and $dn+1$ sums for $d$ coordinates, by de Casteljau's algorithm
-$dn(n+1)$ products and $\frac12dn(n+1)+n$ sums; here $n=8$ against $n=7$.  In addition the nine Bézier points have to be
-computed once for each $\beta$.  For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no more to
-compute.
 :::
 
 :::{claim} horner_rule_computes_the_curve

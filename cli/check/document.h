@@ -14,7 +14,13 @@
 
 struct cagd_register;
 struct statement;
-enum { MOST_STATEMENTS = 1000, MOST_SHEETS = 100, MOST_SHOWN = 3, MOST_CHUNKS = 1000, LARGEST_FILE = 1 << 22 };
+/* The fuzzers are compiled with smaller limits, which their small inputs reach. */
+#ifdef CAGD_SMALL_LIMITS
+enum { MOST_STATEMENTS = 6, MOST_SHEETS = 2, MOST_CHUNKS = 4, LARGEST_FILE = 2000 };
+#else
+enum { MOST_STATEMENTS = 1000, MOST_SHEETS = 100, MOST_CHUNKS = 1000, LARGEST_FILE = 1 << 22 };
+#endif
+enum { MOST_SHOWN = 3 };
 
 /* What a file says is to come out, where it says so. */
 enum expected { EXPECT_HOLDS, EXPECT_FAILS, EXPECT_UNDECIDED, EXPECT_NOTHING };

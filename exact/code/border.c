@@ -173,23 +173,13 @@ cagd_num_q cagd_code_evaluate(const char *expression, const struct cagd_code_poi
 
 static cagd_num_q middle(cagd_num_q a, cagd_num_q b) { return cagd_mul_q(cagd_add_q(a, b), cagd_from_ratio_q(1, 2)); }
 
-static cagd_num_q floor_of(cagd_num_q a)
-{
-    mpq_t whole;
-    mpq_init(whole);
-    mpz_fdiv_q(mpq_numref(whole), mpq_numref(a.at), mpq_denref(a.at));
-    cagd_num_q q = cagd_from_mpq_q(whole);
-    mpq_clear(whole);
-    return q;
-}
-
 /* The number with the smallest denominator in [lo, hi], by continued fractions. */
 static cagd_num_q simplest(cagd_num_q lo, cagd_num_q hi)
 {
-    cagd_num_q whole = floor_of(lo), one = cagd_from_int_q(1);
+    cagd_num_q whole = cagd_floor_q(lo), one = cagd_from_int_q(1);
     if (cagd_equal_q(whole, lo))
         return whole;
-    if (cagd_compare_q(floor_of(hi), lo) > 0)
+    if (cagd_compare_q(cagd_floor_q(hi), lo) > 0)
         return cagd_add_q(whole, one);
     return cagd_add_q(whole, cagd_div_q(one, simplest(cagd_div_q(one, cagd_sub_q(hi, whole)),
                                                       cagd_div_q(one, cagd_sub_q(lo, whole)))));

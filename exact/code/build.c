@@ -1,6 +1,7 @@
 /* build.c -- see build.h. */
 #include "exact/code/build.h"
 
+#include "exact/code/driver.h"
 #include "exact/code/scratch.h"
 
 #include <errno.h>

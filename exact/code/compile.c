@@ -193,6 +193,20 @@ static void link_object(const char *object, const char *out, int cpp)
     run(!cpp && access(CAGD_LIBGCC, R_OK) == 0 ? by_linker : by_clang);
 }
 
+/* The folder in which core/kernels is: of the installation that this program is in, else that of the sources. */
+static const char *folder_of_kernels(void)
+{
+    static const char installed[] = "/../share/cagd/include";
+    static char path[4096];
+    ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof installed);
+    while (length > 0 && path[length - 1] != '/')
+        length--;
+    if (length <= 0)
+        return CAGD_SOURCES;
+    strcpy(path + length - 1, installed);
+    return access(path, R_OK) == 0 ? path : CAGD_SOURCES;
+}
+
 int main(int argc, char **argv)
 {
     const char *out = NULL, *names = NULL;
@@ -246,8 +260,10 @@ int main(int argc, char **argv)
                                            is_cpp(name) ? "-std=gnu++17" : "-std=gnu17",
                                            "-o",
                                            bitcode,
-                                           name};
-            int words = 14;
+                                           name,
+                                           "-idirafter",
+                                           (char *)(uintptr_t)folder_of_kernels()};
+            int words = 16;
             for (int f = flags; f < argc; f++)
                 if (!is_for_the_other_language(argv[f], is_cpp(name)))
                     word[words++] = argv[f];

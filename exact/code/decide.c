@@ -105,6 +105,15 @@ static void keep(struct cagd_code_verdict *v, struct cagd_code_point *point, str
     v->outcome = o;
 }
 
+/* In the place of a point that was kept because something was computed there. */
+static void keep_instead(struct cagd_code_verdict *v, struct cagd_code_point *point, struct cagd_code_outcome *o)
+{
+    cagd_code_point_free(v->point);
+    cagd_code_outcome_free(v->outcome);
+    v->point = point;
+    v->outcome = o;
+}
+
 /* Why and where the run ended, unless something is said already. */
 static void say(size_t room, char message[], const struct cagd_code_outcome *o)
 {
@@ -164,7 +173,7 @@ static int try_point(const struct cagd_code_program *p, const struct cagd_code_h
         seen[k % v->patterns] = 1;
         if (differs(o)) {
             v->word = CAGD_CODE_DIFFERS;
-            keep(v, point, o);
+            keep_instead(v, point, o);
             make_small(p, h, v);
             return 1;
         }
@@ -179,12 +188,7 @@ static int try_point(const struct cagd_code_program *p, const struct cagd_code_h
     default:
         say(sizeof v->message, v->message, o);
         v->word = CAGD_CODE_UNDECIDED;
-        if (v->point != NULL) {
-            cagd_code_point_free(v->point);
-            cagd_code_outcome_free(v->outcome);
-            v->point = NULL;
-        }
-        keep(v, point, o);
+        keep_instead(v, point, o);
         return 1;
     }
     cagd_code_point_free(point);
@@ -257,11 +261,8 @@ static void add_path(const struct cagd_code_program *p, const struct cagd_code_h
                      "on a way the two sides are different functions that are equal at its point");
         return;
     }
-    cagd_code_point_free(v->point);
-    cagd_code_outcome_free(v->outcome);
     v->word = CAGD_CODE_DIFFERS;
-    v->point = cagd_code_point_copy(point);
-    v->outcome = there;
+    keep_instead(v, cagd_code_point_copy(point), there);
     make_small(p, h, v);
 }
 
@@ -269,11 +270,8 @@ static void add_path(const struct cagd_code_program *p, const struct cagd_code_h
 static void refuse_path(struct cagd_code_verdict *v, struct cagd_code_point *point, struct cagd_code_outcome *o)
 {
     say(sizeof v->message, v->message, o);
-    cagd_code_point_free(v->point);
-    cagd_code_outcome_free(v->outcome);
     v->word = CAGD_CODE_UNDECIDED;
-    v->point = cagd_code_point_copy(point);
-    v->outcome = o;
+    keep_instead(v, cagd_code_point_copy(point), o);
 }
 
 /* Runs the code at the point, which becomes ours: a leaf, unless it takes a way that is known (0). */
@@ -473,7 +471,7 @@ struct cagd_code_verdict *cagd_code_decide(const struct cagd_code_program *p, co
     struct cagd_code_verdict *v = calloc(1, sizeof *v);
     if (v == NULL)
         abort();
-    v->word = h->expect.count + h->known.count > 0 ? CAGD_CODE_SAMPLED : CAGD_CODE_COMPUTED;
+    v->word = h->expect.count + h->known.count + h->printed.count > 0 ? CAGD_CODE_SAMPLED : CAGD_CODE_COMPUTED;
     v->patterns = cagd_code_patterns(h);
     unsigned char *seen = calloc((size_t)v->patterns, 1);
     if (seen == NULL)

@@ -228,6 +228,7 @@ static int known_angle(value a)
     value cosine = enclosed_at_point(a.q, mpfr_cos, cos, "cos"), sine = enclosed_at_point(a.q, mpfr_sin, sin, "sin");
     cosine.f = cagd_variable_f(name);
     cagd_code_check_faults();
+    cagd_code_enclose_variable(cosine.f, cosine.i);
     angles[angle_count].angle = a.f;
     angles[angle_count].cosine = cosine;
     angles[angle_count].sine =

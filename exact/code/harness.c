@@ -1,6 +1,7 @@
-/* harness.c -- reads the blocks and writes their drivers; see harness.h. */
+/* harness.c -- reads the blocks; see harness.h. */
 #include "exact/code/harness.h"
 
+#include "exact/code/formula.h"
 #include "exact/number/field.h"
 
 #include <ctype.h>
@@ -32,8 +33,19 @@ static char *copied(const char *start, size_t length)
     return text;
 }
 
+static char *joined(const char *first, const char *second)
+{
+    size_t length = strlen(first);
+    char *text = malloc(length + strlen(second) + 1);
+    if (text == NULL)
+        abort();
+    memcpy(text, first, length);
+    strcpy(text + length, second);
+    return text;
+}
+
 /* Without blanks at the ends. */
-static char *trimmed(const char *start, size_t length)
+char *cagd_code_trimmed(const char *start, size_t length)
 {
     while (length > 0 && isspace((unsigned char)*start))
         start++, length--;
@@ -138,8 +150,8 @@ static int read_range(const struct cagd_code_harness *h, struct cagd_code_asked_
         return wrong(error, line, "a range like [0, 1] or (a, b) was expected after \"in\"");
     in->open_low = *at == '(';
     in->open_high = *end == ')';
-    in->low = trimmed(at + 1, (size_t)(comma - at - 1));
-    in->high = trimmed(comma + 1, (size_t)(end - comma - 1));
+    in->low = cagd_code_trimmed(at + 1, (size_t)(comma - at - 1));
+    in->high = cagd_code_trimmed(comma + 1, (size_t)(end - comma - 1));
     const char *const side[2] = {in->low, in->high};
     for (int k = 0; k < 2; k++)
         if (!is_end(h, side[k]))
@@ -209,8 +221,7 @@ static int is_known(const char *text)
     return read_count(&at, &count) == 0 && at[strspn(at, " \t")] == '=';
 }
 
-/* Whether it is "R[3]", an array with so many elements; R[k], (R[3]) and s.R[3] are one number. */
-static int is_array(const char *text, long *count)
+int cagd_code_is_array(const char *text, long *count)
 {
     const char *bracket = strrchr(text, '[');
     char *end;
@@ -221,10 +232,10 @@ static int is_array(const char *text, long *count)
 /* What is compared or told of an array is some of it: of nothing everything would be proved. */
 static int check_elements(const char *text, size_t length, int line, struct cagd_code_harness_error *error)
 {
-    char *name = trimmed(text, length);
+    char *name = cagd_code_trimmed(text, length);
     long count;
     int status =
-        is_array(name, &count) && count < 1
+        cagd_code_is_array(name, &count) && count < 1
             ? wrong(error, line,
                     "%s: an array was expected with the number of its elements, at least 1; one element is (%s)", name,
                     name)
@@ -240,7 +251,8 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
         const char *key;
         struct cagd_code_lines *lines;
     } lists[] = {{"source", &h->source}, {"include", &h->include}, {"declare", &h->declare}, {"where", &h->where},
-                 {"call", &h->call},     {"output", &h->output},   {"expect", &h->expect},   {"known", &h->known}};
+                 {"call", &h->call},     {"output", &h->output},   {"expect", &h->expect},   {"known", &h->known},
+                 {"let", &h->let},       {"printed", &h->printed}};
     for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
         if (strcmp(key, lists[k].key) == 0) {
             if (lists[k].lines == &h->expect && strchr(text, '=') == NULL)
@@ -263,10 +275,20 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
                 return -1;
         return 0;
     }
+    if (strcmp(key, "use") == 0) /* in its place among the others */
+        return add_line(&h->let, joined(":use: ", text), line, error);
+    if (strcmp(key, "for") == 0) {
+        char *before = h->ranges;
+        char *with_comma = *before != 0 ? joined(before, ", ") : copied("", 0);
+        h->ranges = joined(with_comma, text);
+        free(before);
+        free(with_comma);
+        return 0;
+    }
     if (strcmp(key, "input") == 0) {
         for (;;) {
             size_t length = strcspn(text, ";");
-            char *item = trimmed(text, length);
+            char *item = cagd_code_trimmed(text, length);
             int status = *item == 0 ? 0 : read_input(h, item, line, error);
             free(item);
             if (status != 0 || text[length] == 0)
@@ -298,9 +320,39 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
     }
     return wrong(
         error, line,
-        "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, known, points, "
-        "roots, memcpy and title are known",
+        "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, printed, let, use, "
+        "for, known, points, roots, memcpy and title are known",
         key);
+}
+
+int cagd_code_output_name(const char *text, char name[CAGD_CODE_MOST_NAME + 1], int *count)
+{
+    const char *at = text;
+    return read_name(&at, name) == 0 && read_count(&at, count) == 0 && *at == 0;
+}
+
+/* What the driver will read. */
+static int check_formulas(const struct cagd_code_harness *h, struct cagd_code_harness_error *error)
+{
+    cagd_region_mark mark = cagd_region_open();
+    struct cagd_code_formulas f = {.message = ""};
+    char name[CAGD_CODE_MOST_NAME + 1];
+    int count, bad = 0;
+    for (int k = 0; k < h->inputs; k++)
+        cagd_code_formula_name(&f, h->input[k].name, h->input[k].count);
+    for (int k = 0; k < h->output.count; k++)
+        if (cagd_code_output_name(h->output.text[k], name, &count))
+            cagd_code_formula_name(&f, name, count);
+    for (int k = 0; k < h->let.count && bad == 0; k++)
+        if (cagd_code_formula_let(&f, h->let.text[k]) != 0)
+            bad = wrong(error, h->let.number[k], "%s", f.message);
+    for (int k = 0; k < h->printed.count && bad == 0; k++) {
+        struct cagd_code_formulas one = f;
+        if (cagd_code_formula_read(&one, h->printed.text[k], h->ranges) == NULL)
+            bad = wrong(error, h->printed.number[k], "%s", one.message);
+    }
+    cagd_region_drop(mark);
+    return bad;
 }
 
 static int finish(const struct cagd_code_harness *h, struct cagd_code_harness_error *error)
@@ -309,6 +361,11 @@ static int finish(const struct cagd_code_harness *h, struct cagd_code_harness_er
         return wrong(error, h->line, "%s: there is no :call:", h->name);
     if (h->expect.count + h->output.count == 0)
         return wrong(error, h->line, "%s: there is neither :expect: nor :output:", h->name);
+    if (h->printed.count == 0 && (h->let.count > 0 || *h->ranges != 0))
+        return wrong(error, h->let.count > 0 ? h->let.number[0] : h->line,
+                     "%s: there is no :printed: of which something is said", h->name);
+    if (check_formulas(h, error) != 0)
+        return -1;
     if (cagd_code_variables(h) > CAGD_FIELD_MAX_VARIABLES - 8)
         return wrong(error, h->line, "%s: more than %d variables", h->name, CAGD_FIELD_MAX_VARIABLES - 8);
     return 0;
@@ -324,7 +381,7 @@ static int flush_entry(struct cagd_code_harness *h, char **entry, int line, stru
     if (end == NULL) {
         wrong(error, line, "\":key: text\" was expected");
     } else {
-        char *key = copied(*entry + 1, (size_t)(end - *entry - 1)), *text = trimmed(end + 1, strlen(end + 1));
+        char *key = copied(*entry + 1, (size_t)(end - *entry - 1)), *text = cagd_code_trimmed(end + 1, strlen(end + 1));
         status = take_entry(h, key, text, line, error);
         free(key);
         free(text);
@@ -352,7 +409,8 @@ struct cagd_code_harness *cagd_code_read_harness(const char *text, struct cagd_c
             last = &h->next;
             h->line = number;
             h->points = 20;
-            h->name = trimmed(line + sizeof opening - 1, strlen(line) - (sizeof opening - 1));
+            h->ranges = copied("", 0);
+            h->name = cagd_code_trimmed(line + sizeof opening - 1, strlen(line) - (sizeof opening - 1));
             if (*h->name == 0 && wrong(error, number, "the block has no name") != 0)
                 goto failed;
         } else if (h != NULL && strncmp(line, ":::", 3) == 0) {
@@ -406,7 +464,8 @@ void cagd_code_harness_free(struct cagd_code_harness *h)
     while (h != NULL) {
         struct cagd_code_harness *next = h->next;
         struct cagd_code_lines *lists[] = {&h->source, &h->flag,   &h->include, &h->declare, &h->where,
-                                           &h->call,   &h->output, &h->expect,  &h->known};
+                                           &h->call,   &h->output, &h->expect,  &h->known,
+                                           &h->let,    &h->printed};
         for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
             free_lines(lists[k]);
         for (int k = 0; k < h->inputs; k++) {
@@ -419,6 +478,7 @@ void cagd_code_harness_free(struct cagd_code_harness *h)
         }
         free(h->name);
         free(h->title);
+        free(h->ranges);
         free(h);
         h = next;
     }
@@ -431,154 +491,4 @@ int cagd_code_variables(const struct cagd_code_harness *h)
         if (h->input[k].shape != CAGD_CODE_FIXED)
             variables += h->input[k].count > 0 ? h->input[k].count : 1;
     return variables;
-}
-
-/* ---- the driver --------------------------------------------------------------------------------------- */
-
-int cagd_code_is_cpp(const struct cagd_code_harness *h)
-{
-    static const char *const ends[] = {".cc", ".cpp", ".cxx", ".C"};
-    for (int k = 0; k < h->source.count; k++)
-        for (size_t e = 0; e < sizeof ends / sizeof *ends; e++) {
-            size_t n = strlen(h->source.text[k]), m = strlen(ends[e]);
-            if (n > m && strcmp(h->source.text[k] + n - m, ends[e]) == 0)
-                return 1;
-        }
-    for (int k = 0; k < h->flag.count; k++) /* of a library: what is called is not to be seen from its name */
-        if (strncmp(h->flag.text[k], "-std=", 5) == 0 && strstr(h->flag.text[k], "++") != NULL)
-            return 1;
-    return 0;
-}
-
-/* In C: an input, or a number as a quotient of integers. */
-static void write_end(const char *text, FILE *out)
-{
-    cagd_region_mark mark = cagd_region_open();
-    if (cagd_code_is_number(text)) {
-        cagd_num_q q = cagd_from_string_q(text);
-        char *numerator = mpz_get_str(NULL, 10, mpq_numref(q.at)),
-             *denominator = mpz_get_str(NULL, 10, mpq_denref(q.at));
-        fprintf(out, "((double)%s / (double)%s)", numerator, denominator);
-        void (*release)(void *, size_t);
-        mp_get_memory_functions(NULL, NULL, &release);
-        release(numerator, strlen(numerator) + 1);
-        release(denominator, strlen(denominator) + 1);
-    } else {
-        fputs(text, out);
-    }
-    cagd_region_drop(mark);
-}
-
-static void write_precondition(const struct cagd_code_asked_input *in, FILE *out)
-{
-    const char *element = in->count > 0 ? "[cagd_k]" : "";
-    if (in->shape == CAGD_CODE_ANY || in->shape == CAGD_CODE_FIXED)
-        return;
-    int ordered = in->shape == CAGD_CODE_INCREASING || in->shape == CAGD_CODE_NONDECREASING;
-    fprintf(out, "    for (int cagd_k = %d; cagd_k < %d; cagd_k++)\n        cagd_code_where(", ordered,
-            in->count > 0 ? in->count : 1);
-    if (ordered)
-        fprintf(out, "%s[cagd_k - 1] %s %s[cagd_k]", in->name,
-                in->shape == CAGD_CODE_INCREASING ? "<" : "<=", in->name);
-    else if (in->shape == CAGD_CODE_POSITIVE)
-        fprintf(out, "%s%s > 0", in->name, element);
-    else {
-        write_end(in->low, out);
-        fprintf(out, " %s %s%s && %s%s %s ", in->open_low ? "<" : "<=", in->name, element, in->name, element,
-                in->open_high ? "<" : "<=");
-        write_end(in->high, out);
-    }
-    fputs(");\n", out);
-}
-
-/* "R = f(x)" or "R[3] = W": what was got, its elements, and what was wanted. */
-static void write_expectation(const char *text, int line, const char *path, FILE *out)
-{
-    const char *equal = strchr(text, '=');
-    char *left = trimmed(text, (size_t)(equal - text)), *right = trimmed(equal + 1, strlen(equal + 1));
-    long count;
-    fprintf(out, "#line %d \"%s\"\n", line, path);
-    if (is_array(left, &count)) {
-        int name = (int)strcspn(left, "[");
-        fprintf(out, "    cagd_code_expect(\"%.*s\", %ld, %.*s, %s);\n", name, left, count, name, left, right);
-    } else {
-        fprintf(out,
-                "    { const double cagd_got = %s; cagd_code_side(2);\n      const double cagd_wanted = %s; "
-                "cagd_code_side(0);\n      cagd_code_expect(\"%s\", 1, &cagd_got, &cagd_wanted); }\n",
-                left, right, left);
-    }
-    free(left);
-    free(right);
-}
-
-/* "curves.c:12 = f(x)" or "curves.c:12[6] = W". */
-static void write_known(const char *text, int line, const char *path, FILE *out)
-{
-    const char *equal = strchr(text, '=');
-    char *place = trimmed(text, (size_t)(equal - text)), *right = trimmed(equal + 1, strlen(equal + 1));
-    char *bracket = strchr(place, '[');
-    long count = bracket != NULL ? strtol(bracket + 1, NULL, 10) : 0;
-    place[strcspn(place, "[ \t")] = 0;
-    fprintf(out, "#line %d \"%s\"\n", line, path);
-    if (count > 0)
-        fprintf(out, "    cagd_code_known(\"%s\", %ld, %s);\n", place, count, right);
-    else
-        fprintf(out, "    { const double cagd_wanted = %s; cagd_code_known(\"%s\", 1, &cagd_wanted); }\n", right,
-                place);
-    free(place);
-    free(right);
-}
-
-static void write_output(const char *text, int line, const char *path, FILE *out)
-{
-    int name = (int)strcspn(text, "[");
-    long count;
-    fprintf(out, "#line %d \"%s\"\n", line, path);
-    if (is_array(text, &count))
-        fprintf(out, "    cagd_code_output(\"%.*s\", %ld, %.*s);\n", name, text, count, name, text);
-    else
-        fprintf(out, "    { const double cagd_out = %s; cagd_code_output(\"%s\", 1, &cagd_out); }\n", text, text);
-}
-
-void cagd_code_write_driver(const struct cagd_code_harness *h, const char *path, FILE *out)
-{
-    fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n"
-          "void cagd_code_input(const char *, long, double *);\n"
-          "void cagd_code_given(int);\nvoid cagd_code_where(int);\n"
-          "void cagd_code_output(const char *, long, const double *);\n"
-          "void cagd_code_expect(const char *, long, const double *, const double *);\n"
-          "void cagd_code_side(int);\n"
-          "void cagd_code_known(const char *, long, const double *);\n"
-          "void cagd_code_entry(void);\n"
-          "#ifdef __cplusplus\n}\n#endif\n",
-          out);
-    for (int k = 0; k < h->include.count; k++)
-        fprintf(out, "#line %d \"%s\"\n#include %s\n", h->include.number[k], path, h->include.text[k]);
-    for (int k = 0; k < h->declare.count; k++)
-        fprintf(out, "#line %d \"%s\"\n%s\n", h->declare.number[k], path, h->declare.text[k]);
-    fputs("void cagd_code_entry(void)\n{\n", out);
-    for (int k = 0; k < h->inputs; k++) {
-        const struct cagd_code_asked_input *in = &h->input[k];
-        if (in->count > 0)
-            fprintf(out, "    double %s[%d];\n    cagd_code_input(\"%s\", %d, %s);\n", in->name, in->count, in->name,
-                    in->count, in->name);
-        else
-            fprintf(out, "    double %s;\n    cagd_code_input(\"%s\", 1, &%s);\n", in->name, in->name, in->name);
-    }
-    fputs("    cagd_code_given(1);\n", out);
-    for (int k = 0; k < h->inputs; k++)
-        write_precondition(&h->input[k], out);
-    for (int k = 0; k < h->where.count; k++)
-        fprintf(out, "#line %d \"%s\"\n    cagd_code_where(%s);\n", h->where.number[k], path, h->where.text[k]);
-    fputs("    cagd_code_given(0);\n    cagd_code_side(1);\n", out);
-    for (int k = 0; k < h->call.count; k++)
-        fprintf(out, "#line %d \"%s\"\n    %s\n", h->call.number[k], path, h->call.text[k]);
-    fputs("    cagd_code_side(0);\n", out);
-    for (int k = 0; k < h->known.count; k++)
-        write_known(h->known.text[k], h->known.number[k], path, out);
-    for (int k = 0; k < h->output.count; k++)
-        write_output(h->output.text[k], h->output.number[k], path, out);
-    for (int k = 0; k < h->expect.count; k++)
-        write_expectation(h->expect.text[k], h->expect.number[k], path, out);
-    fputs("}\n", out);
 }

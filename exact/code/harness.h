@@ -18,6 +18,9 @@
  * call     statements in C, with the inputs as double variables and arrays; repeatable
  * output   "R" or "R[3]": told
  * expect   "R = expression in C", or "R[3] = W", where W is an array
+ * printed  an equation between inputs and outputs in the language of cagd check (formula.h), "R_j = \sum_{i=0}^3 B_i^3(t) p_i"; repeatable
+ * let, use what other names in these formulas mean, as there: "B_i^n(t) = ...", "bernstein B_i^n(t)"; repeatable
+ * for      the ranges of their whole numbers, "j = 0..2"; repeatable
  * known    "curves.c:12 = expression in C": the first number that this line puts into a variable, or "curves.c:12[6] = W": the first six of
  *          them, W being an array of the calls; compared like what is expected, so that it is seen where a calculation goes wrong first
  * points   how many are tried; 20 when absent
@@ -64,7 +67,8 @@ struct cagd_code_harness {
     char *name, *title; /* title: NULL when there is none */
     int line, points, refuse_roots, enclose_roots, memcpy_moves;
     int notes_stores; /* the program can tell which numbers its lines put into variables: where some are known */
-    struct cagd_code_lines source, flag, include, declare, where, call, output, expect, known;
+    struct cagd_code_lines source, flag, include, declare, where, call, output, expect, known, let, printed;
+    char *ranges; /* for all formulas, with commas between; or "" */
     int inputs;
     struct cagd_code_asked_input input[CAGD_CODE_MOST_IN_HARNESS];
 };
@@ -78,10 +82,12 @@ struct cagd_code_harness_error {
 struct cagd_code_harness *cagd_code_read_harness(const char *text, struct cagd_code_harness_error *error);
 void cagd_code_harness_free(struct cagd_code_harness *h);
 
-/* The driver: the C, or C++, that reads the inputs, makes the calls and hands over the results; `path` names the file of the
- * harness in clang's messages. */
-void cagd_code_write_driver(const struct cagd_code_harness *h, const char *path, FILE *out);
-int cagd_code_is_cpp(const struct cagd_code_harness *h);
+/* The name of an output "R[3]" or "R", whose count is 0; of an expression, which has none, 0. */
+int cagd_code_output_name(const char *text, char name[CAGD_CODE_MOST_NAME + 1], int *count);
+/* Whether a text is "R[3]", an array with so many elements; R[k], (R[3]) and s.R[3] are one number. */
+int cagd_code_is_array(const char *text, long *count);
+/* Without blanks at the ends; the caller frees it. */
+char *cagd_code_trimmed(const char *start, size_t length);
 
 /* Whether a text is a number: "3", "-3/7", "0.35". */
 int cagd_code_is_number(const char *text);

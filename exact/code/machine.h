@@ -51,6 +51,8 @@ void cagd_code_step(const char *from, const char *to);
 void cagd_code_reach(const char *p, int64_t bytes, int32_t writes);
 /* memcpy of so many bytes: refused where the two pieces overlap, unless the job lets them. */
 void cagd_code_apart(const char *to, const char *from, int64_t bytes);
+/* Two addresses are about to be ordered, or one taken from the other: refused where they are of different objects, if the job asks for that. */
+void cagd_code_together(const char *a, const char *b);
 void cagd_code_index(int64_t index, int64_t count, int32_t is_used);
 
 /* ---- what the driver of a harness calls ---------------------------------------------------------------- */
@@ -63,6 +65,12 @@ void cagd_code_given(int on);
 void cagd_code_where(int truth);
 void cagd_code_output(const char *name, long count, const double *x);
 void cagd_code_expect(const char *name, long count, const double *got, const double *wanted);
+/* The formulas of a driver (formula.h): they begin; what a name of theirs is, count = 0: a number alone; a line that says what
+ * others mean; one that is to hold, in each case of its whole numbers. */
+void cagd_code_formulas(void);
+void cagd_code_name(const char *name, long count, const double *x);
+void cagd_code_let(const char *line);
+void cagd_code_printed(const char *formula, const char *ranges, const char *file, int line);
 /* Numbers that are stored from here on are those of the calls (1), of what is expected (2), or not noted (0). */
 void cagd_code_side(int which);
 /* The first `count` numbers that the calls stored at a line, "curves.c:12", should be these. */

@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { SAME = 1, GREATER = 2, LESS = 4, UNORDERED = 8, MOST_IN_CONDITION = 2000, MOST_IN_POLYNOMIAL = 40000 };
+
 /* ---- what rounding cost ------------------------------------------------------------------------------ */
 
 double cagd_code_real(cagd_code_value v)
@@ -55,6 +57,29 @@ struct arithmetic {
     cagd_num_f (*f)(cagd_num_f, cagd_num_f);
 };
 
+static const void *operation; /* where the code called for arithmetic last */
+
+/* The result becomes known, where the job asks for it. */
+static void note_result(cagd_code_value v)
+{
+    enum { MOST_RESULTS = 1 << 12 };
+    static struct cagd_code_computed *last;
+    static long count;
+    struct cagd_code_outcome *o = cagd_code_machine.outcome;
+    if (!cagd_code_machine.job->note_results || ++count > MOST_RESULTS) {
+        o->computed = NULL; /* some are not all */
+        return;
+    }
+    struct cagd_code_computed *c = cagd_code_room(sizeof *c);
+    const char *file = cagd_code_at != NULL ? cagd_code_at->file : "";
+    int line = cagd_code_at != NULL ? (int)cagd_code_at->line : 0,
+        is_near = last != NULL && strcmp(last->file, file) == 0;
+    *c = (struct cagd_code_computed){NULL, cagd_code_keep(cagd_code_text(v)),
+                                     is_near ? last->file : cagd_code_keep(file), line, (uintptr_t)operation};
+    *(last != NULL ? &last->next : &o->computed) = c;
+    last = c;
+}
+
 /* All parts but the binary64. */
 static cagd_code_value combine(const struct arithmetic *o, cagd_code_value a, cagd_code_value b)
 {
@@ -73,6 +98,7 @@ static cagd_code_value combine(const struct arithmetic *o, cagd_code_value a, ca
     if (a.f.at != NULL || b.f.at != NULL)
         v.f = o->f(cagd_code_function(a), cagd_code_function(b));
     cagd_code_check_faults();
+    note_result(v);
     return v;
 }
 
@@ -134,7 +160,6 @@ cagd_code_value cagd_code_product(cagd_code_value a, cagd_code_value b)
     return v;
 }
 
-/* What is divided by must not be 0: noted once for each function. */
 static void note_denominator(cagd_num_f f)
 {
     struct cagd_code_outcome *o = cagd_code_machine.outcome;
@@ -157,6 +182,14 @@ static void note_denominator(cagd_num_f f)
     o->denominators = list;
 }
 
+void cagd_code_note_divisor(cagd_num_f f)
+{
+    cagd_trace_pause();
+    if ((cagd_code_signs_here(f) & SAME) != 0)
+        note_denominator(f);
+    cagd_trace_resume();
+}
+
 cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
 {
     static const struct arithmetic o = {cagd_div_q, cagd_div_i, cagd_div_f};
@@ -167,10 +200,8 @@ cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
     }
     if (b.q.at != NULL && cagd_is_zero_q(b.q))
         cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
-    cagd_trace_pause();
-    if (b.f.at != NULL && (cagd_code_signs_here(b.f) & 1) != 0)
-        note_denominator(b.f);
-    cagd_trace_resume();
+    if (b.f.at != NULL)
+        cagd_code_note_divisor(b.f);
     cagd_code_value v = combine(&o, a, b);
     if (rounding()) { /* x^/y^ - x/y = (x^ - x)/y^ - x/(y y^) (y^ - y) */
         v.d = a.d / b.d;
@@ -202,6 +233,7 @@ cagd_code_value cagd_code_negative(cagd_code_value a)
         cagd_code_shared(&v, a, -1, (cagd_code_value){.d = 0}, 0, 0);
         cagd_code_note_made(&v, 'n', a, a);
     }
+    note_result(v);
     return v;
 }
 
@@ -229,25 +261,31 @@ double cagd_code_power(double a, int32_t n)
 
 double cagd_code_add(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_sum(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
 double cagd_code_sub(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_difference(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
 double cagd_code_mul(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_product(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
 double cagd_code_div(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_quotient(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
-double cagd_code_neg(double a) { return cagd_code_number(cagd_code_negative(cagd_code_value_of(a))); }
+double cagd_code_neg(double a)
+{
+    operation = __builtin_return_address(0);
+    return cagd_code_number(cagd_code_negative(cagd_code_value_of(a)));
+}
 
 /* ---- order ------------------------------------------------------------------------------------------- */
-
-enum { SAME = 1, GREATER = 2, LESS = 4, UNORDERED = 8, MOST_IN_CONDITION = 2000, MOST_IN_POLYNOMIAL = 40000 };
 
 static int relation_of(int sign) { return sign == 0 ? SAME : sign > 0 ? GREATER : LESS; }
 
@@ -521,6 +559,9 @@ cagd_code_value cagd_code_whole(cagd_code_value a, enum cagd_code_rounding how)
     cagd_code_follow(mpz_get_si(mpq_numref(n.at)));
     if (a.f.at == NULL)
         return whole;
+    int *line = &cagd_code_machine.outcome->whole_line;
+    if (*line == 0 && cagd_code_at != NULL)
+        *line = (int)cagd_code_at->line;
     cagd_num_q one = cagd_from_int_q(1), half = cagd_from_ratio_q(1, 2);
     int sign = cagd_sign_q(n);
     switch (how) {

@@ -11,8 +11,19 @@ static struct {
 } signs_known[MOST_SIGNS];
 static int sign_count;
 
+/* f, or where it is linear a positive multiple of it, the same one for all of them. */
+static cagd_num_f scaled(cagd_num_f f)
+{
+    struct cagd_linear at;
+    if (!cagd_linear_f(f, &at) || at.count == 0)
+        return f;
+    cagd_num_q first = at.coefficient[0];
+    return cagd_div_f(f, cagd_from_rational_f(cagd_sign_q(first) < 0 ? cagd_neg_q(first) : first));
+}
+
 void cagd_code_know_sign(cagd_num_f f, int holding)
 {
+    f = scaled(f);
     int opposite = (holding & SAME) | (holding & LESS ? GREATER : 0) | (holding & GREATER ? LESS : 0);
     cagd_num_f minus = cagd_neg_f(f);
     for (int k = 0; k < sign_count; k++)
@@ -26,28 +37,36 @@ void cagd_code_know_sign(cagd_num_f f, int holding)
     }
 }
 
-/* Whether f is 0 wherever the conditions hold: those that say that a function is 0, linear in a variable, are solved for it. */
-int cagd_code_vanishes_here(cagd_num_f f)
+/* f wherever the conditions hold: those that say that a function is 0, linear in a variable, are solved for it.  0 at a pole, where nothing
+ * is known. */
+static int settle(cagd_num_f *f)
 {
-    if (cagd_code_vanishes(f))
-        return 1;
     for (int k = 0; k < sign_count; k++) {
         cagd_num_f zero = cagd_numerator_f(signs_known[k].function), variable, value;
-        if (signs_known[k].sign == SAME && cagd_code_solve(zero, &variable, &value)) {
-            f = cagd_substitute_f(f, variable, value);
-            if (cagd_region_faults & CAGD_FAULT_UNDEFINED) { /* a pole: nothing is known there */
-                cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
-                return 0;
-            }
-            for (int j = k + 1; j < sign_count; j++) {
-                cagd_num_f g = cagd_substitute_f(signs_known[j].function, variable, value);
-                if ((cagd_region_faults & CAGD_FAULT_UNDEFINED) == 0)
-                    signs_known[j].function = g;
-                cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
-            }
+        if (signs_known[k].sign != SAME || !cagd_code_solve(zero, &variable, &value))
+            continue;
+        *f = cagd_substitute_f(*f, variable, value);
+        if (cagd_region_faults & CAGD_FAULT_UNDEFINED) {
+            cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
+            return 0;
+        }
+        for (int j = k + 1; j < sign_count; j++) {
+            cagd_num_f g = cagd_substitute_f(signs_known[j].function, variable, value);
+            if ((cagd_region_faults & CAGD_FAULT_UNDEFINED) == 0)
+                signs_known[j].function = g;
+            cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNDEFINED;
         }
     }
-    return cagd_code_vanishes(f);
+    return 1;
+}
+
+int cagd_code_vanishes_here(cagd_num_f f) { return cagd_code_vanishes(f) || (settle(&f) && cagd_code_vanishes(f)); }
+
+/* Both sides first: their difference may be large where each of them is small. */
+int cagd_code_equal_here(cagd_num_f a, cagd_num_f b)
+{
+    return cagd_equal_f(a, b) ||
+           (settle(&a) && settle(&b) && (cagd_equal_f(a, b) || cagd_code_vanishes(cagd_sub_f(a, b))));
 }
 
 /* ---- signs of functions of higher degree ----------------------------------------------------------------------- */
@@ -55,6 +74,7 @@ int cagd_code_vanishes_here(cagd_num_f f)
 /* What is known of f itself: a sum of SAME, GREATER, LESS. */
 static int known_of(cagd_num_f f)
 {
+    f = scaled(f);
     cagd_num_f minus = cagd_neg_f(f);
     for (int k = 0; k < sign_count; k++) {
         int sign = signs_known[k].sign;

@@ -66,6 +66,13 @@ void cagd_code_check_faults(void)
     cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
 }
 
+/* Variables of the field that are no inputs, and where they are at the point. */
+static struct {
+    cagd_num_f variable;
+    cagd_num_i place;
+} enclosed[CAGD_FIELD_MAX_VARIABLES];
+static int enclosed_count;
+
 /* ---- a double and its value -------------------------------------------------------------------------- */
 
 /* The high word of a double in the table; a float is one of its own, with an index of 21 bits. */
@@ -104,6 +111,7 @@ void cagd_code_values_back(struct cagd_code_mark *mark)
     used_singles = mark->used_singles;
     cagd_region_faults = 0;
     cagd_code_at = NULL;
+    enclosed_count = 0;
 }
 
 int cagd_code_is_one(uint64_t bits) { return bits >> 32 == TAG && (uint32_t)bits < used; }
@@ -263,6 +271,22 @@ const char *cagd_code_field_text(cagd_code_value v)
     return v.special || v.f.at == NULL ? cagd_code_text(v) : cagd_to_string_f(v.f);
 }
 
+/* ---- variables that are no inputs ------------------------------------------------------------------------ */
+
+void cagd_code_enclose_variable(cagd_num_f variable, cagd_num_i place)
+{
+    cagd_code_check_faults(); /* there is no room for more variables than the field has */
+    enclosed[enclosed_count].variable = variable;
+    enclosed[enclosed_count++].place = place;
+}
+
+int cagd_code_enclosed_count(void) { return enclosed_count; }
+cagd_num_f cagd_code_enclosed_at(int k, cagd_num_i *place)
+{
+    *place = enclosed[k].place;
+    return enclosed[k].variable;
+}
+
 /* ---- roots as variables -------------------------------------------------------------------------------- */
 
 enum { MOST_ROOTS = 32 };
@@ -286,6 +310,7 @@ cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point, 
     snprintf(name, sizeof name, "root%d", root_count + 1);
     roots[root_count].variable = cagd_variable_f(name);
     roots[root_count].square = square;
+    cagd_code_enclose_variable(roots[root_count].variable, cagd_code_interval(at_point));
     at_point.f = roots[root_count].variable;
     roots[root_count++].is_positive = is_positive;
     cagd_code_check_faults();
@@ -401,8 +426,7 @@ int cagd_code_solve(cagd_num_f f, cagd_num_f *variable, cagd_num_f *value)
     return 0;
 }
 
-/* f at the point, or q.at = NULL where roots are in it. */
-static cagd_num_q at_point(cagd_num_f f)
+cagd_num_q cagd_code_at_point(cagd_num_f f)
 {
     cagd_num_q value = {NULL};
     for (int k = 0; k < variable_count; k++)
@@ -441,7 +465,7 @@ static cagd_code_value field_root(cagd_code_value a, cagd_code_value root)
     if (cagd_region_faults & CAGD_FAULT_UNABLE)
         cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
     else
-        value = at_point(f);
+        value = cagd_code_at_point(f);
     if (value.at == NULL && cagd_code_machine.job->no_root_variables)
         cagd_code_stop(CAGD_CODE_REFUSED, "a square root, which is asked for as an interval");
     if (value.at == NULL)

@@ -64,16 +64,22 @@ cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point, 
 /* Whether f is 0 for all values of the variables, given what the squares of roots are. */
 int cagd_code_vanishes(cagd_num_f f);
 int cagd_code_vanishes_here(cagd_num_f f); /* wherever the conditions of the path hold */
+int cagd_code_equal_here(cagd_num_f a, cagd_num_f b);
 /* "The sign of f is one of these" is a condition of the way: a sum of 1 for 0, 2 for above, 4 for below. */
 void cagd_code_know_sign(cagd_num_f f, int signs);
 /* The signs that f can have where the conditions of the way hold; 7 where nothing is known. */
 int cagd_code_signs_here(cagd_num_f f);
 cagd_num_q cagd_code_value_at_point(const char *name); /* of a variable, from the job's inputs */
 int cagd_code_has_roots(void);                         /* whether some root or angle is a variable of its own */
+/* A variable that is no input is somewhere at the point; those of which that was said, in their order. */
+void cagd_code_enclose_variable(cagd_num_f variable, cagd_num_i place);
+int cagd_code_enclosed_count(void);
+cagd_num_f cagd_code_enclosed_at(int k, cagd_num_i *place);
 /* The variables that are inputs, and their values at the point; whether f has others in it, roots and the like. */
 int cagd_code_variable_count(void);
 cagd_num_f cagd_code_variable_at(int k, cagd_num_q *value);
 int cagd_code_has_others(cagd_num_f f);
+cagd_num_q cagd_code_at_point(cagd_num_f f); /* q.at = NULL where roots are in it                        */
 /* A variable that f has linearly, times a constant, and what it is where f = 0; 0 when there is none. */
 int cagd_code_solve(cagd_num_f f, cagd_num_f *variable, cagd_num_f *value);
 cagd_num_f cagd_code_function(cagd_code_value v); /* v as an element of the field */
@@ -95,6 +101,8 @@ cagd_code_value cagd_code_negative(cagd_code_value a);
 int cagd_code_relation(cagd_code_value a, cagd_code_value b, int predicate);
 /* What was decided, a truth or the whole number that was made of a number, is part of the path, whether or not it is told. */
 void cagd_code_follow(long outcome);
+/* What is divided by must not be 0: told, once for each function, unless the conditions of the way say so. */
+void cagd_code_note_divisor(cagd_num_f f);
 /* -1, 0, 1, and the condition that says so. */
 int cagd_code_sign(cagd_code_value a);
 

@@ -14,6 +14,8 @@
  * answer is 0.  0 also where there is no room. */
 int cagd_limit_cell(cagd_context *c, cagd_num_f form, int strict);
 int cagd_solve_in_cell(cagd_context *c, cagd_num_f form);
+/* The name becomes that function of the other variables; 0 where something that was known of it is lost. */
+int cagd_becomes_in_cell(cagd_context *c, cagd_binding *b, cagd_num_f value);
 /* Makes what the cut says known; its names get variables of the field if they have no values. */
 int cagd_cut_cell(cagd_context *c, const cagd_cut *cut);
 /* Whether there are no values at all; what is known at `c`. */
@@ -25,6 +27,9 @@ int cagd_is_linear(cagd_num_f a);
  * to split, or a form to cut, is noted in the context unless one is there already. */
 unsigned cagd_signs_of_form(cagd_context *c, cagd_num_f form);
 unsigned cagd_signs(cagd_context *c, cagd_value d);
+/* Whether it has a variable that is near a place, on one side of it; the value with the places for all such variables. */
+int cagd_is_beside(const cagd_context *c, cagd_value d);
+cagd_value cagd_at_places(const cagd_context *c, cagd_value d);
 /* Whether the value can be 0: a divisor that can is noted as above, or as a pole that is left out. */
 int cagd_divides(cagd_context *c, cagd_value d);
 

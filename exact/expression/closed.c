@@ -173,7 +173,7 @@ static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
         return 0;
     long begin = mpz_get_si(mpq_numref(first.at)), end = mpz_get_si(mpq_numref(last.at));
     cagd_frame inner = {t->head, {.f = s->k}, f};
-    if (s->from + end + 1 < begin || !cagd_take(s, t->at[2], &inner, 1, &terms) ||
+    if (s->from + end + 1 < begin || !cagd_take_within(s, t->at[2], &inner, begin, end, &terms) ||
         !cagd_divisors_are_not_zero(s, begin, end))
         return 0;
     while (begin < FURTHEST && cagd_is_zero_f(substitute_f(terms.rational, s->k, from_int_f(begin))) &&
@@ -199,15 +199,9 @@ static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
 
 static int of_name(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *out)
 {
-    const cagd_definition *d = cagd_defined(s->c.scope, t->head);
     cagd_frame room[CAGD_MOST_CHILDREN];
-    cagd_value value[CAGD_MOST_CHILDREN];
-    const cagd_frame *inner = NULL;
-    if (d == NULL || t->order > 0 || t->times != NULL)
-        return 0;
-    cagd_arguments_of(&s->c, t, d, f, value);
-    const cagd_tree *body = region_faults == 0 ? cagd_body_of(&s->c, t, value, room, &inner) : NULL;
-    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    const cagd_frame *inner;
+    const cagd_tree *body = cagd_called_body(s, t, f, room, &inner);
     return body != NULL && cagd_closed(s, body, inner, out);
 }
 

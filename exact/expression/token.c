@@ -41,11 +41,22 @@ static const struct {
 
 enum { SAME = sizeof same / sizeof *same, GREEK = sizeof greek / sizeof *greek };
 
+int cagd_is_greek(const char *command)
+{
+    for (int k = 0; k < GREEK; k++)
+        if (strcmp(greek[k].command, command) == 0)
+            return 1;
+    return 0;
+}
+
 enum { MOST_BARS = 16, FARTHEST_BAR = 4000 };
 
 static int is(const char *s, int n, const char *word)
 {
-    return (int)strlen(word) == n && memcmp(s, word, (size_t)n) == 0;
+    int k = 0;
+    while (k < n && word[k] != '\0' && word[k] == s[k])
+        k++;
+    return k == n && word[k] == '\0';
 }
 
 /* The bytes of the token at s, at most n: a command with its letters, or one character. */
@@ -74,10 +85,10 @@ static int digits_at(const char *s, int n)
     return k;
 }
 
-/* The token that s[0..n) is, n being its length; 0 where it is none that could stand in a formula. */
-static int recognise(const char *s, int n, cagd_token *t)
+/* Whether s[0..n) is in one of the tables, and what it is there.  A byte alone is in none, but for ~. */
+static int is_known(const char *s, int n, cagd_token *t)
 {
-    for (int k = 0; k < SAME; k++)
+    for (int k = 0; k < SAME && (n > 1 || s[0] == '~'); k++)
         if (is(s, n, same[k].written)) {
             t->word = same[k].word;
             t->kind = t->word[0] == '\\' && isalpha((unsigned char)t->word[1]) ? CAGD_TOKEN_WORD : CAGD_TOKEN_SIGN;
@@ -85,12 +96,20 @@ static int recognise(const char *s, int n, cagd_token *t)
                 t->kind = strcmp(greek[g].command, t->word) == 0 ? CAGD_TOKEN_LETTER : t->kind;
             return 1;
         }
-    for (int k = 0; k < GREEK; k++)
+    for (int k = 0; k < GREEK && n > 1; k++)
         if (is(s, n, greek[k].command) || is(s, n, greek[k].letter)) {
             t->word = greek[k].command;
             t->kind = CAGD_TOKEN_LETTER;
             return 1;
         }
+    return 0;
+}
+
+/* The token that s[0..n) is, n being its length; 0 where it is none that could stand in a formula. */
+static int recognise(const char *s, int n, cagd_token *t)
+{
+    if (is_known(s, n, t))
+        return 1;
     t->word = cagd_text_of(s, n);
     t->kind = s[0] == '\\' && isalpha((unsigned char)s[n - 1]) ? CAGD_TOKEN_WORD
               : isalpha((unsigned char)s[0])                   ? CAGD_TOKEN_LETTER
@@ -155,6 +174,8 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
             }
         }
         at = t.to;
+        if (at < to && text[at] == '.' && is(s, t.to - t.from, "\\right"))
+            at++;
         if (at < to && text[at] == '.' && is(s, t.to - t.from, "\\left")) { /* a bracket that is none, or up to a bar */
             int end = bars < MOST_BARS ? bar_behind(text, at + 1, to) : -1;
             at++;

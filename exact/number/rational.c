@@ -108,6 +108,14 @@ num_q cagd_root_q(int n, num_q a)
     return (num_q){r};
 }
 
+num_q cagd_floor_q(num_q a)
+{
+    mpq_ptr r = fresh();
+    mpz_fdiv_q(mpq_numref(r), mpq_numref(a.at), mpq_denref(a.at));
+    mpz_set_ui(mpq_denref(r), 1);
+    return (num_q){r};
+}
+
 num_q cagd_from_mpq_q(mpq_srcptr x)
 {
     mpq_ptr r = fresh();
@@ -142,14 +150,49 @@ static int digit(char c, int base)
     return d < base ? d : -1;
 }
 
-/* Digits of the base, at most `limit` in number: r = 10 r + digit.  Returns how many were read. */
+/* r = base^count r + behind, which has so many digits. */
+static void put_behind(mpz_ptr r, mpz_srcptr behind, int count, int base)
+{
+    mpz_t power;
+    mpz_init(power);
+    mpz_ui_pow_ui(power, (unsigned long)base, (unsigned long)count);
+    mpz_mul(r, r, power);
+    mpz_add(r, r, behind);
+    mpz_clear(power);
+}
+
+/* r is the value of so many digits, read by halves: as products of long numbers cost little, so do long texts. */
+static void value_of_digits(mpz_ptr r, const char *s, int count, int base)
+{
+    enum { IN_A_WORD = 7 };
+    if (count <= IN_A_WORD) {
+        unsigned long word = 0;
+        for (int k = 0; k < count; k++)
+            word = word * (unsigned long)base + (unsigned long)digit(s[k], base);
+        mpz_set_ui(r, word);
+        return;
+    }
+    int half = count / 2;
+    mpz_t behind;
+    mpz_init(behind);
+    value_of_digits(r, s, count - half, base);
+    value_of_digits(behind, s + count - half, half, base);
+    put_behind(r, behind, half, base);
+    mpz_clear(behind);
+}
+
+/* Digits of the base, at most `limit` in number, behind those that r has.  Returns how many were read. */
 static int read_digits(const char **s, int base, mpz_ptr r, int limit)
 {
     int count = 0;
-    for (int d; count < limit && (d = digit(**s, base)) >= 0; (*s)++, count++) {
-        mpz_mul_ui(r, r, (unsigned long)base);
-        mpz_add_ui(r, r, (unsigned long)d);
-    }
+    while (count < limit && digit((*s)[count], base) >= 0)
+        count++;
+    mpz_t behind;
+    mpz_init(behind);
+    value_of_digits(behind, *s, count, base);
+    put_behind(r, behind, count, base);
+    mpz_clear(behind);
+    *s += count;
     return count;
 }
 

@@ -22,6 +22,7 @@ cagd_num_q cagd_neg_q(cagd_num_q a);
 cagd_num_q cagd_from_int_q(long m);
 cagd_num_q cagd_from_ratio_q(long m, long n); /* m/n; UNDEFINED for n = 0                           */
 cagd_num_q cagd_root_q(int n, cagd_num_q a);  /* exact; UNABLE unless a >= 0 is an n-th power      */
+cagd_num_q cagd_floor_q(cagd_num_q a);        /* the greatest integer that is not above a       */
 
 cagd_num_q cagd_from_mpq_q(mpq_srcptr x);        /* a copy; x in lowest terms              */
 cagd_num_q cagd_from_double_q(double x);         /* the binary64 itself; UNDEFINED unless finite    */

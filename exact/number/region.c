@@ -1,5 +1,6 @@
 #include "exact/number/region.h"
 
+#include "exact/number/guard.h"
 #include "exact/number/memory.h"
 #include "exact/number/slots.h"
 #include "exact/words.h"
@@ -63,22 +64,34 @@ void *cagd_region_slot(enum cagd_slot_kind kind)
     return slot_at(kind, pool->used++);
 }
 
+static char *place_in_pages(size_t at) { return pages.chunk[at / PAGE] + at % PAGE; }
+
+/* There is one page more, whose bytes are no block's yet. */
+static int one_more_page(void)
+{
+    char *page = one_more_chunk(&pages, PAGE);
+    if (page != NULL)
+        cagd_forbid(page, PAGE);
+    return page != NULL;
+}
+
 /* A request that does not fit in the current page starts a new one; a large one has its own chunk. */
 void *cagd_region_bytes(size_t n)
 {
-    if (n > SIZE_MAX - 16) {
+    if (n > SIZE_MAX - 16 - CAGD_GAP) {
         region_faults |= FAULT_MEMORY;
         return NULL;
     }
-    n = n == 0 ? 16 : (n + 15) & ~(size_t)15;
-    if (n > PAGE)
+    size_t taken = (n == 0 ? 16 : (n + 15) & ~(size_t)15) + CAGD_GAP;
+    if (taken > PAGE)
         return one_more_chunk(&large, n);
-    size_t start = pages.used % PAGE + n > PAGE ? (pages.used / PAGE + 1) * PAGE : pages.used;
-    while (pages.chunks * PAGE < start + n)
-        if (one_more_chunk(&pages, PAGE) == NULL)
+    size_t start = pages.used % PAGE + taken > PAGE ? (pages.used / PAGE + 1) * PAGE : pages.used;
+    while (pages.chunks * PAGE < start + taken)
+        if (!one_more_page())
             return NULL;
-    pages.used = start + n;
-    return pages.chunk[start / PAGE] + start % PAGE;
+    pages.used = start + taken;
+    cagd_allow(place_in_pages(start), n);
+    return place_in_pages(start);
 }
 
 void *cagd_region_array(long rows, long columns, size_t size)
@@ -108,6 +121,8 @@ void cagd_region_drop(region_mark m)
             while (pool->made > pool->used)
                 cagd_slot_ops[kind].clear(slot_at(kind, --pool->made));
     }
+    for (size_t at = m.bytes; at < pages.used; at = (at / PAGE + 1) * PAGE)
+        cagd_forbid(place_in_pages(at), PAGE - at % PAGE);
     pages.used = m.bytes;
     precision = m.precision;
     while (large.chunks > m.large)

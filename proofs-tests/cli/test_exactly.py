@@ -115,7 +115,7 @@ class Page(Exactly):
         path = self.folder / "cases.xml"
         run(PAGE, "--junit", path)
         suite = xml.dom.minidom.parse(str(path)).documentElement
-        self.assertEqual((suite.getAttribute("tests"), suite.getAttribute("failures")), ("4", "1"))
+        self.assertEqual((suite.getAttribute("tests"), suite.getAttribute("failures")), ("6", "1"))
 
 
 class Certificates(Exactly):
@@ -135,7 +135,7 @@ class Certificates(Exactly):
         folder = self.certified(PAGE)
         code, out = self.recheck(folder)
         self.assertEqual(code, 0, out)
-        self.assertIn("3 rechecked, 0 wrong, 0 cannot recheck this kind", out)
+        self.assertIn("5 rechecked, 0 wrong, 0 cannot recheck this kind", out)
         ways = json.loads((folder / "claims/deboor_is_the_sum_of_basis_functions.json").read_text())["cases"]
         self.assertEqual(len(ways), 2)
         self.assertTrue(all(any(s.get("fact") == "order" for s in w["steps"]) for w in ways))
@@ -248,6 +248,10 @@ class Verdicts(Exactly):
         self.assertEqual((v["verdict"], v["ways"][0]["not_zero"]), ("proved", ["x-y"]))
         self.assertIn("a division by zero, at", v["no_value"]["because"])
         self.assertEqual(v["no_value"]["point"]["x"], v["no_value"]["point"]["y"])
+
+    def test_conditions_that_are_multiples_of_one_another_are_one(self):
+        code = "double f(double x, double y) { if (x <= y && 3 * x >= 3 * y) return x - y; return 0; }"
+        self.assertEqual(self.verdict(self.BLOCK % "0", code)["verdict"], "proved")
 
     def test_a_condition_that_is_an_equality_is_used(self):
         v = self.verdict(self.BLOCK % "x", "double f(double x, double y) { return x == y ? y : x; }", "code.c", "--points", "100")
@@ -422,6 +426,235 @@ double f(double x, double y)
                          "--rounding=50")
         self.assertEqual(v["verdict"], "proved")
         self.assertGreater(v["rounding"]["turned"], 0)
+
+
+class Printed(Exactly):
+    """What should come out is a formula as it is printed."""
+    CURVES = (ROOT / "exact/code/example/curves.c").read_text()
+    BLOCK = (":::{exactly} it\n:source: code.c\n:declare: double deboor(int n, int degree, const double *k, const double *c, double t);\n"
+             "   double basis(int i, int degree, const double *k, double t);\n%s\n:::\n")
+
+    def of_curves(self, lines, *options):
+        return self.verdict(self.BLOCK % lines, self.CURVES, "code.c", *options)
+
+    def of(self, code, inputs, call, lines):
+        declared = code.split("{")[0].strip().splitlines()[-1]
+        return self.verdict(f":::{{exactly}} it\n:source: code.c\n:declare: {declared};\n:input: {inputs}\n:call: {call}\n{lines}\n:::\n", code)
+
+    @staticmethod
+    def conditions(v):
+        return [f"{c['left']} {c['relation']} {c['right']}" for way in v["ways"] for c in way["conditions"]]
+
+    def test_definitions_of_ones_own_and_cases(self):
+        lines = (":input: knot[7] increasing; t in [knot[0], knot[6])\n:call: double N[4]; for (int i = 0; i < 4; i++) N[i] = basis(i, 2, knot, t);\n"
+                 ":output: N[4]\n:let: $M_{i,0}(x) = 1, \\quad \\mathrm{knot}_i \\le x < \\mathrm{knot}_{i+1}$\n:let: M_{i,0}(x) = 0\n"
+                 ":let: M_{i,p}(x) = \\frac{x-\\mathrm{knot}_i}{\\mathrm{knot}_{i+p}-\\mathrm{knot}_i} M_{i,p-1}(x)\n"
+                 "  + \\frac{\\mathrm{knot}_{i+p+1}-x}{\\mathrm{knot}_{i+p+1}-\\mathrm{knot}_{i+1}} M_{i+1,p-1}(x)\n"
+                 ":printed: $N_j = M_{j,%s}(t)$\n:for: j = 0..3")
+        v = self.of_curves(lines % "2")
+        self.assertEqual((v["verdict"], v["exhaustive"], len(v["ways"])), ("proved", True, 6))
+        v = self.of_curves(lines % "1")
+        self.assertEqual(v["verdict"], "differs")
+        self.assertEqual([r["name"] for r in v["results"] if "expected" in r], [f"N_j, j = {j}" for j in range(4)])
+
+    def test_a_misprint_is_found_with_the_smallest_numbers(self):
+        lines = (":input: u[7] increasing; c[4]; t in [u[2], u[4])\n:call: double R = deboor(3, 2, u, c, t);\n:output: R\n"
+                 ":use: bspline N_{i,p}(t) over u_i\n:printed: R = \\sum_{i=0}^%s N_{i,2}(t) c_i")
+        self.assertEqual(self.of_curves(lines % "3")["verdict"], "proved")
+        v = self.of_curves(lines % "2")
+        self.assertEqual(v["verdict"], "differs")
+        c = v["point"]["c"]
+        self.assertEqual((c[:3], c[3] in ("1", "-1", "2")), (["0", "0", "0"], True), v["point"])
+
+    def test_multiple_knots(self):
+        v = self.of_curves(":input: u[7] nondecreasing; c[4]; t in [u[2], u[4])\n:call: double R = deboor(3, 2, u, c, t);\n:output: R\n"
+                           ":use: bspline N_{i,p}(t) over u_i\n:printed: R = \\sum_{i=0}^3 N_{i,2}(t) c_i")
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+
+    SLOPE = """double slope(const double *u, const double *c, double t)
+{
+    int k = t < u[3] ? 2 : 3;
+    double a = 2 * (c[k - 1] - c[k - 2]) / (u[k + 1] - u[k - 1]), b = 2 * (c[k] - c[k - 1]) / (u[k + 2] - u[k]);
+    return ((u[k + 1] - t) * a + (t - u[k]) * b) / (u[k + 1] - u[k]);
+}"""
+
+    def test_derivatives_at_knots_too(self):
+        """The conditions t = u[2], u[3] are ways of the formula; there the derivatives from both sides are equal."""
+        lines = ":output: s\n:use: bspline N_{i,p}(t) over u_i\n:printed: s = \\sum_{i=0}^3 N_{i,2}%s(t) c_i"
+        v = self.of(self.SLOPE, "u[7] increasing; c[4]; t in [u[2], u[4])", "double s = slope(u, c, t);", lines % "'")
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+        self.assertIn("t = u[3]", self.conditions(v))
+        v = self.of(self.SLOPE, "u[7] increasing; c[4]; t in [u[2], u[4])", "double s = slope(u, c, t);", lines % "''")
+        self.assertEqual(v["verdict"], "differs")
+
+    def test_the_derivative_of_a_rational_spline(self):
+        """A quotient of sums with pieces, at knots too: what is divided by is meant at the place, not beside it."""
+        code = """#include <math.h>
+static double basis(int i, int p, const double *u, double t)
+{
+    if (p == 0)
+        return u[i] <= t && t < u[i + 1];
+    return (t - u[i]) / (u[i + p] - u[i]) * basis(i, p - 1, u, t) + (u[i + p + 1] - t) / (u[i + p + 1] - u[i + 1]) * basis(i + 1, p - 1, u, t);
+}
+static double slope(int i, const double *u, double t)
+{
+    return 2 * (basis(i, 1, u, t) / (u[i + 2] - u[i]) - basis(i + 1, 1, u, t) / (u[i + 3] - u[i + 1]));
+}
+void curve(const double *u, const double *P, const double *w, double t, double *r) {
+    double x = 0, dx = 0, s = 0, ds = 0;
+    for (int i = 0; i < 3; i++) {
+        x += w[i] * P[i] * basis(i, 2, u, t), dx += w[i] * P[i] * slope(i, u, t);
+        s += w[i] * basis(i, 2, u, t), ds += w[i] * slope(i, u, t);
+    }
+    r[0] = x / s, r[1] = (dx * s - x * ds) / (s * s);
+}"""
+        block = (":::{exactly} it\n:source: code.c\n:declare: void curve(const double *, const double *, const double *, double, double *);\n"
+                 ":input: u[6] increasing; P[3]; omega[3] > 0; t in [u[2], u[3])\n:call: double R[2]; curve(u, P, omega, t, R);\n:output: R[2]\n"
+                 ":use: bspline N_{i,p}(t) over u_i\n"
+                 ":let: C(t) = \\frac{\\sum_{i=0}^2 \\omega_i P_i N_{i,2}(t)}{\\sum_{i=0}^2 \\omega_i N_{i,2}(t)}\n:printed: R_0 = C(t), \\quad R_1 = %s\n:::\n")
+        v = self.verdict(block % "C'(t)", code)
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+        self.assertIn("t = u[2]", self.conditions(v))
+        self.assertEqual(self.verdict(block % "C''(t)", code)["verdict"], "differs")
+
+    def test_there_is_no_derivative_at_a_corner(self):
+        code = """double slope(const double *u, const double *c, double t)
+{
+    int k = t < u[2] ? 1 : 2;
+    return (c[k] - c[k - 1]) / (u[k + 1] - u[k]);
+}"""
+        v = self.of(code, "u[5] increasing; c[3]; t in (u[1], u[3])", "double s = slope(u, c, t);",
+                    ":output: s\n:use: bspline N_{i,p}(t) over u_i\n:printed: s = \\sum_{i=0}^2 N_{i,1}'(t) c_i\n:points: 200")
+        self.assertEqual(v["verdict"], "proved", v)
+        self.assertIn("no derivative at a joint", v["no_value"]["because"])
+        self.assertEqual(v["no_value"]["point"]["t"], v["no_value"]["point"]["u"][2:3])
+        self.assertNotIn("t = u[2]", self.conditions(v))
+
+    def test_equations_that_are_not_solved_and_irrational_results(self):
+        code = "#include <math.h>\nvoid unit(double x, double y, double *r) { double l = sqrt(x * x + y * y); r[0] = x / l; r[1] = y / l; }"
+        unit = code, "x; y", "double r[2]; unit(x, y, r);"
+        lines = ":where: x != 0 || y != 0\n:output: r[2]\n:printed: %s"
+        self.assertEqual(self.of(*unit, lines % "r_0^2 + r_1^2 = 1")["verdict"], "proved")
+        v = self.of(*unit, lines % "r_0 r_1 = \\frac{x y}{x^2 + 2y^2}")
+        self.assertEqual(v["verdict"], "differs")
+        x, y = F(v["point"]["x"][0]), F(v["point"]["y"][0])
+        self.assertNotEqual(x * y / (x * x + y * y), x * y / (x * x + 2 * y * y), "the point is a counterexample")
+        lines = lines.replace("x != 0 || y != 0", "x != 0 && y != 0")
+        self.assertEqual(self.of(*unit, lines % "\\frac{r_0}{r_1} = \\frac{x}{y}")["verdict"], "proved")
+        turn = "#include <math.h>\nvoid turn(double t, double *r) { r[0] = cos(t); r[1] = sin(t); }", "t", "double r[2]; turn(t, r);"
+        for printed, verdict in [("r_0^2 + r_1^2 = 1", "proved"), ("r_0^2 - r_1^2 = 1", "differs")]:
+            self.assertEqual(self.of(*turn, f":output: r[2]\n:printed: {printed}")["verdict"], verdict)
+
+    def test_a_division_by_zero_in_the_formula(self):
+        code = "double f(double a, double b) { return a + b; }"
+        v = self.of(code, "a; b", "double s = f(a, b);", ":output: s\n:printed: s = \\frac{a^2 - b^2}{a - b}\n:points: 100")
+        self.assertEqual(v["verdict"], "proved")
+        self.assertIn("a-b", json.dumps(v["ways"]))
+        v = self.of(code, "a = 1; b = 1", "double s = f(a, b);", ":output: s\n:printed: s = \\frac{a^2 - b^2}{a - b}")
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertIn("a division by 0, at", v["because"])
+
+    def test_what_is_said_of_0_divided_by_0(self):
+        code = "double f(double x, double a, double b) { return a == b ? 0 : x; }"
+        v = self.of(code, "x; a; b", "double s = f(x, a, b);", ":output: s\n:let: 0/0 = 0\n:printed: s = \\frac{x(a - b)}{a - b}")
+        self.assertEqual((v["verdict"], v["exhaustive"], "no_value" in v), ("proved", True, False))
+
+    def test_a_value_at_a_place(self):
+        code = "double f(double x) { return x >= 2; }"
+        for tex, verdict in [("\\ge", "proved"), (">", "differs")]:
+            v = self.of(code, "x", "double s = f(x);",
+                        f":output: s\n:let: h(y) = 1, \\quad y {tex} 2\n:let: h(y) = 0\n:let: z \\in \\mathbb{{R}}\n:printed: s = \\left. h(z) \\right|_{{z=x}}")
+            self.assertEqual(v["verdict"], verdict)
+
+    def test_a_way_on_which_the_formula_has_no_value(self):
+        code = "double f(double a, double b) { if (a == b) return 7; return a + b; }"
+        v = self.of(code, "a; b", "double s = f(a, b);", ":output: s\n:printed: s = \\frac{a^2 - b^2}{a - b}")
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+        self.assertEqual(self.conditions(v), ["a != b"])
+
+    def test_each_relation(self):
+        """1 where x relation 2, else 0; and the same code with the other relations is found wrong at 2 or beside it."""
+        signs = {"<": "<", "<=": "\\le", ">": ">", ">=": "\\ge", "==": "=", "!=": "\\ne"}
+        for sign in signs:
+            code = f"double f(double x) {{ return x {sign} 2; }}"
+            for other, tex in signs.items():
+                with self.subTest(f"{sign} {other}"):
+                    v = self.of(code, "x", "double s = f(x);", f":output: s\n:let: h(y) = 1, \\quad y {tex} 2\n:let: h(y) = 0\n:printed: s = h(x)")
+                    self.assertEqual(v["verdict"], "proved" if sign == other else "differs")
+
+    def test_several_equations(self):
+        code = "double f(double x) { return 2 * x; }"
+        for printed, verdict in [("s = x + x, \\quad \\frac{s}{2} = x", "proved"), ("s = x, \\quad s = 2x", "differs"), ("s = 2x, \\quad s = x", "differs"),
+                                 ("x + x = s = 2x", "proved"), ("s = 2x = 3x", "differs"), ("s = 3x = 3x", "differs")]:
+            with self.subTest(printed):
+                self.assertEqual(self.of(code, "x", "double s = f(x);", f":output: s\n:printed: {printed}")["verdict"], verdict)
+
+    def test_inputs_are_what_they_were(self):
+        code = "double f(double *p) { double s = p[0] + p[1]; p[0] = 7; p[1] = s; return s; }"
+        v = self.of(code, "p[2]", "double s = f(p);", ":output: s\n:printed: s = p_0 + p_1")
+        self.assertEqual(v["verdict"], "proved")
+        v = self.of(code, "p[2]", "double s = f(p);", ":output: s\n:output: p[2]\n:printed: s = p_0 + p_1")
+        self.assertEqual(v["verdict"], "proved", "an output of that name is told, and the formula has the input")
+
+    def test_amounts_and_greatest(self):
+        code = "double f(double a, double b) { return a > b ? a - b : b - a; }"
+        v = self.of(code, "a; b", "double s = f(a, b);", ":output: s\n:printed: s = |a - b| = \\max(a, b) - \\min(a, b)")
+        self.assertEqual((v["verdict"], v["exhaustive"]), ("proved", True))
+
+    def test_rounding_is_that_of_the_outputs(self):
+        code = "double f(double x) { return x / 3; }"
+        block = ":::{exactly} it\n:source: code.c\n:declare: double f(double);\n:input: x\n:call: double s = f(x);\n:output: s\n:printed: 3s = x\n:::\n"
+        v = self.verdict(block, code, "code.c", "--rounding=20")
+        self.assertEqual((v["verdict"], [w["name"] for w in v["rounding"]["worst"]]), ("proved", ["s"]))
+
+    def test_certificates(self):
+        page = self.harness(self.BLOCK % (":input: u[7] increasing; c[4]; t in [u[2], u[4])\n:call: double R = deboor(3, 2, u, c, t);\n:output: R\n"
+                                          ":use: bspline N_{i,p}(t) over u_i\n:printed: R = \\sum_{i=0}^3 N_{i,2}(t) c_i"), self.CURVES)
+        folder = self.folder / "certificates"
+        self.assertEqual(run(page, "--certificates", folder).returncode, 0)
+        checked = subprocess.run([sys.executable, ROOT / "proofs-tests/recheck.py", folder], capture_output=True, text=True)
+        self.assertIn("1 rechecked, 0 wrong", checked.stdout)
+        (statement,) = json.loads((folder / "manifest.json").read_text())["statements"]
+        self.assertIn("R = \\sum_{i=0}^3 N_{i,2}(t) c_i, where :use: bspline", statement["printed"])
+
+    def test_what_differs_is_shown_where_it_does(self):
+        """Where outputs are told, too, the first point is kept until one differs."""
+        code = "double f(double x) { return x > 2 ? x : 0; }"
+        v = self.of(code, "x", "double s = f(x);", ":output: s\n:expect: s = 0")
+        self.assertEqual(v["verdict"], "differs")
+        self.assertGreater(F(v["point"]["x"][0]), 2)
+        self.assertIn(["different"], [[r.get("answer")] for r in v["results"]])
+
+    def test_refusals(self):
+        good = ":::{exactly} it\n:input: x; p[3]\n:call: double r = x;\n:output: r\n%s\n:::\n"
+        for lines, words in [
+            (":printed: r = q", "line 7: \"r = q\", at \"q\": "),
+            (":printed: r = p", "line 7: \"r = p\", at \"p\": "),
+            (":printed: r \\le x", "an equation was expected"),
+            (":printed: r = x \\Rightarrow x = r", "an equation was expected"),
+            (":printed: r", "line 7: \"r\""),
+            (":printed: r = x^{j}\n:for: 0 \\le j \\le 1", "a range such as j = 0..2"),
+            (":printed: r = x^{j}\n:for: j = 1..", "a range such as j = 0..2"),
+            (":printed: r = x y\n:for: 0 \\le y \\le 1", "a range such as j = 0..2"),
+            (":let: x \\ne 0\n:printed: r = x", "line 7: "),
+            (":let: p_0 \\le p_1\n:printed: r = x", "conditions stand in :where:"),
+            (":use: bernsten B_i^n(t)\n:printed: r = x", "bernsten"),
+            (":use: bernstein B_i^n(t)", "there is no :printed:"),
+            (":for: j = 0..1", "there is no :printed:"),
+        ]:
+            with self.subTest(lines):
+                self.refused(good % lines, words)
+        v = self.verdict(good % ":printed: r = p_3")
+        self.assertEqual((v["verdict"], "a name without a value" in v["because"]), ("undecided", True))
+        v = self.verdict(good % ":printed: r = \\sqrt{x}")
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertIn("a root that is no rational number", v["because"])
+
+    def test_our_kernels(self):
+        block = (":::{exactly} it\n:include: \"core/kernels/kernels_d.h\"\n:input: p[8]; t\n:call: double a[2], b[2]; bezier_casteljau_d(3, 2, p, t, a);\n"
+                 "   bezier_horner_d(3, 2, p, t, b);\n:expect: a[2] = b\n:output: a[2]\n:use: bernstein B_i^n(t)\n"
+                 ":printed: a_c = \\sum_{i=0}^3 B_i^3(t) p_{2i+c}\n:for: c = 0, 1\n:::\n")
+        self.assertEqual(self.verdict(block)["verdict"], "proved")
 
 
 class Mistakes(Exactly):

@@ -108,8 +108,8 @@ class Words(unittest.TestCase):
         page = show("wang-ch3:thm-3.3.2")
         verdict = page.split("\nVerdict\n")[1].split("\n\n")[0]
         self.assertEqual(" ".join(verdict.split()), 'True: "an envelope", a curve that in each of its points is touched by a member, wherever '
-                         'R′ ≠ 0 (1). False: "the envelope", all points that satisfy the envelope condition, as the equality sign says, from '
-                         'n = 3 on (2); the same with the restriction to curves without inflections, from n = 4 on (3).')
+                         'R′ ≠ 0 (1). False: "the envelope", all points that satisfy the envelope condition, as the equality sign says '
+                         '(2); the same with the restriction to curves without inflections (3).')
         self.assertTrue(verdict.strip().startswith('True: "an envelope", a curve'))
         ways = page.split("\nWays to read it\n")[1].split("\n\n")[0]
         self.assertEqual(re.findall(r"(?m)^     (\d+)  (true|false|open) ", ways), [("1", "true"), ("2", "false"), ("3", "false")])

@@ -3,9 +3,9 @@
     coverage.py [--jobs N] [--lines] [--keep]
 
 Builds the unit tests and cagd, with one chapter, in build/coverage at -O0 with --coverage, runs the tests, also those of `cagd check`,
-of code that is run exactly and of `cagd fit`, and prints for every file the statements and branches that were reached, and how many there are; a line of a template or a header counts once, reached in whatever number type.  Then the lines
+of code that is run exactly and of `cagd fit`, and the inputs that are kept for the fuzzers, and prints for every file the statements and branches that were reached, and how many there are; a line of a template or a header counts once, reached in whatever number type.  Then the lines
 that nothing reached: with --lines all of them, otherwise those for which unreached.txt has no reason.  --keep reads what the last
-run left.  Not a test; about fifteen minutes of processor time.
+run left, of the files that have not changed since.  Not a test; about fifteen minutes of processor time.
 """
 import argparse
 import collections
@@ -19,6 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/coverage"
 ROOMS = ("exact/", "chapters/judge/", "core/")
 LEFT_OUT = {"test_svg"}  # figures are none of these rooms
+FUZZED = ("curve", "formula", "harness", "latex", "number")  # whose readers are of these rooms
 
 
 # A process of exact/code ends by _exit, which keeps no counts: the linker puts this in its place.
@@ -40,7 +41,7 @@ def must(*command):
 
 
 def reasons():
-    """[(file or *, the line or a part of it, the reason)]"""
+    """[(file or *, the line or a part of it, or with < before it the line that it hangs on, the reason)]"""
     text = pathlib.Path(__file__).with_name("unreached.txt").read_text()
     return [tuple(part.strip() for part in line.split(" | ", 2)) for line in text.splitlines() if line.strip() and not line.startswith("#")]
 
@@ -51,9 +52,10 @@ def run_tests(jobs):
     (BUILD / "ending.c").write_text(ENDING)
     must("cc", "-c", str(BUILD / "ending.c"), "-o", str(BUILD / "ending.o"))
     must("cmake", "-G", "Ninja", "-S", ".", "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_C_FLAGS_DEBUG=-O0 -w --coverage",
-         "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -w --coverage", "-DCAGD_TYPES=RATIONAL", "-DCAGD_CHAPTERS=foundations",
+         "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -w --coverage", "-DCAGD_TYPES=RATIONAL", "-DCAGD_CHAPTERS=foundations", "-DCAGD_REPLAY=ON",
          f"-DCMAKE_EXE_LINKER_FLAGS_DEBUG=-Wl,--wrap=_exit {BUILD / 'ending.o'}")
-    programs = ["cagd", "run_programs", "cagd-compile-exactly", "cagd-exactly-session", "test_certified", "test_memory"]
+    programs = ["cagd", "run_programs", "cagd-compile-exactly", "cagd-exactly-session", "test_certified", "test_memory",
+                *(f"fuzz_{name}" for name in FUZZED)]
     must("cmake", "--build", str(BUILD), "-j", str(jobs), "--target", *tests, *programs)
     for old in BUILD.rglob("*.gcda"):
         old.unlink()
@@ -67,6 +69,7 @@ def run_tests(jobs):
               python("cli/test_exactly.py", cagd, ROOT), python("cli/test_fit.py", cagd, ROOT),
               python("code/test_language.py", BUILD / "cagd-compile-exactly", BUILD / "proofs-tests/code/run_programs"),
               python("code/test_interface.py", BUILD, ROOT), python("fit/test_real.py", cagd), python("fit/kinds.py", cagd),
+              *([BUILD / f"proofs-tests/fuzz/fuzz_{name}", *sorted((ROOT / "proofs-tests/fuzz/corpus" / name).iterdir())] for name in FUZZED),
               python("labs/test_labs.py", cagd, ROOT), [fit / "test_certified", ROOT / "proofs-tests/fit/problems"], [fit / "test_memory"]]
     for command in others:  # whatever they say of a program that is so slow and has one chapter, it has run
         subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -94,6 +97,19 @@ def counts():
     return found
 
 
+def hangs_on(text, number):
+    """The line above, of less indentation: the condition under which that line runs."""
+    indentation = lambda line: len(line) - len(line.lstrip())
+    above = (line for line in reversed(text[:number - 1]) if line.strip() and indentation(line) < indentation(text[number - 1]))
+    return next(above, "").strip()
+
+
+def reason_for(file, text, number, known):
+    line, condition = text[number - 1].strip(), hangs_on(text, number)
+    return next((reason for path, part, reason in known if path in ("*", file) and
+                 (part[2:] in condition if part.startswith("< ") else part in line)), None)
+
+
 def share(reached, all_there_are):
     return f"{reached:6d} of {all_there_are:6d} {100 * reached / max(all_there_are, 1):6.1f} %"
 
@@ -107,22 +123,26 @@ def main():
     start, known = time.monotonic(), reasons()
     tests = 0 if a.keep else run_tests(a.jobs)
     found, total = counts(), collections.defaultdict(lambda: [0, 0, 0, 0])
-    unreached, reasoned = [], 0
+    unreached, reasoned, changed = [], 0, []
+    last_run = (BUILD / "ending.o").stat().st_mtime
     for file in sorted(found):
         text, lines = (ROOT / file).read_text().splitlines(), found[file]
+        if max(lines) > len(text) or (a.keep and (ROOT / file).stat().st_mtime > last_run):
+            changed.append(file)
+            continue
         branches = [b for _, line in lines.values() for b in line]
         row = [sum(n > 0 for n, _ in lines.values()), len(lines), sum(b > 0 for b in branches), len(branches)]
         for name in (file, next(room for room in ROOMS if file.startswith(room))):
             total[name] = [x + y for x, y in zip(total[name], row)]
         for number in sorted(n for n, (times, _) in lines.items() if times == 0):
             line = text[number - 1].strip()
-            why = next((reason for path, part, reason in known if path in ("*", file) and part in line), None)
+            why = reason_for(file, text, number, known)
             reasoned += why is not None
             if a.lines or why is None:
                 unreached.append(f"{file}:{number}: {line}" + (f"   [{why}]" if why else ""))
     for name in sorted(total, key=lambda n: (n not in ROOMS, n)):
         print(f"{name:44s} statements {share(*total[name][:2])}   branches {share(*total[name][2:])}")
-    print(*unreached, sep="\n")
+    print(*unreached, *(f"{file}: has changed since the tests ran, and is left out" for file in changed), sep="\n")
     print(f"{len(unreached) - (reasoned if a.lines else 0)} lines that nothing reached have no reason, {reasoned} have one; "
           f"{tests} tests in {time.monotonic() - start:.0f} s")
 

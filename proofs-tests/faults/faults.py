@@ -105,7 +105,7 @@ class Code(Room):
              "what is said": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Verdicts", "Mistakes"],
              "pages": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Page", "Certificates"]}
     slow = {"interface": [sys.executable, ROOT / "proofs-tests/code/test_interface.py", ".", ROOT]}
-    KNOWS = {"conditions": "test_conditions", "polyhedron": "test_conditions", "signs": "test_conditions", "border": "test_border",
+    KNOWS = {"driver": "test_harness", "conditions": "test_conditions", "polyhedron": "test_conditions", "signs": "test_conditions", "border": "test_border",
              "harness": "test_harness", "points": "test_harness", "orders": "test_shares", "decide": "test_decide"}
 
     def units(self):

@@ -36,7 +36,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (folder[0] == '\0')
         begin();
-    write_text(section, data, size);
+    file_of(section, data, size);
     struct book book = {.types = "field rational interval double"};
     complaints = 0;
     read_chapter(&book, folder);

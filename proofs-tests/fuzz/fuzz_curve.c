@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     int where;
     region_faults = 0;
     region_mark mark = region_open();
-    if (read_curve(file_of(data, size), &c, &error) != 0) {
+    if (read_curve(file_of("fuzz.json", data, size), &c, &error) != 0) {
         if (error.cause[0] == '\0')
             abort();
     } else {
@@ -29,9 +29,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         json_t *document = curve_json(&c);
         char *text = json_dumps(document, 0);
         json_decref(document);
-        if (read_curve(file_of((const uint8_t *)text, strlen(text)), &again, &error) != 0 || again.degree != c.degree ||
-            again.count != c.count || again.dim != c.dim || (again.weights == NULL) != (c.weights == NULL) ||
-            !same(c.count * c.dim, c.points, again.points) || !same(c.count + c.degree + 1, c.knots, again.knots) ||
+        if (read_curve(file_of("fuzz.json", (const uint8_t *)text, strlen(text)), &again, &error) != 0 ||
+            again.degree != c.degree || again.count != c.count || again.dim != c.dim ||
+            (again.weights == NULL) != (c.weights == NULL) || !same(c.count * c.dim, c.points, again.points) ||
+            !same(c.count + c.degree + 1, c.knots, again.knots) ||
             (c.weights != NULL && !same(c.count, c.weights, again.weights)))
             abort();
         free(text);

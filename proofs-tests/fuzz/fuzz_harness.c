@@ -2,6 +2,7 @@
  * them; what is not read has a cause and a line of the text. */
 #include "proofs-tests/fuzz/file.h"
 
+#include "exact/code/driver.h"
 #include "exact/code/points.h"
 #include "exact/number/rational.h"
 #include "exact/words.h"

@@ -35,16 +35,8 @@ static void look(const cagd_latex *l, int size)
 /* The blocks, as cagd check makes and reads them. */
 static void read_blocks_of(const uint8_t *data, size_t size)
 {
-    static char name[64];
     struct document d;
-    snprintf(name, sizeof name, "/tmp/fuzz_latex_%ld.tex", (long)getpid());
-    FILE *out = fopen(name, "wb");
-    if (out == NULL)
-        abort();
-    fwrite(data, 1, size, out);
-    fclose(out);
-    read_document(NULL, name, &d);
-    unlink(name);
+    read_document(NULL, file_of("fuzz.tex", data, size), &d);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct columns columns = {.dim = data[0] % 3 == 0 ? 0 : 1 + data[0] % 3, .sigma = sigma[data[0] / 3 % 4]};
     struct points points;
     struct input_error error = {0};
-    if (read_points(file_of(data + 1, size - 1), &columns, &points, &error) != 0) {
+    if (read_points(file_of("fuzz", data + 1, size - 1), &columns, &points, &error) != 0) {
         if (error.cause[0] == '\0')
             abort();
         return 0;

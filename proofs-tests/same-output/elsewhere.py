@@ -2,8 +2,8 @@
 
     elsewhere.py ROOT CAGD WHERE...
 
-WHERE is `newer`, Debian 13 (gcc 14, FLINT 3, GMP 6.3, MPFR 4.2, Ceres 2.2), or `arm64`, Debian 12 compiled for that processor and
-run by an emulator.  Each is set up in a folder of its own by debootstrap, as root; the committed sources are compiled there;
+WHERE is `newer`, Debian 13 (gcc 14, FLINT 3, GMP 6.3, MPFR 4.2, Ceres 2.2), `testing`, the Debian that is being made, whose versions
+are printed, or `arm64`, Debian 12 compiled for that processor and run by an emulator.  Each is set up in a folder of its own by debootstrap, as root; the committed sources are compiled there;
 everything is decided, in every number type, drawn and certified, here and there; and every file is compared, without the
 times.  A certificate lists operations in the order in which a compiler evaluates the arguments of a call, which C leaves open:
 on arm64 gcc has another one, so those of arm64 are not compared but rechecked.  `newer` takes two minutes on two cores that
@@ -36,6 +36,10 @@ class Newer:
     packages = TOOLS + ["gcc", "g++", "libc6-dev"] + LIBRARIES
 
 
+class Testing(Newer):
+    suite, before = "testing", "echo 'Acquire::Check-Valid-Until \"false\";' >/etc/apt/apt.conf.d/any-day && "
+
+
 class Arm64:
     suite, before = "bookworm", "dpkg --add-architecture arm64 && "
     options = "-DCMAKE_TOOLCHAIN_FILE=/src/arm64.cmake"
@@ -45,13 +49,15 @@ class Arm64:
 
 
 CANNOT = 3  # recheck.py: nothing is wrong, and some kinds of claims it does not recheck, here as there
-PLACES = {"newer": Newer, "arm64": Arm64}
+PLACES = {"newer": Newer, "testing": Testing, "arm64": Arm64}
+SHOWN = "gcc libflint-dev libgmp-dev libmpfr-dev libceres-dev"
 
 
 def must(*command):
     r = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if r.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))[:200]}\n{r.stdout[-3000:]}")
+    return r.stdout
 
 
 class Elsewhere:
@@ -65,7 +71,11 @@ class Elsewhere:
                     + " ".join(place.packages))
 
     def inside(self, command):
-        must("chroot", self.folder, "sh", "-c", command)
+        return must("chroot", self.folder, "env", "-i", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "sh", "-c", command)
+
+    def versions(self):
+        """What was installed, in one line."""
+        return self.inside(f"dpkg-query -W -f '${{Package}} ${{Version}}, ' {SHOWN} 2>&1 || true").rstrip(", ")
 
     def compile(self, root):
         (self.folder / "src").mkdir()
@@ -120,6 +130,7 @@ def main():
         for where in a.where:
             start = time.monotonic()
             elsewhere = Elsewhere(PLACES[where], pathlib.Path(work) / where)
+            print(f"{where}: {elsewhere.versions()}", flush=True)
             elsewhere.compile(a.root.resolve())
             there, same_order = elsewhere.run(), PLACES[where].same_order
             count, different = compare(here, there, same_order)

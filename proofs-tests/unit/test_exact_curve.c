@@ -172,6 +172,49 @@ static void a_circle_has_one_curvature_and_no_pole(void **state)
     assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_DEGREE);
 }
 
+/* The homogeneous points (1,0;1), (3,2;0), (5,7;1) are no curve, as a weight is 0.  With the knot 1/2 they are one, and in degree 3, too;
+ * neither is taken back.  Nor is a curve split where the weight of a point would be 0. */
+static void a_weight_that_would_be_zero_is_named(void **state)
+{
+    (void)state;
+    const num_q zero = from_int_q(0), one = from_int_q(1), half = from_ratio_q(1, 2), third = from_ratio_q(1, 3);
+    cagd_spline_q out = {0}, right = {0};
+    const num_q finer[] = {zero, zero, zero, half, one, one, one}, of_finer[] = {one, half, half, one};
+    const num_q cubic[] = {zero, zero, zero, zero, one, one, one, one}, of_cubic[] = {one, third, third, one};
+    const num_q quadratic[] = {zero, zero, zero, one, one, one}, of_quadratic[] = {one, from_int_q(-1), one};
+    const int place[][8] = {{1, 0, 4, 2, 8, 9, 5, 7}, {1, 0, 7, 4, 11, 11, 5, 7}};
+    num_q P[2][8];
+    for (int m = 0; m < 8; m++)
+        P[0][m] = from_int_q(place[0][m]), P[1][m] = from_int_q(place[1][m]);
+    int where = 7;
+    cagd_spline_q s = {2, 4, 2, finer, P[0], of_finer};
+    assert_int_equal(cagd_spline_remove_q(&s, half, &out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 1);
+    s = (cagd_spline_q){3, 4, 2, cubic, P[1], of_cubic}, where = 7;
+    assert_int_equal(cagd_spline_reduce_q(&s, &out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 1);
+    s = (cagd_spline_q){2, 3, 2, quadratic, P[0], of_quadratic}, where = 7;
+    assert_int_equal(cagd_spline_split_q(&s, half, &out, &right, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 1);
+    s.weights = (const num_q[]){one, from_ratio_q(-1, 2), one}, where = 7; /* (1 + 2 (-1/2))/3 */
+    assert_int_equal(cagd_spline_elevate_q(&s, &out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 1);
+    /* from 0 to 1 the last weight is (1 - 1)/2; the knot 1 once more makes a span without length */
+    const num_q two = from_int_q(2), minus = from_int_q(-1), of_two[] = {one, one, minus, one, one};
+    const num_q once[] = {zero, zero, zero, one, two, two, two}, twice[] = {zero, zero, zero, one, one, two, two, two};
+    num_q five[10];
+    for (int m = 0; m < 10; m++)
+        five[m] = from_int_q(m);
+    s = (cagd_spline_q){2, 4, 2, once, P[0], of_two}, where = 7;
+    assert_int_equal(cagd_spline_segment_q(&s, 2, &out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 2);
+    assert_true(cagd_spline_has_poles_q(&s));
+    s.weights = NULL;
+    assert_false(cagd_spline_has_poles_q(&s));
+    s = (cagd_spline_q){2, 5, 2, twice, five, (const num_q[]){one, one, two, one, one}};
+    assert_false(cagd_spline_has_poles_q(&s));
+}
+
 /* *where is -1 where nothing is meant, whatever stood there before; of a curve in space the curvature is that of its definition. */
 static void what_is_refused(void **state)
 {
@@ -259,9 +302,13 @@ static void knots_of_every_multiplicity_are_removed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(knots_of_every_multiplicity_are_removed), unit(inserted_knots_are_removed_again),
-        unit(raised_degrees_are_lowered_again),        unit(parts_and_segments_are_the_curve),
-        unit(a_circle_has_one_curvature_and_no_pole),  unit(what_is_refused),
+        unit(knots_of_every_multiplicity_are_removed),
+        unit(inserted_knots_are_removed_again),
+        unit(raised_degrees_are_lowered_again),
+        unit(parts_and_segments_are_the_curve),
+        unit(a_circle_has_one_curvature_and_no_pole),
+        unit(a_weight_that_would_be_zero_is_named),
+        unit(what_is_refused),
         unit(curvature_and_torsion_in_space),
     };
     return run_unit_tests(tests);

@@ -1,6 +1,8 @@
 /* test_harness.c -- what a block about code asks: its inputs with their shapes, its language, and the points that are tried. */
 #include "proofs-tests/unit/unit_exact.h"
 
+#include "exact/code/driver.h"
+#include "exact/code/formula.h"
 #include "exact/code/harness.h"
 #include "exact/code/points.h"
 #include "exact/words.h"

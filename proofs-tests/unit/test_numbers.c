@@ -199,6 +199,19 @@ static void a_proof_specialises_to_every_value(void **state)
     }
 }
 
+static void floors(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *a;
+        long floor;
+    } list[] = {{"0", 0}, {"3", 3}, {"-3", -3}, {"7/2", 3}, {"-7/2", -4}, {"1/3", 0}, {"-1/3", -1}, {"0.999999999999999999999", 0}};
+    region_mark m = region_open();
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        assert_true(cagd_equal_q(cagd_floor_q(from_string_q(list[k].a)), from_int_q(list[k].floor)));
+    region_drop(m);
+}
+
 static void roots(void **state)
 {
     (void)state;
@@ -399,6 +412,10 @@ static void texts_are_read_exactly(void **state)
         else
             assert_int_equal(strlen(to_string_q(a)), length);
     }
+    num_q repeated = div_q(mul_q(from_int_q(7), sub_q(from_string_q("1e99999"), from_int_q(1))), from_int_q(9));
+    assert_true(cagd_equal_q(from_string_q(digits), repeated));
+    digits[33333] = '.';
+    assert_true(cagd_equal_q(from_string_q(digits), from_string_q(to_string_q(from_string_q(digits)))));
     assert_int_equal(strlen(to_string_q(from_string_q("1e99999"))), 100000);
     assert_int_equal(strlen(to_string_q(from_string_q("1e-99999"))), strlen("1/") + 100000);
 }
@@ -471,6 +488,7 @@ int main(void)
         unit(laws_of_measured_and_plain_binary64),
         unit(enclosures_and_bounds_of_long_programs),
         unit(a_proof_specialises_to_every_value),
+        unit(floors),
         unit(roots),
         unit(no_bound_is_infinite),
         unit(faults_stick),

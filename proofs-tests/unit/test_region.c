@@ -2,6 +2,7 @@
 #include "unit_exact.h"
 
 #include "exact/number/field.h"
+#include "exact/number/guard.h"
 #include "exact/number/interval.h"
 #include "exact/number/polynomial.h"
 #include "exact/words.h"
@@ -101,6 +102,30 @@ static void page_boundaries(void **state)
     memset(region_bytes(16), 3, 16);
     memset(region_bytes(1 << 16), 4, 1 << 16); /* does not fit behind these 16 */
     memset(region_bytes((1 << 16) + 1), 5, (1 << 16) + 1);
+}
+
+/* What lies behind a block, and what was dropped: AddressSanitizer stops whoever touches it.  Elsewhere nobody can know. */
+static void bytes_of_no_block_are_forbidden(void **state)
+{
+    (void)state;
+#ifdef CAGD_GUARDED
+    enum { ROUNDS = 3000 }; /* several pages */
+    region_free_all();
+    region_mark m = region_open();
+    char *first = region_bytes(40), *block = first;
+    for (size_t n = 1; n <= ROUNDS; n++) {
+        block = region_bytes(n % 100);
+        assert_null(__asan_region_is_poisoned(block, n % 100));
+        assert_true(__asan_address_is_poisoned(block + n % 100));
+    }
+    assert_true(__asan_address_is_poisoned(first + 40));
+    region_drop(m);
+    assert_true(__asan_address_is_poisoned(first));
+    assert_true(__asan_address_is_poisoned(block + 1));
+    assert_ptr_equal(region_bytes(8), first);
+    assert_false(__asan_address_is_poisoned(first + 7));
+    assert_true(__asan_address_is_poisoned(first + 8));
+#endif
 }
 
 static void every_kind_is_freed(void **state)
@@ -291,6 +316,7 @@ int main(void)
         unit(marks_nest),
         unit(blocks_are_apart),
         unit(page_boundaries),
+        unit(bytes_of_no_block_are_forbidden),
         unit(every_kind_is_freed),
         unit(threads_have_their_own_region),
         unit(intervals_have_the_precision_of_their_region),

@@ -387,6 +387,72 @@ static void test_a_term_that_ends_before_its_row(void **state)
     field_close();
 }
 
+/* Equations with too many unknowns, or too many equations, are not solved: k^70 is summed by a polynomial of 71 degrees, and
+ * k^130 (k!)^100 leads to 131 equations. */
+static void test_equations_that_are_too_many(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T;
+    num_f next = div_f(plus(k, 1), k), of_powers = whole(1), of_factorials = whole(1);
+    for (int i = 0; i < 70; i++)
+        of_powers = mul_f(of_powers, next);
+    assert_false(cagd_telescope((cagd_term){whole(1), of_powers}, n, k, 0, &T));
+    for (int i = 70; i < 130; i++)
+        of_powers = mul_f(of_powers, next);
+    for (int i = 0; i < 100; i++)
+        of_factorials = mul_f(of_factorials, plus(k, 1));
+    assert_false(cagd_telescope((cagd_term){whole(1), mul_f(of_powers, of_factorials)}, n, k, 0, &T));
+    assert_int_equal(region_faults, 0);
+    field_close();
+}
+
+/* C(n,k) C(2n,n-2-k), of the sum C(3n,n-2), is no ratio of its neighbour in n where k = n - 1: the factor n - k - 1. */
+static void test_a_step_in_n_that_is_not_defined(void **state)
+{
+    (void)state;
+    open_field();
+    num_f two_n = mul_f(whole(2), n), three_n = mul_f(whole(3), n);
+    cagd_term F = cagd_term_times_binomial(binomials(1), n, k, 2, 0, whole(0), 1, -1, whole(-2));
+    num_f up = mul_f(mul_f(plus(three_n, 1), plus(three_n, 2)), plus(three_n, 3)),
+          down = mul_f(mul_f(plus(n, -1), plus(two_n, 3)), plus(two_n, 4));
+    cagd_sum s = {F, whole(1), div_f(up, down), whole(1), 2, 0};
+    cagd_telescoper T;
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    field_close();
+}
+
+/* C(n+1,k+1) is 1 and not 0 for k = -1, so that the recurrence of the term is none of its sum 2^(n+1) - 1.  The ratio 3 - 2n/3 is that of
+ * the first three rows. */
+static void test_a_term_that_begins_before_its_row(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_term F = {div_f(plus(n, 2), plus(sub_f(n, k), 1)), div_f(sub_f(n, k), plus(k, 2))};
+    cagd_sum s = {F, whole(1), sub_f(whole(3), div_f(mul_f(whole(2), n), whole(3))), whole(1), 0, 0};
+    cagd_telescoper T;
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 1, &T), CAGD_SUM_UNDECIDED);
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    assert_false(cagd_is_zero_f(substitute_f(T.R, k, whole(0))));
+    field_close();
+}
+
+/* Zeros of a denominator before k = from, the zero polynomial, and more factors than are looked at. */
+static void test_what_may_vanish(void **state)
+{
+    (void)state;
+    open_field();
+    num_f product = whole(1);
+    for (int j = 1; j <= 66; j++)
+        product = mul_f(product, plus(k, j));
+    assert_true(cagd_is_never_zero(plus(k, 1), n, k, 2));
+    assert_false(cagd_is_never_zero(plus(k, -1), n, k, 2));
+    assert_false(cagd_is_never_zero(whole(0), n, k, 0));
+    assert_false(cagd_is_never_zero(product, n, k, 0));
+    field_close();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(test_terms),
@@ -404,6 +470,10 @@ int main(void)
                                        unit(test_shifts_and_degrees),
                                        unit(test_denominators_that_are_not_told),
                                        unit(test_a_term_that_ends_before_its_row),
+                                       unit(test_equations_that_are_too_many),
+                                       unit(test_a_step_in_n_that_is_not_defined),
+                                       unit(test_a_term_that_begins_before_its_row),
+                                       unit(test_what_may_vanish),
                                        unit(test_the_last_of_the_first_rows)};
     return run_unit_tests(tests);
 }
