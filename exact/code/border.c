@@ -156,7 +156,6 @@ static int read_whole(const char *expression, const struct cagd_code_point *p, c
 {
     struct reading r = {.at = expression, .name = name, .point = p};
     *value = sum(&r);
-    skip(&r);
     return !r.wrong && *r.at == 0;
 }
 

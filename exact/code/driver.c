@@ -67,14 +67,11 @@ static void write_expectation(const char *text, int line, const char *path, FILE
 {
     const char *equal = strchr(text, '=');
     char *left = cagd_code_trimmed(text, (size_t)(equal - text)), *right = cagd_code_trimmed(equal + 1, strlen(equal + 1));
-    char *bracket = strrchr(left, '[');
-    char *end;
-    long count = bracket != NULL ? strtol(bracket + 1, &end, 10) : 0;
+    int name = (int)strcspn(left, "[");
+    long count;
     fprintf(out, "#line %d \"%s\"\n", line, path);
-    /* R[3] with a name alone to its left is an array, compared element by element */
-    if (bracket != NULL && strcmp(end, "]") == 0 && strcspn(left, "[.->(") == (size_t)(bracket - left))
-        fprintf(out, "    cagd_code_expect(\"%.*s\", %ld, %.*s, %s);\n", (int)(bracket - left), left, count,
-                (int)(bracket - left), left, right);
+    if (cagd_code_is_array(left, &count))
+        fprintf(out, "    cagd_code_expect(\"%.*s\", %ld, %.*s, %s);\n", name, left, count, name, left, right);
     else
         fprintf(out,
                 "    { const double cagd_got = %s; cagd_code_side(2);\n      const double cagd_wanted = %s; "
@@ -104,11 +101,11 @@ static void write_known(const char *text, int line, const char *path, FILE *out)
 
 static void write_output(const char *text, int line, const char *path, FILE *out)
 {
-    const char *bracket = strchr(text, '[');
+    int name = (int)strcspn(text, "[");
+    long count;
     fprintf(out, "#line %d \"%s\"\n", line, path);
-    if (bracket != NULL)
-        fprintf(out, "    cagd_code_output(\"%.*s\", %ld, %.*s);\n", (int)(bracket - text), text,
-                strtol(bracket + 1, NULL, 10), (int)(bracket - text), text);
+    if (cagd_code_is_array(text, &count))
+        fprintf(out, "    cagd_code_output(\"%.*s\", %ld, %.*s);\n", name, text, count, name, text);
     else
         fprintf(out, "    { const double cagd_out = %s; cagd_code_output(\"%s\", 1, &cagd_out); }\n", text, text);
 }

@@ -135,7 +135,7 @@ static int is_end(const struct cagd_code_harness *h, const char *text)
             if (h->input[k].count == 0)
                 return *at == 0;
             char *end;
-            long index = *at == '[' ? strtol(at + 1, &end, 10) : -1;
+            long index = *at == '[' && isdigit((unsigned char)at[1]) ? strtol(at + 1, &end, 10) : -1;
             return index >= 0 && index < h->input[k].count && strcmp(end, "]") == 0;
         }
     return 0;
@@ -221,6 +221,29 @@ static int is_known(const char *text)
     return read_count(&at, &count) == 0 && at[strspn(at, " \t")] == '=';
 }
 
+int cagd_code_is_array(const char *text, long *count)
+{
+    const char *bracket = strrchr(text, '[');
+    char *end;
+    *count = bracket != NULL ? strtol(bracket + 1, &end, 10) : 1;
+    return bracket != NULL && strcmp(end, "]") == 0 && strcspn(text, "[.->(") == (size_t)(bracket - text);
+}
+
+/* What is compared or told of an array is some of it: of nothing everything would be proved. */
+static int check_elements(const char *text, size_t length, int line, struct cagd_code_harness_error *error)
+{
+    char *name = cagd_code_trimmed(text, length);
+    long count;
+    int status =
+        cagd_code_is_array(name, &count) && count < 1
+            ? wrong(error, line,
+                    "%s: an array was expected with the number of its elements, at least 1; one element is (%s)", name,
+                    name)
+            : 0;
+    free(name);
+    return status;
+}
+
 static int take_entry(struct cagd_code_harness *h, const char *key, const char *text, int line,
                       struct cagd_code_harness_error *error)
 {
@@ -241,6 +264,9 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
                                  "\"FILE:LINE = what that line puts into a variable\", or \"FILE:LINE[COUNT] = "
                                  "array\", was expected");
             }
+            if ((lists[k].lines == &h->expect || lists[k].lines == &h->output) &&
+                check_elements(text, strcspn(text, "="), line, error) != 0)
+                return -1;
             return add_line(lists[k].lines, copied(text, strlen(text)), line, error);
         }
     if (strcmp(key, "flag") == 0) {

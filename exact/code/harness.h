@@ -84,6 +84,8 @@ void cagd_code_harness_free(struct cagd_code_harness *h);
 
 /* The name of an output "R[3]" or "R", whose count is 0; of an expression, which has none, 0. */
 int cagd_code_output_name(const char *text, char name[CAGD_CODE_MOST_NAME + 1], int *count);
+/* Whether a text is "R[3]", an array with so many elements; R[k], (R[3]) and s.R[3] are one number. */
+int cagd_code_is_array(const char *text, long *count);
 /* Without blanks at the ends; the caller frees it. */
 char *cagd_code_trimmed(const char *start, size_t length);
 

@@ -3,7 +3,7 @@
     faults.py ROOM [--per-function N] [--one-in N] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
               [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
-ROOM is kernels, exact, expression, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
+ROOM is kernels, exact, expression, code, check, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
 gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
 by the tests of its room, those of its file first, until one fails, crashes or takes many times its usual time; in the kernels by
 the claims that define the kernel, by all claims, and by the unit test under both sanitizers, which sees what is read or written
@@ -44,7 +44,8 @@ def sources(*patterns):
 
 
 class Room:
-    """What can be faulty: files by the translation unit that shows them, and the tests, the quick ones first."""
+    """What can be faulty: files by the translation unit that shows them, and the tests, the quick ones first.  The targets are those that
+    are built for tests that are scripts."""
 
     optimised, targets, tests, slow, options, configured = "-O1", [], {}, [], [], []
 
@@ -82,7 +83,7 @@ class Exact(Room):
 
 class Expression(Room):
     """What reads formulas and decides them, judged by what `cagd check` says of formulas and bases that are known."""
-    configured = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"]
+    configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
     SCRIPT = [sys.executable, ROOT / "proofs-tests/check/test_check.py", "cagd", "-f"]
     tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_cells test_statements test_expression".split()}, "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges"],
              "what holds for small numbers": [*SCRIPT, "Cells"],
@@ -94,6 +95,41 @@ class Expression(Room):
 
     def first(self, file):
         return ["bases"] if file.endswith("basis.c") else ["mistakes"] if "/read" in file or file.endswith("token.c") else []
+
+
+class Code(Room):
+    """What executes code of others, judged by its unit tests, by small programs of every feature of the language, and by what `cagd exactly` says."""
+    configured, targets = Expression.configured, ["cagd", "cagd-compile-exactly", "run_programs"]
+    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_harness test_border test_shares test_machine test_conditions test_decide".split()},
+             "language": [sys.executable, ROOT / "proofs-tests/code/test_language.py", "./cagd-compile-exactly", "proofs-tests/code/run_programs", "-f"],
+             "what is said": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Verdicts", "Mistakes"],
+             "pages": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Page", "Certificates"]}
+    slow = {"interface": [sys.executable, ROOT / "proofs-tests/code/test_interface.py", ".", ROOT]}
+    KNOWS = {"driver": "test_harness", "conditions": "test_conditions", "polyhedron": "test_conditions", "signs": "test_conditions", "border": "test_border",
+             "harness": "test_harness", "points": "test_harness", "orders": "test_shares", "decide": "test_decide"}
+
+    def units(self):
+        return {c: [c] for c in sources("exact/code/*.c") if not c.endswith("session.c")}
+
+    def first(self, file):
+        return self.KNOWS.get(pathlib.Path(file).stem, "language").split()
+
+
+class Check(Room):
+    """`cagd check`: pages and papers that are read, and what is told of them."""
+    configured, targets = Expression.configured, ["cagd"]
+    SCRIPT = Expression.SCRIPT
+    LATEX = [sys.executable, ROOT / "proofs-tests/check/test_latex.py", "cagd", "-f"]
+    tests = {"test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": LATEX,
+             "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges", "Pictures", "Standard"], "bases": Expression.tests["bases"],
+             "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
+    KNOWS = {"paper": "papers", "document": "mistakes", "sheet": "bases", "graphs": "bases", "certificate": "certificates"}
+
+    def units(self):
+        return {c: [c] for c in sources("cli/check/*.c")}
+
+    def first(self, file):
+        return [self.KNOWS.get(pathlib.Path(file).stem, "what is said")]
 
 
 class Judge(Room):
@@ -131,14 +167,14 @@ class Fit(Room):
 
 class Kernels(Room):
     """Judged by cagd verify, and by unit tests what no claim sees."""
-    optimised = "-O0"
+    optimised, targets = "-O0", ["cagd"]
     tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_kernels_checked", "test_exact_curve")}
 
     def units(self):
         return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}
 
 
-ROOMS = {"kernels": Kernels, "exact": Exact, "expression": Expression, "judge": Judge, "core": Core, "fit": Fit}
+ROOMS = {"kernels": Kernels, "exact": Exact, "expression": Expression, "code": Code, "check": Check, "judge": Judge, "core": Core, "fit": Fit}
 
 
 def equivalents():
@@ -234,7 +270,7 @@ class Copy:
                   f"-DCMAKE_C_FLAGS_DEBUG={room.optimised} -w", f"-DCMAKE_CXX_FLAGS_DEBUG={room.optimised} -w",
                   "-DCAGD_TYPES=" + ";".join(a.types), *configured, *room.configured)
         self.verified = isinstance(room, Kernels)
-        self.targets = sorted({"cagd" if "cagd" in words else words[0].split("/")[-1] for words in self.tests.values()} | ({"cagd"} if self.verified else set()))
+        self.targets = sorted({words[0].split("/")[-1] for words in self.tests.values() if words[0] != sys.executable} | set(room.targets))
         self.usual = {}
 
     def must(self, *command):

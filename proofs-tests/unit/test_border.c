@@ -36,6 +36,11 @@ static void expressions_have_their_values(void **state)
                 {"k[3]", 0, 0},
                 {"tt", 0, 0},
                 {"(t", 0, 0},
+                {"(s)", 0, 0},
+                {"2*(t^)", 0, 0},
+                {"2 ", 2, 1},
+                {"1^1000", 1, 1},
+                {"1^1001", 0, 0},
                 {"t)", 0, 0},
                 {"t^", 0, 0},
                 {"t^0", 0, 0},
@@ -49,6 +54,21 @@ static void expressions_have_their_values(void **state)
             (list[k].n != 0 && !cagd_equal_q(value, from_ratio_q(list[k].m, list[k].n))))
             fail_msg("%s is not %ld/%ld", list[k].expression, list[k].m, list[k].n);
     }
+    /* of the variable a function has degrees up to 64 */
+    static const struct {
+        const char *function;
+        int is_known;
+    } high[] = {{"t^64 - 1", 1},
+                {"t^65 - 1", 0},
+                {"1/t^64 - 1", 1},
+                {"1/t^65 - 1", 0},
+                {"t^40*t^24 - 1", 1},
+                {"t^40*t^25", 0},
+                {"1/t^40 + 1/(t^25 - 2)", 0},
+                {"1/t^40 + 1/(t^24 - 2)", 1}};
+    for (size_t k = 0; k < sizeof high / sizeof *high; k++)
+        if (cagd_code_border(high[k].function, &point, 0, 0).varies != high[k].is_known)
+            fail_msg("%s", high[k].function);
     /* a name with another value: t, and one element of k */
     assert_true(cagd_equal_q(cagd_code_evaluate("t + k[1]", &point, "t", from_int_q(7)), from_ratio_q(13, 2)));
     assert_true(cagd_equal_q(cagd_code_evaluate("k[0] + k[1]", &point, "k[1]", from_int_q(7)), from_int_q(8)));
@@ -118,6 +138,13 @@ static void values_show_all_signs(void **state)
             there |= cagd_equal_q(b.at[j], from_ratio_q(at[k][0], at[k][1]));
         assert_true(there);
     }
+    assert_int_equal(b.values, 9); /* both zeros and 2^-40 to either side of them, beside these three */
+    assert_int_equal(b.rational, 2);
+    num_q near = from_ratio_q(1, 1L << 40);
+    assert_true(cagd_equal_q(b.at[1], sub_q(b.at[0], near)) && cagd_equal_q(b.at[2], add_q(b.at[0], near)));
+    /* the derivative of (t^2 - 2t + 2)/t^2 vanishes at 2 alone, though that of its numerator and denominator does at 0, too */
+    b = cagd_code_border("(t^2 - 2*t + 2)/t^2", &point, 0, 0);
+    assert_true(cagd_equal_q(b.least, from_int_q(2)));
     b = cagd_code_border("(t - 1/3)^2 + 5", &point, 0, 0);
     assert_true(b.varies && b.zeros == 0 && cagd_equal_q(b.least, from_ratio_q(1, 3)));
 }

@@ -1,6 +1,7 @@
 /* test_shares.c -- code that is run exactly with rounding: the error of a number is the sum of what arose at each line. */
 #include "proofs-tests/unit/unit_exact.h"
 
+#include "exact/code/orders.h"
 #include "exact/code/value.h"
 #include "exact/words.h"
 
@@ -88,8 +89,93 @@ static void lines_are_told_apart(void **state)
     region_drop(mark);
 }
 
+/* a by b as a run does it; 'n' and 'r' have a alone. */
+static cagd_code_value made(char by, cagd_code_value a, cagd_code_value b)
+{
+    cagd_code_value v = {.d = by == '+'   ? a.d + b.d
+                              : by == '-' ? a.d - b.d
+                              : by == '*' ? a.d * b.d
+                              : by == '/' ? a.d / b.d
+                              : by == 'n' ? -a.d
+                                          : sqrt(a.d)};
+    cagd_code_note_made(&v, by, a, b);
+    return v;
+}
+static cagd_code_value alone(double d) { return (cagd_code_value){.d = d}; }
+
+static void in_orders(cagd_code_value v, double as_run, double smallest_first, double largest_first, double in_halves)
+{
+    assert_true(v.d == as_run);
+    assert_true(cagd_code_in_order(v, CAGD_CODE_SMALLEST_FIRST) == smallest_first);
+    assert_true(cagd_code_in_order(v, CAGD_CODE_LARGEST_FIRST) == largest_first);
+    assert_true(cagd_code_in_order(v, CAGD_CODE_IN_HALVES) == in_halves);
+}
+
+/* 1 and small numbers, of which each alone is lost beside 1, and of which it depends on the order how many are. */
+static void sums_have_three_orders(void **state)
+{
+    (void)state;
+    const double e = 0x1p-53;
+    const cagd_code_value one = alone(1), small = alone(e), less = alone(e / 2);
+    cagd_code_value two = made('+', one, small), four = made('+', made('+', two, small), small);
+    in_orders(alone(0.1), 0.1, 0.1, 0.1, 0.1);
+    in_orders(two, 1, 1, 1, 1);
+    in_orders(four, 1, 1 + 4 * e, 1, 1 + 2 * e);
+    in_orders(made('n', four, alone(0)), -1, -1 - 4 * e, -1, -1 - 2 * e);
+    in_orders(made('*', four, alone(3)), 3, 3 * (1 + 4 * e), 3, 3 * (1 + 2 * e));
+    in_orders(made('*', alone(3), four), 3, 3 * (1 + 4 * e), 3, 3 * (1 + 2 * e));
+    in_orders(made('/', alone(2), four), 2, 2 / (1 + 4 * e), 2, 2 / (1 + 2 * e));
+    in_orders(made('/', four, alone(2)), 0.5, (1 + 4 * e) / 2, 0.5, (1 + 2 * e) / 2);
+    in_orders(made('r', made('*', four, alone(4)), alone(0)), 2, sqrt(4 * (1 + 4 * e)), 2, sqrt(4 * (1 + 2 * e)));
+    /* wherever the largest stands, and whatever its sign */
+    in_orders(made('+', made('+', small, one), small), 1, 1 + 2 * e, 1, 1);
+    in_orders(made('+', made('+', small, small), one), 1 + 2 * e, 1 + 2 * e, 1, 1);
+    in_orders(made('+', made('+', less, alone(-1)), less), -1, -1 + e, -1, -1);
+    in_orders(made('+', made('+', less, less), alone(-1)), -1 + e, -1 + e, -1, -1);
+    /* what is subtracted is one sum with the rest, its signs turned, and turned again */
+    in_orders(made('-', made('-', one, less), less), 1, 1 - e, 1, 1 - e);
+    in_orders(made('-', one, made('+', less, less)), 1 - e, 1 - e, 1, 1 - e);
+    in_orders(made('-', one, made('-', less, made('n', less, alone(0)))), 1 - e, 1 - e, 1, 1 - e);
+    in_orders(made('-', made('n', made('-', alone(7), one), alone(0)), alone(2)), -8, -8, -8, -8);
+    /* a product is one term, with the value that it has in that order */
+    in_orders(made('-', made('*', four, alone(1)), one), 0, 4 * e, 0, 2 * e);
+    in_orders(made('-', one, made('*', four, alone(1))), 0, -4 * e, 0, -2 * e);
+}
+
+/* More terms than one sum has room for, and more operations than are noted at first: whole numbers have one sum. */
+static void long_sums_are_whole(void **state)
+{
+    (void)state;
+    const int many = 700;
+    cagd_code_value left = alone(0), right = alone(0), sum = alone(0);
+    for (int k = 1; k <= many; k++) {
+        left = made('+', left, alone(k));
+        right = made('-', alone(k), right);
+        sum = made('+', made('*', alone(k), alone(2)), sum);
+    }
+    in_orders(left, many * (many + 1) / 2, many * (many + 1) / 2, many * (many + 1) / 2, many * (many + 1) / 2);
+    in_orders(right, many / 2, many / 2, many / 2, many / 2);
+    in_orders(sum, many * (many + 1), many * (many + 1), many * (many + 1), many * (many + 1));
+}
+
+/* What is made when there is no more room has its binary64 alone. */
+static void operations_are_noted_as_far_as_there_is_room(void **state)
+{
+    (void)state;
+    cagd_code_value v = alone(1);
+    int noted = 0;
+    do {
+        v = made('*', v, alone(1));
+        noted += v.made > 0;
+    } while (v.made > 0 && noted <= 1 << 20);
+    assert_in_range(noted, 1 << 19, 1 << 20);
+    in_orders(made('+', alone(0.5), alone(0.25)), 0.75, 0.75, 0.75, 0.75);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(shares_make_the_error), unit(lines_are_told_apart)};
+    const struct CMUnitTest tests[] = {unit(sums_have_three_orders), unit(shares_make_the_error),
+                                       unit(lines_are_told_apart), unit(long_sums_are_whole),
+                                       unit(operations_are_noted_as_far_as_there_is_room)};
     return run_unit_tests(tests);
 }
