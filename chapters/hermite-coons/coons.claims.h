@@ -45,7 +45,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
   sum 1: with it the curves between opposite borders stay on the line of two points, without it they need not
 :figure: boolean_sum
 
-The two parts of what is asked do different things: the end values keep the borders, the sum lets the surface move with its frame.
+The end values keep the borders, the sum lets the surface move with its frame; that the functions are continuous is not used.
 :::
 */
 
@@ -322,7 +322,7 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
 :holds-by: four_curves_are_borders
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners: each corner is an end of two of them, and both give one point
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
-  $f_0(1)=f_1(0)=0$: with these the corners of the patch are the elements of $M$
+  $f_0(1)=f_1(0)=0$: with these the patch keeps its borders, and with them the corners; the example is of a border
 :figure: boolean_sum
 :::
 

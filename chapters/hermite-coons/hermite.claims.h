@@ -691,7 +691,7 @@ CLAIM(unit_blending_functions)
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: hermite_blending_functions
 
-The signs are lost; of all choices of them one is true.
+In the text at hand the signs of the matrix are lost; of all choices of them the one shown is the only true one.
 :::
 */
 

@@ -274,7 +274,7 @@ The words before it are lost in the copy at hand.
 :zh: 族曲线的两个偏导矢
 :types: field
 :given: $X=A/W$ with $A=p(t)+\frac{\tau-t}{k-1}p'(t)$, $W=w(t)+\frac{\tau-t}{k-1}w'(t)$, $p$ and $w$ quadratic
-  polynomials of $t$ with variable coefficients; any $k$, $\tau$, at any $t$
+  polynomials of $t$ with variable coefficients; any $k\ne1$, $\tau$, at any $t$
 :then: both printed formulas, in one coordinate
 :method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
   $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.

@@ -25,7 +25,8 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :zh: 由 g_1,g_2 表示点 R
 :printed: \mathbf R=\frac{g_1\mathbf R_0+2\mathbf R_1+g_2\mathbf R_2}{g_1+2+g_2}
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle ratios_on_the_curve
-:hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
+:hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs; the example compares the
+  coordinate $x$ of the point.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
   R_0,R_2$, and the tangent is parallel to no side.
 :::

@@ -384,8 +384,7 @@ coincide would not give that point.
 :confirmed-by: subdivision_left_half
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
-:needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
-  $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
+:needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the formula has the argument $(t-a)/0$
 :needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
 :::
@@ -403,8 +402,7 @@ coincide would not give that point.
 :confirmed-by: subdivision_right_half
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
-:needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the left formula has the argument
-  $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
+:needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=b$ the formula has the argument $(t-b)/0$
 :needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
 :striking: 6

@@ -22,7 +22,8 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 :printed: The tangent of the curve at the point $R$ has the equation $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$.
 :holds-by: tangent_meets_the_conic_doubly
 :confirmed-by: slope_exists_inside_the_triangle
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$; as at every point of the curve inside the triangle when $0<\lambda<1$.
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$; as at every point of the curve (3.1.4) with the minus sign inside
+  the triangle when $0<\lambda<1$.
 
 Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where the gradient is not zero.
 :::
@@ -409,10 +410,11 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :zh: g_2 的表达式
 :printed: In the same way $g_2=\frac{-2\lambda(x+y-1)}{(1-\lambda)x}$.
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
-:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
-:hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus.
-:needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$; as in
-  the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
+:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign; the
+  example is to be read with $x$ and $y$ exchanged.
+:hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus; the example is to be read with $x$ and $y$ exchanged.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ |
+  $S_y'\ne0$; as in the triangle when $0<\lambda<1$; the example is to be read with $x$ and $y$ exchanged.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_2$: there the
   tangent is the side.
 :::
