@@ -321,8 +321,8 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
 :printed: The four elements of $M$ are the position vectors of the corners, and can be computed from the four given curves.
 :holds-by: four_curves_are_borders
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners: each corner is an end of two of them, and both give one point
-:needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
-  $f_0(1)=f_1(0)=0$: with these the patch keeps its borders, and with them the corners; the example is of a border
+:needs: blendings_without_end_values_lose_a_corner | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
+  $f_0(1)=f_1(0)=0$: with these the patch keeps its borders, and with them the corners
 :figure: boolean_sum
 :::
 
@@ -387,6 +387,30 @@ CLAIM(open_corner_loses_the_border)
     found(T, "P(0,w)", P);
     about(T, "P(0,w) and the curve 0w");
     same(T, P, A[0]);
+}
+
+/*
+:::{claim} blendings_without_end_values_lose_a_corner
+:title: With a function whose end value is not 1 the patch loses a corner
+:zh: 混合函数端值不为 1 则失去角点
+:kind: counterexample
+:data: f_0(0) = 1/2; f_1(0) = 0; 00 = 1
+:instead: f_0(0) = 1
+:result: P(0,0) = 3/4
+:given: the curves $0w$ and $u0$, which have the corner $00$ at their ends $w=0$ and $u=0$; the three other corners are 0
+:then: $P(0,0)$ is not $00$
+:method: The kernel at $u=w=0$.
+:control: $f_0(0)$ is 1
+:::
+*/
+CLAIM(blendings_without_end_values_lose_a_corner)
+{
+    num zero = from_int(0), corner = given(T, "00"), P;
+    num f[2] = {given(T, "f_0(0)"), given(T, "f_1(0)")}, ends[2] = {corner, zero}, M[4] = {corner, zero, zero, zero};
+    coons_patch_q(2, 1, f, f, ends, ends, M, &P);
+    found(T, "P(0,0)", P);
+    about(T, "P(0,0) and the corner 00");
+    same(T, P, corner);
 }
 
 /*
