@@ -31,7 +31,7 @@ WORDS_OF = {
     "blocks": ["chapters/weave/*.c"],
     "curve": ["cli/curve_json.c"],
     "formula": ["cli/check/document.c", "exact/expression/read*.c", "exact/expression/token.c", "exact/expression/standard.c"],
-    "harness": ["exact/code/harness.c", "exact/code/points.c"],
+    "harness": ["exact/code/harness.c", "exact/code/points.c", "exact/code/formula.c"],
     "latex": ["cli/check/document.c", "cli/check/paper.c", "exact/expression/latex*.c"],
     "number": [],
     "patterns": ["cli/names.c", "cli/select.c"],
