@@ -90,7 +90,7 @@ def main():
                     done += ran
                 except KeyboardInterrupt:
                     ended = 1
-            print(f"{name}: {done} executions, {'something found' if found else 'nothing found'} ({time.monotonic() - start:.0f} s)", flush=True)
+            print(f"{name}: {done} executions, {'something found' if found else 'nothing found'}{', ended before' if ended else ''} ({time.monotonic() - start:.0f} s)", flush=True)
             if found:
                 print(text[-3000:])
             bad += found
