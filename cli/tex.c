@@ -63,7 +63,7 @@ static const struct {
     {"omega", "ω"}, {"eta", "η"}, {"zeta", "ζ"}, {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Lambda", "Λ"}, {"Phi", "Φ"},
     {"Psi", "Ψ"}, {"Omega", "Ω"}, {"Sigma", "Σ"}, {"Pi", "Π"}, {"ell", "ℓ"}, {"infty", "∞"}, {"partial", "∂"},
     {"nabla", "∇"}, {"Re", "ℜ"}, {"cdot", "·"}, {"times", "×"}, {"pm", "±"}, {"mp", "∓"}, {"le", "≤"}, {"leq", "≤"},
-    {"ge", "≥"}, {"geq", "≥"}, {"ne", "≠"}, {"neq", "≠"}, {"equiv", "≡"}, {"approx", "≈"}, {"sim", "∼"},
+    {"ge", "≥"}, {"geq", "≥"}, {"leqslant", "≤"}, {"geqslant", "≥"}, {"ne", "≠"}, {"neq", "≠"}, {"equiv", "≡"}, {"approx", "≈"}, {"sim", "∼"},
     {"in", "∈"}, {"notin", "∉"}, {"subset", "⊂"}, {"subseteq", "⊆"}, {"supseteq", "⊇"}, {"cup", "∪"},
     {"cap", "∩"}, {"bigcap", "⋂"}, {"bigcup", "⋃"}, {"to", "→"}, {"mapsto", "↦"}, {"Rightarrow", "⇒"}, {"Leftrightarrow", "⇔"}, {"iff", "⇔"},
     {"forall", "∀"}, {"exists", "∃"}, {"dots", "…"}, {"ldots", "…"}, {"cdots", "⋯"}, {"vdots", "⋮"},
@@ -327,7 +327,8 @@ static const char *command(const char *s, struct text *out)
     }
     while (*e == ' ')
         e++;
-    if ((n == 4 && strncmp(s, "frac", 4) == 0) || (n == 5 && strncmp(s, "tfrac", 5) == 0)) {
+    if ((n == 4 && strncmp(s, "frac", 4) == 0) ||
+        (n == 5 && (strncmp(s, "tfrac", 5) == 0 || strncmp(s, "dfrac", 5) == 0))) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         put_wrapped(out, a.at);
         puts_(out, is_one_factor(b.at) ? "/" : "/(");
@@ -418,8 +419,50 @@ static int begins_letter(const char *s)
     return begins_factor(s);
 }
 
+/* In "a \choose b}" the word between a and b, with its length; NULL where there is none. */
+static const char *infix_of(const char *s, size_t *length)
+{
+    static const char *const words[] = {"\\choose", "\\brack", "\\over"};
+    for (int depth = 0; *s != '\0' && (depth > 0 || *s != '}'); s++) {
+        depth += (*s == '{') - (*s == '}');
+        for (size_t k = 0; depth == 0 && k < sizeof words / sizeof *words; k++) {
+            *length = strlen(words[k]);
+            if (strncmp(s, words[k], *length) == 0 && !isalpha((unsigned char)s[*length]))
+                return s;
+        }
+    }
+    return NULL;
+}
+
+/* {a \choose b}, {a \brack b}, {a \over b}: C(a, b), [a, b], a/b. */
+static const char *infix(const char *s, const char *word, size_t length, struct text *out)
+{
+    struct text a = {.tight = out->tight}, b = {.tight = out->tight};
+    char *left = strndup(s, (size_t)(word - s));
+    puts_(&a, ""), puts_(&b, "");
+    if (left != NULL)
+        formula(left, &a, '\0');
+    s = word + length;
+    while (*s == ' ')
+        s++;
+    s = formula(s, &b, '}');
+    while (a.used > 0 && a.at[a.used - 1] == ' ')
+        a.at[--a.used] = '\0';
+    if (word[1] == 'o') {
+        put_wrapped(out, a.at);
+        puts_(out, is_one_factor(b.at) ? "/" : "/("), puts_(out, b.at), puts_(out, is_one_factor(b.at) ? "" : ")");
+    } else {
+        puts_(out, word[1] == 'c' ? "C(" : "["), puts_(out, a.at), puts_(out, ", "), puts_(out, b.at);
+        puts_(out, word[1] == 'c' ? ")" : "]");
+    }
+    free(left), free(a.at), free(b.at);
+    return s;
+}
+
 static const char *formula(const char *s, struct text *out, char stop)
 {
+    size_t length;
+    const char *word;
     while (*s != '\0' && *s != stop) {
         if (out->low && !out->tight && begins_letter(s))
             puts_(out, " ");
@@ -435,6 +478,8 @@ static const char *formula(const char *s, struct text *out, char stop)
             struct text t = render_group(&s, 1);
             put_script(out, t.at, up);
             free(t.at);
+        } else if (*s == '{' && (word = infix_of(s + 1, &length)) != NULL) {
+            s = infix(s + 1, word, length, out);
         } else if (*s == '{') {
             s = formula(s + 1, out, '}');
         } else if (*s == '=' || *s == '<' || *s == '>') {

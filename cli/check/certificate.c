@@ -103,7 +103,7 @@ static char *printed(const struct document *d, const struct formula *s, const ca
         fprintf(out, "%s%s", scope[0] != '\0' ? " for " : "", scope);
     }
     for (int k = 0; f->answer == CAGD_FAILS && k < f->given; k++)
-        fprintf(out, "%s%s = %s", k == 0 ? "; fails for " : ", ", f->example[k].name, to_string_q(f->example[k].value));
+        fprintf(out, "%s%s = %s", k == 0 ? "; fails for " : ", ", f->example[k].name, value_text(&f->example[k]));
     text_close(out, &text);
     return text;
 }

@@ -103,7 +103,7 @@ static int find_one(const struct document *d, const struct formula *s, struct re
     double start = cagd_seconds();
     if (found == NULL)
         return 0;
-    cagd_find(&s->scope, s->tree, s->find, s->seconds, found);
+    cagd_find(&s->scope, s->tree, s->find, 1, s->seconds, found);
     put_entry(to, found_json(s, found), s->name, start, found->known ? NULL : "undecided, expected its values");
     if (to->list == NULL)
         print_found_page(d, s, found);

@@ -78,7 +78,7 @@ static void caption_of(const struct formula *one, const cagd_finding *f, int nam
 int draw_counterexample(svg *s, const struct formula *one, const cagd_finding *f, int panel)
 {
     num_q low, high;
-    int name = f->has_example ? cagd_free_name(&one->scope, f, &low, &high) : -1;
+    int name = f->has_example && !f->has_root ? cagd_free_name(&one->scope, f, &low, &high) : -1;
     if (name < 0)
         return 0;
     struct side left = {&one->scope, f, name, 0}, right = {&one->scope, f, name, 1};

@@ -63,6 +63,17 @@ const char *place_of(const struct document *d, int at, int *line, int *column)
     return c != NULL ? c->path : d->path;
 }
 
+/* A piece of a line with blanks for tabs and for what else takes no column. */
+static const char *with_blanks(const char *text, int length)
+{
+    char *copy = region_bytes((size_t)length + 1);
+    for (int k = 0; copy != NULL && k < length; k++)
+        copy[k] = iscntrl((unsigned char)text[k]) ? ' ' : text[k];
+    if (copy != NULL)
+        copy[length] = '\0';
+    return copy;
+}
+
 /* The line if it is not too long, and a caret under bytes of it. */
 static void show_place(const char *text, int size, int from, int to)
 {
@@ -71,10 +82,10 @@ static void show_place(const char *text, int size, int from, int to)
         begin--;
     while (end < size && text[end] != '\n')
         end++;
-    if (end - begin > WIDEST || memchr(text + begin, '\t', (size_t)(end - begin)) != NULL)
+    const char *whole = with_blanks(text + begin, end - begin), *before = with_blanks(text + begin, from - begin);
+    if (end - begin > WIDEST || whole == NULL)
         return;
-    fprintf(stderr, "  %.*s\n  ", end - begin, text + begin);
-    const char *before = cagd_text_of(text + begin, from - begin);
+    fprintf(stderr, "  %s\n  ", whole);
     for (int k = before != NULL ? columns_of(before) : 0; k > 0; k--)
         fputc(' ', stderr);
     fputc('^', stderr);
@@ -387,6 +398,62 @@ static int take_out(struct document *d, int start, int from, int to)
     return 0;
 }
 
+/* Whether it is "i = 0, 1, ..." or "i = 0..3": more than one number behind the sign of equality. */
+static int is_list(const char *text, int from, int to)
+{
+    const char *equal = memchr(text + from, '=', (size_t)(to - from));
+    for (const char *p = equal; p != NULL && p + 1 < text + to; p++)
+        if (*p == ',' || (p[0] == '.' && p[1] == '.'))
+            return 1;
+    return 0;
+}
+
+/* Where ranges can begin at `at`, outside of brackets: behind a comma, at words, in brackets behind a wide space; their end goes to *to.  -1
+ * where they cannot. */
+static int ranges_at(const char *text, int from, int at, int *to)
+{
+    static const char *const words[] = {"\\text{", "\\mbox{", "\\textrm{"};
+    if (text[at] == ',')
+        return at + 1;
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strncmp(text + at, words[k], strlen(words[k])) == 0)
+            return at;
+    int k = at;
+    while (k > from && text[k - 1] == ' ')
+        k--;
+    if (text[at] != '(' || text[*to - 1] != ')' || k - from < 5 || strncmp(text + k - 4, "quad", 4) != 0)
+        return -1;
+    --*to;
+    return at + 1;
+}
+
+/* A formula with ranges behind it, as papers print it, "b_i \ge 0, \quad i = 0, 1, \dots, n": they become known in the scope.  What is
+ * before them needs them, or they are no relation.  NULL where it cannot be read so. */
+static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope *scope, int from, int to)
+{
+    int depth = 0;
+    while (to > from && strchr(" \n.,;", d->text[to - 1]) != NULL)
+        to--;
+    for (int at = from; at < to; at++) {
+        cagd_reading_error unused;
+        cagd_scope known = *scope;
+        int stop = to, begin = depth == 0 ? ranges_at(d->text, from, at, &stop) : -1;
+        depth += (strchr("({[", d->text[at]) != NULL) - (strchr(")}]", d->text[at]) != NULL);
+        if (begin < 0 || begin >= stop)
+            continue;
+        if (!is_list(d->text, begin, stop) && cagd_read_statement(scope, d->text, from, at, &unused) != NULL)
+            continue;
+        if (!cagd_read_ranges(&known, d->text, begin, stop, &unused))
+            continue;
+        const cagd_tree *t = cagd_read_statement(&known, d->text, from, at, &unused);
+        if (t != NULL) {
+            *scope = known;
+            return t;
+        }
+    }
+    return NULL;
+}
+
 /* In the block of an entry the lines that say how its print is read; where the formula is that comes out. */
 static void read_print(struct document *d, struct formula *f, int head, int at, int stop, int *printed,
                        int *printed_end)
@@ -474,12 +541,14 @@ static void read_statement(struct document *d, const char *kind, int head, int a
             f->expected = EXPECT_FAILS;
     d->entry = f->name;
     f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
+    if (f->tree == NULL)
+        f->tree = with_ranges_behind(d, &f->scope, printed, printed_end);
     if (f->tree == NULL && is_tried)
         leave_out(d, f->name, printed, &error);
     else if (f->tree == NULL)
         complain_of_reading(d, &error);
     else
-        d->count++;
+        d->count += cagd_make_indices_whole(&f->scope, f->tree);
 }
 
 /* The value of a number, or of an end of a range. */
@@ -667,6 +736,8 @@ int read_whole_file(const char *path, char **text)
         return refuse_file(path, "is larger than 4 MB, the largest size that is read; divide it");
     if (memchr(*text, '\0', size) != NULL)
         return refuse_file(path, "is no text, there is a zero byte in it; expected Markdown or LaTeX");
+    if (size >= 3 && memcmp(*text, "\xEF\xBB\xBF", 3) == 0) /* the mark of UTF-8 */
+        memmove(*text, *text + 3, size -= 3);
     return (int)size;
 }
 

@@ -175,7 +175,7 @@ static void decide_formula(struct answer *a, const struct sheet *s, const cagd_b
     if (a->was_checked)
         cagd_check(&a->formula.scope, a->formula.tree, seconds, &a->finding);
     else
-        cagd_find(&a->formula.scope, a->formula.tree, s->find, seconds, &a->found);
+        cagd_find(&a->formula.scope, a->formula.tree, s->find, 0, seconds, &a->found);
 }
 
 /* Holds for all values, for none, for some; or it is not known. */
@@ -308,8 +308,8 @@ static const char *example_text(const struct answer *a, const struct sheet *s)
         return minor_text(a, s);
     for (int k = 0; a->was_checked && a->finding.has_example && k < a->finding.given; k++)
         text = joined(k > 0 ? "%s, $%s" : "%s$%s", text,
-                      joined("%s = %s$", a->finding.example[k].name, to_string_q(a->finding.example[k].value)));
-    if (text[0] != '\0')
+                      joined("%s = %s$", a->finding.example[k].name, value_text(&a->finding.example[k])));
+    if (text[0] != '\0' && !a->finding.has_root)
         return joined("%s: %s", text,
                       joined("left $%s$, right $%s$", to_string_q(a->finding.left), to_string_q(a->finding.right)));
     return a->was_checked || s->find == NULL || cell < 0 ? text : breaking_text(&a->formula, &a->found, cell);
@@ -394,9 +394,10 @@ static void print_page(const struct document *d, const struct sheet *s, const ca
     }
     printf("%s%s%s  (%s:%d)\n", style(stdout, BOLD), s->name, style(stdout, PLAIN), name_of_input(d->path), s->line);
     heading("Functions");
-    snprintf(range, sizeof range, ", $%s = %ld$ to $%ld$, $%s \\le %s \\le %s$%s%s%s", s->index, s->first, s->last,
-             to_string_q(b->t.low), s->argument, to_string_q(b->t.high), s->find != NULL ? "; the parameter is $" : "",
-             s->find != NULL ? s->find : "", s->find != NULL ? "$" : "");
+    snprintf(range, sizeof range, ", $%s = %ld$ to $%ld$, $%s %s %s %s %s$%s%s%s", s->index, s->first, s->last,
+             to_string_q(b->t.low), b->t.low_open ? "<" : "\\le", s->argument, b->t.high_open ? "<" : "\\le",
+             to_string_q(b->t.high), s->find != NULL ? "; the parameter is $" : "", s->find != NULL ? s->find : "",
+             s->find != NULL ? "$" : "");
     char *plain = tex_to_text(joined("$%s$%s", s->functions, range), 1);
     put_paragraph(stdout, plain, INDENT, WIDTH);
     free(plain);
@@ -436,6 +437,13 @@ static json_t *property_json(const struct answer *a, const struct sheet *s)
     if (a->of_limits)
         json_object_set_new(j, "of_limits", json_true());
     return j;
+}
+
+/* Functions that are not understood, and why. */
+static json_t *refused_json(const struct sheet *s, const char *why)
+{
+    return json_pack("{s:s, s:i, s:s, s:I, s:I, s:s}", "name", s->name, "line", s->line, "functions_tex", s->functions,
+                     "first", (json_int_t)s->first, "last", (json_int_t)s->last, "reason", why);
 }
 
 static json_t *sheet_json(const struct sheet *s, const cagd_basis *b, const struct answer answer[])
@@ -547,7 +555,7 @@ int check_sheet(const struct document *d, const struct sheet *s, json_t *list, s
     if (list == NULL)
         print_page(d, s, b, answer, why);
     else
-        json_array_append_new(list, sheet_json(s, b, answer));
+        json_array_append_new(list, why != NULL ? refused_json(s, why) : sheet_json(s, b, answer));
     if (why == NULL && picture != NULL) {
         num_q value[MOST_SHOWN];
         draw_basis(picture, s, b, values_shown(s, b, &answer[NONNEGATIVE], value), value);

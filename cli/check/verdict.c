@@ -41,6 +41,26 @@ static const char *append(const char *text, const char *format, ...)
     return both;
 }
 
+static int is_number(const struct cagd_root *r) { return cagd_equal_q(r->lo, r->hi); }
+
+/* The first digits of a root, none of them rounded. */
+static const char *digits_of(const struct cagd_root *r)
+{
+    char digits[64];
+    struct cagd_root fine = refine_root(*r, from_ratio_q(1, 1000000000));
+    int length = snprintf(digits, sizeof digits, "%.9f", to_double_q(fine.lo));
+    return append("", "%.*s\\dots", length > 3 && length < 60 ? length - 3 : length, digits);
+}
+
+/* "$1.41\dots$ is the root of $x^2 - 2$ between $1$ and $2$." */
+static const char *root_text(const struct cagd_root *r)
+{
+    return append("", "$%s$ is the root of $%s$ between $%s$ and $%s$.", digits_of(r),
+                  cagd_poly_to_string(r->factor, "x"), to_string_q(r->lo), to_string_q(r->hi));
+}
+
+const char *value_text(const cagd_given *g) { return g->root != NULL ? digits_of(g->root) : to_string_q(g->value); }
+
 static const char *source(const struct document *d, const cagd_tree *t)
 {
     const char *text = t != NULL ? cagd_text_of(d->text + t->from, t->to - t->from) : NULL;
@@ -84,6 +104,9 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         const cagd_variable *v = whole[k];
         if (v->high == NULL)
             text = append(text, "%severy $%s %s %s$", comma, v->head, v->low_open ? ">" : "\\ge", source(d, v->low));
+        else if (v->low_open || v->high_open)
+            text = append(text, "%swhole $%s %s %s %s %s$", comma, source(d, v->low), v->low_open ? "<" : "\\le",
+                          v->head, v->high_open ? "<" : "\\le", source(d, v->high));
         else
             text = append(text, "%s$%s = %s$ to $%s$", comma, v->head, source(d, v->low), source(d, v->high));
     }
@@ -181,9 +204,11 @@ static int width_of(const char *tex)
 
 static const char *const relation_word[] = {"=", "\\ne", "<", "\\le", ">", "\\ge"};
 
+static const char *const order_word[] = {"less than", "equal to", "greater than"};
+
 static void print_example(const struct document *d, const cagd_finding *f)
 {
-    int relates = f->of_left != NULL;
+    int relates = f->of_left != NULL && !f->has_root;
     const char *sides[2] = {relates ? source(d, f->of_left) : "", relates ? source(d, f->of_right) : ""};
     int width = 0;
     for (int k = 0; k < 2; k++)
@@ -194,8 +219,16 @@ static void print_example(const struct document *d, const cagd_finding *f)
         width = w > width ? w : width;
     }
     heading("Counterexample");
+    for (int k = 0; k < f->given; k++) {
+        char *digits = f->example[k].root != NULL ? tex_to_text(value_text(&f->example[k]), 0) : NULL;
+        labelled(f->example[k].name, width, digits != NULL ? digits : to_string_q(f->example[k].value));
+        free(digits);
+    }
     for (int k = 0; k < f->given; k++)
-        labelled(f->example[k].name, width, to_string_q(f->example[k].value));
+        if (f->example[k].root != NULL)
+            paragraph(append("", "Here %s", root_text(f->example[k].root)), 1);
+    if (f->has_root)
+        paragraph(append("The left side is ", "%s the right one.", order_word[f->order + 1]), 1);
     if (!relates)
         return;
     labelled(sides[0], width, to_string_q(f->left));
@@ -248,6 +281,25 @@ static void print_head(const struct document *d, const struct formula *s)
     heading("Verdict");
 }
 
+/* Sums over nothing, and ranges that were given for this statement and of which nothing depends. */
+static void print_oddities(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    for (int k = 0; k < f->sums.count; k++)
+        if (!f->sums.had_terms[k])
+            paragraph(append("", "$%s$ goes over nothing.", source(d, f->sums.sum[k])), 1);
+    const cagd_variable *used[16];
+    int count = cagd_whole_numbers(&s->scope, s->tree, used, 16);
+    for (const cagd_variable *v = s->scope.variables; v != d->scope.variables && v != NULL; v = v->next) {
+        int is_used = !v->whole || cagd_declared(&s->scope, v->head) != v;
+        for (int k = 0; k < count; k++)
+            is_used |= used[k] == v;
+        for (const cagd_variable *other = d->scope.variables; other != NULL; other = other->next)
+            is_used |= other == v;
+        if (!is_used)
+            paragraph(append("", "Nothing depends on $%s$, for which a range is given.", v->head), 1);
+    }
+}
+
 void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     print_head(d, s);
@@ -276,6 +328,7 @@ void print_finding_page(const struct document *d, const struct formula *s, const
                   1);
     if (f->one_sided)
         paragraph("At the end of where a function is defined its derivative is the one-sided one.", 1);
+    print_oddities(d, s, f);
     if (f->has_example)
         print_example(d, f);
     if (f->for_every)
@@ -285,15 +338,27 @@ void print_finding_page(const struct document *d, const struct formula *s, const
                s->expected == EXPECT_UNDECIDED ? "is undecided" : expected_name[s->expected]);
 }
 
+static json_t *given_json(const cagd_given *g)
+{
+    char *digits = g->root != NULL ? tex_to_text(value_text(g), 0) : NULL;
+    json_t *j = json_pack("{s:s, s:s}", "name", g->name, "value", digits != NULL ? digits : to_string_q(g->value));
+    if (g->root != NULL)
+        json_object_set_new(j, "root",
+                            json_pack("{s:s, s:[s, s]}", "of", cagd_poly_to_string(g->root->factor, "x"), "between",
+                                      to_string_q(g->root->lo), to_string_q(g->root->hi)));
+    free(digits);
+    return j;
+}
+
 json_t *finding_json(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     json_t *example = json_null();
     if (f->has_example) {
         json_t *values = json_array();
         for (int k = 0; k < f->given; k++)
-            json_array_append_new(
-                values, json_pack("{s:s, s:s}", "name", f->example[k].name, "value", to_string_q(f->example[k].value)));
-        example = f->of_left == NULL
+            json_array_append_new(values, given_json(&f->example[k]));
+        example = f->has_root ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
+                  : f->of_left == NULL
                       ? json_pack("{s:o}", "values", values)
                       : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", source(d, f->of_left),
                                   "relation", relation_word[f->relation], "right_tex", source(d, f->of_right), "left",
@@ -336,17 +401,6 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
 }
 
 /* ---- for which values it holds ------------------------------------------------------------------------- */
-
-static int is_number(const struct cagd_root *r) { return cagd_equal_q(r->lo, r->hi); }
-
-/* The first digits of a root, none of them rounded. */
-static const char *digits_of(const struct cagd_root *r)
-{
-    char digits[64];
-    struct cagd_root fine = refine_root(*r, from_ratio_q(1, 1000000000));
-    int length = snprintf(digits, sizeof digits, "%.9f", to_double_q(fine.lo));
-    return append("", "%.*s\\dots", length > 3 && length < 60 ? length - 3 : length, digits);
-}
 
 /* A number that is an end: as it is, or the first digits of a root. */
 static const char *end_text(const struct cagd_root *r) { return is_number(r) ? to_string_q(r->lo) : digits_of(r); }
@@ -422,9 +476,7 @@ static void print_roots(const struct formula *s, const cagd_found *f)
         const struct cagd_root *r = &c->root[k];
         int changes = c->cell[k] != c->cell[k + 1] || c->at[k] != c->cell[k];
         if (changes && !is_number(r))
-            paragraph(append("", "$%s$ is the root of $%s$ between $%s$ and $%s$.", digits_of(r),
-                             cagd_poly_to_string(r->factor, "x"), to_string_q(r->lo), to_string_q(r->hi)),
-                      1);
+            paragraph(root_text(r), 1);
         if (c->at[k] == CAGD_UNDECIDED)
             paragraph(append("", "For $%s = %s$ itself it is not decided.", s->find, end_text(r)), 1);
     }
@@ -449,7 +501,7 @@ void print_found_page(const struct document *d, const struct formula *s, const c
         return;
     }
     struct span span[2 * CAGD_MOST_CUTS + 2];
-    int whole = spans_of(f, span) == 1 && span[0].first < 0 && span[0].last == c->count;
+    int spans = spans_of(f, span), whole = spans == 0 || (spans == 1 && span[0].first < 0 && span[0].last == c->count);
     paragraph(append("It holds for ", "%s%s (decided, %ld case%s).", values_of(s, f), whole ? "" : ", and for no other",
                      f->cases, f->cases == 1 ? "" : "s"),
               1);

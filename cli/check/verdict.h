@@ -15,6 +15,9 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
 /* Why it is not decided, in words; in the region. */
 const char *reason_of(const struct document *d, const cagd_finding *f);
 
+/* Of an example, in TeX: "1/2", or the first digits of a root; in the region. */
+const char *value_text(const cagd_given *g);
+
 /* For which values of the parameter it holds, in TeX: "$-7 \le \beta \le 1$"; in the region. */
 const char *values_of(const struct formula *s, const cagd_found *f);
 /* For which numbers it breaks first in cell k: "$\beta = -8$, $i = 1$, $t = 1/65$"; in the region. */

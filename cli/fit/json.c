@@ -154,9 +154,10 @@ static json_t *outliers_json(const struct fit *f)
             json_array_append_new(points, json_integer(i + 1));
             json_array_append_new(lines, json_integer(f->points.line[i]));
         }
-    json_t *all =
-        json_pack("{s:o, s:o, s:o, s:o, s:o}", "points", points, "lines", lines, "limit", real(r->outlier_limit),
-                  "deviation", real(r->deviation), "rms_of_others", real(r->rms_of_others));
+    json_t *all = json_pack("{s:o, s:o, s:o, s:o, s:o, s:[i, i], s:[b, b]}", "points", points, "lines", lines, "limit",
+                            real(r->outlier_limit), "deviation", real(r->deviation), "rms_of_others",
+                            real(r->rms_of_others), "left_out_at_ends", r->left_out[0], r->left_out[1], "ends_judged",
+                            r->end_is_judged[0], r->end_is_judged[1]);
     if (f->options.loss != CAGD_FIT_SQUARES)
         return all;
     json_decref(all);

@@ -149,7 +149,7 @@ static void print_heading(const struct fit *f)
         if (k == 0 ? fits_weights(f)
                    : (f->options.free & 1 << k) && !(k == 2 && r->period > 0) && !(k == 1 && c->count == 2))
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", r->period > 0 && k == 1 ? "points" : part[k]);
-    if (r->end_points[0] >= 0 && f->options.unordered)
+    if (r->end_points[0] >= 0 && (f->options.unordered || r->left_out[0] + r->left_out[1] > 0))
         fprintf(out, "; points %d and %d are measurements of its ends", r->end_points[0] + 1, r->end_points[1] + 1);
     else if (r->end_points[0] >= 0)
         fputs("; the first and the last point are measurements of its ends", out);
@@ -487,13 +487,21 @@ static void print_distances(const struct fit *f)
 }
 
 /* The measured ends follow their points, and of these alone a small distance says nothing. */
-static void say_unseen_ends(FILE *out, const struct fit *f)
+static void say_ends(FILE *out, const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
     int said = 0;
+    if (r->end_is_judged[0] || r->end_is_judged[1])
+        fprintf(out,
+                "; the %s, which a measured end would follow, %s judged by the curve of the others, and left out where "
+                "outside of %.2g standard deviations, its own and that of this curve, which goes on behind its end",
+                !r->end_is_judged[1]   ? "first point"
+                : !r->end_is_judged[0] ? "last point"
+                                       : "first and the last point",
+                r->end_is_judged[0] && r->end_is_judged[1] ? "are" : "is", r->end_limit);
     for (int end = 0; end < 2; end++) {
         const int i = r->end_points[end];
-        if (i >= 0 && !r->outlier[i])
+        if (i >= 0 && !r->outlier[i] && !r->end_is_judged[end])
             fprintf(out, "%s point %d (line %d)", said++ ? " and" : ";", i + 1, f->points.line[i]);
     }
     if (said > 0)
@@ -526,7 +534,7 @@ static void print_outliers(const struct fit *f)
         fprintf(out, "; farther than %.2g standard deviations of %.2g%s; root mean square of the other distances %.4g",
                 r->outlier_limit, r->deviation, unit, r->rms_of_others);
     fputs("; the standard deviation is estimated from the median of the distances", out);
-    say_unseen_ends(out, f);
+    say_ends(out, f);
     end(&l, "Outliers");
 }
 
@@ -579,8 +587,9 @@ static void print_statistics(const struct fit *f)
             fprintf(out, "; AIC %.2f, BIC %.2f", r->aic, r->bic);
         end(&l, "Chi-squared");
     } else {
-        fprintf(out, "%.6g, the sum over all points, which is twice what was minimised; %d degree%s of freedom",
-                r->chi_squared, r->degrees_of_freedom, plural(r->degrees_of_freedom));
+        fprintf(out, "%.6g, the sum over all points%s, which is twice what was minimised; %d degree%s of freedom",
+                r->chi_squared, r->left_out[0] + r->left_out[1] > 0 ? " that are not left out" : "",
+                r->degrees_of_freedom, plural(r->degrees_of_freedom));
         end(&l, "Loss");
     }
     if (nothing_is_free(f)) {

@@ -26,11 +26,25 @@ import time
 import types
 
 Q = fractions.Fraction
-MOST_CONDITIONS, MOST_TERMS, MOST_PLAIN, MOST_MESSAGE, MEGABYTES = 4096, 200000, 200, 300, 1024
+MOST_CONDITIONS, MOST_TERMS, MOST_PLAIN, MOST_MESSAGE, MOST_RESULTS, MEGABYTES = 4096, 200000, 200, 300, 1 << 12, 1024
 
 
 class Refused(Exception):
-    """What cannot be carried exactly."""
+    """What cannot be carried exactly.  It ends the run, even where the answer catches it: else it could tell one kind of run from another."""
+
+    def __init__(self, message):
+        super().__init__(message)
+        Run.refused = Run.refused or message
+
+
+def tried(make, instead):
+    """What the judge itself may try in vain."""
+    before = Run.refused
+    try:
+        return make()
+    except Refused:
+        Run.refused = before
+        return instead
 
 
 # ---- polynomials: {monomial: coefficient}, a monomial is a sorted tuple of (variable, power) ----------------------
@@ -148,13 +162,30 @@ class Run:
     answer = ""
     conditions, seen, path, operations, printed, field, caches = [], set(), 0, 0, 0, False, {}
     denominators, names = [], {}  # what is divided by; the variables in the order of the inputs
+    refused = ""  # the first thing that could not be carried, or the end of memory or depth that the answer caught
+    computed = None  # where that is asked for: [result, line, place of the operation in that line's code]
 
 
-def line_of_answer():
+def frame_of_answer():
     frame = sys._getframe(1)
     while frame is not None and frame.f_code.co_filename != Run.answer:
         frame = frame.f_back
+    return frame
+
+
+def line_of_answer():
+    frame = frame_of_answer()
     return frame.f_lineno if frame is not None else 0
+
+
+def noted(x):
+    """x, to which an operation of the answer came; all of them are known, or none."""
+    if Run.computed is not None:
+        frame = frame_of_answer()
+        Run.computed.append([str(x._value), frame.f_lineno, frame.f_lasti] if frame is not None else [str(x._value), 0, 0])
+        if len(Run.computed) > MOST_RESULTS:
+            Run.computed = None
+    return x
 
 
 def exact(x):
@@ -169,19 +200,21 @@ def exact(x):
 
 
 class Number:
-    """A value and, in the field, the function of the inputs that it is the value of."""
-    __slots__ = ("value", "function")
+    """A value and, in the field, the function of the inputs that it is the value of.  An answer knows it by operations and comparisons alone:
+    names with a low line in front are refused in it, and so is a text, whose digits would decide."""
+    __slots__ = ("_value", "_function")
     __hash__ = None
 
     def __init__(self, value, function):
-        self.value, self.function = value, function
+        self._value, self._function = value, function
 
     def _with(self, other, value, function):
         other = exact(other)
         if other is None:
             return NotImplemented
         Run.operations += 1
-        return Number(value(self.value, other.value), function(self.function, other.function) if Run.field else None)
+        out = Number(value(self._value, other._value), function(self._function, other._function) if Run.field else None)
+        return noted(out)
 
     def __add__(self, other):
         return self._with(other, operator.add, operator.add)
@@ -194,7 +227,7 @@ class Number:
     __rmul__ = __mul__
 
     def __neg__(self):
-        return Number(-self.value, self.function * Function({(): Q(-1)}) if Run.field else None)
+        return noted(Number(-self._value, self._function * Function({(): Q(-1)}) if Run.field else None))
 
     def __pos__(self):
         return self
@@ -211,22 +244,22 @@ class Number:
         other = exact(other)
         if other is None:
             return NotImplemented
-        if other.value == 0:
+        if other._value == 0:
             raise ZeroDivisionError("division by zero")
         Run.operations += 1
-        if Run.field and not is_constant(other.function.numerator):
-            text = plain_text(other.function.numerator) or text_of(other.function.numerator)
+        if Run.field and not is_constant(other._function.numerator):
+            text = plain_text(other._function.numerator) or text_of(other._function.numerator)
             if text not in Run.denominators and len(Run.denominators) < MOST_CONDITIONS:
                 Run.denominators.append(text)
-        return Number(self.value / other.value, self.function * other.function.inverse() if Run.field else None)
+        return noted(Number(self._value / other._value, self._function * other._function.inverse() if Run.field else None))
 
     def __rtruediv__(self, other):
         other = exact(other)
         return NotImplemented if other is None else other / self
 
     def __pow__(self, n):
-        if isinstance(n, Number) and (not Run.field or is_constant(n.function.numerator)) and n.value.denominator == 1:
-            n = int(n.value)
+        if isinstance(n, Number) and (not Run.field or is_constant(n._function.numerator)) and n._value.denominator == 1:
+            n = int(n._value)
         if not isinstance(n, int):
             raise Refused("a power whose exponent is no whole number is not exact")
         out = exact(1)
@@ -241,12 +274,12 @@ class Number:
         other = exact(other)
         if other is None:
             return NotImplemented
-        is_true = holds(self.value, other.value)
+        is_true = holds(self._value, other._value)
         if Run.field:
-            difference = self.function + other.function * Function({(): Q(-1)})
+            difference = self._function + other._function * Function({(): Q(-1)})
             if is_constant(difference.numerator):
                 return is_true
-        sign = (self.value > other.value) - (self.value < other.value)
+        sign = (self._value > other._value) - (self._value < other._value)
         line = line_of_answer()
         Run.path = (Run.path * 1000003 + line * 8 + 2 * (sign if name != "=" else abs(sign)) + is_true + 5) % (1 << 61)
         if Run.field:
@@ -254,13 +287,10 @@ class Number:
             first = next(iter(difference.numerator))
             alone = len(difference.numerator) == 1 and not difference.factors and len(first) == 1 and first[0][1] == 1
             text = first[0][0] if alone else difference.text()
-            try:
-                polynomial = plain_text(difference.polynomial_of_sign())
-            except Refused:
-                polynomial = ""
+            polynomial = tried(lambda: plain_text(difference.polynomial_of_sign()), "")
             if (text, relation, line) not in Run.seen and len(Run.conditions) < MOST_CONDITIONS:
                 Run.seen.add((text, relation, line))
-                Run.conditions.append({"left": self.function.text(), "relation": relation, "right": other.function.text(),
+                Run.conditions.append({"left": self._function.text(), "relation": relation, "right": other._function.text(),
                                        "difference": text, "polynomial": polynomial, "given": False, "line": line,
                                        "holding": {"=": 1, ">": 2, ">=": 3, "<": 4, "<=": 5, "!=": 6}[relation]})
         return is_true
@@ -293,7 +323,7 @@ class Number:
     __int__ = __index__ = __round__ = __floor__ = __ceil__ = __trunc__ = __float__
 
     def __repr__(self):
-        return str(self.value)
+        raise Refused("no text is made of a number")
 
 
 class OfFraction(type):
@@ -309,6 +339,13 @@ class OfFraction(type):
 
 class Fraction(metaclass=OfFraction):
     pass
+
+
+def caught():
+    """At the begin of a handler: the ends of memory and depth, which come earlier in the field, are none of the answer's business."""
+    e = sys.exc_info()[1]
+    if isinstance(e, (RecursionError, MemoryError)):
+        Run.refused = Run.refused or f"{type(e).__name__} is caught"
 
 
 def divide(a, b):
@@ -346,7 +383,7 @@ def refusal(tree):
                 for a in node.names:
                     if a.name != "*" and a.name not in MODULES[node.module][1]:
                         return line, f"{node.module}.{a.name} is no function for an assignment"
-        if isinstance(node, ast.Attribute) and (node.attr.startswith(INNER) or node.attr in ("mro", "format_map")):
+        if isinstance(node, ast.Attribute) and (node.attr.startswith(INNER) or node.attr in ("mro", "format", "format_map")):
             return line, f".{node.attr} is no part of an assignment"
         if isinstance(node, ast.Name) and node.id.startswith("__") and node.id != "__name__":
             return line, f"{node.id} is no part of an assignment"
@@ -356,6 +393,8 @@ def refusal(tree):
                 "eval", "exec", "open", "compile", "getattr", "setattr", "globals", "locals", "vars", "dir", "input", "type", "object",
                 "breakpoint", "memoryview", "super", "id", "hash", "callable", "delattr", "help", "exit", "quit"):
             return line, f"{node.func.id} is no function for an assignment"
+        if isinstance(node, ast.Try) and any(isinstance(n, (ast.Return, ast.Break, ast.Continue)) for part in node.finalbody for n in ast.walk(part)):
+            return line, "finally does not end what went wrong in an assignment"
         if isinstance(node, ast.ExceptHandler) and node.type is None:
             return line, "except without a name catches what is not the answer's business"
     return None
@@ -389,6 +428,11 @@ class Exactly(ast.NodeTransformer):
         name = "__divide" if isinstance(node.op, ast.Div) else "__power"
         value = ast.Call(ast.Name(name, ast.Load()), [ast.Name(node.target.id, ast.Load()), node.value], [])
         return ast.copy_location(ast.Assign([node.target], value), node)
+
+    def visit_ExceptHandler(self, node):
+        self.generic_visit(node)
+        node.body.insert(0, ast.copy_location(ast.Expr(ast.Call(ast.Name("__caught", ast.Load()), [], [])), node))
+        return node
 
     def visit_Constant(self, node):
         if isinstance(node.value, float):
@@ -424,7 +468,7 @@ def deliver(name, globals_=None, locals_=None, wanted=(), level=0):
 
 
 def say(*words, **_):
-    Run.printed += sum(len(str(w)) + 1 for w in words) + 1
+    Run.printed += len(words) + 1  # what of, nobody asks
 
 
 def as_is(x):
@@ -437,7 +481,7 @@ def namespace():
                 if n not in ("True", "False", "None")}
     builtins.update({"print": say, "float": as_is, "pow": lambda a, b, m=None: power(a, b) if m is None else pow(a, b, m),
                      "__import__": deliver})
-    return {"__builtins__": builtins, "__name__": "answer", "__divide": divide, "__power": power, "__float": Q}
+    return {"__builtins__": builtins, "__name__": "answer", "__divide": divide, "__power": power, "__float": Q, "__caught": caught}
 
 
 def put(results, name, count, x):
@@ -450,9 +494,9 @@ def put(results, name, count, x):
         value = exact(value)
         if value is None:
             raise Refused(f"{name} is no number")
-        row = {"name": name if count <= 1 else f"{name}[{k}]", "got": str(value.value)}
+        row = {"name": name if count <= 1 else f"{name}[{k}]", "got": str(value._value)}
         if Run.field:
-            row["field"] = value.function.text()
+            row["field"] = value._function.text()
         results.append(row)
 
 
@@ -472,7 +516,7 @@ def content(x, seen=None):
     """What can change in x, as a value that is compared: numbers and texts, what containers and functions hold, how far an iterator is."""
     seen = set() if seen is None else seen
     if x is None or isinstance(x, (Number, Q, int, float, complex, str, bytes, range, slice)) or x is Fraction:
-        return type(x).__name__, repr(x)
+        return type(x).__name__, str(x._value) if isinstance(x, Number) else repr(x)
     if id(x) in seen:
         return "again"
     seen.add(id(x))
@@ -559,6 +603,8 @@ def play(code, cases, job):
     case = cases[int(which)]
     Run.conditions, Run.seen, Run.path, Run.operations, Run.printed = [], set(), 1, 0, 0
     Run.denominators, Run.names = [], {}
+    Run.refused = ""
+    Run.computed = [] if job.get("note") else None
     Run.field = job["numbers"] == "field"
     results = []
     order = [case, case] if kind == "lab_again" else [case]
@@ -593,10 +639,14 @@ def play(code, cases, job):
     except NameError as e:
         out = ended("crashed", str(e), e)
     except (Exception, SystemExit) as e:
-        out = ended("crashed", f"{type(e).__name__}: {e}", e)
+        out = ended("crashed", told_of(e), e)
+    if Run.refused and out["end"] == "finished":
+        out = {"end": "refused", "message": Run.refused[:MOST_MESSAGE], "line": 0}
     out.update(results=results if out["end"] == "finished" else [], conditions=Run.conditions, denominators=Run.denominators,
                operations=Run.operations,
                path=f"{Run.path:x}", printed=Run.printed)
+    if Run.computed is not None:
+        out["computed"] = Run.computed
     return out
 
 
@@ -616,6 +666,11 @@ def in_binary64(code, case, job, results):
         want = Q(row["got"])
         if math.isfinite(x):
             row["ulps"] = float(abs(Q(x) - want) / Q(math.ulp(float(want))))
+
+
+def told_of(e):
+    """An exception, in words; of one that has numbers of the inputs in it, its name."""
+    return tried(lambda: f"{type(e).__name__}: {e}", type(e).__name__)
 
 
 def ended(end, message, e):

@@ -6,28 +6,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The driver of one case, whose function becomes lab_body_K; behind the call the inputs are told once more: they stay what
- * they were. */
-static void write_case(const struct lab_case *c, FILE *out)
+void lab_write_body(const struct cagd_code_harness *h, const char *name, const char *tail, FILE *out)
 {
     static const char entry[] = "void cagd_code_entry(void)\n{";
     char *text = NULL;
     size_t size;
     FILE *whole = open_memstream(&text, &size);
-    cagd_code_write_driver(c->h, LAB_DRIVER, whole);
+    cagd_code_write_driver(h, LAB_DRIVER, whole);
     fclose(whole);
     char *at = strstr(text, entry), *end = strrchr(text, '}');
     if (at == NULL || end == NULL)
         abort();
-    fprintf(out, "%.*sstatic void lab_body_%d(void)\n{%.*s", (int)(at - text), text, c->number,
-            (int)(end - at - (ptrdiff_t)strlen(entry)), at + strlen(entry));
+    fprintf(out, "%.*svoid %s(void)\n{%.*s%s}\n", (int)(at - text), text, name,
+            (int)(end - at - (ptrdiff_t)strlen(entry)), at + strlen(entry), tail);
+    free(text);
+}
+
+/* The driver of one case; behind the call the inputs are told once more: they stay what they were. */
+static void write_case(const struct lab_case *c, FILE *out)
+{
+    char name[40], *tail = NULL;
+    size_t size;
+    FILE *inputs = open_memstream(&tail, &size);
     for (int k = 0; k < c->h->inputs; k++) {
         const struct cagd_code_asked_input *in = &c->h->input[k];
         if (in->count > 0)
-            fprintf(out, "    cagd_code_output(\"%s\", %d, %s);\n", in->name, in->count, in->name);
+            fprintf(inputs, "    cagd_code_output(\"%s\", %d, %s);\n", in->name, in->count, in->name);
     }
-    fputs("}\n", out);
-    free(text);
+    fclose(inputs);
+    snprintf(name, sizeof name, "lab_body_%d", c->number);
+    fprintf(out, "static void %s(void);\n", name);
+    lab_write_body(c->h, name, tail, out);
+    free(tail);
 }
 
 int lab_write_driver(const struct lab *lab, const char *path)

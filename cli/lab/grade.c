@@ -70,6 +70,8 @@ static char *story_of(const json_t *row)
     const json_t *values, *value, *one;
     FILE *out = open_memstream(&text, &size);
     fprintf(out, "%s", member(row, "text"));
+    if (*member(row, "because") != 0)
+        fprintf(out, "\nbecause: %s", member(row, "because"));
     if (*member(row, "case") != 0)
         fprintf(out, "\nfor %s", member(row, "case"));
     json_object_foreach((json_t *)(uintptr_t)json_object_get(row, "inputs"), name, values)
@@ -79,6 +81,8 @@ static char *story_of(const json_t *row)
     }
     json_array_foreach(json_object_get(row, "differences"), k, one)
         fprintf(out, "\n%s is %s; expected %s", member(one, "name"), member(one, "got"), member(one, "expected"));
+    if (*member(row, "levels") != 0)
+        fprintf(out, "\nlevels: %s", member(row, "levels"));
     if (json_object_get(row, "hint") != NULL)
         fprintf(out, "\nhint: %s\n%s", member(json_object_get(row, "hint"), "text"),
                 member(json_object_get(row, "hint"), "zh"));

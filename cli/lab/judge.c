@@ -87,20 +87,22 @@ static void keep_reference(struct lab_bench *b, const json_t *job, json_t *answe
     free(key);
 }
 
-static struct pair ask_both(struct trial *t, json_t *job)
+/* A job for each, which may be the same. */
+static struct pair ask(struct trial *t, json_t *job, json_t *for_reference)
 {
     struct pair p;
     int is_asked;
     lab_ask(&t->student, job);
-    p.want = asked_reference(t->bench, job, &is_asked);
+    p.want = asked_reference(t->bench, for_reference, &is_asked);
     if (is_asked)
-        lab_ask(&t->bench->right, job);
+        lab_ask(&t->bench->right, for_reference);
     p.got = lab_answer(&t->student);
     if (is_asked)
         p.want = lab_answer(&t->bench->right);
     if (is_asked && p.want != NULL)
-        keep_reference(t->bench, job, p.want);
+        keep_reference(t->bench, for_reference, p.want);
     json_decref(job);
+    json_decref(for_reference);
     if (p.got == NULL) {
         p.got = lost();
         lab_player_close(&t->student);
@@ -110,6 +112,8 @@ static struct pair ask_both(struct trial *t, json_t *job)
         p.want = lost();
     return p;
 }
+
+static struct pair ask_both(struct trial *t, json_t *job) { return ask(t, job, json_incref(job)); }
 
 static int finished(const json_t *outcome)
 {
@@ -167,6 +171,8 @@ struct found {
     struct cagd_code_point *point;
     struct pair at;                  /* what was said there                                         */
     int points, ways, proved, empty; /* empty: no case may stay without a point */
+    int unfollowed;                  /* the code itself could not be run in the field */
+    int whole_line;                  /* where the code makes a whole number of what varies, or 0    */
     struct lab_open open;            /* what is not known of other ways                             */
     char why[300], hole[300];        /* why it is not proved; how the reference failed                 */
 };
@@ -218,8 +224,11 @@ static void prove(struct trial *t, const struct lab_case *c, struct lab_ways *w,
             cagd_code_point_free(fixed);
         }
         f->proved += same;
+        if (f->whole_line == 0)
+            f->whole_line = (int)json_integer_value(json_object_get(at.got, "whole"));
         lab_ways_add(w, at.got, at.want, p);
     } else if (f->why[0] == 0) {
+        f->unfollowed = finished(at.want);
         snprintf(f->why, sizeof f->why, "%.250s", member(finished(at.got) ? at.want : at.got, "message"));
     }
     forget(&at);
@@ -344,15 +353,6 @@ static void decide(struct trial *t, const struct lab_case *c, struct found *f)
 
 /* ---- hints ------------------------------------------------------------------------------------------------ */
 
-static int names(const char *list, const char *name)
-{
-    size_t length = strlen(name);
-    for (const char *at = list; (at = strstr(at, name)) != NULL; at++)
-        if ((at == list || at[-1] == ' ') && (at[length] == 0 || at[length] == ' '))
-            return 1;
-    return 0;
-}
-
 /* The wrong solution of that index, ready to be asked; whether it is. */
 static int is_built(struct lab_bench *b, size_t index, const json_t *wrong)
 {
@@ -415,7 +415,7 @@ static json_t *hint_for(struct trial *t, const struct lab_case *c, const struct 
     json_array_foreach(t->lab->blocks, index, block)
     {
         if (hint != NULL || strcmp(member(block, "kind"), "wrong") != 0 || *lab_text(block, "hint") == 0 ||
-            !names(lab_text(block, "fails"), requirement) || !is_built(t->bench, index, block))
+            !lab_lists(lab_text(block, "fails"), requirement) || !is_built(t->bench, index, block))
             continue;
         if (says_the_same(&t->bench->wrong[index], job, said, count))
             hint = json_pack("{s:s, s:s, s:s}", "name", member(block, "name"), "text", lab_text(block, "hint"), "zh",
@@ -547,6 +547,101 @@ static json_t *graph_of(struct trial *t, const struct lab_case *c, const struct 
     return graph;
 }
 
+/* ---- levels of a triangle ------------------------------------------------------------------------------------ */
+
+/* The answer with its results noted, and the points of the triangles, at the point. */
+static struct pair with_levels(struct trial *t, const struct lab_case *c, const struct cagd_code_point *p)
+{
+    json_t *job = job_of(c, p, "rational", "lab_entry");
+    json_object_set_new(job, "note", json_true());
+    return ask(t, job, job_of(c, p, "rational", "lab_levels"));
+}
+
+/* How far the answer comes at a point, if it is wrong there: whether it is. */
+static int reach_at(struct trial *t, const struct lab_case *c, const struct cagd_code_point *p, struct lab_reached *r)
+{
+    struct pair at = ask_both(t, job_of(c, p, "rational", "lab_entry"));
+    int wrong = finished(at.got) && finished(at.want) && first_difference(at.got, at.want, "got", 0) >= 0;
+    forget(&at);
+    if (!wrong)
+        return 0;
+    at = with_levels(t, c, p);
+    wrong = finished(at.got) && finished(at.want);
+    if (wrong)
+        *r = lab_reach(c, p, at.got, at.want, NULL);
+    forget(&at);
+    return wrong;
+}
+
+/* How far a wrong answer comes for numbers of many digits: where two draws tell something, and the same.  Numbers of a triangle
+ * may be 0 for some draws; where none is computed it is not asked again. */
+static struct lab_reached reach(struct trial *t, const struct lab_case *c)
+{
+    enum { DRAWS = 12 };
+    const struct lab_reached nothing = {-1, 0, 0, -1, -1, 0, 0};
+    struct lab_reached first = nothing, r = nothing;
+    for (int k = 0, told = 1; k < DRAWS && told > 0 && json_array_size(c->points) > 0; k++) {
+        struct cagd_code_point *p = cagd_code_point_new(c->h, k * cagd_code_patterns(c->h), 1);
+        int wrong = reach_at(t, c, p, &r);
+        cagd_code_point_free(p);
+        if (!wrong)
+            continue;
+        told = r.told;
+        if (r.triangle >= 0 && first.triangle >= 0)
+            return r.triangle == first.triangle && r.missing == first.missing ? first : nothing;
+        if (r.triangle >= 0)
+            first = r;
+    }
+    return nothing;
+}
+
+/* The triangles that a right answer computes wholly are noted. */
+static void note_whole(struct trial *t, const struct lab_case *c)
+{
+    struct cagd_code_point *p = cagd_code_point_new(c->h, 0, 1);
+    struct pair levels = with_levels(t, c, p);
+    if (finished(levels.got) && finished(levels.want))
+        lab_reach(c, p, levels.got, levels.want, t->bench->whole);
+    forget(&levels);
+    cagd_code_point_free(p);
+}
+
+/* In words, with the numbers at that point; whether they are told. */
+static int tell_reached(struct trial *t, const struct lab_case *c, const struct lab_reached *r,
+                        const struct cagd_code_point *p, int names_inputs, char text[LAB_CAUSE])
+{
+    struct pair at = with_levels(t, c, p);
+    int told =
+        lab_tell_reached(c, r, finished(at.got) && finished(at.want) ? p : NULL, names_inputs, at.got, at.want, text);
+    forget(&at);
+    return told;
+}
+
+/* Which levels are computed: in the case of the counterexample or, where that is too small to tell, in the last of the requirement; with
+ * the numbers of the counterexample or, where some of them are equal by chance, of a draw. */
+static void tell_levels(struct trial *t, const struct lab_case *c, const struct found *f, json_t *row)
+{
+    enum { DRAWS = 4 };
+    char text[LAB_CAUSE], whole[LAB_CAUSE + 80];
+    const struct lab_case *of = c;
+    struct lab_reached r = reach(t, c);
+    if (r.triangle < 0) {
+        while (of + 1 < t->lab->at + t->lab->cases && of[1].requirement == c->requirement)
+            of++;
+        if (of == c || (r = reach(t, of)).triangle < 0)
+            return;
+    }
+    int told = of == c && tell_reached(t, c, &r, f->point, 0, text);
+    for (long k = 0; !told && k < DRAWS; k++) {
+        struct cagd_code_point *p = cagd_code_point_new(of->h, k, 0);
+        told = tell_reached(t, of, &r, p, 1, text);
+        cagd_code_point_free(p);
+    }
+    snprintf(whole, sizeof whole, "%s%s%s%s", of != c ? "for " : "", of != c ? of->label : "", of != c ? ": " : "",
+             text);
+    json_object_set_new(row, "levels", json_string(whole));
+}
+
 static void tell_wrong(struct trial *t, const struct lab_case *c, const struct found *f, json_t *row)
 {
     char text[LAB_CAUSE];
@@ -562,6 +657,7 @@ static void tell_wrong(struct trial *t, const struct lab_case *c, const struct f
     json_object_set_new(row, "differences", differences_json(c, &f->at));
     if (t->bench->draws)
         json_object_set_new(row, "graph", graph_of(t, c, f));
+    tell_levels(t, c, f, row);
     json_t *hint = hint_for(t, c, f);
     if (hint != NULL)
         json_object_set_new(row, "hint", hint);
@@ -587,10 +683,21 @@ static void tell_right(const struct lab_case *first, const struct lab_case *last
                  sum->ways, sum->points);
     else
         snprintf(text, sizeof text, "right in %d exact cases%s", sum->points, range);
+    /* which whole number it is may be any of infinitely many: what each of them leads to is not seen by trying some */
+    int untried = sum->whole_line > 0 && (!proved || open->branches > 0);
     if (sum->empty > 0)
         snprintf(text, sizeof text, "no numbers were found for which the reference has a result");
-    json_object_set_new(row, "verdict", json_string(sum->empty > 0 ? "undecided" : proved ? "proved" : "sampled"));
+    else if (untried)
+        snprintf(text, sizeof text, "a whole number is made of a number, and not all that it can be were tried");
+    else if (sum->unfollowed)
+        snprintf(text, sizeof text, "right in %d exact cases%s, but not followed for all inputs", sum->points, range);
+    json_object_set_new(row, "verdict",
+                        json_string(sum->empty > 0 || untried || sum->unfollowed ? "undecided"
+                                    : proved                                     ? "proved"
+                                                                                 : "sampled"));
     json_object_set_new(row, "text", json_string(text));
+    if (untried)
+        json_object_set_new(row, "line", json_integer(sum->whole_line));
     if (!proved && sum->why[0] != 0)
         json_object_set_new(row, "because", json_string(sum->why));
     if (sum->hole[0] != 0)
@@ -635,6 +742,9 @@ static int judge_requirement(struct trial *t, int k, json_t *row)
         sum.open.conditions += f.open.conditions, sum.open.undecided += f.open.undecided;
         sum.open.branches += f.open.branches, sum.open.denominators += f.open.denominators;
         sum.empty += f.points == 0;
+        sum.unfollowed |= f.unfollowed;
+        if (sum.whole_line == 0)
+            sum.whole_line = f.whole_line;
         if (sum.why[0] == 0)
             memcpy(sum.why, f.why, sizeof sum.why);
         if (sum.hole[0] == 0)
@@ -648,6 +758,8 @@ static int judge_requirement(struct trial *t, int k, json_t *row)
     }
     if (!wrong) {
         tell_right(first, last, &sum, row);
+        if (t->bench->whole != NULL && json_array_size(last->points) > 0)
+            note_whole(t, last);
         look_for_state(t, last);
     } else if (!stopped || strstr(member(row, "text"), "end") == NULL) { /* what has no end is not run once more */
         struct cagd_code_point *p = cagd_code_point_new(last->h, 0, 0);
@@ -889,9 +1001,15 @@ int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CA
         free(source);
         return -1;
     }
-    char *errors = lab_build_driver(lab, &b->own);
+    char *with_levels = NULL, *errors = lab_build_driver(lab, &b->own);
+    size_t size;
+    FILE *out = open_memstream(&with_levels, &size);
+    fputs(source, out);
+    lab_write_levels(lab, out);
+    fclose(out);
     if (errors == NULL)
-        errors = lab_build(lab, &b->own, &b->own, source, "reference.so", NULL);
+        errors = lab_build(lab, &b->own, &b->own, with_levels, "reference.so", NULL);
+    free(with_levels);
     free(source);
     if (errors == NULL && lab_player_open(&b->right, &b->own, lab, "reference.so") == 0)
         return 0;
@@ -908,5 +1026,6 @@ void lab_bench_close(struct lab_bench *b)
         lab_player_close(&b->wrong[k]);
     json_decref(b->known);
     json_decref(b->kept);
+    json_decref(b->whole);
     lab_place_close(&b->own);
 }

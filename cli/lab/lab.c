@@ -33,8 +33,12 @@ static struct lab *lab_called(const char *name, const char *seed)
     else
         path[0] = 0;
     struct lab *lab = lab_read(path, seed, cause);
+    char own[LAB_MOST_PATH];
+    snprintf(own, sizeof own, "%s/lab.md", name);
     if (lab == NULL && access(path, F_OK) != 0)
-        refuse_line("there is no lab '%s'; cagd lab lists them", name);
+        refuse_line(access(own, R_OK) == 0 ? "there is no lab '%s'; the folder of that name is ./%s"
+                                           : "there is no lab '%s'; cagd lab lists them",
+                    name, name);
     else if (lab == NULL)
         refuse_line("%s: %s; cagd lab lists the labs", name, cause);
     return lab;
@@ -56,7 +60,10 @@ static struct lab *lab_of(const char *folder, const char *seed)
             lab = lab_called(json_string_value(name), seed);
     }
     if (lab == NULL)
-        refuse_line("%s: there is no file of a lab, such as de-casteljau.c; --lab names the lab", folder);
+        refuse_line(access(folder, X_OK) == 0
+                        ? "%s: there is no file of a lab, such as de-casteljau.c; --lab names the lab"
+                        : "%s: there is no such folder; cagd lab start NAME writes one",
+                    folder);
     json_decref(names);
     return lab;
 }

@@ -2,7 +2,7 @@
  *
  * A lab is a folder NAME with
  *     README.md     the assignment, in English and Chinese, which the student gets
- *     lab.md        blocks {lab}, {requirement} and {wrong}, and the page for the lecturer around them
+ *     lab.md        blocks {lab}, {requirement}, {triangle} and {wrong}, and the page for the lecturer around them
  *     figure.svg    the picture in it, if there is one
  *     start.c       what the student begins with; start.py where the language is Python, start.txt where numbers are asked for
  *     reference.c   what is right, by the definition, in C whatever the language
@@ -22,6 +22,14 @@ enum { LAB_MOST_CASES = 128, LAB_MOST_PATH = 4096, LAB_MOST_BYTES = 1 << 20, LAB
 
 /* ---- read.c: a lab ------------------------------------------------------------------------------------- */
 
+/* Whole numbers by their letters, "n = 3, r = 2". */
+enum { LAB_MOST_LETTERS = 4 };
+struct lab_letters {
+    int count;
+    char name[LAB_MOST_LETTERS];
+    long value[LAB_MOST_LETTERS];
+};
+
 /* One requirement for one degree, say: what is called, with which inputs. */
 struct lab_case {
     const json_t *requirement;
@@ -30,6 +38,7 @@ struct lab_case {
     int earlier;    /* another case of the requirement, which is run before it where state is looked for */
     char *python;   /* the call in Python, where that is the language; else NULL */
     struct cagd_code_harness *h;
+    json_t *points; /* of triangles, in their order: {"triangle", "level", "name", "value": [formulas in C]} */
 };
 
 struct lab {
@@ -45,9 +54,17 @@ struct lab {
 /* The lab in the folder; seed: what the inputs are drawn from.  NULL and a cause. */
 struct lab *lab_read(const char *folder, const char *seed, char cause[LAB_CAUSE]);
 void lab_free(struct lab *lab);
+/* "$n" and "$(n+1)" become numbers.  The caller frees; NULL when one is not understood. */
+char *lab_put_numbers(const char *text, const struct lab_letters *l);
+/* Each of the cases "r = 1..n, i = 0..n-r", whose letters follow on those that are there; 0, or what `visit` says where that is not 0; -1: not
+ * understood. */
+int lab_each(const char *ranges, struct lab_letters *l, int (*visit)(void *what, const struct lab_letters *l),
+             void *what);
 /* The first text of a key, or "". */
 const char *lab_text(const json_t *block, const char *key);
 int lab_points(const json_t *requirement);
+/* Whether the name is in a list of names with blanks between. */
+int lab_lists(const char *list, const char *name);
 /* The text of a file of at most LAB_MOST_BYTES, no link followed; NULL and errno. */
 char *lab_file(const char *path);
 /* The folder of all labs: beside the program, installed or built. */
@@ -60,6 +77,33 @@ json_t *lab_names(void);
 #define LAB_DRIVER "lab.md" /* what its lines are of */
 /* The C that calls what is handed in: for case K the functions lab_entry_K and, with other calls before it, lab_again_K. */
 int lab_write_driver(const struct lab *lab, const char *path);
+
+/* The driver of a harness as a function of that name, whose last lines are these. */
+void lab_write_body(const struct cagd_code_harness *h, const char *name, const char *tail, FILE *out);
+
+/* ---- levels.c: what a triangle's levels are, and which an answer computes ---------------------------------- */
+
+/* The triangles of the requirement, for these numbers, become part of the case. */
+int lab_read_levels(const struct lab *lab, struct lab_case *c, const struct lab_letters *l, char cause[LAB_CAUSE]);
+/* In C, behind the reference: for case K the function lab_levels_K, whose results are the numbers of the points of its triangles. */
+void lab_write_levels(const struct lab *lab, FILE *out);
+/* How far an answer comes in a triangle. */
+struct lab_reached {
+    int triangle;       /* its number, or -1: nothing is said                                                     */
+    int levels, points; /* so many whole levels, and so many points of the next, in their order, are computed     */
+    int missing;        /* the index of the first point that is not; -1: there is none                            */
+    int instead;        /* the first other result of an operation that gives two points: its index, or -1         */
+    size_t results;     /* so many are computed                                                                   */
+    int told;           /* so many points of these are no number that stands there anyway                         */
+};
+/* At the point p, for numbers that nothing makes equal by chance, in the triangle in which it comes farthest.  got: of a run whose results
+ * were noted; levels: what lab_levels_K says; whole, unless NULL: gets the lines of all triangles that are computed wholly. */
+struct lab_reached lab_reach(const struct lab_case *c, const struct cagd_code_point *p, const json_t *got,
+                             const json_t *levels, json_t *whole);
+/* The same in words, with its numbers at the point `here`, and those of the point itself if they are not told elsewhere.  0: it is not so there
+ * by some chance, or here is NULL, and the numbers are left out. */
+int lab_tell_reached(const struct lab_case *c, const struct lab_reached *r, const struct cagd_code_point *here,
+                     int names_inputs, const json_t *got, const json_t *levels, char text[LAB_CAUSE]);
 
 /* ---- place.c: processes ---------------------------------------------------------------------------------- */
 
@@ -174,6 +218,7 @@ struct lab_bench {
     struct lab_player right; /* the reference */
     json_t *known;           /* what it said to each job */
     json_t *kept;            /* by their sources, objects of answers that were judged; NULL: none is kept */
+    json_t *whole; /* of the triangles that right answers compute wholly, their lines in lab.md; NULL: not asked */
     struct lab_player wrong[64];
     int built[64];
     int points; /* how many at least are tried */

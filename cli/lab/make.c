@@ -66,9 +66,24 @@ static const char *called(char path[LAB_MOST_PATH])
     return length > 0 ? path : "cagd";
 }
 
+/* What says which lab it is where that is none of the program's own: " --lab "FOLDER"", else nothing. */
+static const char *option_of(const struct lab *lab, char option[LAB_MOST_PATH + 16])
+{
+    char own[LAB_MOST_PATH], here[LAB_MOST_PATH], place[LAB_MOST_PATH];
+    option[0] = 0;
+    if (realpath(lab->folder, here) == NULL)
+        return option;
+    int length = (int)(strrchr(here, '/') - here);
+    if (lab_folder(own) != 0 || realpath(own, place) == NULL || (int)strlen(place) != length ||
+        strncmp(place, here, (size_t)length) != 0)
+        snprintf(option, LAB_MOST_PATH + 16, " --lab \"%s\"", here);
+    return option;
+}
+
 int lab_begin(const struct lab *lab, const char *folder)
 {
-    char start[80], makefile[LAB_MOST_PATH + 1000], path[LAB_MOST_PATH + 16], program[LAB_MOST_PATH];
+    char start[80], makefile[3 * LAB_MOST_PATH], path[LAB_MOST_PATH + 16], program[LAB_MOST_PATH],
+        option[LAB_MOST_PATH + 16];
     snprintf(path, sizeof path, "%s/figure.svg", lab->folder);
     int has_figure = access(path, R_OK) == 0;
     const char *const names[] = {"README.md", lab->file, "Makefile", has_figure ? "figure.svg" : NULL, NULL};
@@ -78,19 +93,20 @@ int lab_begin(const struct lab *lab, const char *folder)
     snprintf(makefile, sizeof makefile,
              "# make: does it compile?  make check: is it right?\n"
              "all:\n\t%s\n"
-             "check:\n\t\"%s\" lab check .\n"
+             "check:\n\t\"%s\" lab check .%s\n"
              ".PHONY: all check\n",
              strcmp(lab->language, "python") == 0 ? "python3 -m py_compile $(wildcard *.py)"
-             : strcmp(lab->language, "c") == 0    ? "cc -Wall -Wextra -c $(wildcard *.c)"
-                                                  : "@echo nothing to compile",
-             called(program));
+             : strcmp(lab->language, "c") == 0 ? "cc -Wall -Wextra -Wno-unused-parameter -fsyntax-only $(wildcard *.c)"
+                                               : "@echo nothing to compile",
+             called(program), option_of(lab, option));
     if (copy(lab, "README.md", folder, "README.md") != 0 || copy(lab, start, folder, lab->file) != 0 ||
         put(folder, "Makefile", makefile) != 0 || (has_figure && copy(lab, "figure.svg", folder, "figure.svg") != 0))
         return EXIT_INTERNAL;
     printf("%s/README.md is the assignment, %s/%s the place for the answer\n"
-           "%s lab check %s judges it\n"
+           "%s lab check %s%s judges it\n"
            "%s lab list %s tells what each requirement is worth\n",
-           folder, folder, lab->file, called(program), folder, called(program), lab->name);
+           folder, folder, lab->file, called(program), folder, option, called(program),
+           option[0] != 0 ? lab->folder : lab->name);
     return EXIT_AS_EXPECTED;
 }
 
@@ -112,7 +128,7 @@ int lab_new(const char *name)
     static const char reference[] = "double sum(double a, double b) { return b + a; }\n";
     static const char start[] = "double sum(double a, double b)\n{\n    return 0;\n}\n";
     const char *const names[] = {"lab.md", "README.md", "reference.c", "start.c", "right", NULL};
-    char path[LAB_MOST_PATH], *text = NULL;
+    char path[LAB_MOST_PATH], place[LAB_MOST_PATH], *text = NULL;
     if (*name == '\0' || strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-") != strlen(name) || strlen(name) > 40) {
         refuse_line("'%s': a name of at most 40 small letters, digits and - was expected", name);
         return EXIT_USAGE;
@@ -135,6 +151,9 @@ int lab_new(const char *name)
     status = status != 0 ? status : put(name, "start.c", start);
     status = status != 0 ? status : put(name, "right/plain.c", plain);
     if (status == 0)
-        printf("%s is a lab: change its files, and cagd lab test %s says whether it is well made\n", name, name);
+        printf("%s is a lab: change its files, and cagd lab test %s says whether it is well made\n"
+               "%s/README.md tells what the blocks of lab.md may have in them\n"
+               "cagd lab start ./%s writes the assignment\n",
+               name, name, lab_folder(path) == 0 && realpath(path, place) != NULL ? place : "chapters/labs", name);
     return status == 0 ? EXIT_AS_EXPECTED : EXIT_INTERNAL;
 }

@@ -62,12 +62,16 @@ static void print_requirement(const json_t *row)
     put_behind(stdout, text, used, INDENT, page_width(MOST_WIDTH));
     fputs(style(stdout, PLAIN), stdout);
     print_inputs(row);
+    if (*member(row, "because") != 0)
+        print_named("because", member(row, "because"));
     json_array_foreach(json_object_get(row, "differences"), k, one)
     {
         char both[700];
         snprintf(both, sizeof both, "%.300s; expected %.300s", member(one, "got"), member(one, "expected"));
         print_named(member(one, "name"), both);
     }
+    if (*member(row, "levels") != 0)
+        print_named("levels", member(row, "levels"));
     if (hint != NULL) {
         print_named("hint", member(hint, "text"));
         if (*member(hint, "zh") != 0)

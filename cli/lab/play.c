@@ -6,7 +6,9 @@
  * and its outcome
  *     {"end": "finished", "message": "", "line": 0, "results": [{"name", "got", "field", "ulps"}], "conditions": [...],
  *      "denominators": ["t-1"], "operations": 12, "path": "1f...", "printed": 0, "kept": "", "kept_line": 0}
- * where kept is a variable of static storage that the code puts something into; "turned", where rounding turned a comparison, its line. */
+ * with "note": true in the job also "computed": [["3/4", 12, 7], ...], what each operation of the code came to, in line 12, with a number
+ * for that operation.  Here kept is a variable of static storage that the code puts something into; "turned", where rounding turned a comparison, its line;
+ * "whole", where a whole number is made of what varies, its line. */
 #include "cli/lab/lab.h"
 #include "exact/code/run.h"
 
@@ -110,6 +112,7 @@ static int read_job(const json_t *j, struct arrays *a, struct cagd_code_job *job
     const char *numbers = json_string_value(json_object_get(j, "numbers"));
     const json_t *in, *inputs = json_object_get(j, "inputs");
     size_t k, e, count = json_array_size(inputs);
+    job->note_results = json_is_true(json_object_get(j, "note"));
     job->entry = json_string_value(json_object_get(j, "entry"));
     job->most_seconds = (long)json_integer_value(json_object_get(j, "seconds"));
     if (job->entry == NULL || numbers == NULL || count > MOST_INPUTS)
@@ -178,6 +181,16 @@ static json_t *denominators_of(const struct cagd_code_outcome *o)
     return list;
 }
 
+/* The results of operations in the answer. */
+static json_t *computed_of(const struct cagd_code_outcome *o)
+{
+    json_t *list = json_array();
+    for (const struct cagd_code_computed *c = o->computed; c != NULL; c = c->next)
+        if (strcmp(c->file, LAB_DRIVER) != 0)
+            json_array_append_new(list, json_pack("[s, i, I]", c->value, c->line, (json_int_t)c->operation));
+    return list;
+}
+
 static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
 {
     static const char *const ends[] = {"finished", "outside", "undefined", "refused", "bound", "crashed"};
@@ -189,6 +202,10 @@ static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
                             "line", of_the_call ? 0 : o->line, "results", results_of(o), "conditions", conditions_of(o),
                             "denominators", denominators_of(o), "operations", (json_int_t)o->operations, "path", path,
                             "printed", (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
+    if (row != NULL && o->whole_line > 0)
+        json_object_set_new(row, "whole", json_integer(o->whole_line));
+    if (row != NULL && o->computed != NULL)
+        json_object_set_new(row, "computed", computed_of(o));
     if (row != NULL && o->decided_otherwise > 0)
         json_object_set_new(row, "turned", json_integer(o->turned.line));
     return row != NULL ? row : json_pack("{s:s, s:s}", "end", "crashed", "message", "what came back is no text");
@@ -209,7 +226,7 @@ int lab_play(const char *object)
     signal(SIGXFSZ, SIG_IGN);
     dup2(printed, STDERR_FILENO);
     for (json_t *j; (j = json_loadf(stdin, JSON_DISABLE_EOF_CHECK, NULL)) != NULL; json_decref(j)) {
-        struct cagd_code_job job = {.before = bound, .most_megabytes = MOST_MEGABYTES};
+        struct cagd_code_job job = {.before = bound, .one_object = 1, .most_megabytes = MOST_MEGABYTES};
         json_t *row;
         if (ftruncate(printed, 0) != 0 || lseek(printed, 0, SEEK_SET) != 0)
             return 1;

@@ -133,6 +133,22 @@ static void try_wrong(struct proof *p, const json_t *wrong)
     free(text);
 }
 
+/* A triangle that no right solution computes may be none, and is never told. */
+static void tell_uncomputed(struct proof *p)
+{
+    size_t k;
+    const json_t *block;
+    json_array_foreach(p->lab->blocks, k, block)
+    {
+        char line[24];
+        snprintf(line, sizeof line, "%d", (int)json_integer_value(json_object_get(block, "line")));
+        if (strcmp(member(block, "kind"), "triangle") != 0 || json_object_get(p->bench->whole, line) != NULL)
+            continue;
+        printf("  %s in line %s: no right solution computes this triangle\n", member(block, "name"), line);
+        p->bad++;
+    }
+}
+
 static void try_all(struct proof *p)
 {
     char path[LAB_MOST_PATH + 16], name[300], words[100];
@@ -149,6 +165,7 @@ static void try_all(struct proof *p)
     if (d != NULL)
         closedir(d);
     json_array_foreach(p->lab->blocks, k, block) if (strcmp(member(block, "kind"), "wrong") == 0) try_wrong(p, block);
+    tell_uncomputed(p);
     json_array_foreach(p->lab->blocks, k, block)
     {
         snprintf(words, sizeof words, " %s ", member(block, "name"));
@@ -173,6 +190,7 @@ int lab_test(const char *folder, int as_json)
     }
     p.lab = lab;
     p.bench->kept = json_object();
+    p.bench->whole = json_object();
     FILE *screen = stdout;
     if (as_json)
         stdout = stderr;

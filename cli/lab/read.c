@@ -83,6 +83,15 @@ const char *lab_text(const json_t *block, const char *key)
     return text != NULL ? text : "";
 }
 
+int lab_lists(const char *list, const char *name)
+{
+    size_t length = strlen(name);
+    for (const char *at = list; (at = strstr(at, name)) != NULL; at++)
+        if ((at == list || at[-1] == ' ') && (at[length] == 0 || at[length] == ' '))
+            return 1;
+    return 0;
+}
+
 int lab_points(const json_t *requirement) { return (int)strtol(lab_text(requirement, "points"), NULL, 10); }
 
 static void add(json_t *block, const char *key, const char *text)
@@ -152,16 +161,9 @@ wrong:
 
 /* ---- whole numbers in texts ------------------------------------------------------------------------------- */
 
-enum { MOST_LETTERS = 4 };
-struct letters {
-    int count;
-    char name[MOST_LETTERS];
-    long value[MOST_LETTERS];
-};
+static long whole_sum(const char **at, const struct lab_letters *l, int *wrong);
 
-static long whole_sum(const char **at, const struct letters *l, int *wrong);
-
-static long whole_atom(const char **at, const struct letters *l, int *wrong)
+static long whole_atom(const char **at, const struct lab_letters *l, int *wrong)
 {
     *at += strspn(*at, " ");
     if (**at == '(') {
@@ -184,7 +186,7 @@ static long whole_atom(const char **at, const struct letters *l, int *wrong)
     return value;
 }
 
-static long whole_product(const char **at, const struct letters *l, int *wrong)
+static long whole_product(const char **at, const struct lab_letters *l, int *wrong)
 {
     long value = whole_atom(at, l, wrong);
     for (*at += strspn(*at, " "); !*wrong && (**at == '*' || **at == '/'); *at += strspn(*at, " ")) {
@@ -196,7 +198,7 @@ static long whole_product(const char **at, const struct letters *l, int *wrong)
     return value;
 }
 
-static long whole_sum(const char **at, const struct letters *l, int *wrong)
+static long whole_sum(const char **at, const struct lab_letters *l, int *wrong)
 {
     long value = whole_product(at, l, wrong);
     for (*at += strspn(*at, " "); !*wrong && (**at == '+' || **at == '-'); *at += strspn(*at, " "))
@@ -204,8 +206,7 @@ static long whole_sum(const char **at, const struct letters *l, int *wrong)
     return value;
 }
 
-/* "$n" and "$(n+1)" become numbers.  The caller frees; NULL when one is not understood. */
-static char *put_numbers(const char *text, const struct letters *l)
+char *lab_put_numbers(const char *text, const struct lab_letters *l)
 {
     char *made = NULL;
     size_t size;
@@ -225,10 +226,39 @@ static char *put_numbers(const char *text, const struct letters *l)
     return NULL;
 }
 
+int lab_each(const char *ranges, struct lab_letters *l, int (*visit)(void *what, const struct lab_letters *l),
+             void *what)
+{
+    ranges += strspn(ranges, " ,");
+    if (*ranges == 0)
+        return visit(what, l);
+    int wrong = l->count == LAB_MOST_LETTERS || !isalpha((unsigned char)*ranges), index = l->count, status = 0;
+    char name = *ranges;
+    const char *at = wrong ? ranges : ranges + 1 + strspn(ranges + 1, " ");
+    wrong |= *at != '=' || memchr(l->name, name, (size_t)index) != NULL;
+    at += !wrong;
+    long low = wrong ? 0 : whole_sum(&at, l, &wrong), high = low;
+    if (strncmp(at, "..", 2) == 0) {
+        at += 2;
+        high = whole_sum(&at, l, &wrong);
+    }
+    if (wrong || (*at != 0 && *at != ','))
+        return -1;
+    for (long value = low; status == 0 && value <= high; value++) {
+        l->count = index + 1;
+        l->name[index] = name;
+        l->value[index] = value;
+        status = lab_each(at, l, visit, what);
+    }
+    l->count = index;
+    return status;
+}
+
 /* ---- cases ---------------------------------------------------------------------------------------------- */
 
 /* The harness of the requirement, for these numbers. */
-static int add_case(struct lab *lab, const json_t *requirement, const struct letters *l, const char *seed, char *cause)
+static int add_case(struct lab *lab, const json_t *requirement, const struct lab_letters *l, const char *seed,
+                    char *cause)
 {
     static const char *const keys[] = {"input", "where", "call", "output"};
     const char *name = json_string_value(json_object_get(requirement, "name"));
@@ -252,7 +282,7 @@ static int add_case(struct lab *lab, const json_t *requirement, const struct let
             fprintf(out, ":%s: %s\n", keys[j], json_string_value(value));
     fputs(":::\n", out);
     fclose(out);
-    char *whole = put_numbers(text, l);
+    char *whole = lab_put_numbers(text, l);
     struct cagd_code_harness_error error = {0, "a number behind $ was expected"};
     c->h = whole != NULL ? cagd_code_read_harness(whole, &error) : NULL;
     free(text);
@@ -262,47 +292,42 @@ static int add_case(struct lab *lab, const json_t *requirement, const struct let
         return -1;
     }
     if (*lab_text(requirement, "python") != 0 &&
-        (c->python = put_numbers(lab_text(requirement, "python"), l)) == NULL) {
+        (c->python = lab_put_numbers(lab_text(requirement, "python"), l)) == NULL) {
         snprintf(cause, LAB_CAUSE, "%s: a number behind $ was expected in :python:", name);
         return -1;
     }
     c->requirement = requirement;
+    if (lab_read_levels(lab, c, l, cause) != 0)
+        return -1;
     c->number = lab->cases++;
     c->earlier = c->number > 0 && c[-1].requirement == requirement ? c->number - 1 : c->number;
     return 0;
 }
 
-/* "n = 1..6, k = 0..n", from the k-th letter on. */
-static int add_cases(struct lab *lab, const json_t *requirement, const char *ranges, struct letters *l,
-                     const char *seed, char *cause)
+struct cases {
+    struct lab *lab;
+    const json_t *requirement;
+    const char *seed;
+    char *cause;
+};
+
+static int visit_case(void *what, const struct lab_letters *l)
 {
-    ranges += strspn(ranges, " ,");
-    if (*ranges == 0)
-        return add_case(lab, requirement, l, seed, cause);
-    int wrong = l->count == MOST_LETTERS || !isalpha((unsigned char)*ranges), index = l->count;
-    char name = *ranges;
-    const char *at = wrong ? ranges : ranges + 1 + strspn(ranges + 1, " ");
-    wrong |= *at != '=';
-    at += !wrong;
-    long low = wrong ? 0 : whole_sum(&at, l, &wrong), high = low;
-    if (strncmp(at, "..", 2) == 0) {
-        at += 2;
-        high = whole_sum(&at, l, &wrong);
-    }
-    if (wrong || (*at != 0 && *at != ',')) {
+    const struct cases *c = what;
+    return add_case(c->lab, c->requirement, l, c->seed, c->cause);
+}
+
+static int add_cases(struct lab *lab, const json_t *requirement, const char *seed, char *cause)
+{
+    struct lab_letters l = {0};
+    struct cases c = {lab, requirement, seed, cause};
+    const char *ranges = lab_text(requirement, "for");
+    cause[0] = 0;
+    int status = lab_each(ranges, &l, visit_case, &c);
+    if (status != 0 && cause[0] == 0)
         snprintf(cause, LAB_CAUSE, "%s: \"n = 1..6, k = 0..n\" was expected, not \"%s\"",
                  json_string_value(json_object_get(requirement, "name")), ranges);
-        return -1;
-    }
-    for (long value = low; value <= high; value++) {
-        l->count = index + 1;
-        l->name[index] = name;
-        l->value[index] = value;
-        if (add_cases(lab, requirement, at, l, seed, cause) != 0)
-            return -1;
-    }
-    l->count = index;
-    return 0;
+    return status;
 }
 
 static int understand(struct lab *lab, const char *seed, char cause[LAB_CAUSE])
@@ -325,11 +350,9 @@ static int understand(struct lab *lab, const char *seed, char cause[LAB_CAUSE])
     json_array_foreach(lab->blocks, k,
                        block) if (strcmp(json_string_value(json_object_get(block, "kind")), "requirement") == 0)
     {
-        struct letters l = {0};
         requirements++;
         /* one without a call is about how the code behaves, whatever is called */
-        if (json_object_get(block, "call") != NULL &&
-            add_cases(lab, block, lab_text(block, "for"), &l, seed, cause) != 0)
+        if (json_object_get(block, "call") != NULL && add_cases(lab, block, seed, cause) != 0)
             return -1;
     }
     if (requirements == 0)
@@ -363,6 +386,7 @@ void lab_free(struct lab *lab)
         return;
     for (int k = 0; k < lab->cases; k++) {
         cagd_code_harness_free(lab->at[k].h);
+        json_decref(lab->at[k].points);
         free(lab->at[k].python);
     }
     json_decref(lab->blocks);

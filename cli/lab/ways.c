@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_WAYS = 256, MOST_TRIES = 400, MOST_QUEUED = 4000, MOST_PURSUITS = 2 };
+enum { MOST_WAYS = 256, MOST_TRIES = 400, MOST_QUEUED = 4000, MOST_PURSUITS = 2, ALL_STAGES = 2 };
 enum { NOT_ZERO = CAGD_CODE_ABOVE | CAGD_CODE_BELOW };
 
 /* A leaf: its conditions, first those that are given. */
@@ -35,7 +35,7 @@ struct lab_ways {
     struct way way[MOST_WAYS];
     int ways, lost; /* lost: there was no room for something */
     /* what is looked for: the other branch of condition k of a way */
-    int of, k, is_open, bordered;
+    int of, k, is_open, stage; /* stage: of what is put into the queue, up to ALL_STAGES */
     struct cagd_code_point *queue[MOST_QUEUED];
     int queued, next;
     struct cagd_code_point *tried[MOST_TRIES];
@@ -159,8 +159,11 @@ static void put_conditions(struct way *way, const json_t *outcome, int given)
     const json_t *row;
     json_array_foreach(json_object_get(outcome, "conditions"), k,
                        row) if (json_is_true(json_object_get(row, "given")) == given)
-        put_condition(way, member(row, "polynomial"), member(row, "difference"),
+    {
+        const char *polynomial = member(row, "polynomial"), *difference = member(row, "difference");
+        put_condition(way, polynomial, *difference != 0 ? difference : polynomial, /* the difference may be too long */
                       (int)json_integer_value(json_object_get(row, "holding")), given, 0);
+    }
 }
 
 static void put_denominators(struct way *way, const json_t *outcome, int given)
@@ -345,6 +348,24 @@ static int put_candidates(struct lab_ways *w, const struct cagd_code_point *p, c
     return met.any && (!alone || put_zeros(w, p, c->difference) > 0 || !met.real);
 }
 
+/* Points for the other branch of condition k near those of ways that part from this one at an earlier condition: across its border, with all
+ * other values as they are there. */
+static void put_from_others(struct lab_ways *w)
+{
+    enum { MOST_FROM_OTHERS = 60 };
+    const struct way *way = &w->way[w->of];
+    int begun = w->queued;
+    for (int j = 0; j < w->ways; j++)
+        for (int k = 0; k < w->k && w->queued < begun + MOST_FROM_OTHERS && w->tries < MOST_TRIES / 2; k++) {
+            struct met met = {0};
+            if (j == w->of || !meet_at(way, &w->way[j], k) ||
+                way->condition[k].holding == w->way[j].condition[k].holding)
+                continue;
+            put_border(w, w->way[j].point, way->condition[k].difference, 0, &met);
+            break;
+        }
+}
+
 /* ---- the search ----------------------------------------------------------------------------------------------- */
 
 /* Whether what is given, at the way whose other branch is looked for, is true at the point: else nothing is run there. */
@@ -409,7 +430,7 @@ static void begin_branch(struct lab_ways *w)
     int found = cagd_code_branch(w->h, &leaf, w->k, &point, sizeof text, text);
     way->state[w->k] |= found == 0 ? CLOSED : PURSUED;
     w->is_open = found != 0;
-    w->bordered = 0;
+    w->stage = 0;
     if (found == 1)
         put_point(w, point);
 }
@@ -422,10 +443,11 @@ struct cagd_code_point *lab_ways_next(struct lab_ways *w)
             struct cagd_code_point *p = untried(w);
             if (p != NULL)
                 return p;
-            if (w->bordered || w->tries == MOST_TRIES)
+            if (w->stage == ALL_STAGES || w->tries == MOST_TRIES)
                 break;
-            w->bordered = 1;
-            if (!put_candidates(w, way->point, &way->condition[w->k]))
+            if (w->stage++ > 0)
+                put_from_others(w);
+            else if (!put_candidates(w, way->point, &way->condition[w->k]))
                 way->state[w->k] |= NO_BORDER;
         }
         w->is_open = 0;

@@ -31,6 +31,12 @@
  * Ends that are not free are the first and the last measured point as they are, with errors that no standard error
  * knows of: the intervals of what depends on them are then too short.
  *
+ * Outliers at the ends (端点处的离群点).  With a robust loss, which sees how far a point is from the curve, an end would follow a
+ * point that is an outlier.  So the first and the last point of points in order are judged by the curve of the others and what it goes on
+ * as: where the point is farther from there than end_limit standard deviations, of the point and of that place together, it is an outlier and
+ * left out, `left_out`, and the next point measures the end.  It is told of as all others are; statistics, cost and covariance are of
+ * the points that are left.
+ *
  * Closed curves (闭曲线).  With `closed` the curve comes back to where it began, without ends: a periodic spline, whose
  * derivatives of order up to p-1 agree at the seam.  `count` says how many points it has, more than p; it is given
  * back with the first p of them once more behind the last, on knots that are not clamped, as every evaluation takes it.
@@ -236,6 +242,9 @@ typedef struct cagd_fit_result {
     int outliers,
         *outlier; /* of a robust loss: how many points are farther than outlier_limit deviations, and 1 for these */
     double outlier_limit, rms_of_others; /* once in twenty times a point is as far by chance; rms without outliers  */
+    int left_out[2]; /* so many outliers at the start and at the end, without which the curve is fitted; see above */
+    int end_is_judged[2]; /* 1 where the first, the last point that measures an end was judged so            */
+    double end_limit;     /* and how many standard deviations these are allowed                                      */
     int points_on_curve; /* 1 where the distances are no larger than the roundings of binary64, so that their scatter says */
                          /* nothing of measurements                                                     */
     /* the minimiser */
@@ -326,8 +335,10 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
  * curve knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
- * otherwise.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest one which was found; a
- * spline that is not good gives way to a good one, and a good one that does not keep the distance to a smoothed one that does.  Where the number of control points is given and the spline over even knots is not
+ * otherwise.  Within a distance a spline that is not good or has loops gives way to one that is and has none.  A distance asks for no degrees of
+ * freedom: where it is not kept with half of the equations, knots are put in as dense as the points, and splines over more and more even
+ * knots are led to from smoothed ones.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest
+ * one which was found.  Where the number of control points is given and the spline over even knots is not
  * good, or has loops, it is led to from a smoothed one, whose smoothing term is taken back by and by; if that is no better, as many knots
  * are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises n chi_squared/(n - 1.4 k)^2
  * (generalised cross-validation).  Source: wahba-1990; kim-gu-2004. */

@@ -3,6 +3,8 @@
 #include "core/fit/closing.h"
 #include "core/fit/ellipse.h"
 #include "core/fit/ellipse_result.h"
+#include "core/fit/end_outliers.h"
+#include "core/fit/fit.h"
 #include "core/fit/refine.h"
 #include "core/fit/weights.h"
 
@@ -127,14 +129,14 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     cagd_fit_options spline = *options;
     cagd_status status = CAGD_OK;
     if (!options->closed) {
-        status = cagd_fit(data, options, &one, where);
+        status = fit_plainly(data, options, &one, where);
         REQUIRE(status == CAGD_OK, status);
         const int straight = !cagd_fit_is_minimum(one) || cagd_fit_conic_of(one).kind == CAGD_FIT_STRAIGHT;
         compete(data, options, "a conic in one segment", one, result, found);
         if (straight && options->free & CAGD_FIT_END_POINTS) {
             cagd_fit_options chord = *options;
             chord.degree = 1;
-            status = cagd_fit(data, &chord, &one, where);
+            status = fit_plainly(data, &chord, &one, where);
             REQUIRE(status == CAGD_OK, status);
             compete(data, options, "a straight line", one, result, found);
         }
@@ -185,16 +187,17 @@ static void keep_found(cagd_fit_result *result, const cagd_fit_found *found)
     result->found = own;
 }
 
-cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_choices *choices,
-                            cagd_fit_result **result, int *where)
+/* What a choice needs beside the points. */
+typedef struct wishes {
+    const cagd_fit_options *options;
+    const cagd_fit_choices *choices;
+} wishes;
+
+static cagd_status choose_plainly(const cagd_fit_data *data, const void *how, cagd_fit_result **result, int *where)
 {
-    int ignored;
-    REQUIRE(result != NULL, CAGD_NULL);
+    const cagd_fit_options *options = ((const wishes *)how)->options;
+    const cagd_fit_choices *choices = ((const wishes *)how)->choices;
     *result = NULL;
-    where = where != NULL ? where : &ignored;
-    *where = -1;
-    REQUIRE(data != NULL && options != NULL && choices != NULL && data->points != NULL, CAGD_NULL);
-    REQUIRE(isfinite(choices->within) && choices->within >= 0, CAGD_BAD_OPTION);
     cagd_status status = fit_check_options(options);
     if (status == CAGD_OK)
         status = fit_check_data(data, options->free == 0, where);
@@ -210,7 +213,7 @@ cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *o
         asked.closed = 1;
     own.count -= asked.closed && fit_repeats_first(data);
     if (nothing_free || asked.initial != NULL)
-        status = cagd_fit(data, options, result, where);
+        status = fit_plainly(data, options, result, where);
     else if (choices->degree) {
         cagd_fit_choices all = *choices;
         if (asked.closed && asked.count == 0)
@@ -237,4 +240,18 @@ cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *o
     if (status == CAGD_OK)
         keep_found(*result, &found);
     return status;
+}
+
+cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_choices *choices,
+                            cagd_fit_result **result, int *where)
+{
+    int ignored;
+    REQUIRE(result != NULL, CAGD_NULL);
+    *result = NULL;
+    where = where != NULL ? where : &ignored;
+    *where = -1;
+    REQUIRE(data != NULL && options != NULL && choices != NULL && data->points != NULL, CAGD_NULL);
+    REQUIRE(isfinite(choices->within) && choices->within >= 0, CAGD_BAD_OPTION);
+    const wishes how = {options, choices};
+    return fit_without_end_outliers(data, options, choose_plainly, &how, result, where);
 }

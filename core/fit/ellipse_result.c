@@ -1,6 +1,7 @@
 #include "core/fit/ellipse_result.h"
 
 #include "core/fit/ellipse.h"
+#include "core/fit/fit.h"
 #include "core/fit/quantile.h"
 
 #include <float.h>
@@ -197,7 +198,7 @@ cagd_status fit_ellipse_result(const cagd_fit_data *data, const cagd_fit_options
     if (good) {
         cagd_fit_options feet = *options;
         feet.free = 0, feet.closed = 0, feet.initial = &curve, feet.smooth = 0;
-        status = cagd_fit(data, &feet, result, NULL);
+        status = fit_plainly(data, &feet, result, NULL);
     }
     if (status == CAGD_OK) {
         (*result)->found.ellipse = test;

@@ -8,6 +8,8 @@
 #include "core/fit/cagd_fit.h"
 
 #include "core/fit/arguments.h"
+#include "core/fit/end_outliers.h"
+#include "core/fit/fit.h"
 #include "core/fit/minimum.h"
 #include "core/fit/monotone.h"
 #include "core/fit/outliers.h"
@@ -159,7 +161,18 @@ cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options 
                : fit_with_scale(data, options, strategy, result, where);
 }
 
-cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result, int *where)
+cagd_status fit_plainly(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                        int *where)
 {
     return fit_with_strategy(data, options, &fit_usual_strategy, result, where);
+}
+
+static cagd_status fit_by_options(const cagd_fit_data *data, const void *options, cagd_fit_result **result, int *where)
+{
+    return fit_plainly(data, options, result, where);
+}
+
+cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result, int *where)
+{
+    return fit_without_end_outliers(data, options, fit_by_options, options, result, where);
 }

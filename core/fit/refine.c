@@ -1,6 +1,7 @@
 #include "core/fit/refine.h"
 
 #include "core/fit/candidate.h"
+#include "core/fit/fit.h"
 #include "core/fit/strategy.h"
 #include "core/number/limits.h"
 #include "core/require.h"
@@ -109,7 +110,8 @@ typedef struct search {
     int *where;
     cagd_fit_result *best;
     double within;  /* with a tolerance, the distance that every point is to keep within       */
-    int good_alone; /* with a tolerance, whether a minimum that is not good is passed over too */
+    int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
+    int dense;      /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
     knots at; /* of the best one */
 } search;
@@ -148,7 +150,7 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
     o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
     o.free &= ~CAGD_FIT_WEIGHTS;
     o.without_intervals = options->without_intervals || last->found.knots_chosen;
-    cagd_status status = cagd_fit(s->data, &o, result, s->where);
+    cagd_status status = fit_plainly(s->data, &o, result, s->where);
     if (status == CAGD_OK)
         (*result)->found = last->found;
     cagd_fit_free(last);
@@ -176,17 +178,31 @@ static cagd_status fit_on(const search *s, const knots *k, const cagd_fit_result
     return status;
 }
 
-/* Whether a curve with so many unknowns leaves half of the equations. */
+/* Whether a curve with so many unknowns leaves half of the equations, of a dense one whether there are as many equations. */
 static int has_room(const search *s, const knots *k)
 {
     const int p = s->options->degree, count = count_of(k, p, s->options->closed);
-    return k->inner < MOST_KNOTS && 2 * count * s->data->dim <= s->data->count * (s->data->dim - 1) + 2 * s->data->dim;
+    return k->inner < MOST_KNOTS &&
+           (s->dense ? 1 : 2) * count * s->data->dim <= s->data->count * (s->data->dim - 1) + 2 * s->data->dim;
 }
+
+/* What is not good about a fit; all of it where it is no minimum or has excursions. */
+static int problems_of(const search *s, const cagd_fit_result *r)
+{
+    cagd_fit_quality quality;
+    return fit_is_good(s->data, s->options, r) && cagd_fit_quality_of(s->data, s->options, r, &quality) == CAGD_OK
+               ? quality.problems
+               : ~0;
+}
+
+/* A good fit that crosses itself no more often than its points do. */
+static int has_no_loops(const search *s, const cagd_fit_result *r) { return !(problems_of(s, r) & CAGD_FIT_LOOPS); }
 
 /* Whether the fit is one that the search may end with. */
 static int may_be_best(const search *s, const cagd_fit_result *r)
 {
-    return s->within > 0 && !s->good_alone ? cagd_fit_is_minimum(r) : fit_is_good(s->data, s->options, r);
+    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r));
+    return s->good_alone ? has_no_loops(s, r) : cagd_fit_is_minimum(r);
 }
 
 /* Whether it keeps every point within the distance that is asked for. */
@@ -226,7 +242,7 @@ static int by_key(const void *a, const void *b)
  * where no segment has points enough, -1 when there is no memory. */
 static int divide(const search *s, const cagd_fit_result *r, knots *k)
 {
-    const int n = r->count, segments = k->inner + 1;
+    const int n = r->count, segments = k->inner + 1, least = s->dense ? 1 : LEAST_IN_SPAN;
     keyed *list = malloc((size_t)n * sizeof *list);
     double best = 0, at = -1;
     if (list == NULL)
@@ -243,11 +259,11 @@ static int divide(const search *s, const cagd_fit_result *r, knots *k)
             largest = fmax(largest, list[high].square);
         }
         double size = s->choices->within > 0 ? largest : sum;
-        if (high - low >= 2 * LEAST_IN_SPAN && size > best) {
-            int middle = low + LEAST_IN_SPAN - 1;
+        if (high - low >= 2 * least && size > best) {
+            int middle = low + least - 1;
             for (int i = low; i <= middle; i++)
                 half += list[i].square;
-            while (middle < high - LEAST_IN_SPAN - 1 && half < sum / 2)
+            while (middle < high - least - 1 && half < sum / 2)
                 half += list[++middle].square;
             double u = (list[middle].key + list[middle + 1].key) / 2;
             if (u > from && u < fmin(end, 1))
@@ -308,18 +324,6 @@ static cagd_status put_in(search *s, int even)
         cagd_fit_free(last);
     return status;
 }
-
-/* What is not good about a fit; all of it where it is no minimum or has excursions. */
-static int problems_of(const search *s, const cagd_fit_result *r)
-{
-    cagd_fit_quality quality;
-    return fit_is_good(s->data, s->options, r) && cagd_fit_quality_of(s->data, s->options, r, &quality) == CAGD_OK
-               ? quality.problems
-               : ~0;
-}
-
-/* A good fit that crosses itself no more often than its points do. */
-static int has_no_loops(const search *s, const cagd_fit_result *r) { return !(problems_of(s, r) & CAGD_FIT_LOOPS); }
 
 /* The sum of 1/sigma^2. */
 static double precision_of(const cagd_fit_data *data)
@@ -606,10 +610,11 @@ static cagd_status settle_for_nearest(search *s)
     return take_out_idle(s);
 }
 
+/* Knots are put in, and then taken out. */
 static cagd_status search_knots(search *s)
 {
     cagd_status status = put_in(s, 0);
-    if (status == CAGD_OK)
+    if (status == CAGD_OK && !s->dense)
         status = put_in(s, 1);
     if (status == CAGD_OK && s->best != NULL)
         status = take_out_idle(s);
@@ -618,34 +623,83 @@ static cagd_status search_knots(search *s)
     return status;
 }
 
-/* Minima that are not good lead with a tolerance to good ones by what is taken out of them.  Where they do not, good ones alone are sought. */
-static cagd_status find_knots(search *s)
+/* The spline over even knots, led to from a smooth one, takes the place of the best one if it comes nearer to the points; *nearer says
+ * whether it does. */
+static cagd_status lead_over_even(search *s, const knots *k, int *nearer)
 {
-    cagd_status status = search_knots(s);
-    if (status == CAGD_OK && s->choices->within > 0 && s->best != NULL && !fit_is_good(s->data, s->options, s->best)) {
-        search again = *s;
-        again.best = NULL, again.within = s->choices->within, again.good_alone = 1;
-        status = search_knots(&again);
-        const int good = status == CAGD_OK && again.best != NULL && fit_is_good(s->data, s->options, again.best);
-        cagd_fit_free(good ? s->best : again.best);
-        if (good)
-            *s = again;
-    }
-    if (status == CAGD_OK && s->best != NULL)
-        s->best->found.count_chosen = s->best->found.knots_chosen = 1;
+    const cagd_fit_options *asked = s->options;
+    cagd_fit_options own = *asked;
+    search one = *s;
+    int led;
+    own.count = count_of(k, own.degree, own.closed);
+    one.options = &own, one.best = NULL;
+    cagd_status status = lead_from_smooth(&one, &led);
+    *nearer = status == CAGD_OK && led && (s->best == NULL || one.best->largest < s->best->largest);
+    if (*nearer) {
+        cagd_fit_free(s->best);
+        s->best = one.best, s->at = *k;
+        s->score = score_of(s, k, s->best);
+    } else
+        cagd_fit_free(one.best);
     return status;
 }
 
-/* Where no good curve over chosen knots keeps the points within the tolerance, a smoothed one that does takes its place. */
-static cagd_status smooth_within(search *s, const cagd_fit_options *smoothed)
+/* With a tolerance: even knots, a quarter more of them each time, until one curve keeps within it or PATIENT have come no nearer; then knots are
+ * taken out. */
+static cagd_status search_from_smooth(search *s)
 {
-    cagd_fit_result *other = NULL;
-    cagd_status status = smooth_best(s, smoothed, s->choices->smooth, &other);
-    const int taken = status == CAGD_OK && other != NULL && other->largest <= s->choices->within &&
-                      fit_is_good(s->data, smoothed, other);
-    cagd_fit_free(taken ? s->best : other);
-    if (taken)
-        s->best = other;
+    enum { FEWEST = 4, PATIENT = 3 };
+    cagd_status status = CAGD_OK;
+    knots k;
+    make_even(s->options->closed ? s->options->degree + 1 : FEWEST, &k);
+    for (int idle = 0; status == CAGD_OK && idle < PATIENT && has_room(s, &k); make_even(k.inner + k.inner / 4, &k)) {
+        int nearer;
+        status = lead_over_even(s, &k, &nearer);
+        idle = nearer ? 0 : idle + 1;
+        if (nearer && is_within(s, s->best))
+            break;
+    }
+    if (status == CAGD_TOO_FEW)
+        status = CAGD_OK;
+    if (status == CAGD_OK && s->best != NULL)
+        status = take_out_idle(s);
+    return status;
+}
+
+/* Whether the best curve keeps within the distance that is asked for, without loops. */
+static int answers(const search *s)
+{
+    return s->best != NULL && s->best->largest <= s->choices->within && has_no_loops(s, s->best);
+}
+
+/* Whether the best curve of the one is a better answer to a tolerance than that of the other. */
+static int answers_better(const search *one, const search *other)
+{
+    REQUIRE(one->best != NULL && !answers(other), 0);
+    const int loops = !has_no_loops(one, one->best), others = !has_no_loops(other, other->best);
+    return answers(one) || (loops != others ? loops < others : one->best->largest < other->best->largest);
+}
+
+/* Minima that are not good lead with a tolerance to good ones by what is taken out of them.  Where they do not, good ones alone are sought; where
+ * these do not keep within it, with knots as dense as the points, placed by these and then even. */
+static cagd_status find_knots(search *s)
+{
+    enum { GOOD, PLACED, EVEN, WAYS };
+    cagd_status status = search_knots(s);
+    for (int way = GOOD; way < WAYS && status == CAGD_OK && s->within > 0 && s->best != NULL && !answers(s); way++) {
+        if (way == GOOD && has_no_loops(s, s->best))
+            continue;
+        search again = *s;
+        again.best = NULL, again.within = s->choices->within, again.good_alone = 1, again.dense = way != GOOD;
+        status = way == EVEN ? search_from_smooth(&again) : search_knots(&again);
+        const int taken = status == CAGD_OK && answers_better(&again, s);
+        cagd_fit_free(taken ? s->best : again.best);
+        if (taken)
+            *s = again;
+    }
+    s->dense = 0;
+    if (status == CAGD_OK && s->best != NULL)
+        s->best->found.count_chosen = s->best->found.knots_chosen = 1;
     return status;
 }
 
@@ -658,7 +712,7 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
     if (chosen || choices->smooth == 1)
         own.free &= ~CAGD_FIT_WEIGHTS;
     const int smooth_only = chosen && !(choices->within > 0) && (choices->smooth == 1 || own.smooth > 0);
-    cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : cagd_fit(data, &own, &s.best, where);
+    cagd_status status = smooth_only ? CAGD_OK : chosen ? find_knots(&s) : fit_plainly(data, &own, &s.best, where);
     const int segments = own.count > own.degree + 1 || own.knots != NULL || own.closed || chosen;
     const int mended = choices->smooth == 2 && segments && !(own.free & CAGD_FIT_WEIGHTS) && own.smooth == 0;
     int led = 0;
@@ -668,18 +722,16 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
         if (status == CAGD_OK && !has_no_loops(&s, s.best))
             status = place_knots(&s);
     }
-    const int good = status == CAGD_OK && s.best != NULL && fit_is_good(data, &own, s.best),
-              missed = good && mended && choices->within > 0 && s.best->largest > choices->within;
-    if (status == CAGD_OK && own.smooth == 0 && own.degree > 1 &&
-        (choices->smooth == 1 || (mended && !good) || missed)) {
+    const int good = status == CAGD_OK && s.best != NULL && fit_is_good(data, &own, s.best);
+    if (status == CAGD_OK && own.smooth == 0 && own.degree > 1 && (choices->smooth == 1 || (mended && !good))) {
         cagd_fit_options smoothed = own;
         if (chosen)
             smoothed.count = most_points(&s);
-        status = missed ? smooth_within(&s, &smoothed) : smooth_best(&s, &smoothed, choices->smooth, &s.best);
+        status = smooth_best(&s, &smoothed, choices->smooth, &s.best);
     }
     if (status == CAGD_OK && smooth_only && own.smooth > 0) {
         own.count = most_points(&s);
-        return cagd_fit(data, &own, result, where);
+        return fit_plainly(data, &own, result, where);
     }
     if (status == CAGD_OK && s.best == NULL) /* no smoothing leads to a minimum */
         return fit_refined(data, options, &(cagd_fit_choices){.count = choices->count}, result, where);

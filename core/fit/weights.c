@@ -1,6 +1,7 @@
 #include "core/fit/weights.h"
 
 #include "core/fit/candidate.h"
+#include "core/fit/fit.h"
 #include "core/fit/objective.h"
 #include "core/fit/quantile.h"
 #include "core/fit/rank.h"
@@ -76,7 +77,7 @@ cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *
     free.weight_low = fmax(free.weight_low, 1 / WIDEST);
     free.without_intervals = 1; /* where the same points have asked for weights they covered 90 % */
     free.weight_high = fmin(free.weight_high, WIDEST);
-    status = cagd_fit(data, &free, &weighted, where);
+    status = fit_plainly(data, &free, &weighted, where);
     REQUIRE(status != CAGD_TOO_FEW, CAGD_OK);
     REQUIRE(status == CAGD_OK, status);
     int inside = !(found->within > 0) || weighted->largest <= within;

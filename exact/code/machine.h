@@ -51,6 +51,8 @@ void cagd_code_step(const char *from, const char *to);
 void cagd_code_reach(const char *p, int64_t bytes, int32_t writes);
 /* memcpy of so many bytes: refused where the two pieces overlap, unless the job lets them. */
 void cagd_code_apart(const char *to, const char *from, int64_t bytes);
+/* Two addresses are about to be ordered, or one taken from the other: refused where they are of different objects, if the job asks for that. */
+void cagd_code_together(const char *a, const char *b);
 void cagd_code_index(int64_t index, int64_t count, int32_t is_used);
 
 /* ---- what the driver of a harness calls ---------------------------------------------------------------- */

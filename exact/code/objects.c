@@ -242,6 +242,13 @@ void cagd_code_step(const char *from, const char *to)
     *s = (struct stray){b, o->start};
 }
 
+void cagd_code_together(const char *a, const char *b)
+{
+    if (cagd_code_machine.job->one_object && a != NULL && b != NULL && a != b &&
+        owner_of((uintptr_t)a) != owner_of((uintptr_t)b))
+        cagd_code_stop(CAGD_CODE_REFUSED, "addresses of different arrays are compared, which C does not define");
+}
+
 void cagd_code_index(int64_t index, int64_t count, int32_t is_used)
 {
     if (index < 0 || index > count || (is_used && index == count))

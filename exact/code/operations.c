@@ -57,6 +57,29 @@ struct arithmetic {
     cagd_num_f (*f)(cagd_num_f, cagd_num_f);
 };
 
+static const void *operation; /* where the code called for arithmetic last */
+
+/* The result becomes known, where the job asks for it. */
+static void note_result(cagd_code_value v)
+{
+    enum { MOST_RESULTS = 1 << 12 };
+    static struct cagd_code_computed *last;
+    static long count;
+    struct cagd_code_outcome *o = cagd_code_machine.outcome;
+    if (!cagd_code_machine.job->note_results || ++count > MOST_RESULTS) {
+        o->computed = NULL; /* some are not all */
+        return;
+    }
+    struct cagd_code_computed *c = cagd_code_room(sizeof *c);
+    const char *file = cagd_code_at != NULL ? cagd_code_at->file : "";
+    int line = cagd_code_at != NULL ? (int)cagd_code_at->line : 0,
+        is_near = last != NULL && strcmp(last->file, file) == 0;
+    *c = (struct cagd_code_computed){NULL, cagd_code_keep(cagd_code_text(v)),
+                                     is_near ? last->file : cagd_code_keep(file), line, (uintptr_t)operation};
+    *(last != NULL ? &last->next : &o->computed) = c;
+    last = c;
+}
+
 /* All parts but the binary64. */
 static cagd_code_value combine(const struct arithmetic *o, cagd_code_value a, cagd_code_value b)
 {
@@ -75,6 +98,7 @@ static cagd_code_value combine(const struct arithmetic *o, cagd_code_value a, ca
     if (a.f.at != NULL || b.f.at != NULL)
         v.f = o->f(cagd_code_function(a), cagd_code_function(b));
     cagd_code_check_faults();
+    note_result(v);
     return v;
 }
 
@@ -209,6 +233,7 @@ cagd_code_value cagd_code_negative(cagd_code_value a)
         cagd_code_shared(&v, a, -1, (cagd_code_value){.d = 0}, 0, 0);
         cagd_code_note_made(&v, 'n', a, a);
     }
+    note_result(v);
     return v;
 }
 
@@ -236,21 +261,29 @@ double cagd_code_power(double a, int32_t n)
 
 double cagd_code_add(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_sum(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
 double cagd_code_sub(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_difference(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
 double cagd_code_mul(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_product(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
 double cagd_code_div(double a, double b)
 {
+    operation = __builtin_return_address(0);
     return cagd_code_number(cagd_code_quotient(cagd_code_value_of(a), cagd_code_value_of(b)));
 }
-double cagd_code_neg(double a) { return cagd_code_number(cagd_code_negative(cagd_code_value_of(a))); }
+double cagd_code_neg(double a)
+{
+    operation = __builtin_return_address(0);
+    return cagd_code_number(cagd_code_negative(cagd_code_value_of(a)));
+}
 
 /* ---- order ------------------------------------------------------------------------------------------- */
 
@@ -526,6 +559,9 @@ cagd_code_value cagd_code_whole(cagd_code_value a, enum cagd_code_rounding how)
     cagd_code_follow(mpz_get_si(mpq_numref(n.at)));
     if (a.f.at == NULL)
         return whole;
+    int *line = &cagd_code_machine.outcome->whole_line;
+    if (*line == 0 && cagd_code_at != NULL)
+        *line = (int)cagd_code_at->line;
     cagd_num_q one = cagd_from_int_q(1), half = cagd_from_ratio_q(1, 2);
     int sign = cagd_sign_q(n);
     switch (how) {

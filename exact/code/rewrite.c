@@ -825,6 +825,29 @@ static void note_store(struct rewriting *r, LLVMValueRef store)
     called(r, "cagd_code_stored", r->nothing, 2, (LLVMValueRef[]){widened(r, x), string(r, name)});
 }
 
+/* The address that an integer is made of; NULL. */
+static LLVMValueRef address_in(LLVMValueRef x)
+{
+    int is_one = LLVMIsAPtrToIntInst(x) || (LLVMIsAConstantExpr(x) && LLVMGetConstOpcode(x) == LLVMPtrToInt);
+    return is_one ? LLVMGetOperand(x, 0) : NULL;
+}
+
+/* Two addresses that are ordered, or of which the distance is taken. */
+static void look_whether_together(struct rewriting *r, LLVMValueRef instruction)
+{
+    LLVMValueRef a = LLVMGetOperand(instruction, 0), b = LLVMGetOperand(instruction, 1);
+    if (LLVMGetInstructionOpcode(instruction) == LLVMSub) {
+        a = address_in(a);
+        b = address_in(b);
+    } else if (LLVMGetICmpPredicate(instruction) == LLVMIntEQ || LLVMGetICmpPredicate(instruction) == LLVMIntNE) {
+        return;
+    }
+    if (a == NULL || b == NULL || LLVMGetTypeKind(LLVMTypeOf(a)) != LLVMPointerTypeKind)
+        return;
+    stand_before(r, instruction);
+    called(r, "cagd_code_together", r->nothing, 2, (LLVMValueRef[]){as_bytes(r, a), as_bytes(r, b)});
+}
+
 /* ---- the module --------------------------------------------------------------------------------------- */
 
 static void rewrite_instruction(struct rewriting *r, LLVMValueRef instruction)
@@ -877,6 +900,10 @@ static void rewrite_instruction(struct rewriting *r, LLVMValueRef instruction)
     case LLVMStore:
         look_at_access(r, instruction, LLVMGetOperand(instruction, 1), LLVMTypeOf(LLVMGetOperand(instruction, 0)), 1);
         note_store(r, instruction);
+        break;
+    case LLVMICmp:
+    case LLVMSub:
+        look_whether_together(r, instruction);
         break;
     case LLVMAtomicCmpXchg:
         look_at_access(r, instruction, LLVMGetOperand(instruction, 0), LLVMTypeOf(LLVMGetOperand(instruction, 1)), 1);

@@ -25,6 +25,8 @@ struct cagd_code_job {
     int enclose; /* a root or an exponential that is no rational: an interval (rationals only); else refused */
     int no_root_variables; /* in the field such a root is refused: it is wanted as an interval          */
     int memcpy_moves;      /* memcpy between pieces that overlap does what memmove does; else it is refused */
+    int one_object;        /* addresses of different objects are not ordered, and not taken from one another: refused */
+    int note_results;      /* in rationals: what each operation comes to is told                          */
     int inputs;
     const struct cagd_code_input *input;
     long most_values, most_bits, most_seconds, most_megabytes; /* 0: as usual                      */
@@ -79,6 +81,14 @@ struct cagd_code_apart {
     const char *place, *other_place, *got, *other_got;
 };
 
+/* What an operation came to, in their order. */
+struct cagd_code_computed {
+    struct cagd_code_computed *next;
+    const char *value, *file;
+    int line;
+    unsigned long long operation; /* the same for results of one operation in the code */
+};
+
 struct cagd_code_outcome {
     enum cagd_code_end end;
     char message[400];
@@ -94,8 +104,11 @@ struct cagd_code_outcome {
     long overlapping;                       /* calls of memcpy between pieces that overlap                     */
     const struct cagd_code_apart *apart;    /* where stores were noted; else, or where nothing is apart, NULL    */
     char overlapping_at[300];               /* "file:line" of the first of them                                */
-    char kept[100];                         /* the first variable of static storage that is put into, or ""    */
-    int kept_line;                          /* where; 0: a function of the library did it                      */
+    struct cagd_code_computed
+        *computed;  /* where results were noted, all of them; else, or where there are too many, NULL */
+    char kept[100]; /* the first variable of static storage that is put into, or ""    */
+    int whole_line;                         /* the first that makes a whole number of what varies, or 0                   */
+    int kept_line;  /* where; 0: a function of the library did it                      */
 };
 
 struct cagd_code_program;

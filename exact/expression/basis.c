@@ -73,8 +73,15 @@ static void values_at_ends(cagd_basis *b)
     }
 }
 
-const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, const char *index, long first,
-                            long last, const char *parameter, cagd_basis *out)
+static const char *reason_of(const cagd_context *c)
+{
+    if (c->split != NULL || c->has_cut)
+        return "a definition changes within the interval, or at an end that belongs to it";
+    return c->trouble != NULL ? c->trouble : "a value that is not computed";
+}
+
+static const char *read_basis(const cagd_scope *scope, const cagd_tree *function, const char *index, long first,
+                              long last, const char *parameter, cagd_basis *out)
 {
     cagd_context *c = region_bytes(sizeof *c);
     if (c == NULL)
@@ -94,7 +101,7 @@ const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, 
     }
     const cagd_binding *t = cagd_binding_of(c, argument), *p = parameter != NULL ? cagd_binding_of(c, parameter) : NULL;
     if (region_faults != 0 || t == NULL)
-        return c->trouble != NULL ? c->trouble : "a value that is not computed";
+        return reason_of(c);
     out->t = side_of(t);
     if (p != NULL)
         out->range = side_of(p);
@@ -114,17 +121,32 @@ const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, 
     return region_faults != 0 ? "a function that is too large" : NULL;
 }
 
+const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, const char *index, long first,
+                            long last, const char *parameter, cagd_basis *out)
+{
+    const char *why = read_basis(scope, function, index, first, last, parameter, out);
+    region_faults &= FAULT_MEMORY;
+    return why;
+}
+
 /* ---- Wronskians ---------------------------------------------------------------------------------------- */
 
-/* The functions as polynomials in x > 0, all of them times one function, which is positive where the values of the parameter are not
- * *poles, zeros of a polynomial; 0 where their denominators have a sign that is not known. */
-static int as_polynomials(const cagd_basis *b, num_f p[], num_f *poles)
+/* The functions over x > 0, and their common denominator. */
+static num_f over_common_denominator(const cagd_basis *b, num_f p[])
 {
     num_f common = from_int_f(1);
     for (int i = 0; i < b->count; i++)
         p[i] = over_positive_numbers(b->function[i], &b->t);
     for (int i = 0; i < b->count; i++)
         common = mul_f(common, cagd_denominator_f(mul_f(p[i], common)));
+    return common;
+}
+
+/* The functions as polynomials in x > 0, all of them times one function, which is positive where the values of the parameter are not
+ * *poles, zeros of a polynomial; 0 where their denominators have a sign that is not known. */
+static int as_polynomials(const cagd_basis *b, num_f p[], num_f *poles)
+{
+    num_f common = over_common_denominator(b, p);
     *poles = b->has_parameter ? cagd_factor_of_parameter(common, b->range.variable) : from_int_f(1);
     cagd_side_of_box side[2] = {{.variable = b->t.variable, .has_low = 1, .low_open = 1, .low = from_int_q(0)},
                                 b->range};
@@ -194,19 +216,28 @@ static int begin(const cagd_basis *b, num_f p[], num_f *poles, cagd_found *out)
     if (b->others > 0)
         not_known(out, "there are other variables than the parameter");
     else if (!as_polynomials(b, p, poles))
-        not_known(out, "a denominator whose sign is not known");
+        not_known(out, "a denominator is 0 somewhere");
     else
         return 1;
     return 0;
+}
+
+/* The common denominator is not 0 for any t inside. */
+static cagd_constraint has_no_zero(const cagd_basis *b)
+{
+    num_f p[CAGD_MOST_FUNCTIONS], common = over_common_denominator(b, p);
+    cagd_side_of_box x = {.variable = b->t.variable, .has_low = 1, .low_open = 1, .low = from_int_q(0)};
+    return (cagd_constraint){mul_f(common, common), CAGD_MORE_THAN_ZERO, x};
 }
 
 void cagd_basis_defined(const cagd_basis *b, cagd_found *out)
 {
     num_f p[CAGD_MOST_FUNCTIONS], poles;
     *out = (cagd_found){.cases = 1, .domain = parameter_of(b)};
-    if (!begin(b, p, &poles, out))
+    int has_sign = begin(b, p, &poles, out);
+    if (!has_sign && b->others > 0)
         return;
-    cagd_constraint defined = no_pole(b, poles);
+    cagd_constraint defined = has_sign ? no_pole(b, poles) : has_no_zero(b);
     out->known = cagd_cells_of(1, &defined, &out->domain, &out->cells);
     if (!out->known)
         not_known(out, "too many poles");

@@ -40,6 +40,8 @@ static int has_name(const struct cagd_linear *form, const cagd_binding *b)
 
 /* ---- what becomes known -------------------------------------------------------------------------------- */
 
+static int depends(num_f f, num_f x) { return cagd_degree_f(f, x) > 0 || cagd_denominator_degree_f(f, x) > 0; }
+
 static void forget_signs(cagd_context *c) { c->memos = 0; }
 
 /* x > r, x >= r, x < r, x <= r for the name alone. */
@@ -79,16 +81,16 @@ int cagd_limit_cell(cagd_context *c, num_f form, int strict)
     return 1;
 }
 
-/* x is that function of the other variables from now on. */
-static int becomes(cagd_context *c, cagd_binding *b, num_f value)
+int cagd_becomes_in_cell(cagd_context *c, cagd_binding *b, num_f value)
 {
     num_f x = b->value.f;
     cagd_binding known = *b;
     int count = c->limits, good = 1;
     b->unknown = 0, b->solved = 1, b->value = cagd_value_f(value);
+    forget_signs(c);
     for (int k = 0; k < c->count; k++) {
         cagd_binding *other = &c->binding[k];
-        if (!other->unknown && !other->value.rational)
+        if (!other->unknown && !other->value.rational && depends(other->value.f, x))
             other->value = cagd_value_f(substitute_f(other->value.f, x, value));
     }
     c->limits = 0;
@@ -122,7 +124,7 @@ int cagd_solve_in_cell(cagd_context *c, num_f form)
     if (best == NULL)
         return 0;
     num_f x = best->value.f;
-    return becomes(c, best, sub_f(x, div_f(form, from_rational_f(coefficient_of(&at, best)))));
+    return cagd_becomes_in_cell(c, best, sub_f(x, div_f(form, from_rational_f(coefficient_of(&at, best)))));
 }
 
 int cagd_cut_cell(cagd_context *c, const cagd_cut *cut)
@@ -214,6 +216,15 @@ static int known_of(const cagd_context *c, const struct cagd_linear *form, struc
     return region_faults == 0;
 }
 
+/* Whether all variables of the form are names without values: of any other nothing is known. */
+static int is_of_names(const cagd_context *c, const struct cagd_linear *form)
+{
+    int names = 0;
+    for (int k = 0; k < c->count; k++)
+        names += has_name(form, &c->binding[k]);
+    return names == form->count;
+}
+
 static int is_solvable(const struct system *s)
 {
     return cagd_inequalities(s->names + 1, s->count, s->form, s->strict).solvable;
@@ -259,7 +270,7 @@ unsigned cagd_signs_of_form(cagd_context *c, num_f form)
         if (equal_f(c->memo[k].form, form))
             return c->memo[k].signs;
     region_mark mark = region_open();
-    if (cagd_linear_f(form, &at) && known_of(c, &at, &s)) {
+    if (cagd_linear_f(form, &at) && is_of_names(c, &at) && known_of(c, &at, &s)) {
         int known = s.count;
         signs = 0;
         add_form(c, &s, &at, 0, 1);
@@ -312,7 +323,7 @@ static void note(cagd_context *c, num_f form)
         const cagd_binding *b = &c->binding[k];
         if (has_name(&at, b))
             term[count++] = (cagd_cut_term){b->key, b->variable, coefficient_of(&at, b)};
-        if (has_name(&at, b) && b->key[0] == '\0')
+        if (has_name(&at, b) && (b->key[0] == '\0' || b->has_root))
             return;
     }
     if (count < at.count || count == 0)
@@ -369,8 +380,6 @@ static unsigned signs_of_polynomial(cagd_context *c, num_f p, int as_divisor)
         return CAGD_ANY_SIGN;
     return cagd_sign_q(rest) < 0 ? minus(signs) : signs;
 }
-
-static int depends(num_f f, num_f x) { return cagd_degree_f(f, x) > 0 || cagd_denominator_degree_f(f, x) > 0; }
 
 /* The variables that stand at a place have its value. */
 static cagd_value settled(const cagd_context *c, cagd_value d)

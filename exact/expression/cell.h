@@ -14,6 +14,8 @@
  * answer is 0.  0 also where there is no room. */
 int cagd_limit_cell(cagd_context *c, cagd_num_f form, int strict);
 int cagd_solve_in_cell(cagd_context *c, cagd_num_f form);
+/* The name becomes that function of the other variables; 0 where something that was known of it is lost. */
+int cagd_becomes_in_cell(cagd_context *c, cagd_binding *b, cagd_num_f value);
 /* Makes what the cut says known; its names get variables of the field if they have no values. */
 int cagd_cut_cell(cagd_context *c, const cagd_cut *cut);
 /* Whether there are no values at all; what is known at `c`. */

@@ -4,9 +4,11 @@
 #include "exact/expression/cell.h"
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
+#include "exact/expression/irrational.h"
 #include "exact/expression/order.h"
 #include "exact/expression/positive.h"
 #include "exact/expression/suppose.h"
+#include "exact/expression/tie.h"
 #include "exact/number/recorder.h"
 #include "exact/record/trace.h"
 #include "exact/words.h"
@@ -15,7 +17,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_WHOLE = 8, FIRST_CASES = 8, QUICK_CASES = 16, MOST_CHANGES = 60, MOST_CONSTRAINTS = 200, FIELD_ROOM = 32 };
+enum {
+    MOST_WHOLE = 8,
+    FIRST_CASES = 8,
+    QUICK_CASES = 16,
+    MOST_CHANGES = 60,
+    MOST_CONSTRAINTS = 200,
+    FIELD_ROOM = 32,
+    MOST_DIVISORS = 24
+};
 
 /* One run over a statement. */
 struct run {
@@ -30,6 +40,8 @@ struct run {
         *take; /* NULL, or where each case goes with what was noted; `unnoted`: it is not the whole evidence */
     void *data;
     int unnoted;
+    int undefined;           /* in some part a side was not defined */
+    int untied, ties;        /* equalities of higher degree are not used (tie.h); how many were                 */
     struct collection *into; /* NULL, or where constraints of a parameter are collected and nothing is decided */
     const cagd_variable *whole[MOST_WHOLE];
     int wholes;
@@ -39,6 +51,7 @@ struct run {
 /* What the cases ask of a parameter. */
 struct collection {
     const char *parameter;
+    int poles; /* numbers for which a divisor of a side is 0 are none of those that are looked for */
     cagd_constraint constraint[MOST_CONSTRAINTS];
     const char *other[MOST_CONSTRAINTS]; /* the name of its other variable */
     cagd_given chosen[MOST_CONSTRAINTS][MOST_WHOLE];
@@ -113,27 +126,33 @@ struct part {
     cagd_piece piece[CAGD_MOST_PIECES];
     int pieces;
     cagd_given number[CAGD_MOST_PIECES];
+    const cagd_variable *of_number[CAGD_MOST_PIECES]; /* their declarations, or NULL */
     int numbers;
     cagd_cut cut[CAGD_MOST_CUTS_OF_CELL];
     int cuts;
+    int apart;   /* so many of the numbers are those of a place that a tie leaves out (tie.h) */
     int touches; /* an equality is among them: it is a part of lower dimension */
 };
 
 static void begin(const struct run *r, const struct part *p, cagd_context *c)
 {
     *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
+    c->untied = r->untied, c->has_roots = 1;
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
-    for (int k = 0; k < p->numbers; k++)
-        cagd_bind(c, p->number[k].name, cagd_value_q(p->number[k].value));
     memcpy(c->piece, p->piece, sizeof p->piece);
     c->pieces = p->pieces;
-    for (int k = 0; k < p->cuts; k++)
-        cagd_cut_cell(c, &p->cut[k]);
     if (r->into != NULL) { /* the parameter is a variable of every case, the same one */
         cagd_tree name = {.kind = CAGD_NAME, .head = r->into->parameter};
         cagd_evaluate(c, &name);
     }
+    for (int k = 0; k < p->numbers; k++) {
+        cagd_binding *b = cagd_bind(c, p->number[k].name, cagd_value_constant(p->number[k].value));
+        if (b != NULL)
+            b->variable = p->of_number[k];
+    }
+    for (int k = 0; k < p->cuts; k++)
+        cagd_cut_cell(c, &p->cut[k]);
 }
 
 /* The sides of the box of all variables that are known. */
@@ -194,6 +213,31 @@ static void give(cagd_finding *f, cagd_given one)
     f->example[place] = one;
 }
 
+/* All names of the page with their values; that of the name `root_of` is a root, if there is one. */
+static void give_all(cagd_finding *f, const cagd_context *c, const num_q value[], int root_of,
+                     const struct cagd_root *root)
+{
+    f->has_example = 1;
+    for (int m = 0; m < c->count; m++) {
+        const cagd_binding *b = &c->binding[m];
+        const struct cagd_root *r = m == root_of ? root : b->has_root && b->unknown ? &b->root : NULL;
+        if (b->key[0] != '\0' && !b->hidden)
+            give(f, (cagd_given){b->key, b->unknown || b->solved ? value[m] : b->value.q,
+                                 r != NULL ? cagd_told_root(*r) : NULL});
+    }
+}
+
+/* Refuted by a number that is no rational one. */
+static int refuted_at_root(cagd_finding *f, const cagd_context *c, const cagd_tree *t, int k)
+{
+    cagd_irrational_example *e = region_bytes(sizeof *e);
+    if (e == NULL || !cagd_find_irrational_example(c, t, k, e))
+        return 0;
+    f->has_root = 1, f->order = e->order;
+    give_all(f, c, e->value, e->of, &e->root);
+    return 1;
+}
+
 /* a relation b is refuted: by small numbers that are looked for, or by those that are given. */
 static cagd_answer refuted_at(struct run *r, cagd_context *c, const cagd_tree *t, int k, const num_q at[])
 {
@@ -208,14 +252,11 @@ static cagd_answer refuted_at(struct run *r, cagd_context *c, const cagd_tree *t
         memcpy(value, at, sizeof value);
         found = cagd_is_example(c, t, k, value, &f->left, &f->right);
     }
+    if (!found && refuted_at_root(f, c, t, k))
+        return CAGD_FAILS;
     if (!found)
         return undecided(r, c, "no numbers were found for which it is false, though it is no identity");
-    f->has_example = 1;
-    for (int m = 0; m < c->count; m++) {
-        const cagd_binding *b = &c->binding[m];
-        if (b->key[0] != '\0')
-            give(f, (cagd_given){b->key, b->unknown || b->solved ? value[m] : b->value.q});
-    }
+    give_all(f, c, value, -1, NULL);
     return CAGD_FAILS;
 }
 
@@ -239,7 +280,32 @@ static void collect(struct run *r, cagd_constraint one, const char *other)
     into->other[into->count++] = other;
 }
 
-/* The relation a >= b, a > b, or a = b as a constraint of the parameter; with an inequality its value must not be a pole. */
+/* Whether all that is known of the names in p, and of the parameter, are their bounds. */
+static int has_bounds_alone(const cagd_context *c, num_f p, const cagd_binding *parameter)
+{
+    for (int m = 0; m < c->count; m++) {
+        const cagd_binding *b = &c->binding[m];
+        const cagd_variable *v = b->variable;
+        if (!b->unknown || (b != parameter && degree_f(p, b->value.f) < 1))
+            continue;
+        if (b->has_root || (v != NULL && ((v->low != NULL && !b->has_low) || (v->high != NULL && !b->has_high))))
+            return 0;
+        for (int i = 0; i < c->limits; i++)
+            if (degree_f(c->limit[i].form, b->value.f) > 0)
+                return 0;
+    }
+    return c->missing == 0 && !c->loose;
+}
+
+/* A value of the parameter for which the polynomial is 0 whatever the other names are is none of those that are looked for. */
+static void collect_poles(struct run *r, num_f p, const cagd_binding *parameter)
+{
+    num_f poles = cagd_factor_of_parameter(p, parameter->value.f);
+    if (!is_constant_f(poles, NULL) && r->into->count < MOST_CONSTRAINTS)
+        collect(r, (cagd_constraint){mul_f(poles, poles), CAGD_MORE_THAN_ZERO, {.variable = parameter->value.f}}, NULL);
+}
+
+/* The relation a >= b, a > b, a = b, or a \ne b as a constraint of the parameter; its value must not be a pole. */
 static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relation, cagd_value d)
 {
     struct collection *into = r->into;
@@ -247,16 +313,19 @@ static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relat
     cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
     int of[CAGD_MOST_UNKNOWNS], count = sides(c, side, of);
     r->out->comparisons++;
-    if (relation == CAGD_NOT_EQUAL)
-        return undecided(r, c, "a relation that is not understood with :find:");
-    if (into->count + 2 > MOST_CONSTRAINTS)
+    if (into->count + 1 + c->divisors >= MOST_CONSTRAINTS)
         return undecided(r, c, "too many cases");
     num_f f = cagd_in_field(d), n = cagd_numerator_f(f),
-          p = relation == CAGD_EQUAL ? n : mul_f(n, cagd_denominator_f(f));
+          p = relation == CAGD_EQUAL       ? n
+              : relation == CAGD_NOT_EQUAL ? mul_f(n, n)
+                                           : mul_f(n, cagd_denominator_f(f));
     cagd_constraint one = {.p = p,
-                           .demand = relation == CAGD_EQUAL                              ? CAGD_ZERO
-                                     : relation == CAGD_LESS || relation == CAGD_GREATER ? CAGD_MORE_THAN_ZERO
-                                                                                         : CAGD_AT_LEAST_ZERO};
+                           .demand = relation == CAGD_EQUAL ? CAGD_ZERO
+                                     : relation == CAGD_LESS_OR_EQUAL || relation == CAGD_GREATER_OR_EQUAL
+                                         ? CAGD_AT_LEAST_ZERO
+                                         : CAGD_MORE_THAN_ZERO};
+    if (!has_bounds_alone(c, p, parameter))
+        return undecided(r, c, "a condition or a bound that is not understood with :find:");
     const char *other = NULL;
     for (int m = 0; m < count; m++) {
         const cagd_binding *b = &c->binding[of[m]];
@@ -272,9 +341,10 @@ static cagd_answer collected(struct run *r, cagd_context *c, cagd_relation relat
     if (other == NULL)
         one.t.variable = parameter->value.f;
     collect(r, one, other);
-    num_f poles = cagd_factor_of_parameter(cagd_denominator_f(f), parameter->value.f);
-    if (relation != CAGD_EQUAL && !is_constant_f(poles, NULL))
-        collect(r, (cagd_constraint){mul_f(poles, poles), CAGD_MORE_THAN_ZERO, {.variable = parameter->value.f}}, NULL);
+    if (relation != CAGD_EQUAL)
+        collect_poles(r, cagd_denominator_f(f), parameter);
+    for (int i = 0; into->poles && i < c->divisors; i++)
+        collect_poles(r, c->divisor[i], parameter);
     return CAGD_HOLDS;
 }
 
@@ -343,13 +413,25 @@ static int is_zero_with_squares(cagd_context *c, num_f d)
     return region_faults == 0 && cagd_is_zero_f(p);
 }
 
+/* Whether n/m > 0 in the box wherever m is not 0, n and m having no factor in common. */
+static int is_positive_but_at_poles(num_f n, num_f m, int count, const cagd_side_of_box side[])
+{
+    num_q point[CAGD_MOST_UNKNOWNS];
+    int unused;
+    return cagd_positive_in_box(mul_f(n, m), 0, count, side, point, &unused) == CAGD_HOLDS &&
+           (cagd_positive_in_box(n, 1, count, side, point, &unused) == CAGD_HOLDS ||
+            cagd_positive_in_box(neg_f(n), 1, count, side, point, &unused) == CAGD_HOLDS);
+}
+
 /* The relation number k of the chain t for two values. */
 static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
 {
     cagd_relation relation = t->relation[k];
-    cagd_value d =
-        relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL ? cagd_value_sub(b, a) : cagd_value_sub(a, b);
+    cagd_value d = cagd_at_roots(c, relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL ? cagd_value_sub(b, a)
+                                                                                            : cagd_value_sub(a, b));
     int names = 0;
+    if (region_faults != 0)
+        return CAGD_UNDECIDED;
     if (r->into != NULL)
         return collected(r, c, relation, d);
     for (int m = 0; m < c->count; m++)
@@ -386,6 +468,10 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
     } else {
         int one_sign = cagd_positive_in_box(m, 1, count, side, point, &rational) == CAGD_HOLDS;
         answer = cagd_positive_in_box(one_sign ? n : mul_f(n, m), strict, count, side, point, &rational);
+        if (answer != CAGD_HOLDS && strict && !one_sign && is_positive_but_at_poles(n, m, count, side)) {
+            r->out->leaves_out_poles = 1;
+            return CAGD_HOLDS;
+        }
         if (answer == CAGD_FAILS)
             return refuted(r, c, t, k, rational ? point : NULL, of, count);
     }
@@ -394,8 +480,14 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
 
 static cagd_answer decide_part(struct run *r, const struct part *p);
 
+static void put_number(struct part *p, const char *key, const cagd_variable *v, num_q at)
+{
+    p->of_number[p->numbers] = v;
+    p->number[p->numbers++] = (cagd_given){key, at, NULL};
+}
+
 /* The variable `key` below the number, at it, and above it. */
-static cagd_answer split(struct run *r, const struct part *p, const char *key, num_q at)
+static cagd_answer split(struct run *r, const struct part *p, const char *key, const cagd_variable *v, num_q at)
 {
     cagd_answer answer = CAGD_HOLDS;
     if (r->into != NULL) {
@@ -410,7 +502,7 @@ static cagd_answer split(struct run *r, const struct part *p, const char *key, n
             return CAGD_UNDECIDED;
         q.touches |= which == 1;
         if (which == 1)
-            q.number[q.numbers++] = (cagd_given){key, at};
+            put_number(&q, key, v, at);
         else
             q.piece[q.pieces++] = (cagd_piece){key, which == 0, at};
         answer = worse(answer, decide_part(r, &q));
@@ -442,11 +534,54 @@ static cagd_answer cut(struct run *r, const struct part *p, const cagd_cut *wher
     return answer;
 }
 
-/* What is noted in the context: a name to split or a form to cut. */
-static int is_to_be_cut(const cagd_context *c) { return c->split != NULL || c->has_cut; }
+/* The name is one of the roots: that number, or between two numbers that are near. */
+static cagd_answer at_roots(struct run *r, const struct part *p, const cagd_context *c)
+{
+    cagd_answer answer = CAGD_HOLDS;
+    for (int k = 0; k < c->roots && answer != CAGD_FAILS; k++) {
+        struct part *q = region_bytes(sizeof *q);
+        if (q == NULL || p->pieces + 2 > CAGD_MOST_PIECES || p->numbers == CAGD_MOST_PIECES ||
+            cagd_seconds() > r->until)
+            return CAGD_UNDECIDED;
+        *q = *p;
+        if (cagd_equal_q(c->root[k].lo, c->root[k].hi)) {
+            put_number(q, c->rooted->key, c->rooted->variable, c->root[k].lo);
+        } else {
+            q->piece[q->pieces++] = (cagd_piece){c->rooted->key, 0, c->root[k].lo};
+            q->piece[q->pieces++] = (cagd_piece){c->rooted->key, 1, c->root[k].hi};
+        }
+        answer = worse(answer, decide_part(r, q));
+    }
+    return answer;
+}
+
+/* What is noted in the context: a name that has several values, a name to split, or a form to cut. */
+static int is_to_be_cut(const cagd_context *c) { return c->rooted != NULL || c->split != NULL || c->has_cut; }
 static cagd_answer cut_further(struct run *r, const struct part *p, const cagd_context *c)
 {
-    return c->split != NULL ? split(r, p, c->split, c->split_at) : cut(r, p, &c->cut);
+    if (c->rooted != NULL)
+        return at_roots(r, p, c);
+    const cagd_binding *b = c->split != NULL ? cagd_binding_of((cagd_context *)c, c->split) : NULL;
+    return c->split != NULL ? split(r, p, c->split, b != NULL ? b->variable : NULL, c->split_at) : cut(r, p, &c->cut);
+}
+
+/* The numbers of the part are within what was declared of their names; 0 where one is not. */
+static int limit_numbers(cagd_context *c)
+{
+    for (int k = 0; k < c->count; k++) {
+        const cagd_variable *v = c->binding[k].variable;
+        if (c->binding[k].unknown || c->binding[k].solved || v == NULL || v->whole)
+            continue;
+        for (int high = 0; high < 2; high++) {
+            const cagd_tree *end = high ? v->high : v->low;
+            cagd_value d = end != NULL ? cagd_value_sub(c->binding[k].value, cagd_evaluate(c, end)) : cagd_value_int(0);
+            if (end == NULL || region_faults != 0)
+                continue;
+            int strict = high ? v->high_open : v->low_open;
+            cagd_limit_cell(c, high ? neg_f(cagd_in_field(d)) : cagd_in_field(d), strict);
+        }
+    }
+    return !c->is_empty;
 }
 
 /* An empty piece has no numbers. */
@@ -486,7 +621,7 @@ static int note_inequality(const cagd_context *c, cagd_relation relation, cagd_v
 static void note_step(struct run *r, const cagd_context *c, cagd_relation relation, cagd_value a, cagd_value b)
 {
     for (int m = 0; m < c->count; m++)
-        r->unnoted |= c->binding[m].solved;
+        r->unnoted |= (c->binding[m].solved && !c->binding[m].is_tied) || c->binding[m].has_root;
     r->unnoted |= relation != CAGD_EQUAL && (c->limits > 0 || !note_inequality(c, relation, a, b));
     if (!r->unnoted && relation == CAGD_EQUAL)
         cagd_trace_same(node_of(a), node_of(b), 1);
@@ -534,6 +669,58 @@ static cagd_answer decide_truth(struct run *r, cagd_context *c, const cagd_tree 
     return is == 1 ? CAGD_HOLDS : refuted_at(r, c, t, -1, NULL);
 }
 
+/* What the angles and circles of the part leave out, with the numbers that it has there.  Of equalities and of weak inequalities
+ * between functions without cases nothing is left out by an angle: both sides are continuous. */
+static cagd_answer decide_apart(struct run *r, const struct part *p, const cagd_context *c)
+{
+    int is_continuous = r->premise == NULL && r->scope->condition_count == 0 && !c->used_bounds;
+    for (int m = 0; m < (r->claim->kind == CAGD_ALL ? r->claim->count : 1); m++) {
+        const cagd_tree *t = r->claim->kind == CAGD_ALL ? r->claim->at[m] : r->claim;
+        is_continuous = is_continuous && t->kind == CAGD_RELATION;
+        for (int k = 0; is_continuous && k + 1 < t->count; k++)
+            is_continuous = t->relation[k] == CAGD_EQUAL || t->relation[k] == CAGD_LESS_OR_EQUAL ||
+                            t->relation[k] == CAGD_GREATER_OR_EQUAL;
+    }
+    cagd_answer answer = CAGD_HOLDS;
+    for (int k = 0; k < c->aparts && !is_continuous && answer != CAGD_FAILS; k++) {
+        struct part *q = region_bytes(sizeof *q);
+        if (q == NULL || p->numbers + 2 > CAGD_MOST_PIECES || cagd_seconds() > r->until)
+            return CAGD_UNDECIDED;
+        *q = *p;
+        q->touches = 1;
+        for (int m = 0; m < c->apart[k].count; m++)
+            put_number(q, c->apart[k].key[m], c->apart[k].variable[m], c->apart[k].value[m]);
+        q->apart += c->apart[k].count;
+        answer = worse(answer, decide_part(r, q));
+    }
+    return answer;
+}
+
+/* Whether some divisor may be 0: it is not seen that it cannot. */
+static int divides_by_0(cagd_context *c)
+{
+    int can_be_zero = 0;
+    for (int i = 0; i < c->divisors && !can_be_zero; i++) {
+        can_be_zero = (cagd_signs(c, cagd_value_f(c->divisor[i])) & CAGD_CAN_BE_ZERO) != 0 || region_faults != 0;
+        region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    }
+    return can_be_zero;
+}
+
+/* The names that stand for all numbers. */
+static void note_names(cagd_finding *f, const cagd_context *c)
+{
+    for (int k = 0; k < c->count; k++) {
+        const cagd_binding *b = &c->binding[k];
+        const char *name = b->angle != NULL ? b->angle : b->key;
+        int known = (!b->unknown && !b->solved) || b->hidden || name[0] == '\0' || f->names == CAGD_MOST_UNKNOWNS;
+        for (int m = 0; m < f->names; m++)
+            known |= strcmp(f->name[m], name) == 0;
+        if (!known)
+            f->name[f->names++] = name;
+    }
+}
+
 static cagd_answer decide_part(struct run *r, const struct part *p)
 {
     cagd_context *c = region_bytes(sizeof *c);
@@ -541,12 +728,19 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
         return CAGD_UNDECIDED;
     begin(r, p, c);
     r->out->pieces++;
-    r->unnoted |= p->pieces > 0 || p->numbers > 0 || p->cuts > 0 || r->premise != NULL;
-    int is = region_faults == 0 ? cagd_suppose_conditions(c, &r->out->missing_conditions) : 1;
+    r->unnoted |= p->pieces > 0 || p->numbers > p->apart || p->cuts > 0 || r->premise != NULL;
+    int is = region_faults == 0 ? cagd_suppose_conditions(c) : 1;
     if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
         return CAGD_UNDECIDED;
-    if (is == 0 || is_empty(c))
+    if (!c->scope->zero_over_zero && r->take == NULL && !r->quick && !r->out->leaves_out_poles) {
+        c->divisor = cagd_region_array(MOST_DIVISORS, 1, sizeof *c->divisor);
+        c->most_divisors = c->divisor != NULL ? MOST_DIVISORS : 0, c->tells_poles = 1;
+    }
+    r->ties += c->ties;
+    if (!limit_numbers(c))
         return CAGD_HOLDS;
+    if (is == 0 || is_empty(c))
+        return decide_apart(r, p, c);
     if (is < 0)
         return cut_further(r, p, c);
     cagd_answer answer = CAGD_HOLDS;
@@ -560,7 +754,7 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
             return CAGD_UNDECIDED;
         if (cuts || (region_faults != 0 && is_to_be_cut(c))) {
             region_faults = 0;
-            return is_empty(c) ? CAGD_HOLDS : cut_further(r, p, c);
+            return is_empty(c) ? decide_apart(r, p, c) : cut_further(r, p, c);
         }
         if (region_faults == FAULT_UNDEFINED && p->touches) { /* it is said of where both sides are defined */
             region_faults = 0;
@@ -568,24 +762,21 @@ static cagd_answer decide_part(struct run *r, const struct part *p)
             continue;
         }
         if (region_faults != 0) {
+            r->undefined |= (region_faults & FAULT_UNDEFINED) != 0;
             region_faults = 0;
-            return is_empty(c) ? CAGD_HOLDS : undecided(r, c, "a value that is not computed");
+            return is_empty(c) ? decide_apart(r, p, c) : undecided(r, c, "a value that is not computed");
         }
         answer = worse(answer, one);
     }
     r->out->bounded |= c->used_bounds;
     r->out->leaves_out_poles |= c->omits_poles;
     r->out->one_sided |= c->one_sided;
-    for (int k = 0; k < c->count; k++) {
-        cagd_finding *f = r->out;
-        int known = (!c->binding[k].unknown && !c->binding[k].solved) || c->binding[k].key[0] == '\0' ||
-                    f->names == CAGD_MOST_UNKNOWNS;
-        for (int m = 0; m < f->names; m++)
-            known |= strcmp(f->name[m], c->binding[k].key) == 0;
-        if (!known)
-            f->name[f->names++] = c->binding[k].key;
-    }
-    return answer;
+    for (int k = 0; k < c->sums.count; k++)
+        cagd_note_sum(&r->out->sums, c->sums.sum[k], c->sums.had_terms[k]);
+    if (answer == CAGD_HOLDS && r->into == NULL && !r->quick && !r->out->leaves_out_poles)
+        r->out->leaves_out_poles = divides_by_0(c);
+    note_names(r->out, c);
+    return answer == CAGD_FAILS ? answer : worse(answer, decide_apart(r, p, c));
 }
 
 /* ---- all cases ----------------------------------------------------------------------------------------- */
@@ -671,7 +862,7 @@ static void decide_cases(struct run *r, int level)
     for (long m = low; m <= high; m++) {
         region_mark mark = region_open();
         int kept = r->out->has_example, why = r->out->why != NULL, names = r->out->names;
-        r->chosen[level] = (cagd_given){v->head, from_int_q(m)};
+        r->chosen[level] = (cagd_given){v->head, from_int_q(m), NULL};
         decide_cases(r, level + 1);
         /* What was found lives on; a case that found nothing new leaves nothing behind. */
         if (r->into == NULL && r->out->has_example == kept && (r->out->why != NULL) == why && r->out->names == names)
@@ -705,11 +896,18 @@ static int speaks_of(const cagd_scope *scope, const cagd_tree *condition, const 
     return 0;
 }
 
+/* x \ne y: what is proved without it, is proved. */
+static int is_inequation(const cagd_tree *t)
+{
+    return t->kind == CAGD_RELATION && t->count == 2 && t->relation[0] == CAGD_NOT_EQUAL;
+}
+
 /* Whether there is one whole number alone, on which no condition depends; then it begins at *low. */
 static int has_one_number(struct run *r, long *low)
 {
     for (int k = 0; k < r->scope->condition_count; k++)
-        if (speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+        if (!is_inequation(r->scope->conditions[k]) &&
+            speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
             return 0;
     if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, low))
         return 0;
@@ -728,10 +926,13 @@ static int proved_for_every(struct run *r)
     return r->out->for_every;
 }
 
-static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
+/* How many equalities of higher degree were used; 0 where some side was not defined. */
+static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, int untied,
+                      cagd_finding *out)
 {
     struct run r = {
         .scope = scope, .statement = statement, .out = out, .until = cagd_seconds() + seconds, .quick = quick};
+    r.untied = untied;
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     for (int room = FIELD_ROOM;; room = CAGD_FIELD_MAX_VARIABLES) {
         *out = (cagd_finding){.answer = CAGD_UNDECIDED};
@@ -761,6 +962,20 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
     out->answer = out->has_example                                                                 ? CAGD_FAILS
                   : out->undecided > 0 || out->failing > 0 || out->out_of_time || out->first_alone ? CAGD_UNDECIDED
                                                                                                    : CAGD_HOLDS;
+    return r.undefined ? 0 : r.ties;
+}
+
+/* Bounds of names that are functions of others may be lost: then what is supposed is left out, as it may be. */
+static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
+{
+    double until = cagd_seconds() + seconds;
+    int ties = check_once(scope, statement, seconds, quick, 0, out);
+    cagd_finding *again = out->answer == CAGD_UNDECIDED && ties > 0 ? region_bytes(sizeof *again) : NULL;
+    if (again == NULL || cagd_seconds() > until)
+        return;
+    check_once(scope, statement, until - cagd_seconds(), quick, 1, again);
+    if (again->answer != CAGD_UNDECIDED)
+        *out = *again;
 }
 
 /* Names without meaning and numbers alone: a condition, if it is no statement. */
@@ -769,10 +984,17 @@ static int is_of_plain_names(const cagd_scope *scope, const cagd_tree *t, int *n
     int plain = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
                 t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION;
     if (t->kind == CAGD_NAME)
-        return ++*names, t->order == 0 && cagd_defined(scope, t->head) == NULL;
+        return ++*names, t->order == 0 && (cagd_defined(scope, t->head) == NULL || has_value(scope, t->head));
     for (int k = 0; k < t->count && plain; k++)
         plain = is_of_plain_names(scope, t->at[k], names);
     return plain;
+}
+
+/* x = ..., x meaning nothing else. */
+static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
+{
+    return t->kind == CAGD_RELATION && t->count == 2 && t->relation[0] == CAGD_EQUAL && t->at[0]->kind == CAGD_NAME &&
+           t->at[0]->count == 0 && cagd_defined(scope, t->at[0]->head) == NULL;
 }
 
 /* "A, \quad u + v = 1" with the parts of plain names behind the first supposed; NULL where there are none. */
@@ -785,7 +1007,8 @@ static const cagd_tree *with_parts_supposed(const cagd_scope *scope, const cagd_
         return NULL;
     said->count = supposed->count = 0;
     for (int k = 0; k < t->count; k++) {
-        int names = 0, plain = k > 0 && is_of_plain_names(scope, t->at[k], &names) && names > 0;
+        int names = 0, plain = k > 0 && (tells_a_name(scope, t->at[k]) ||
+                                         (is_of_plain_names(scope, t->at[k], &names) && names > 0));
         cagd_tree *to = plain ? supposed : said;
         to->at[to->count++] = t->at[k];
     }
@@ -857,7 +1080,7 @@ static int certify_example(const cagd_scope *scope, const cagd_finding *found, c
 {
     static const char *const printed[] = {NULL, "!=", "<", "<=", ">", ">="};
     cagd_context *c = region_bytes(sizeof *c);
-    if (c == NULL || !found->has_example || found->of_left == NULL)
+    if (c == NULL || !found->has_example || found->has_root || found->of_left == NULL)
         return 0;
     *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     field_open(FIELD_ROOM);
@@ -918,7 +1141,7 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
     out->says_nothing = same || (out->changes > 0 && out->noticed == 0 && cagd_seconds() < until);
 }
 
-void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
+void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, int poles, double seconds,
                cagd_found *out)
 {
     cagd_finding *f = region_bytes(sizeof *f);
@@ -927,7 +1150,7 @@ void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *
     if (f == NULL || into == NULL)
         return;
     *f = (cagd_finding){0};
-    *into = (struct collection){.parameter = parameter};
+    *into = (struct collection){.parameter = parameter, .poles = poles};
     struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds, .into = into};
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     field_open(FIELD_ROOM);

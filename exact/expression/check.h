@@ -13,10 +13,11 @@
 /* How strong the answer is: an identity of rational functions, or finitely many exact decisions. */
 typedef enum cagd_strength { CAGD_BY_NOTHING, CAGD_BY_DECISION, CAGD_BY_IDENTITY } cagd_strength;
 
-/* A name and its value in an example: both live in the region. */
+/* A name and its value in an example, a number or a root that is none: both live in the region. */
 typedef struct cagd_given {
     const char *name;
     cagd_num_q value;
+    const struct cagd_root *root; /* NULL, or what the value is instead */
 } cagd_given;
 
 typedef struct cagd_finding {
@@ -27,8 +28,9 @@ typedef struct cagd_finding {
     int first_alone; /* of a range without end the first cases hold, and of the others nothing is known */
     int out_of_time; /* not all cases were reached                                              */
 
-    /* The first case that fails; FAILS without an example when its coordinates are no rationals. */
-    int has_example, given;
+    /* The first case that fails.  Where one of its numbers is a root, the sides are not computed, and `order` is the sign of left -
+     * right. */
+    int has_example, given, has_root, order;
     cagd_given example[CAGD_MOST_UNKNOWNS];
     cagd_num_q left, right;
     cagd_relation relation; /* the one that does not hold between left and right                       */
@@ -43,11 +45,11 @@ typedef struct cagd_finding {
     const char *name[CAGD_MOST_UNKNOWNS];
     int for_every; /* it was proved for every number of a range without end: the first ones, and by `every`  */
     cagd_every every;
-    int changes, noticed;   /* ways in which the statement was changed (change.h), and how many of them fail      */
-    int says_nothing;       /* it holds however it is changed, or both sides are one formula                     */
-    int leaves_out_poles;   /* said of where both sides are defined: there are values where one is not     */
-    int one_sided;          /* derivatives were taken at the end of where a function is defined, from inside */
-    int missing_conditions; /* conditions that were supposed and not used: the answer holds without them */
+    int changes, noticed; /* ways in which the statement was changed (change.h), and how many of them fail      */
+    int says_nothing;     /* it holds however it is changed, or both sides are one formula                     */
+    int leaves_out_poles; /* said of where both sides are defined: there are values where one is not     */
+    cagd_sums_met sums;   /* those without terms are over nothing in every case                             */
+    int one_sided;        /* derivatives were taken at the end of where a function is defined, from inside */
 } cagd_finding;
 
 /* The statement, within so many seconds.  The field is opened anew: no element of an earlier one may be alive.  What is found
@@ -68,7 +70,8 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
 
 /* For which values of the parameter, a declared name without indices, the statement holds for all other names within their bounds: each case
  * of the whole numbers gives constraints of one other name at most.  In `cells` the numbers where it begins or ceases to hold are
- * among others; breaking[k] has the whole numbers of the case that breaks cell k first. */
+ * among others; breaking[k] has the whole numbers of the case that breaks cell k first.  With `poles`, a number for which a divisor is 0
+ * whatever the other names are is none for which it holds. */
 typedef struct cagd_found {
     int known; /* 0: not found, and `why` says what was in the way */
     const char *why;
@@ -80,7 +83,7 @@ typedef struct cagd_found {
     const char *name_of_witness[CAGD_MOST_CUTS + 1]; /* of which name cells.witness is a value, or NULL */
     cagd_given breaking[CAGD_MOST_CUTS + 1][8];
 } cagd_found;
-void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
+void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, int poles, double seconds,
                cagd_found *out);
 
 /* Whether the name occurs in the statement, or in the definitions that it uses. */

@@ -173,7 +173,7 @@ static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
         return 0;
     long begin = mpz_get_si(mpq_numref(first.at)), end = mpz_get_si(mpq_numref(last.at));
     cagd_frame inner = {t->head, {.f = s->k}, f};
-    if (s->from + end + 1 < begin || !cagd_take(s, t->at[2], &inner, 1, &terms) ||
+    if (s->from + end + 1 < begin || !cagd_take_within(s, t->at[2], &inner, begin, end, &terms) ||
         !cagd_divisors_are_not_zero(s, begin, end))
         return 0;
     while (begin < FURTHEST && cagd_is_zero_f(substitute_f(terms.rational, s->k, from_int_f(begin))) &&

@@ -1,12 +1,13 @@
 #include "exact/expression/evaluate.h"
 
 #include "exact/expression/cell.h"
+#include "exact/expression/tie.h"
 #include "exact/words.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000 };
+enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000, MOST_Q = 100 };
 
 typedef cagd_frame frame;
 
@@ -19,6 +20,34 @@ static cagd_value fail(cagd_context *c, const cagd_tree *t, unsigned fault, cons
         c->trouble = why, c->where = t;
     region_faults |= fault;
     return cagd_value_int(0);
+}
+
+/* ---- divisors ------------------------------------------------------------------------------------------ */
+
+/* 0 where there is no room for it.  A variable that is near a place is no name of anybody's: what is divided by is meant there. */
+static int note_divisor(cagd_context *c, cagd_value b)
+{
+    if (c->way != NULL || c->tells_poles)
+        b = cagd_at_places(c, b);
+    if (c->divisor == NULL || b.rational)
+        return 1;
+    for (int i = 0; i < c->divisors; i++)
+        if (equal_f(c->divisor[i], b.f))
+            return 1;
+    c->omits_poles |= c->tells_poles && c->divisors == c->most_divisors;
+    if (c->divisors == c->most_divisors)
+        return c->tells_poles;
+    c->divisor[c->divisors++] = b.f;
+    return 1;
+}
+
+/* Whether it is 0: of names near a root that is a matter of their polynomials. */
+static int is_zero(const cagd_context *c, cagd_value b)
+{
+    int near = 0;
+    for (int k = 0; k < c->count && !b.rational; k++)
+        near |= c->binding[k].has_root && c->binding[k].unknown;
+    return cagd_value_is_zero(near ? cagd_at_roots(c, b) : b);
 }
 
 /* ---- names --------------------------------------------------------------------------------------------- */
@@ -705,8 +734,10 @@ static cagd_value inverse(cagd_context *c, const cagd_tree *t, int row, int colu
         if (k / n != column && k % n != row)
             rest[count++] = entry[k];
     cagd_value whole = minor(entry, n, 0, 0), part = minor(rest, n - 1, 0, 0);
-    if (cagd_value_is_zero(whole))
+    if (is_zero(c, whole))
         return fail(c, t, FAULT_UNDEFINED, "the inverse of a matrix whose determinant is 0");
+    if (!note_divisor(c, whole))
+        return fail(c, t, FAULT_UNABLE, "too many divisors");
     if ((row + column) % 2 != 0)
         part = cagd_value_sub(cagd_value_int(0), part);
     return cagd_value_div(part, whole);
@@ -745,11 +776,21 @@ static struct turn turned(struct turn a, struct turn b)
                          cagd_value_add(cagd_value_mul(a.sine, b.cosine), cagd_value_mul(a.cosine, b.sine))};
 }
 
+/* The angle whose half has that name of its cosine, -1, is looked at apart. */
+static void set_apart(cagd_context *c, const char *cosine)
+{
+    if (c->aparts == CAGD_MOST_APART)
+        region_faults |= FAULT_UNABLE;
+    else
+        c->apart[c->aparts++] =
+            (cagd_apart){{cagd_text_of(cosine, (int)strlen(cosine))}, {NULL}, {cagd_from_int_q(-1)}, 1};
+}
+
 /* Half of the angle of that name: its cosine and sine are rational functions of the tangent of the quarter. */
 static struct turn half_of(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     struct turn none = {cagd_value_int(1), cagd_value_int(0)};
-    char key[96], quarter[120];
+    char key[96], quarter[120], cosine[120];
     const cagd_variable *v = cagd_declared(c->scope, t->head);
     if (!key_of(c, t, f, key, sizeof key) || !key_of_quarter(key, quarter, sizeof quarter))
         return none;
@@ -757,10 +798,17 @@ static struct turn half_of(cagd_context *c, const cagd_tree *t, const frame *f)
         fail(c, t, FAULT_UNABLE, "an angle that has bounds, or is a number, too");
         return none;
     }
-    const cagd_binding *b = cagd_binding_of(c, quarter);
-    cagd_value x = b != NULL ? b->value : unknown(c, t, quarter, NULL);
-    cagd_value square = cagd_value_mul(x, x), one = cagd_value_int(1), below = cagd_value_add(one, square);
+    snprintf(cosine, sizeof cosine, "\\cos(%s/2)", key);
     c->angles++;
+    if (cagd_binding_of(c, cosine) != NULL) /* half a turn, which no tangent reaches */
+        return (struct turn){cagd_value_int(-1), cagd_value_int(0)};
+    cagd_value x = cagd_value_of_key(c, quarter, NULL);
+    cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, quarter) : NULL;
+    if (b != NULL && b->unknown && b->angle == NULL) {
+        b->angle = cagd_text_of(key, (int)strlen(key));
+        set_apart(c, cosine);
+    }
+    cagd_value square = cagd_value_mul(x, x), one = cagd_value_int(1), below = cagd_value_add(one, square);
     return (struct turn){cagd_value_div(cagd_value_sub(one, square), below),
                          cagd_value_div(cagd_value_add(x, x), below)};
 }
@@ -806,19 +854,6 @@ static cagd_value circular(cagd_context *c, const cagd_tree *t, const frame *f)
     return t->kind == CAGD_COSINE ? sum.cosine : sum.sine;
 }
 
-/* 0 where there is no room for it.  On a way a variable that is near a place is no name of anybody's: what is divided by is meant there. */
-static int note_divisor(cagd_context *c, cagd_value b)
-{
-    if (c->way != NULL)
-        b = cagd_at_places(c, b);
-    if (c->divisor == NULL || b.rational)
-        return 1;
-    if (c->divisors == c->most_divisors)
-        return 0;
-    c->divisor[c->divisors++] = b.f;
-    return 1;
-}
-
 /* ---- powers and the like ------------------------------------------------------------------------------- */
 
 static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
@@ -835,7 +870,7 @@ static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
         return r;
     if (!cagd_value_is_whole(exponent, &e) || e > MOST_POWER || e < -MOST_POWER)
         return fail(c, t->at[1], FAULT_UNABLE, "an exponent is a whole number, at most 1000");
-    if (e < 0 && cagd_value_is_zero(base))
+    if (e < 0 && is_zero(c, base))
         return fail(c, t, FAULT_UNDEFINED, "a division by 0");
     if (e < 0 && !note_divisor(c, base))
         return fail(c, t, FAULT_UNABLE, "too many divisors");
@@ -878,6 +913,108 @@ static cagd_value binomial(cagd_context *c, const cagd_tree *t, const frame *f)
     return r;
 }
 
+/* ---- q-numbers ----------------------------------------------------------------------------------------- */
+
+/* The whole number that child k of t is, from 0 to MOST_Q; -1 where it is none. */
+static long count_of(cagd_context *c, const cagd_tree *t, int k, const frame *f)
+{
+    long n = -1;
+    cagd_value v = evaluate(c, t->at[k], f);
+    if (region_faults == 0 && (!cagd_value_is_whole(v, &n) || n > MOST_Q || n < -MOST_Q))
+        fail(c, t->at[k], FAULT_UNABLE, "q-numbers are of whole numbers, at most 100");
+    return n;
+}
+
+/* 1 + q + ... + q^(n-1). */
+static cagd_value q_number(long n, cagd_value q)
+{
+    cagd_value sum = cagd_value_int(0);
+    for (long k = 0; k < n; k++)
+        sum = cagd_value_add(cagd_value_mul(sum, q), cagd_value_int(1));
+    return sum;
+}
+
+/* The q-number of n, or the q-factorial: polynomials in q, so q = 1 is no exception. */
+static cagd_value of_q(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long n = count_of(c, t, 0, f);
+    cagd_value q = evaluate(c, t->at[1], f), product = cagd_value_int(1);
+    if (region_faults != 0)
+        return q;
+    if (n < 0)
+        return fail(c, t, FAULT_UNABLE, "a q-number of a negative number");
+    if (t->kind == CAGD_Q_NUMBER)
+        return q_number(n, q);
+    for (long k = 2; k <= n; k++)
+        product = cagd_value_mul(product, q_number(k, q));
+    return product;
+}
+
+/* By the rule [n, k] = [n-1, k-1] + q^k [n-1, k]; 0 for k < 0 and k > n. */
+static cagd_value q_binomial(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    long n = count_of(c, t, 0, f), k = count_of(c, t, 1, f);
+    cagd_value q = evaluate(c, t->at[2], f), row[MOST_Q + 1];
+    if (region_faults != 0)
+        return q;
+    if (n < 0)
+        return fail(c, t, FAULT_UNABLE, "a q-binomial coefficient of a negative number");
+    if (k < 0 || k > n)
+        return cagd_value_int(0);
+    for (long j = 0; j <= k; j++)
+        row[j] = cagd_value_int(j == 0);
+    for (long m = 1; m <= n && region_faults == 0; m++) {
+        cagd_value before = row[0], power = cagd_value_int(1);
+        for (long j = 1; j <= k && j <= m; j++) {
+            cagd_value above = row[j];
+            power = cagd_value_mul(power, q);
+            row[j] = cagd_value_add(before, cagd_value_mul(power, above));
+            before = above;
+        }
+    }
+    return row[k];
+}
+
+/* ---- roots --------------------------------------------------------------------------------------------- */
+
+/* a = s^2 m with a whole m in which no square of a number up to 1000 is left. */
+static num_q without_squares(num_q a, num_q *s)
+{
+    enum { LARGEST_SQUARE = 1000 };
+    mpz_t m;
+    mpq_t r;
+    mpz_init(m), mpq_init(r);
+    mpz_mul(m, mpq_numref(a.at), mpq_denref(a.at)); /* p/q = pq/q^2 */
+    mpz_set_ui(mpq_numref(r), 1), mpz_set(mpq_denref(r), mpq_denref(a.at));
+    for (unsigned long d = 2; d <= LARGEST_SQUARE; d++)
+        while (mpz_divisible_ui_p(m, d * d)) {
+            mpz_divexact_ui(m, m, d * d);
+            mpz_mul_ui(mpq_numref(r), mpq_numref(r), d);
+        }
+    mpq_canonicalize(r);
+    *s = cagd_from_mpq_q(r);
+    mpq_set_z(r, m);
+    num_q rest = cagd_from_mpq_q(r);
+    mpz_clear(m), mpq_clear(r);
+    return rest;
+}
+
+/* sqrt(a) for a number a > 0 that is no square: a variable near the root of x^2 - m, times a number (tie.h). */
+static cagd_value root_of_number(cagd_context *c, const cagd_tree *t, num_q a)
+{
+    num_q times, m = without_squares(a, &times), c0[3] = {neg_q(m), cagd_from_int_q(0), cagd_from_int_q(1)};
+    char key[120];
+    if (snprintf(key, sizeof key, "\\sqrt{%s}", to_string_q(m)) >= (int)sizeof key)
+        return fail(c, t, FAULT_UNABLE, "a root of a number that is too long");
+    cagd_value x = cagd_value_of_key(c, key, NULL);
+    cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, key) : NULL;
+    if (b == NULL)
+        return x;
+    if (!b->has_root)
+        cagd_make_root(b, cagd_poly_from_q(3, c0));
+    return cagd_value_mul(cagd_value_q(times), x);
+}
+
 /* The root that is not negative, if n is even: of a square of a function it is the function or its negative, by its sign. */
 static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, long n)
 {
@@ -886,8 +1023,12 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
     cagd_value r = a.rational ? cagd_value_q(root_q((int)n, a.q)) : cagd_value_f(cagd_root_f((int)n, a.f));
     if (region_faults != 0) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+        if (region_faults == 0 && n == 2 && a.rational && cagd_sign_q(a.q) > 0 && c->has_roots)
+            return root_of_number(c, t, a.q);
         return fail(c, t, FAULT_UNABLE,
-                    "a root that is no rational number or function: write a name, r with r^2 = 2 in :for:");
+                    n % 2 == 0 && a.rational && cagd_sign_q(a.q) < 0
+                        ? "the root of a negative number"
+                        : "a root that is no rational function: write a name, r^2 = ..., r \\ge 0 in :for:");
     }
     int positive = a.rational || n % 2 == 1 ? 1 : cagd_compare_values(c, r, CAGD_GREATER_OR_EQUAL, cagd_value_int(0));
     if (positive < 0)
@@ -940,6 +1081,17 @@ static cagd_value better_of(cagd_context *c, const cagd_tree *t, cagd_value befo
     return is < 0 ? fail(c, t, FAULT_UNABLE, "which is larger depends on variables") : is ? next : before;
 }
 
+void cagd_note_sum(cagd_sums_met *met, const cagd_tree *sum, int has_terms)
+{
+    int k = 0;
+    while (k < met->count && met->sum[k] != sum)
+        k++;
+    if (k == met->count && k < CAGD_MOST_SUMS)
+        met->sum[met->count] = sum, met->had_terms[met->count++] = 0;
+    if (k < CAGD_MOST_SUMS)
+        met->had_terms[k] |= has_terms;
+}
+
 static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     long low, high;
@@ -971,6 +1123,7 @@ static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
     }
     if (is_extremum && count == 0 && region_faults == 0)
         return fail(c, t, FAULT_UNDEFINED, "the greatest or smallest of nothing");
+    cagd_note_sum(&c->sums, t, count > 0);
     return r;
 }
 
@@ -996,13 +1149,13 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
         return a;
     if (c->scope->zero_over_zero && c->way != NULL && cagd_is_zero_here(c, b))
         b = cagd_value_int(0);
-    if (c->scope->zero_over_zero && cagd_value_is_zero(b) && cagd_equal_here(c, a, cagd_value_int(0)))
+    if (c->scope->zero_over_zero && is_zero(c, b) && (is_zero(c, a) || cagd_equal_here(c, a, cagd_value_int(0))))
         return cagd_value_int(0);
     if (c->scope->zero_over_zero && c->way == NULL && !b.rational && !cagd_divides(c, b))
         return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
     if (!note_divisor(c, b))
         return fail(c, t, FAULT_UNABLE, "too many divisors");
-    return cagd_value_is_zero(b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
+    return is_zero(c, b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
 }
 
 /* With 0/0 = 0 said, a factor that is divided by 0 is not asked for beside another that is 0. */
@@ -1058,6 +1211,11 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return factorial(c, t, f);
     case CAGD_BINOMIAL:
         return binomial(c, t, f);
+    case CAGD_Q_NUMBER:
+    case CAGD_Q_FACTORIAL:
+        return of_q(c, t, f);
+    case CAGD_Q_BINOMIAL:
+        return q_binomial(c, t, f);
     case CAGD_ROOT:
         return root(c, t, f);
     case CAGD_ABSOLUTE:

@@ -5,6 +5,7 @@
 #ifndef CAGD_EVALUATE_H
 #define CAGD_EVALUATE_H
 
+#include "exact/decide/roots.h"
 #include "exact/expression/scope.h"
 #include "exact/expression/value.h"
 
@@ -23,6 +24,12 @@ typedef struct cagd_binding {
     cagd_value place;
     int has_low, has_high, low_open, high_open;
     cagd_num_q low, high;
+    int is_tied;  /* and that by an equality of higher degree (tie.h)                     */
+    int has_root; /* it is that root, and its bounds are rational numbers near it (tie.h) */
+    struct cagd_root root;
+    int is_number;     /* and no name of the page                                                    */
+    int hidden;        /* other names are functions of it that the page does not know (tie.h)            */
+    const char *angle; /* the name of the angle whose quarter has this tangent, or NULL                */
 } cagd_binding;
 
 /* A variable is looked at below a number, or above it, only. */
@@ -54,6 +61,22 @@ typedef struct cagd_limit {
     struct cagd_linear at; /* the form once more, by its coefficients */
 } cagd_limit;
 
+/* Numbers that names have together where no variable reaches: c = -1, s = 0. */
+typedef struct cagd_apart {
+    const char *key[2];
+    const cagd_variable *variable[2];
+    cagd_num_q value[2];
+    int count;
+} cagd_apart;
+enum { CAGD_MOST_APART = 8, CAGD_MOST_ROOTS = 16 };
+
+/* Sums and products of the formula, and whether they had a term. */
+enum { CAGD_MOST_SUMS = 16 };
+typedef struct cagd_sums_met {
+    const cagd_tree *sum[CAGD_MOST_SUMS];
+    int had_terms[CAGD_MOST_SUMS], count;
+} cagd_sums_met;
+
 /* The signs that a form can have in the cell, as bits. */
 enum { CAGD_CAN_BE_NEGATIVE = 1, CAGD_CAN_BE_ZERO = 2, CAGD_CAN_BE_POSITIVE = 4, CAGD_ANY_SIGN = 7 };
 typedef struct cagd_memo {
@@ -79,6 +102,7 @@ typedef struct cagd_context {
     int pieces;
     int used_bounds; /* whether what was found depends on the bounds of a variable */
     int in_field;    /* names without a value become variables of the field; otherwise they are UNABLE           */
+    int has_roots;   /* the square root of a number that is no square is a variable, too (tie.h)     */
     long steps;      /* what may still be done; UNABLE when it is used up                                        */
     int depth, fresh;
     int angles;             /* how often the tangent of the quarter of an angle was asked for                        */
@@ -89,6 +113,16 @@ typedef struct cagd_context {
     cagd_num_q split_at;
     int has_cut; /* or where this form changes its sign */
     cagd_cut cut;
+
+    int missing; /* conditions, and a premise, that were supposed and are not used: what holds, holds without them */
+    int untied;  /* equalities of higher degree are not used (tie.h) */
+    int ties;    /* how many were                                    */
+    int loose;   /* a bound of a name that became a function of others is not known of these */
+    cagd_apart apart[CAGD_MOST_APART];
+    int aparts;
+    const cagd_binding *rooted; /* NULL, or a name that is one of these roots */
+    struct cagd_root root[CAGD_MOST_ROOTS];
+    int roots;
 
     /* The cell: what is known of names together. */
     cagd_limit limit[CAGD_MOST_LIMITS];
@@ -101,6 +135,8 @@ typedef struct cagd_context {
     int fits_none;       /* no definition of a name fitted                                                */
     cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
     int divisors, most_divisors;
+    int tells_poles; /* more than so many are poles that are left out; otherwise they are UNABLE        */
+    cagd_sums_met sums;
     int one_sided; /* a derivative was taken where the definitions end, from the side on which they fit */
 } cagd_context;
 
@@ -130,6 +166,9 @@ int cagd_is_zero_here(cagd_context *c, cagd_value d);
 int cagd_equal_here(cagd_context *c, cagd_value a, cagd_value b);
 /* a relation b for two values, likewise. */
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
+
+/* Notes that the sum was met. */
+void cagd_note_sum(cagd_sums_met *met, const cagd_tree *sum, int has_terms);
 
 /* The binding of that name; a new one without a value if there is none yet.  NULL when there is no room. */
 cagd_binding *cagd_bind(cagd_context *c, const char *key, cagd_value value);

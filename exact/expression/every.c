@@ -100,9 +100,10 @@ struct proof {
 static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n,
                       long low, int checked, struct proof *out)
 {
-    if (statement->kind != CAGD_RELATION || statement->count != 2 || statement->relation[0] != CAGD_EQUAL)
+    if (statement->kind != CAGD_RELATION || statement->count != 2 || statement->relation[0] != CAGD_EQUAL ||
+        low <= -FURTHEST)
         return 0;
-    cagd_search_begin(s, scope, n->head, low < FURTHEST && low > -FURTHEST ? (int)low : FURTHEST);
+    cagd_search_begin(s, scope, n->head, low < FURTHEST ? (int)low : FURTHEST);
     cagd_product F = {cagd_term_one(), from_int_f(1)}, S = F;
     cagd_frame room[CAGD_MOST_CHILDREN];
     const cagd_frame *f = NULL;
@@ -119,13 +120,12 @@ static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *
         !cagd_is_whole_q(last_k))
         return 0;
     cagd_frame inner = {sum->head, {.f = s->k}, f};
-    if (!cagd_take(s, sum->at[2], &inner, 1, &F) || !cagd_take(s, other, NULL, 1, &S))
-        return 0;
-    /* k runs from `begin` to n + end; where the term vanishes at an end, that end is left out. */
     if (mpz_cmpabs_ui(mpq_numref(first_k.at), FURTHEST) > 0 || mpz_cmpabs_ui(mpq_numref(last_k.at), FURTHEST) > 0)
         return 0;
+    /* k runs from `begin` to n + end; where the term vanishes at an end, that end is left out. */
     long begin = mpz_get_si(mpq_numref(first_k.at)), end = mpz_get_si(mpq_numref(last_k.at));
-    if (!cagd_divisors_are_not_zero(s, begin, end))
+    if (!cagd_take_within(s, sum->at[2], &inner, begin, end, &F) || !cagd_take(s, other, NULL, 1, &S) ||
+        !cagd_divisors_are_not_zero(s, begin, end))
         return 0;
     s->c.divisor = NULL;
     while (begin < FURTHEST && cagd_is_zero_f(substitute_f(F.rational, s->k, from_int_f(begin))) && region_faults == 0)

@@ -365,7 +365,25 @@ static int inner_environment(const cagd_latex_text *t, int k, char inside[][LONG
     if (end <= k || *depth == 0)
         return k;
     --*depth;
-    return is_setting(name) ? end : k;
+    return is_setting(inside[*depth]) ? end : k;
+}
+
+/* \left\{\begin{array}{l} where nothing stands before it: rows of formulas; behind it, or k. */
+static int behind_brace_of_array(const cagd_latex_text *t, int k, const struct row *r, char inside[][LONGEST_NAME],
+                                 int *depth)
+{
+    static const char *const left = "\\left\\{";
+    char name[LONGEST_NAME];
+    int at = begins(t, k, left) ? k + (int)strlen(left) : k, a, b, m = 0;
+    while (m < r->text.size && is_blank(r->text.bytes[m]))
+        m++;
+    while (at > k && at < t->size && is_blank(t->bytes[at]))
+        at++;
+    int end = at > k && m == r->text.size ? environment(t, at, "\\begin", name) : at;
+    if (end <= at || strcmp(name, "array") != 0 || *depth == MOST_NESTED)
+        return k;
+    memcpy(inside[(*depth)++], "aligned", sizeof "aligned");
+    return group(t, end, t->size, '{', '}', &a, &b);
 }
 
 /* The brace around such an environment, \left\{ and \right.: behind it; k where there is none. */
@@ -448,6 +466,8 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
         }
         braces += (c == '{') - (c == '}');
         int end = c == '\\' && next > k + 2 ? inner_environment(t, k, inside, &depth) : k;
+        if (end == k && c == '\\')
+            end = behind_brace_of_array(t, k, &r, inside, &depth);
         if (end == k && c == '\\')
             end = behind_brace_of_rows(t, k);
         if (end == k && c == '\\')

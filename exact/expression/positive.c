@@ -39,29 +39,6 @@ static int take_factors(struct proof *f, num_f p, int e, int count, const cagd_s
     return region_faults == 0;
 }
 
-/* Whether p >= 0 by its coefficients, and, if strict, p is not 0 on a face that belongs to the box: the smallest ones are asked. */
-static int is_positive_by_coefficients(num_f p, int strict, int count, const cagd_side_of_box side[])
-{
-    for (int k = 0; k < count; k++)
-        if (degree_f(p, side[k].variable) > 0 && !side[k].has_low && !side[k].has_high)
-            return 0;
-    if (cagd_coefficients_sign_f(cagd_over_positive_numbers(p, count, side)) != 1)
-        return 0;
-    for (int corner = 0; strict && corner < 1 << count; corner++) {
-        num_f on_face = p;
-        for (int k = 0; k < count; k++) {
-            int high = corner >> k & 1;
-            int low_is = side[k].has_low && !side[k].low_open, high_is = side[k].has_high && !side[k].high_open;
-            if (low_is || high_is)
-                on_face = substitute_f(on_face, side[k].variable,
-                                       from_rational_f((high && high_is) || !low_is ? side[k].high : side[k].low));
-        }
-        if (cagd_is_zero_f(on_face))
-            return 0;
-    }
-    return region_faults == 0;
-}
-
 /* The side that is cut: the longest on which p depends, in halves; one without an end at 0, or farther out with every cut. */
 static int where_to_cut(num_f p, int count, const cagd_side_of_box side[], int depth, num_q *at)
 {
@@ -88,7 +65,7 @@ static int prove(struct proof *f, num_f p, int strict, int count, const cagd_sid
     num_q at;
     if (f->cuts + 3 > MOST_CUTS || depth > MOST_DEPTH || region_faults != 0)
         return 0;
-    if (is_positive_by_coefficients(p, strict, count, side)) {
+    if (cagd_is_positive_by_coefficients(p, strict, count, side)) {
         f->cut[f->cuts++] = -1;
         return 1;
     }

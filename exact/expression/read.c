@@ -174,6 +174,38 @@ static const cagd_tree *truncated(cagd_reader *r, const cagd_tree *x, int from)
     return cagd_new_of(r, CAGD_CASES, from, 3, (const cagd_tree *[]){power, where, zero});
 }
 
+/* t with the q that stands below behind it: [n]_q, [n]_q!, \binom{n}{k}_q. */
+static const cagd_tree *with_q(cagd_reader *r, const cagd_tree *t, int from)
+{
+    if (t == NULL || !cagd_pass(r, "_"))
+        return t;
+    const cagd_tree *q = cagd_read_argument(r, 1);
+    if (t->kind == CAGD_BINOMIAL || (t->kind == CAGD_POINT && t->count == 2))
+        return cagd_new_of(r, CAGD_Q_BINOMIAL, from, 3, (const cagd_tree *[]){t->at[0], t->at[1], q});
+    if (t->dimension > 0)
+        return cagd_refuse_tree(r, t, "an index behind a bracket");
+    cagd_tree_kind kind = cagd_pass(r, "!") ? CAGD_Q_FACTORIAL : CAGD_Q_NUMBER;
+    return cagd_new_of(r, kind, from, 2, (const cagd_tree *[]){t, q});
+}
+
+/* {a \choose b}, {a \over b}, {a \brack b}_q, a being read. */
+static const cagd_tree *with_infix(cagd_reader *r, const cagd_tree *a, int from)
+{
+    int is_quotient = cagd_next_is(r, "\\over"), has_q = cagd_next_is(r, "\\brack");
+    r->token++;
+    const cagd_tree *b = cagd_read_sum(r);
+    const cagd_tree *t =
+        cagd_new_of(r, is_quotient ? CAGD_QUOTIENT : CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b});
+    if (t == NULL || !has_q)
+        return t;
+    if (!cagd_expect(r, "}", "the bracket"))
+        return NULL;
+    if (!cagd_next_is(r, "_"))
+        return cagd_refuse_tree(r, t,
+                                "\\brack has several meanings; of Gauss's coefficients q is said: {n \\brack k}_q");
+    return with_q(r, t, from);
+}
+
 /* Whether \quad or \; stands between tokens from `first` to the next one, outside of brackets. */
 static int has_wide_space(const cagd_reader *r, const cagd_token *first)
 {
@@ -198,12 +230,10 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
         return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
-    if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over"))) {
-        cagd_tree_kind kind = cagd_next_is(r, "\\over") ? CAGD_QUOTIENT : CAGD_BINOMIAL;
-        r->token++;
-        const cagd_tree *b = cagd_read_sum(r);
-        a = cagd_new_of(r, kind, from, 2, (const cagd_tree *[]){a, b});
-    }
+    if (a != NULL && close[0] == '}' && cagd_next_is(r, "\\brack"))
+        return with_infix(r, a, from);
+    if (a != NULL && close[0] == '}' && (cagd_next_is(r, "\\choose") || cagd_next_is(r, "\\over")))
+        a = with_infix(r, a, from);
     if (a != NULL && close[0] == ']')
         a = cagd_in_square_brackets(r, a);
     if (a == NULL || !cagd_expect(r, close, "the bracket") ||
@@ -211,6 +241,8 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
         return NULL;
     if (close[0] == ')' && cagd_next_is(r, "_") && strcmp(r->token[1].word, "+") == 0)
         return truncated(r, a, from);
+    if (close[0] == ']' && cagd_next_is(r, "_"))
+        return with_q(r, a, from);
     return cagd_read_primed_group(r, a);
 }
 
@@ -291,13 +323,27 @@ static const cagd_tree *determinant(cagd_reader *r, int from)
     return t;
 }
 
-static const cagd_tree *cases(cagd_reader *r, int from)
+/* What encloses cases: {cases}, and behind a brace, \{, rows of other kinds; NULL where there is none. */
+static const char *environment_of_cases(cagd_reader *r, int behind_brace)
+{
+    static const char *const names[] = {"cases", "dcases", "array", "aligned", NULL};
+    for (int k = 0; names[k] != NULL && (k < 2 || behind_brace); k++)
+        if (cagd_environment(r, names[k]))
+            return names[k];
+    return NULL;
+}
+
+/* The cases, the word \begin being passed, and a brace before it or not. */
+static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
 {
     static const char *const otherwise[] = {"otherwise", "else", "otherwise.", "elsewhere", NULL};
     static const char *const when[] = {"if", "for", "when", "where", "", NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
-    if (!cagd_environment(r, "cases"))
+    const char *name = environment_of_cases(r, behind_brace);
+    if (name != NULL && strcmp(name, "array") == 0 && !cagd_pass_columns(r))
+        return NULL;
+    if (name == NULL)
         return cagd_refuse_token(r, "of the environments only {cases} and those of matrices are understood here");
     do {
         if (cagd_next_is(r, "\\end"))
@@ -320,15 +366,56 @@ static const cagd_tree *cases(cagd_reader *r, int from)
         list[count] = cagd_read_conditions(r);
         if (list[count++] == NULL)
             return NULL;
+        if (!cagd_pass(r, ","))
+            cagd_pass(r, ".");
     } while (cagd_pass(r, "\\\\"));
-    if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, "cases"))
-        return cagd_refuse_token(r, "expected \\end{cases}");
+    if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, name))
+        return cagd_refuse_token(r, "expected \\end{%s}", name);
     return count > 0 ? cagd_new_of(r, CAGD_CASES, from, count, list) : cagd_refuse_token(r, "cases without a case");
 }
 
 /* ---- factors ------------------------------------------------------------------------------------------- */
 
-/* \sin a, \cos^2 a: the angle is one factor. */
+/* Whether it counts how often an angle is taken: 2, or k - 1 where k is a whole number. */
+static int is_count(const cagd_reader *r, const cagd_tree *t)
+{
+    const cagd_variable *v = t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(r->scope, t->head) : NULL;
+    if (t->kind != CAGD_SUM && t->kind != CAGD_NEGATIVE && t->kind != CAGD_PRODUCT)
+        return t->kind == CAGD_NUMBER || (v != NULL && v->whole);
+    for (int k = 0; k < t->count; k++)
+        if (!is_count(r, t->at[k]))
+            return 0;
+    return 1;
+}
+
+/* The angle is one factor, or a multiple of one: \sin 2a, \sin k a. */
+static const cagd_tree *angle_of(cagd_reader *r)
+{
+    int from = r->token->from;
+    const cagd_tree *a = cagd_read_factor(r);
+    if (a == NULL || !is_count(r, a) || !(cagd_begins_name(r) || cagd_next_is(r, "(")))
+        return a;
+    const cagd_tree *b = angle_of(r);
+    return b != NULL ? cagd_new_of(r, CAGD_PRODUCT, from, 2, (const cagd_tree *[]){a, b}) : NULL;
+}
+
+/* A name behind an angle without brackets can belong to the angle, as in \sin a t; 0 where it is refused. */
+static int ends_angle(cagd_reader *r)
+{
+    const cagd_token *here = r->token;
+    for (int k = here[-1].to; k < here->from; k++)
+        if (r->text[k] == '\\' || r->text[k] == '~') /* a space that is printed parts them */
+            return 1;
+    if (!cagd_begins_name(r) || (r->integrals > 0 && cagd_differential(r, here) > 0))
+        return 1;
+    const cagd_tree *next = cagd_read_factor(r);
+    if (next != NULL && next->dimension == 0)
+        cagd_refuse_tree(r, next, "part of the angle, or a factor? write brackets, or the factor first");
+    r->token = here;
+    return next != NULL && next->dimension > 0;
+}
+
+/* \sin a, \cos^2 a. */
 static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
 {
     const cagd_tree *power = NULL;
@@ -336,8 +423,9 @@ static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
         return NULL;
     if (power != NULL && power->kind == CAGD_NEGATIVE)
         return cagd_refuse_tree(r, power, "the inverse function, or 1 over it? write \\frac{1}{...}");
-    const cagd_tree *angle = cagd_read_factor(r);
-    const cagd_tree *t = angle != NULL ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
+    int is_bare = cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER;
+    const cagd_tree *angle = angle_of(r);
+    const cagd_tree *t = angle != NULL && (!is_bare || ends_angle(r)) ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
     return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
 
@@ -366,7 +454,8 @@ static const cagd_tree *block(cagd_reader *r, int from)
     if (cagd_environment(r, "vmatrix"))
         return determinant(r, from);
     const char *matrix = cagd_pass_matrix(r);
-    return matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, from);
+    const cagd_tree *t = matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, 0, from);
+    return t != NULL && t->kind == CAGD_POINT && t->count == 2 ? with_q(r, t, from) : t;
 }
 
 static const cagd_tree *word(cagd_reader *r)
@@ -378,7 +467,7 @@ static const cagd_tree *word(cagd_reader *r)
     if (strcmp(w, "\\binom") == 0) {
         r->token++;
         const cagd_tree *a = cagd_read_argument(r, 0), *b = a != NULL ? cagd_read_argument(r, 0) : NULL;
-        return cagd_new_of(r, CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b});
+        return with_q(r, cagd_new_of(r, CAGD_BINOMIAL, from, 2, (const cagd_tree *[]){a, b}), from);
     }
     if (strcmp(w, "\\sqrt") == 0)
         return r->token++, cagd_read_root(r, from);
@@ -475,6 +564,8 @@ static const cagd_tree *base(cagd_reader *r)
         return group(r, "]");
     if (cagd_pass(r, "{"))
         return group(r, "}");
+    if (cagd_next_is(r, "\\{") && strcmp(r->token[1].word, "\\begin") == 0)
+        return r->token += 2, cases(r, 1, from);
     if (cagd_pass(r, "\\{"))
         return group(r, "\\}");
     if (cagd_pass(r, "|"))

@@ -135,8 +135,7 @@ const cagd_tree *cagd_columns_of(cagd_reader *r, int count, const cagd_tree *con
 
 static const char *const environments[] = {"pmatrix", "bmatrix", "Bmatrix", "matrix", "smallmatrix", "array", NULL};
 
-/* {ccc} behind \begin{array}. */
-static int pass_columns(cagd_reader *r)
+int cagd_pass_columns(cagd_reader *r)
 {
     if (!cagd_expect(r, "{", "\\begin{array}"))
         return 0;
@@ -157,7 +156,7 @@ const cagd_tree *cagd_read_matrix(cagd_reader *r, const char *name, int from)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0, rows = 0, columns = 0;
-    if (strcmp(name, "array") == 0 && !pass_columns(r))
+    if (strcmp(name, "array") == 0 && !cagd_pass_columns(r))
         return NULL;
     do {
         if (cagd_next_is(r, "\\end"))

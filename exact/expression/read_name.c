@@ -400,9 +400,18 @@ static int primed(cagd_reader *r, struct parts *p)
                              cagd_spelled(p->head), cagd_spelled(p->head)) != NULL;
 }
 
+void cagd_refuse_pi(cagd_reader *r, int from)
+{
+    cagd_refuse_reading(r->error, from, r->token[-1].to,
+                        "\\pi is no rational number, and an angle has no bounds: name its cosine and sine, "
+                        "c^2 + s^2 = 1, c \\ge 0, s \\ge 0 in :for: for a quarter");
+}
+
 static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
 {
     const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head);
+    if (strcmp(p->head, "\\pi") == 0)
+        return cagd_refuse_pi(r, from), NULL;
     cagd_refuse_reading(r->error, from, r->token[-1].to,
                         "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
                         "block makes it a variable",

@@ -69,6 +69,8 @@ const cagd_tree *cagd_transposed(cagd_reader *r, const cagd_tree *t);
 int cagd_pass_transposed(cagd_reader *r);
 /* The environment of a matrix, if its name in braces comes next: then it is passed.  The entries behind it, up to its end. */
 const char *cagd_pass_matrix(cagd_reader *r);
+/* The columns, {ccc}, behind \begin{array}. */
+int cagd_pass_columns(cagd_reader *r);
 const cagd_tree *cagd_read_matrix(cagd_reader *r, const char *name, int from);
 /* Whether the name of an environment comes next, in braces; then it is passed. */
 int cagd_environment(cagd_reader *r, const char *name);
@@ -90,6 +92,8 @@ const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tre
 /* A sum of products; a product; the argument of a command or a script, in braces or a single token. */
 const cagd_tree *cagd_read_sum(cagd_reader *r);
 const cagd_tree *cagd_read_product(cagd_reader *r);
+/* The number \pi, which was not declared, up to the last token. */
+void cagd_refuse_pi(cagd_reader *r, int from);
 const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script);
 /* One factor; a product, or, behind the sign of one over that index, what it goes over. */
 const cagd_tree *cagd_read_factor(cagd_reader *r);

@@ -124,6 +124,38 @@ int cagd_declare(cagd_scope *scope, cagd_variable v)
     return 1;
 }
 
+static int is_less(cagd_relation r) { return r == CAGD_LESS || r == CAGD_LESS_OR_EQUAL; }
+
+/* The bounds that a condition low <= v <= high tells, where the variable has none. */
+static void take_bounds(const cagd_scope *scope, cagd_variable *v)
+{
+    for (int k = 0; k < scope->condition_count && v->low == NULL && v->high == NULL; k++) {
+        const cagd_tree *t = scope->conditions[k];
+        if (t->kind != CAGD_RELATION || t->count != 3 || t->at[1]->kind != CAGD_NAME || t->at[1]->count > 0 ||
+            strcmp(t->at[1]->head, v->head) != 0 || !is_less(t->relation[0]) || !is_less(t->relation[1]))
+            continue;
+        v->low = t->at[0], v->low_open = t->relation[0] == CAGD_LESS;
+        v->high = t->at[2], v->high_open = t->relation[1] == CAGD_LESS;
+    }
+}
+
+static int make_whole(cagd_scope *scope, const cagd_tree *t, int in_index)
+{
+    const cagd_variable *v = in_index && t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(scope, t->head) : NULL;
+    if (v != NULL && !v->whole && v->lower + v->upper == 0) {
+        cagd_variable whole = *v;
+        take_bounds(scope, &whole);
+        whole.whole = 1;
+        return whole.low == NULL || cagd_declare(scope, whole);
+    }
+    for (int k = 0; k < t->count; k++)
+        if (!make_whole(scope, t->at[k], in_index || (t->kind == CAGD_NAME && k < t->lower + t->upper)))
+            return 0;
+    return 1;
+}
+
+int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t) { return make_whole(scope, t, 0); }
+
 /* One more behind a list, of which there may be copies. */
 static int append(const cagd_tree ***list, int *count, const cagd_tree *t)
 {

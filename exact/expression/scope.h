@@ -50,6 +50,8 @@ const char *cagd_nearest(const cagd_scope *scope, const char *head);
  * body of the new definition is to be filled in: it may use its own name. */
 cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
 int cagd_declare(cagd_scope *scope, cagd_variable v);
+/* Variables with a lower bound that are indices of names of the tree become whole numbers, 0 <= i <= n being 0, 1, ..., n. */
+int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t);
 int cagd_suppose(cagd_scope *scope, const cagd_tree *condition);
 int cagd_label(cagd_scope *scope, const cagd_tree *letter);
 #endif

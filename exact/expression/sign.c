@@ -471,6 +471,28 @@ num_f cagd_over_positive_numbers(num_f p, int count, const cagd_side_of_box side
     return p;
 }
 
+int cagd_is_positive_by_coefficients(num_f p, int strict, int count, const cagd_side_of_box side[])
+{
+    for (int k = 0; k < count; k++)
+        if (degree_f(p, side[k].variable) > 0 && !side[k].has_low && !side[k].has_high)
+            return 0;
+    if (cagd_coefficients_sign_f(cagd_over_positive_numbers(p, count, side)) != 1)
+        return 0;
+    for (int corner = 0; strict && corner < 1 << count; corner++) {
+        num_f on_face = p;
+        for (int k = 0; k < count; k++) {
+            int high = corner >> k & 1;
+            int low_is = side[k].has_low && !side[k].low_open, high_is = side[k].has_high && !side[k].high_open;
+            if (low_is || high_is)
+                on_face = substitute_f(on_face, side[k].variable,
+                                       from_rational_f((high && high_is) || !low_is ? side[k].high : side[k].low));
+        }
+        if (cagd_is_zero_f(on_face))
+            return 0;
+    }
+    return region_faults == 0;
+}
+
 static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd_side_of_box side[], int depth,
                                       num_q point[])
 {
@@ -487,24 +509,8 @@ static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd
         if (sign < 0 || (sign == 0 && strict))
             return CAGD_FAILS;
     }
-    int bounded = 1, open = 1;
-    for (int k = 0; k < count; k++) {
-        bounded &= side[k].has_low || side[k].has_high;
-        open &= (!side[k].has_low || side[k].low_open) && (!side[k].has_high || side[k].high_open);
-    }
-    if (bounded) {
-        num_f q = cagd_over_positive_numbers(p, count, side);
-        int sign = region_faults == 0 ? cagd_coefficients_sign_f(q) : -2, corners = 1;
-        for (int corner = 0; strict && !open && corner < 1 << count;
-             corner++) { /* on every face one coefficient is positive */
-            for (int k = 0; k < count; k++)
-                point[k] = corner >> k & 1 ? (side[k].has_high ? side[k].high : side[k].low)
-                                           : (side[k].has_low ? side[k].low : side[k].high);
-            corners &= sign_at(p, count, side, point) > 0;
-        }
-        if ((sign == 1 || (sign == 0 && !strict)) && corners)
-            return CAGD_HOLDS;
-    }
+    if ((cagd_is_zero_f(p) && !strict) || cagd_is_positive_by_coefficients(p, strict, count, side))
+        return CAGD_HOLDS;
     if (depth == 0 || region_faults != 0)
         return CAGD_UNDECIDED;
     /* The longest side in halves; a side without an end at a distance of 1 from the other. */

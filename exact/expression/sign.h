@@ -27,6 +27,10 @@ cagd_answer cagd_positive_in_box(cagd_num_f p, int strict, int count, const cagd
 /* p with x = a + u, b - u, (a + b u)/(1 + u) for each side, u > 0 being called x again; its numerator has the signs of p in the open box. */
 cagd_num_f cagd_over_positive_numbers(cagd_num_f p, int count, const cagd_side_of_box side[]);
 
+/* Whether p >= 0 by its coefficients over positive numbers, and, if strict, p is not 0 on a face that belongs to the box: the smallest
+ * ones are asked. */
+int cagd_is_positive_by_coefficients(cagd_num_f p, int strict, int count, const cagd_side_of_box side[]);
+
 /* The simplest rational between a and b: a < x < b, the denominator being least, and then the numerator. */
 cagd_num_q cagd_simplest_between(cagd_num_q a, cagd_num_q b);
 /* A simple rational inside the side. */

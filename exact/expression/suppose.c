@@ -1,6 +1,8 @@
 #include "exact/expression/suppose.h"
 
 #include "exact/expression/cell.h"
+#include "exact/expression/tie.h"
+#include "exact/record/trace.h"
 #include "exact/words.h"
 
 #include <stdlib.h>
@@ -11,10 +13,19 @@
 /* a relation b becomes known: 1, or it was; 0: it is false; -1: it cannot be. */
 static int limit(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b)
 {
+    cagd_trace_pause();
     int is = cagd_compare_values(c, a, relation, b);
+    cagd_trace_resume();
     if (is >= 0 || region_faults != 0)
         return region_faults != 0 ? -1 : is;
     cagd_value d = cagd_value_sub(a, b);
+    if (relation == CAGD_EQUAL && !cagd_is_linear(d.f) && !c->untied) {
+        int is_tied = cagd_tie(c, d.f);
+        c->ties += is_tied != 0;
+        if (is_tied != 0)
+            c->split = NULL, c->has_cut = 0;
+        return is_tied == 0 ? -1 : is_tied;
+    }
     if (relation == CAGD_NOT_EQUAL || !cagd_is_linear(d.f))
         return -1;
     int less = relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL;
@@ -44,7 +55,7 @@ static int suppose(cagd_context *c, const cagd_tree *t, const cagd_frame *f)
     return result;
 }
 
-int cagd_suppose_conditions(cagd_context *c, int *missing)
+int cagd_suppose_conditions(cagd_context *c)
 {
     for (int k = 0; k <= c->scope->condition_count; k++) {
         const cagd_tree *t = k < c->scope->condition_count ? c->scope->conditions[k] : c->premise;
@@ -53,14 +64,14 @@ int cagd_suppose_conditions(cagd_context *c, int *missing)
         int result = t->kind == CAGD_EVERY_INDEX ? 1 : suppose(c, t, NULL);
         if (region_faults & (FAULT_CROWDED | FAULT_MEMORY))
             return 1;
-        if (result < 0 && (c->split != NULL || c->has_cut)) {
+        if (result < 0 && (c->split != NULL || c->has_cut || c->rooted != NULL)) {
             region_faults = 0;
             return -1;
         }
         if (result < 0) { /* not used: what holds, holds without it */
             region_faults = 0;
             c->trouble = NULL;
-            *missing += 1;
+            c->missing++;
         }
         if (result == 0)
             return 0;
@@ -146,10 +157,11 @@ void cagd_suppose_for_names(cagd_context *c)
         int has_cut = c->has_cut;
         if (t->kind != CAGD_EVERY_INDEX || region_faults != 0)
             continue;
-        int count = c->count;
+        int count = c->count, untied = c->untied;
         c->supposed = CAGD_MOST_UNKNOWNS; /* conditions are compared, too */
+        c->untied = 1;                    /* values that have these names are known already               */
         for_every_index(c, t, suppose_or_leave);
-        c->supposed = count;
+        c->supposed = count, c->untied = untied;
         c->split = split, c->has_cut = has_cut;
         region_faults &= FAULT_CROWDED | FAULT_MEMORY;
     }

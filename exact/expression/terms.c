@@ -1,17 +1,37 @@
 #include "exact/expression/terms.h"
 
+#include "exact/expression/cell.h"
 #include "exact/words.h"
 
 enum { MOST_DEPTH = 60, MOST_POWER = 60 };
 
 static num_f plus(num_f a, long m) { return add_f(a, from_int_f(m)); }
 
+/* A variable of the field of which bounds may be known. */
+static void variable_of(cagd_context *c, const char *key, num_f x)
+{
+    cagd_binding *b = cagd_bind(c, key, (cagd_value){.f = x});
+    b->unknown = 1, b->number = field_variable_f(x);
+}
+
 void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, int from)
 {
     *s = (cagd_search){.c = {.scope = scope, .in_field = 1, .steps = 100 * CAGD_USUAL_STEPS}, .from = from};
     s->n = variable_f("vn"), s->k = variable_f("vk");
     s->c.divisor = s->divisor, s->c.most_divisors = CAGD_MOST_DIVISORS;
-    cagd_bind(&s->c, n, (cagd_value){.f = s->n});
+    variable_of(&s->c, n, s->n);
+    variable_of(&s->c, "", s->k);
+    cagd_limit_cell(&s->c, plus(s->n, -from), 0);
+}
+
+int cagd_take_within(cagd_search *s, const cagd_tree *t, const cagd_frame *f, long low, long last, cagd_product *out)
+{
+    cagd_limit_cell(&s->c, sub_f(plus(s->n, last), s->k), 0);
+    cagd_limit_cell(&s->c, plus(s->k, -low), 0);
+    int good = cagd_take(s, t, f, 1, out);
+    cagd_binding *k = cagd_binding_of(&s->c, "");
+    k->has_low = s->c.limits = s->c.memos = s->c.is_empty = 0;
+    return good;
 }
 
 num_f cagd_power_f(num_f a, int e)
@@ -51,7 +71,7 @@ int cagd_value_in(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
         return 1;
     }
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-    s->c.trouble = NULL;
+    s->c.trouble = s->c.split = NULL, s->c.has_cut = 0;
     return 0;
 }
 

@@ -26,7 +26,7 @@ typedef struct cagd_closed_sum {
     cagd_num_f a, R;
 } cagd_closed_sum;
 
-/* Made by cagd_search_begin.  n and k are variables of the field; the name of n is bound in the context. */
+/* Made by cagd_search_begin.  n and k are variables of the field; the name of n is bound in the context, where it is at least `from`. */
 typedef struct cagd_search {
     cagd_context c;
     cagd_num_f n, k;
@@ -55,4 +55,6 @@ const cagd_tree *cagd_called_body(cagd_search *s, const cagd_tree *t, const cagd
                                   const cagd_frame **inner);
 /* The product times t^e; 0 where t is no product of that kind. */
 int cagd_take(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out);
+/* The same with e = 1, of the term of a sum: k is a whole number from low to n + last. */
+int cagd_take_within(cagd_search *s, const cagd_tree *t, const cagd_frame *f, long low, long last, cagd_product *out);
 #endif

@@ -174,6 +174,8 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
             }
         }
         at = t.to;
+        if (at < to && text[at] == '.' && is(s, t.to - t.from, "\\right"))
+            at++;
         if (at < to && text[at] == '.' && is(s, t.to - t.from, "\\left")) { /* a bracket that is none, or up to a bar */
             int end = bars < MOST_BARS ? bar_behind(text, at + 1, to) : -1;
             at++;

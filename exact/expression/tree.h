@@ -12,19 +12,22 @@ typedef enum cagd_tree_kind {
     CAGD_NAME, /* head with [lower indices, upper indices, arguments], derived `order` times by its first argument, or as
                        often as `times` says */
     CAGD_SUM,  /* [a, b, ...] */
-    CAGD_PRODUCT,   /* [a, b, ...] */
-    CAGD_NEGATIVE,  /* [a] */
-    CAGD_QUOTIENT,  /* [a, b] */
-    CAGD_POWER,     /* [a, b] */
-    CAGD_FACTORIAL, /* [a] */
-    CAGD_BINOMIAL,  /* [a, b] */
-    CAGD_ROOT,      /* [a, n] */
-    CAGD_ABSOLUTE,  /* [a] */
-    CAGD_FLOOR,     /* [a] */
-    CAGD_CEILING,   /* [a] */
-    CAGD_MAXIMUM,   /* [a, b, ...] */
-    CAGD_MINIMUM,   /* [a, b, ...] */
-    CAGD_SUM_OVER,  /* [low, high, body, conditions ...] over the index `head`                                    */
+    CAGD_PRODUCT,     /* [a, b, ...] */
+    CAGD_NEGATIVE,    /* [a] */
+    CAGD_QUOTIENT,    /* [a, b] */
+    CAGD_POWER,       /* [a, b] */
+    CAGD_FACTORIAL,   /* [a] */
+    CAGD_BINOMIAL,    /* [a, b] */
+    CAGD_Q_NUMBER,    /* [n, q]: 1 + q + ... + q^(n-1)                                                              */
+    CAGD_Q_FACTORIAL, /* [n, q]: the product of those of 1 to n                                                     */
+    CAGD_Q_BINOMIAL,  /* [n, k, q]: the Gaussian binomial coefficient                                               */
+    CAGD_ROOT,        /* [a, n] */
+    CAGD_ABSOLUTE,    /* [a] */
+    CAGD_FLOOR,       /* [a] */
+    CAGD_CEILING,     /* [a] */
+    CAGD_MAXIMUM,     /* [a, b, ...] */
+    CAGD_MINIMUM,     /* [a, b, ...] */
+    CAGD_SUM_OVER,    /* [low, high, body, conditions ...] over the index `head`                                    */
     CAGD_PRODUCT_OVER,
     CAGD_MAXIMUM_OVER,
     CAGD_MINIMUM_OVER,

@@ -413,7 +413,11 @@ cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, con
     if (result->tied > 0)
         return (cagd_stationary_verdict){
             .bound = -1, .where = -1, .reason = "points share a foot, and the verification takes every foot by itself"};
-    size_t numbers = (size_t)data->count * (size_t)data->dim;
+    const int first = result->left_out[0],
+              end_points[2] = {result->end_points[0] - first, result->end_points[1] - first};
+    cagd_fit_data near = {data->count - first - result->left_out[1], data->dim, NULL,
+                          data->sigma != NULL ? data->sigma + first : NULL};
+    size_t numbers = (size_t)near.count * (size_t)data->dim, start = (size_t)first * (size_t)data->dim;
     int count = 0, *held = malloc(((size_t)result->unknowns + 1) * sizeof *held);
     double *points = malloc(numbers * sizeof *points), *extended = NULL;
     cagd_spline curve = result->curve;
@@ -427,8 +431,7 @@ cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, con
         return (cagd_stationary_verdict){.bound = -1, .where = -1, .reason = no_memory};
     }
     for (size_t m = 0; m < numbers; m++)
-        points[m] = data->points[m] - result->origin[m % (size_t)data->dim]; /* exactly */
-    cagd_fit_data near = *data;
+        points[m] = data->points[start + m] - result->origin[m % (size_t)data->dim]; /* exactly */
     near.points = points;
     for (int a = 0; a < result->unknowns; a++) {
         held[a] = result->at_bound[a] ? bound_of(options, result->value[a]) : CAGD_STATIONARY_FREE;
@@ -441,8 +444,8 @@ cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, con
                                        .curve = &curve,
                                        .period = result->period,
                                        .shift = result->period > 0,
-                                       .feet = result->feet,
-                                       .end_points = result->end_points,
+                                       .feet = result->feet + first,
+                                       .end_points = end_points,
                                        .unknowns = result->unknowns,
                                        .unknown = result->unknown,
                                        .held = held,

@@ -310,6 +310,27 @@ class Pages(unittest.TestCase):
         self.assertEqual(r.returncode, 1)
         self.assertIn("there are other variables", r.stdout)
 
+    def test_where_the_denominators_are_not_0(self):
+        let = "m \\in \\mathbb{R}\nr_i(t;m) = \\frac{\\binom{2}{i} t^i (1-t)^{2-i}}{(1-t)^2 + 2 m t (1-t) + t^2}\ns_i(t) = \\frac{t^i}{2 t - 1}"
+        r = self.check(":functions: r_i(t;m)\n:for: i = 0..2, 0 \\le t \\le 1\n:find: m", let=let)
+        self.assertIn("defined                   m > −1 (decided)", r.stdout)
+        self.assertIn("totally positive          not decided: a denominator is 0 somewhere", r.stdout)
+        self.assertIn("defined                   no (decided)", self.check(":functions: s_i(t)\n:for: i = 0..1, 0 \\le t \\le 1", let=let).stdout)
+
+    def test_pieces(self):
+        """The functions of one piece; what has another piece at the end says so, and the next sheet knows nothing of it."""
+        let = "v_i = i\n:use: bspline D_{i,p}(u) over v_i\nN_i(u) = D_{i-2,2}(u)\nb_i(t) = \\binom{2}{i} t^i (1-t)^{2-i}"
+        r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u < 1", let=let)
+        for words in ("0 ≤ u < 1", "sum is 1                  yes", "totally positive          yes", "N₀ = 1/2, N₁ = 1/2"):
+            self.assertIn(words, r.stdout)
+        r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u \\le 1\n:::\n:::{basis} other\n:functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", let=let)
+        self.assertIn("a definition changes within the interval", r.stdout)
+        r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u \\le 1", "--json", let=let)
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("a definition changes", json.loads(r.stdout)["bases"][0]["reason"])
+        r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u \\le 1\n:::\n:::{basis} other\n:functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", let=let)
+        self.assertIn("the Bernstein basis       yes", r.stdout)
+
     def test_dependent_functions_are_found(self):
         r = self.check(":functions: c_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", "--json", let="c_0(t) = 1\nc_1(t) = t\nc_2(t) = 1 + t")
         p = {p["property"]: p["verdict"] for p in json.loads(r.stdout)["bases"][0]["properties"]}

@@ -229,6 +229,17 @@ g(s,t) = s^2 t^3
                 s = verdict(printed, "n = 2", let)
                 self.assertEqual(s["verdict"], expected, s)
 
+    def test_multiples_of_angles(self):
+        let = "a, b \\in \\mathbb{R}\nP \\in \\mathbb{R}^2\n"
+        for printed, ranges in (("\\sin 2a = 2 \\sin a \\cos a", "n = 1"), ("\\cos 2a \\cos b = (1 - 2 \\sin^2 a) \\cos b", "n = 1"), ("\\cos 2(a+b) = 2 \\cos^2(a+b) - 1", "n = 1"),
+                                ("\\cos na = 2 \\cos a \\cos (n-1)a - \\cos (n-2)a", "n = 0..5"), ("\\sin a (x+y) = x \\sin a + y \\sin a", "n = 1"), ("\\cos(a) x = x \\cos a", "n = 1"), ("\\cos a\\,x + \\sin 2a\\;y = x \\cos a + 2 y \\sin a \\cos a", "n = 1"), ("\\cos a P = P \\cos a", "n = 1")):
+            self.assertEqual(verdict(printed, ranges, let)["verdict"], "holds", printed)
+        self.assertEqual(verdict("\\sin 2a = 2 \\sin a", "n = 1", let)["verdict"], "fails")
+        for printed in ("\\sin a x = x \\sin a", "\\cos 2a x = x \\cos 2a"):
+            r = check(document(printed, "n = 1", let))
+            self.assertEqual(r.returncode, 2)
+            self.assertIn("part of the angle, or a factor?", r.stderr)
+
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
         for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3",
@@ -352,6 +363,10 @@ g(s,t) = s^2 t^3
         x = {v["name"]: fractions.Fraction(v["value"]) for v in s["counterexample"]["values"]}
         self.assertEqual((s["verdict"], x["u"] + x["v"]), ("fails", 1))
         self.assertEqual(verdict("F(x) = x^2, F(y) = y", "n = 1")["verdict"], "fails")
+        for told in ("x = B_0^1(t), \\quad y = B_1^1(t)", "x = u, y = 1 - u"):
+            self.assertEqual(verdict(f"x + y = 1, \\quad {told}", "u = 1/3")["verdict"], "undecided")
+            self.assertEqual(verdict(f"x + y = 1 \\text{{ where }} {told}", "u = 1/3")["verdict"], "holds")
+            self.assertEqual(verdict(f"x + y = 2, \\quad {told}", "u = 1/3")["verdict"], "fails")
 
     def test_arguments_are_left_out_behind_a_semicolon_alone(self):
         self.assertEqual(verdict("G(t) = 2 t y", "n = 1", "G(t;y) = 2 t y\n")["verdict"], "holds")
@@ -368,10 +383,86 @@ g(s,t) = s^2 t^3
     def test_names_whose_squares_are_told(self):
         x = "((1-t)^2 + x t (1-t))^2 + (x t (1-t) + t^2)^2"
         self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 2")["verdict"], "holds")
-        self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 3")["verdict"], "undecided")
+        self.assertEqual(verdict(f"{x} = ((1-t)^2 + x t (1-t) + t^2)^2", "x^2 = 3")["verdict"], "fails")
         self.assertEqual(verdict("x^4 - 1 = -y^2 (x^2 + 1)", "x^2 + y^2 = 1")["verdict"], "holds")
         self.assertEqual(verdict("x^4 - 1 = y^2 (x^2 + 1)", "x^2 + y^2 = 1")["verdict"], "fails")
         self.assertEqual(verdict("x^4 = 1", "x^2 = -1")["verdict"], "undecided")
+
+    def test_inequalities_of_names_that_are_tied(self):
+        """On a circle by the tangent of half of the angle, on a parabola, at roots; what no tangent reaches is looked at, too."""
+        for printed, ranges, expected in (
+                ("x \\le 1", "x^2 + y^2 = 1", "holds"), ("x < 1", "x^2 + y^2 = 1", "fails"), ("x > -1", "x^2 + y^2 = 1", "fails"), ("y > -1", "x^2 + y^2 = 1", "fails"),
+                ("x + y \\le 1", "x^2 + y^2 = 1", "fails"), ("2 x y \\le 1", "x^2 + y^2 = 1", "holds"), ("x + y \\ge 1", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", "holds"),
+                ("x + y > 1", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", "fails"), ("x + y > 1", "x^2 + y^2 = 1, x > 0, y > 0", "holds"), ("x \\ne y", "x^2 + y^2 = 1, x \\ge 0, y \\le 0", "holds"),
+                ("3 x + 4 y \\le 5", "x^2 + y^2 = 1", "holds"), ("3 x + 4 y < 5", "x^2 + y^2 = 1", "fails"), ("x \\le 2", "\\frac{x^2}{4} + 9 y^2 = 1", "holds"), ("y \\le 1/4", "\\frac{x^2}{4} + 9 y^2 = 1", "fails"),
+                ("3 y \\ge 1 - x/2", "\\frac{x^2}{4} + 9 y^2 = 1, 0 \\le x \\le 2, y \\ge 0", "holds"), ("y \\ge 3/4", "x^2 + y^2 = 1, 0 \\le x \\le 3/5, y \\ge 0", "holds"), ("y \\ge 5/6", "x^2 + y^2 = 1, 0 \\le x \\le 3/5, y \\ge 0", "fails"),
+                ("x \\le \\frac{1+y}{2}", "x^2 = y", "holds"), ("x < \\frac{1+y}{2}", "x^2 = y", "fails"), ("x \\ge y", "x^2 = y, x \\ge 0, 0 \\le y \\le 1", "holds"), ("x \\ge y", "x^2 = y, x \\ge 0, 0 \\le y \\le 4", "fails"),
+                ("y \\le 1", "x^2 + y = 1", "holds"), ("y + u \\le 1", "x^2 + y = 1, u \\le 0", "holds"),
+                ("y \\ge 0", "x^2 + u^2 + y = 1, y \\ge 0", "holds"),
+                ("x \\ge 1", "x^2 = 2, x > 0", "holds"), ("x > 3/2", "x^2 = 2, x > 0", "fails"), ("x \\ge 1", "x^2 = 2", "fails"), ("x \\ge -2", "x^2 = 4", "holds"), ("x > -2", "x^2 = 4", "fails"), ("x^2 \\ge 2", "x^2 = 2", "holds"),
+                ("(1-t)^2 + x t (1-t) + t^2 > 0", "x^2 = 2, 0 \\le t \\le 1", "holds"), ("x > 1", "x^3 = 2", "holds"), ("x^4 = 2 x", "x^3 = 2", "holds"), ("x^4 = 2", "x^3 = 2", "fails"),
+                ("x^2 + y^2 = 1 \\Rightarrow x \\le 1", "n = 1", "holds"), ("x^2 + y^2 = 1 \\Rightarrow x + y \\le 1", "n = 1", "fails"), ("x^2 + y^2 = 1 \\Rightarrow x \\ne -1", "n = 1", "fails"),
+                ("|x| + |y| \\ge 1", "x^2 + y^2 = 1", "holds"), ("|x| + |y| > 1", "x^2 + y^2 = 1", "fails"), ("x = 5", "x^2 + 1 = 0", "undecided")):
+            with self.subTest(printed=printed, ranges=ranges):
+                let = "t \\in \\mathbb{R}\n"
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+
+    def test_what_is_false_for_a_root_alone(self):
+        """A counterexample of which one number is no rational one: it is a root of what is printed, between the numbers that are."""
+        for printed, ranges, of, at in (("x^2 \\ne 2", "n = 1", "x^2 - 2", -2 ** .5), ("x^2 \\ne 2", "x \\ge 0", "x^2 - 2", 2 ** .5), ("(x^3 - 2)^2 > 0", "n = 1", "x^3 - 2", 2 ** (1 / 3)),
+                                        ("(x^2 - 3)^2 (y^2 + 1) > 0", "x \\ge 1", "x^2 - 3", 3 ** .5), ("x^2 = 2 \\Rightarrow x^4 = 5", "x > 0", "x^2 - 2", 2 ** .5), ("x y = 1", "x^2 = 2, x > 0", "x^2 - 2", 2 ** .5)):
+            with self.subTest(printed=printed):
+                s = verdict(printed, ranges)
+                self.assertEqual((s["verdict"], s["evidence"]), ("fails", "decided"))
+                (root,) = [v["root"] for v in s["counterexample"]["values"] if "root" in v]
+                self.assertEqual(root["of"], of)
+                low, high = map(fractions.Fraction, root["between"])
+                self.assertTrue(low < at < high)
+        self.assertEqual(verdict("x^2 \\le 3", "x^2 = 2", "")["verdict"], "holds")
+        s = verdict("x = y", "x^2 = 2, y^2 = 3")
+        self.assertEqual([v["root"]["of"] for v in s["counterexample"]["values"]], ["x^2 - 2", "x^2 - 3"])
+        for printed, ranges in (("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1"), ("(x^2-2)^2 > 0", "x \\ge 2"), ("(x^2-2)^2 > 0", "x^3 \\ge 10"), ("(x^2-2)^2 > 0", "x_i^2 \\le 1, x = x_1")):
+            self.assertNotEqual(verdict(printed, ranges)["verdict"], "fails", printed)
+
+    def test_q_numbers(self):
+        """As papers on q-Bernstein functions print them, q = 1 being no exception."""
+        let = "q, t \\in \\mathbb{R}\nb_{n,i}(t;q) = {n \\brack i}_q t^i \\prod_{s=0}^{n-i-1} (1 - q^s t)\n"
+        for printed, ranges, expected in (("\\sum_{i=0}^n b_{n,i}(t;q) = 1", "n = 0..5", "holds"), ("\\sum_{i=0}^n \\frac{[i]_q}{[n]_q} b_{n,i}(t;q) = t", "n = 1..5", "holds"), ("\\sum_{i=0}^n \\frac{i}{n} b_{n,i}(t;q) = t", "n = 1..5", "fails"),
+                                          ("{n \\brack k}_q = q^{n-k} {n-1 \\brack k-1}_q + {n-1 \\brack k}_q", "n = 1..6, k = 0..n", "holds"), ("{n \\brack k}_q = q^{n-k} {n-1 \\brack k-1}_q + q^k {n-1 \\brack k}_q", "n = 1..6, k = 0..n", "fails"),
+                                          ("\\binom{n}{k}_q [k]_q! [n-k]_q! = [n]_q!", "n = 0..6, k = 0..n", "holds"), ("\\begin{bmatrix} n \\\\ k \\end{bmatrix}_q = \\binom{n}{n-k}_q", "n = 0..6, k = 0..n", "holds"), ("{n \\brack k}_1 = \\binom{n}{k}", "n = 0..6, k = -1..n+1", "holds"),
+                                          ("[n]_q = \\frac{1 - q^n}{1 - q}", "n = 0..6", "holds"), ("[n]_{q^2} (1+q) = [2n]_q", "n = 0..6", "holds"), ("[n]_q = n", "n = 0..6", "fails"), ("\\sum_{k=0}^n {n \\brack k}_q = 2^n", "n = 0..", "fails"),
+                                          ("\\prod_{j=0}^{n-1} (1 + q^j t) = \\sum_{k=0}^n q^{k(k-1)/2} \\binom{n}{k}_q t^k", "n = 0..6", "holds"), ("\\prod_{j=0}^{n-1} (1 + q^j t) = \\sum_{k=0}^n q^{k(k-1)/2} \\binom{n}{k}_q t^k", "n = 0..", "undecided")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+        self.assertIn("[n, k]_q = C(n, k)", check(document("{n \\brack k}_q = {n \\choose k}", "n = 2, k = 1", let)).stdout)
+        for printed, words in (("{n \\brack 1} = n", "several meanings"), ("[-1]_q = 0", None)):
+            r = check(document(printed, "n = 2", let))
+            self.assertIn(words or "negative number", r.stderr + r.stdout)
+
+    def test_square_roots_of_numbers(self):
+        let = "W(t) = (1-t)^2 + \\sqrt{2} t (1-t) + t^2\nt \\in \\mathbb{R}\n"
+        unit = "0 \\le t \\le 1"
+        circle = "\\left(\\frac{(1-t)^2 + \\sqrt{2} t(1-t)}{W(t)}\\right)^2 + \\left(\\frac{\\sqrt{2} t(1-t) + t^2}{W(t)}\\right)^2"
+        for printed, ranges, expected in ((f"{circle} = 1", "n = 1", "holds"), (f"{circle} = \\sqrt{{2}}", "n = 1", "fails"), (f"{circle.replace('2} t', '3} t')} = 1", "n = 1", "fails"), ("W(t) > 0", "n = 1", "holds"),
+                                          ("W(t) \\ge \\frac{2+\\sqrt{2}}{4}", unit, "holds"), ("W(t) > \\frac78", unit, "fails"), ("\\sqrt{8} = 2 \\sqrt{2}", "n = 1", "holds"), ("\\sqrt{8} = 3 \\sqrt{2}", "n = 1", "fails"),
+                                          ("\\sqrt{\\frac12} = \\frac{\\sqrt{2}}{2}", "n = 1", "holds"), ("\\sqrt{n} \\le \\frac{n+1}{2}", "n = 0..9", "holds"), ("\\sqrt{n} < \\frac{n+1}{2}", "n = 0..9", "fails"), ("\\sqrt{2} > \\frac32", "n = 1", "fails"),
+                                          ("\\sqrt{2} < \\frac32", "n = 1", "holds"), ("|\\sqrt{2} - 2| = 2 - \\sqrt{2}", "n = 1", "holds"), ("\\sqrt{2} \\le \\sqrt{3}", "n = 1", "holds"), ("\\frac{1}{\\sqrt{2}-1} = \\sqrt{2} + 1", "n = 1", "holds"),
+                                          ("x \\sqrt{2} = y", "n = 1", "fails"), ("x \\le \\sqrt{2} \\Rightarrow x \\le \\frac32", "n = 1", "holds"), ("\\sqrt{2} \\sqrt{3} = \\sqrt{6}", "n = 1", "undecided"), ("\\sqrt{2} \\sqrt{3} = 2", "n = 1", "fails"), ("\\frac{\\sqrt{2}^2-2}{\\sqrt{2}^2-2} = 1", "n = 1", "undecided"), ("x^{-1} (x^2 - 2) = 0", "x^2 = 2, x > 0", "holds"), ("\\frac{x^2-2}{x^2-2} = 1", "x^2 = 2", "undecided"),
+                                          ("\\sqrt{-1} = 1", "n = 1", "undecided"), ("\\sqrt{2} = 1", "n = 1", "fails"), ("\\frac{1}{\\sqrt{2}^2 - 2} = 1", "n = 1", "undecided"), ("\\|(1, 1)\\| = \\sqrt{2}", "n = 1", "holds")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, ranges, let)
+                self.assertEqual(s["verdict"], expected)
+                self.assertNotIn("√", s["scope"])
+
+    def test_half_a_turn_is_an_angle(self):
+        """The tangent of its half is no number."""
+        for printed, expected in (("\\cos\\frac{x}{2} > -1", "fails"), ("\\cos\\frac{x}{2} \\ge -1", "holds"), ("1 + \\cos\\frac{x}{2} \\ne 0", "fails"), ("\\cos\\frac{x}{2} = -1 \\Rightarrow \\sin\\frac{x}{2} = 1", "fails"),
+                                  ("\\cos\\frac{x}{2} = -1 \\Rightarrow \\sin\\frac{x}{2} = 0", "holds"), ("\\cos\\frac{x}{2} + \\cos\\frac{y}{2} > -2", "fails"), ("\\cos\\frac{x}{2} + \\cos\\frac{y}{2} \\ge -2", "holds"),
+                                  ("\\begin{cases} 1 & \\cos\\frac{x}{2} > -1 \\\\ 0 & \\text{otherwise} \\end{cases} = 1", "fails")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 1")
+                self.assertEqual(s["verdict"], expected)
+                self.assertNotIn("tan", s["scope"])
 
     def test_a_value_at_a_place_of_all_that_is_before_the_bar(self):
         """It was that of the last factor alone."""
@@ -381,6 +472,30 @@ g(s,t) = s^2 t^3
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, "n = 1")["verdict"], "holds")
                 self.assertEqual(verdict(printed + " + 1", "n = 1")["verdict"], "fails")
+
+    def test_ranges_behind_a_formula(self):
+        """As papers print them; what is before them needs them, so that no relation is taken for a range."""
+        unit = "0 \\le t \\le 1"
+        for printed, ranges, scope in (("B_i^n(t) \\ge 0, \\quad i = 0, 1, \\dots, n", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^n(t) \\ge 0 \\quad (i = 0, 1, \\dots, n)", "n = 1..3, " + unit, "i = 0 to n"),
+                                       ("B_i^n(t) \\ge 0 \\text{ for } i = 0, \\dots, n.", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^3(t) = B_{3-i}^3(1-t), \\qquad i=0,1,2,3", "n = 1", "i = 0 to 3"),
+                                       ("B_i^n(t) \\ge 0, \\quad 0 \\le i \\le n", "n = 1..3, " + unit, "i = 0 to n"), ("B_i^n(t) = B_{n-i}^n(1-t)", "0 \\le i \\le n, n = 1..3", "i = 0 to n"), ("x_{i+1} - x_i = x_{i+1} - x_i + i - i", "0 < i < 3", "whole 0 < i < 3"),
+                                       ("B_i^3(t) \\geqslant \\dfrac{0}{2}, \\quad i=0,1,2,3, \\quad t \\in [0,1].", "n = 1", "0 ≤ t ≤ 1")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, ranges)
+                self.assertEqual(s["verdict"], "holds")
+                self.assertIn(scope, s["scope"])
+        self.assertEqual(verdict("B_i^3(t) = B_{3-i}^3(t), \\quad i=0,1,2,3", "n = 1")["verdict"], "fails")
+        for printed, words in (("x y = y x, w = 3", "w is not defined"), ("x y = y x, w = x", "w is not defined"), ("x y = y x, \\quad B_w = 3", "w is not defined")):
+            r = check(document(printed, "n = 1"))
+            self.assertEqual(r.returncode, 2, printed)
+            self.assertIn(words, r.stderr)
+
+    def test_cases_of_older_papers(self):
+        for printed in ("\\left\\{\\begin{array}{ll} x, & x \\ge 0 \\\\ -x, & x < 0 \\end{array}\\right.", "\\left\\{ \\begin{aligned} x, & \\quad x \\ge 0, \\\\ -x, & \\quad x < 0. \\end{aligned} \\right.",
+                        "\\left\\{\\begin{array}{rl} x & \\mbox{if } x \\ge 0, \\\\ -x & \\mbox{otherwise.} \\end{array}\\right.", "\\begin{dcases} x & x \\ge 0 \\\\ -x & \\text{otherwise} \\end{dcases}"):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(f"{printed} = |x|", "n = 1")["verdict"], "holds")
+                self.assertEqual(verdict(f"{printed} = x", "n = 1")["verdict"], "fails")
 
     def test_intervals_behind_a_formula(self):
         for behind in ("x \\in [0,1], y \\in [0,1]", "x, y \\in [0,1]", "(x,y) \\in [0,1] \\times [0,1]", "(x, y) \\in [0,1]^2", "x \\in [0,1] \\text{ and } y \\in [0,1]"):
@@ -533,6 +648,20 @@ class Certificates(unittest.TestCase):
             self.assertIn(f"Certificates of {len(self.INEQUALITIES)} of", r.stdout)
             code, out = self.recheck(folder)
             self.assertEqual(code, 0, out)
+
+    def test_names_that_are_tied(self):
+        """The names are functions of another one, and the place that it does not reach is a step of its own."""
+        for printed, ranges, compared in (("x + y \\ge 1", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", 1), ("3 x + 4 y \\le 5", "x^2 + y^2 = 1", 2), ("x + \\frac54 > 0", "x^2 + y^2 = 1", 2), ("x^4 - y^4 = x^2 - y^2", "x^2 + y^2 = 1", 2),
+                                          ("x \\le \\frac{1+y}{2}", "x^2 = y", 1), ("(1-y)(1-u y) \\ge 0", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0, -1 \\le u \\le 1", 1), ("\\cos\\frac{x}{2} + 2 > 0", "n = 1", 2)):
+            with self.subTest(printed=printed), tempfile.TemporaryDirectory() as folder:
+                s = json.loads(check(document(printed, ranges), "--json", "--certificates", folder).stdout)["statements"][0]
+                self.assertEqual((s["verdict"], s["certificate"]), ("holds", "s"))
+                code, out = self.recheck(folder)
+                self.assertEqual(code, 0, out)
+                self.assertIn("1 rechecked, 0 wrong", out)
+                claim = pathlib.Path(folder) / "claims" / "s.json"
+                steps = json.loads(claim.read_text())["cases"][0]["steps"]
+                self.assertEqual(sum("agree" in x or "same" in x for x in steps), compared)
 
     def test_inequalities_with_one_fault(self):
         """A statement, and a change of its first fact after which it is not true, or not shown."""
@@ -816,6 +945,17 @@ class Ranges(unittest.TestCase):
         self.assertEqual(r.returncode, 0)
         self.assertEqual(s["property-2.1-range"]["values"].replace("− ", "−"), "−21/4 ≤ β ≤ 1")
 
+    def test_names_that_are_tied(self):
+        """On a circle, also where no tangent reaches; a bound of names together, or a condition that is not used, is no range."""
+        for printed, ranges, values in (("1 - u x \\ge 0", "x^2 + y^2 = 1, x \\ge 0, y \\ge 0", "u ≤ 1"), ("1 - u x > 0", "x^2 + y^2 = 1", "−1 < u < 1"), ("u + y > 0", "x^2 + y^2 = 1", "u > 1"), ("u + x > 0", "x^2 + y^2 = 1", "u > 1"),
+                                        ("u + \\cos\\frac{x}{2} > 0", "n = 1", "u > 1"), ("u + x \\ge 0", "x^2 = y, 0 \\le y \\le 4", "u ≥ 2"), ("u + x \\ge 0", "x + y = 1, 0 \\le y \\le 3", "u ≥ 2"),
+                                        ("x^3 - 3 x + u \\ne 0", "0 \\le x \\le 1", "u < 0 and u > 2"), ("\\frac{u}{u} = 1", "n = 1", "u < 0 and u > 0"), ("\\frac{u (u-1)}{u-1} \\le 3", "n = 1", "u < 1 and 1 < u ≤ 3"),
+                                        ("u \\ge x", "0 \\le x \\le 1, x \\le y, y \\le 1 - x", None), ("x \\le 1", "0 \\le x \\le u", None), ("u + x \\ge 0", "x^2 = 2, x > 0", None), ("u + x \\ge 0", "x^2 \\le 4", None),
+                                        ("u + x \\ge 0", "x^2 + y = 3, 0 \\le y", None), ("u + x \\ge 0", "x^2 + y^2 = 1, x \\ge 1/3", None), ("u \\ge x", "0 \\le x \\le 1, 3 x_1 = x, x_1 \\le 1/6", "u ≥ 1/2")):
+            s = self.found(printed, "u", ranges)
+            self.assertEqual(s["values"].replace("− ", "−"), values or "", printed)
+            self.assertEqual(s["verdict"], "found" if values else "undecided")
+
     def test_what_is_not_found_is_told(self):
         self.assertIn("more than one name", self.found("x + t + y \\ge 0", "x", "0 \\le t \\le 1")["reason"])
         for parameter, words in (("z", "not defined"), ("x_1", "variable"), ("2", "variable"), ("n", "variable")):
@@ -838,6 +978,15 @@ class Mistakes(unittest.TestCase):
                 self.assertEqual(first, f"cagd: standard input:{place}: {message}")
                 self.assertEqual(caret.strip()[0], "^")
                 self.assertEqual(caret.index("^") - 2, int(place.split(":")[1]) - 1)
+
+    def test_files_of_other_systems(self):
+        """Lines that end with a carriage return, a mark of UTF-8 at the beginning, tabs."""
+        text = document("\tx + y = y + x")
+        for other in (text, "\ufeff" + text, text.replace("\n", "\r\n"), "\ufeff" + text.replace("\n", "\r\n")):
+            r = subprocess.run([CAGD, "check", "-"], input=other.encode(), capture_output=True, timeout=60)
+            self.assertEqual((r.returncode, r.stderr), (0, b""))
+        r = check(document("\tx + zz = 1"))
+        self.assertEqual(r.stderr.splitlines()[1:], ["  :printed:  x + zz = 1", "                 ^"])
 
     def test_what_is_large_gets_one_line(self):
         for text in ("(" * 10**6 + "x" + ")" * 10**6, "x + " * 250000 + "x", "{" * 19000, "\\frac{" * 3000, "-" * 10**6,
@@ -933,13 +1082,34 @@ class Verdicts(unittest.TestCase):
                         "\\sum_{k=0}^{n} \\binom{n}{k}^3 = 2^n", f"\\sum_{{k=0}}^n \\binom{{n}}{{k}} = 2^n (1 + n {late})"):
             self.assertIn(verdict(printed, "n = 0..")["verdict"], {"undecided", "fails"})
 
+    def test_what_n_and_k_are_is_not_known_for_every_number(self):
+        """Of the variables that stand for them no sign is known; k - 9 was taken for -9."""
+        for printed in ("\\sum_{k=0}^{n} \\max(k, 9) = 9 (n+1)", "\\sum_{k=0}^n \\binom{n}{k} \\max(n,9) = 9 \\cdot 2^n", "\\sum_{k=0}^n \\binom{n}{k} |n-9| = (9-n) 2^n",
+                        "\\sum_{k=0}^n (k-9)_+^1 = 0"):
+            self.assertEqual(verdict(printed, "n = 0..")["verdict"], "undecided", printed)
+
+    def test_what_is_said_where_a_divisor_can_be_0_is_said_elsewhere(self):
+        """A quotient that is a polynomial has no value there; what has a pole is positive beside it."""
+        let = "A \\in \\mathbb{R}^{2 \\times 2}\nw_i > 0\n"
+        for printed, ranges, is_defined in (
+                ("\\frac{x^2-1}{x-1} = x + 1", "n = 1", 0), ("\\frac{x^2-1}{x-1} = x + 1", "x > 1", 1), ("\\frac{x^2-1}{x-1} = x + 1", "x \\ge 1", 0), ("x x^{-1} = 1", "n = 1", 0), ("\\frac{x^2+1}{x^2+1} = 1", "n = 1", 1),
+                ("A^{-1} A = \\begin{pmatrix} 1 & 0 \\\\ 0 & 1 \\end{pmatrix}", "n = 1", 0), ("\\frac{1}{x^2} > 0", "n = 1", 0), ("\\frac{1}{x+1} > 0", "x \\ge -1", 0), ("\\frac{1}{x+1} > 0", "x \\ge 0", 1),
+                ("\\frac{w_0 (1-t) + w_1 t}{w_0 (1-t) + w_1 t} = 1", "0 \\le t \\le 1", 1), ("\\frac{w_0 (1-t) + w_1 t}{w_0 (1-t) + w_1 t} = 1", "-1 \\le t \\le 1", 0), ("\\frac{d}{dt} \\frac{t}{1+t^2} = \\frac{1-t^2}{(1+t^2)^2}", "n = 1", 1),
+                ("\\frac{d}{dx} \\frac{1}{x} = -\\frac{1}{x^2}", "n = 1", 0)):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges, let)
+                self.assertEqual(s["verdict"], "holds")
+                self.assertEqual("wherever both sides are defined" not in s["scope"], bool(is_defined))
+        for printed in ("\\frac{1}{x} > 0", "\\frac{x^2}{x} > 0", "\\frac{x^2}{(x-1)^2} > 0"):
+            self.assertNotEqual(verdict(printed, "x \\ge -1")["verdict"], "holds", printed)
+
     def test_a_value_that_is_given_is_in_the_scope(self):
         self.assertIn("x = 1/2", verdict("x y = y x", "x = 1/2")["scope"].replace("\\frac12", "1/2"))
         self.assertNotIn("x", verdict("y = 2 u", "x = 1/2, y = 2 u")["scope"])
         self.assertIn("x = 2", verdict("G(t) = 2 t", "x = 2", "G(t) = x t\n")["scope"])
 
     def test_closed_forms_for_every_number(self):
-        for printed, ranges in (("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.."), ("\\sum_{i=0}^n i = \\frac{n(n+1)}{2} = \\binom{n+1}{2}", "n = 0.."),
+        for printed, ranges in (("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.."), ("\\sum_{i=0}^n x^i = \\frac{x^{n+1} - 1}{x - 1}", "n = 0.., x \\ne 1"), ("\\sum_{i=0}^n i = \\frac{n(n+1)}{2} = \\binom{n+1}{2}", "n = 0.."),
                                 ("\\sum_{i=1}^n \\frac{1}{i(i+1)} = \\frac{n}{n+1}", "n = 0.."),
                                 ("\\sum_{i=1}^n i x^i = \\frac{x (1 - (n+1) x^n + n x^{n+1})}{(1-x)^2}", "n = 1.."),
                                 ("\\sum_{i=0}^{n-1} x^{n-1-i} y^i = \\frac{x^n - y^n}{x - y}", "n = 1.."), ("\\sum_{i=1}^n i \\, i! = (n+1)! - 1", "n = 1.."),
@@ -977,6 +1147,14 @@ class Verdicts(unittest.TestCase):
         s = verdict("0 F(t) + x_1 = x_1")
         self.assertLess(s["changes_noticed"], s["changes"])
 
+    def test_sums_over_nothing_and_ranges_without_use_are_told(self):
+        for printed, ranges, told in (("\\sum_{i=3}^{1} x_i = 0", "n = 1", "∑ᵢ₌₃¹ xᵢ goes over nothing"), ("\\prod_{i=5}^{n} x_i = 1", "n = 1..4", "∏ᵢ₌₅ⁿ xᵢ goes over nothing"), ("\\prod_{i=5}^{n} x_i = x_5^{n-4}", "n = 4..5", None),
+                                      ("\\sum_{i=0}^n x_i = \\sum_{i=0}^{n-1} x_i + x_n", "n = 0..2", None), ("x + y = y + x", "n = 3..1", "Nothing depends on n"), ("x_m = x_m + m - m", "n = 1..2, m = 0..n", None), ("x = y", "n = 1..2", "Nothing depends on n")):
+            r = check(document(printed, ranges)).stdout
+            for words in ("goes over nothing", "Nothing depends on"):
+                self.assertEqual(words in r, told is not None and words in told, printed)
+            self.assertIn(told or "", r)
+
     def test_an_empty_range_proves_nothing(self):
         s = verdict("1 = 2", "n = 3..1, x = n")
         self.assertNotEqual(s["verdict"], "holds")
@@ -992,8 +1170,10 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict("t (1-t) > 0", "0 < t \\le 1")["verdict"], "fails")
         self.assertEqual(verdict("t^2 > 2", "t > 3/2")["verdict"], "holds")
         self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 1")["verdict"], "holds")
-        # it is false at the root of 2 alone, of which there is no rational example
-        self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 2")["verdict"], "undecided")
+        self.assertEqual(verdict("t^2 \\ne 2", "0 \\le t \\le 2")["verdict"], "fails")
+        for printed, expected in (("x (1-t) + y t > 0", "holds"), ("x (1-t)^2 + 2 y t (1-t) + u t^2 > 0", "holds"), ("x (1-t) t + y t > 0", "fails")):
+            self.assertEqual(verdict(printed, "0 \\le t \\le 1, x > 0, y > 0, u > 0")["verdict"], expected, printed)
+        self.assertEqual(verdict("x (1-t) + y t > 0", "0 \\le t \\le 1, x > 0, y \\ge 0")["verdict"], "fails")
         self.assertEqual(verdict("x^2 - 2 x y + y^2 \\ge 0", "0 \\le x \\le 1, 0 \\le y \\le 1")["verdict"], "holds")
         self.assertEqual(verdict("x^2 + y^2 + u^2 > 0", "1 \\le x \\le 2, -1 \\le y \\le 1, -1 \\le u \\le 1")["verdict"], "holds")
         self.assertEqual(verdict("x + y + u > 1/100", "0 \\le x \\le 2, 0 \\le y \\le 1, 0 \\le u \\le 1")["verdict"], "fails")

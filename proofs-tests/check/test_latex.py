@@ -186,6 +186,23 @@ class Reading(unittest.TestCase):
         for value, expected in (("1", "holds"), ("2", "fails")):
             self.assertEqual(verdicts(source("% cagd: let t \in \mathbb{R}\n" + body.replace("@", value))), dict.fromkeys(("one", "two", "three"), expected))
 
+    def test_a_system_in_an_array(self):
+        """As it was printed before amsmath: rows of definitions in a brace, and ranges behind formulas."""
+        body = r"""
+\begin{equation}\label{d}
+\left\{\begin{array}{l}
+b_0(t) = (1-t)^2, \\
+b_1(t) = 2t(1-t), \\[2pt]
+b_2(t) = t^2
+\end{array}\right.
+% cagd: definition
+\end{equation}
+\begin{align} b_i(t) &= b_{2-i}(1-t), \quad i=0,1,2, \label{one} \\ b_i(t) &\geqslant @, \quad i=0,1,2, \ t \in [0,1] \label{two} \end{align}
+\begin{equation}\label{three} \left[\begin{array}{cc} 1 & t \end{array}\right] \left[\begin{array}{c} t \\ 1 \end{array}\right] = 2 t \end{equation}
+"""
+        for value, expected in (("0", "holds"), ("\\dfrac12", "fails")):
+            self.assertEqual(verdicts(source("% cagd: let t \\in \\mathbb{R}\n" + body.replace("@", value))), {"one": "holds", "two": expected, "three": "holds"})
+
     def test_what_is_skipped(self):
         self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x = x\\end{equation}\\begin{equation}\\label{b} x = 1 % cagd: skip\n\\end{equation}")),
                          {"a": "holds"})

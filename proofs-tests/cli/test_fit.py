@@ -1093,24 +1093,40 @@ class Fits(Case):
                 self.assertNotIn(word, d["minimiser"]["message"])
 
     def test_an_outlier_that_holds_an_end(self):
-        """The end follows it, and so it is no outlier by its distance: that is told, and a fit without it shows how far away it is."""
+        """The end would follow it, and so it is judged by the curve of the others, which goes on behind its end: the fit is theirs, and it is listed."""
         r = random.Random(5)
         rows = [[x + r.gauss(0, 0.003), 2 * x * (1 - x) + r.gauss(0, 0.003)] for x in (i / 49 for i in range(50))]
-        rows[-1] = [1.0, 0.05]
-        cubic = ["--degree", "3", "--free", "inner,ends", "--loss", "huber", "--no-verify"]
-        said, d = self.text(rows, *cubic), self.fit(table(rows), *cubic)
-        self.assertEqual(d["outliers"]["points"], [])
-        self.assertIn("point 1 (line 1) and point 50 (line 50) measure the ends of the curve, which follow them: "
-                      "whether one of them is an outlier the distance does not tell, but a fit without it", said)
-        without = self.fit(table(rows[:-1]), *cubic)
-        (x, y), (a, b) = without["curve"]["points"][-1], without["curve"]["points"][-2]
-        across = abs((1.0 - x) * (y - b) - (0.05 - y) * (x - a)) / math.hypot(x - a, y - b)
-        self.assertGreater(across, 5 * 0.003)
-        self.assertGreater(across, 5 * without["distances"]["rms"])
-        stiff = self.text(rows, "--degree", "2", "--loss", "huber", "--no-verify")
-        self.assertIn("Outliers point 50 (line 50); farther", stiff)
-        self.assertIn("; point 1 (line 1) measures an end of the curve, which follows it: whether it is an outlier", stiff)
-        self.assertNotIn("measure", self.text(rows, *cubic, "--ends", "sliding").split("Outliers")[1].split("Fit")[0])
+        good = [row[:] for row in rows]
+        rows[-1] = [1.0, 0.08]
+        svg, out = self.folder / "p.svg", self.folder / "r.csv"
+        for options in (["--degree", "2"], ["--degree", "3", "--free", "inner,ends"], ["--degree", "3", "--control-points", "6"],
+                        ["--degree", "3", "--control-points", "auto"], []):
+            options = [*options, "--loss", "huber"]
+            with self.subTest(options=options):
+                said = self.text(rows, *options)
+                d = self.fit(table(rows), *options, "--svg", svg, "--residuals", out)
+                without = self.fit(table(rows[:-1]), *options)
+                self.assertEqual(d["curve"], without["curve"])
+                self.assertEqual((d["outliers"]["points"], d["outliers"]["left_out_at_ends"]), ([50], [0, 1]))
+                self.assertEqual(d["outliers"]["ends_judged"], [True, True])
+                self.assertEqual(d["verification"]["status"], without["verification"]["status"])
+                self.assertEqual((d["points"]["count"], d["end_points"]), (50, [1, 49]))
+                self.assertIn("Outliers point 50 (line 50); farther than", said)
+                self.assertIn("the first and the last point, which a measured end would follow, are judged by the curve of the others", said)
+                row = list(csv.DictReader(out.read_text().splitlines()))[49]
+                self.assertEqual(row["outlier"], "1")
+                self.assertGreater(abs(float(row["distance"])), 0.03)
+                self.assertEqual(svg.read_text().count('class="x wrong"'), 3)
+                none = self.fit(table(good), *options)["outliers"]
+                self.assertEqual((none["points"], none["left_out_at_ends"]), ([], [0, 0]))
+        first = self.fit(table([*reversed(rows)]), "--loss", "huber")  # at the start, and two of them
+        self.assertEqual((first["outliers"]["lines"], first["outliers"]["left_out_at_ends"], first["end_points"]), ([1], [1, 0], [2, 50]))
+        rows[-2] = [0.98, 0.15]
+        two = self.fit(table(rows), "--loss", "cauchy")
+        self.assertEqual((two["outliers"]["points"], two["outliers"]["left_out_at_ends"]), ([49, 50], [0, 2]))
+        said = self.text(rows, "--loss", "huber", "--unordered")
+        self.assertIn("whether one of them is an outlier the distance does not tell, but a fit without it", said)
+        self.assertNotIn("measure", self.text(rows, "--loss", "huber", "--ends", "sliding").split("Outliers")[1].split("Fit")[0])
 
     def test_robust_loss_bounds_outliers(self):
         """An outlier that goes farther away takes the least squares along, and no robust fit."""

@@ -136,12 +136,20 @@ class Real(unittest.TestCase):
                 self.assertLessEqual(len(d["curve"]["points"]) - 3, most)
                 self.assertLess(d["distances"]["rms"], 0.2)
 
-    def test_a_smoothed_curve_may_keep_within_a_tolerance(self):
-        """That no good one over chosen knots does; whether it does is told."""
-        d = fit(HERE / "real/naca0015-lednicer.dat", "--degree", "3", "--tolerance-distance", "3e-6")
-        self.assertIsNotNone(d["choice"]["smoothing"])
-        self.assertIs(d["choice"]["tolerance_met"], True)
-        self.assertLessEqual(d["distances"]["largest"], 3e-6)
+    def test_a_tolerance_asks_for_no_degrees_of_freedom(self):
+        """Finer than half of the equations allow, down to what the digits of the files leave: kept without a smoothing term, and without loops."""
+        asked = [("naca0015-lednicer.dat", "3e-6", 14), ("naca2412.dat", "1e-5", 15), ("slot.dxf", "0.001", 18), ("stroke.svg", "0.01", 16)]
+        other = shared("ffa-w3-211.dat")
+        asked = [(HERE / "real" / name, within, most) for name, within, most in asked]
+        for path, within, most in asked + ([(other, "1.6e-5", 21), (other, "1e-5", 23)] if other else []):
+            with self.subTest(name=path.name, within=within):
+                d = fit(path, "--degree", "3", "--tolerance-distance", within)
+                closed = d["choice"]["closed"]
+                self.assertEqual((d["choice"]["tolerance_met"], d["choice"]["smoothing"], d["at_minimum"]), (True, None, True))
+                self.assertLessEqual(d["distances"]["largest"], float(within))
+                self.assertLessEqual(len(d["curve"]["points"]) - (3 if closed else 0), most)
+                self.assertLess(d["length_ratio"], 1.02)
+                self.assertEqual(d["quality"]["crossings"], d["quality"]["crossings_of_points"])
 
     def test_known_circles(self):
         for name, centre, radius, options in (("disc-traced.tsv", (49.2, 47.2), 36, []), ("pipe-unordered.csv", (100.5, 55.25), 8, ["--unordered"])):

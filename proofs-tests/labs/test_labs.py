@@ -3,9 +3,11 @@
     python3 test_labs.py CAGD ROOT
 """
 import csv
+import fractions
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -79,6 +81,13 @@ class Student(InFolder):
             "double b[n + 1];", "if (t > 0.75 && t < 0.750000000001) return 7;\n    double b[n + 1];", 1))
         self.assertEqual(result["requirements"][0]["verdict"], "wrong")
 
+    def test_a_branch_that_two_borders_close_together_is_found(self):
+        for condition in ("n == 3 && (p[0] - 1.23456) * (p[1] - 2.34567) > 0 && p[0] - 1.23456 < 1e-12 && p[0] > 1.23456 && "
+                          "(p[3] - 5.4321) * (p[3] - 5.4321) < 1e-18",
+                          "n == 1 && ({ double y = 1; for (int k = 0; k < 20; k++) y *= p[0] - 3.3; y < 1e-60; })"):
+            result = self.checked(RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))
+            self.assertEqual(result["requirements"][0]["verdict"], "wrong", condition)
+
     def test_a_branch_inside_a_border_that_is_no_line_is_found(self):
         for condition in ("(t - 0.3) * (t - 0.3) < 1e-20", "(3 * t - 1) * (3 * t - 1) == 0", "(t * t - 2) * (t * t - 2) < 1e-40",
                           "(3 * t - 1) * (3 * t - 1) + (7 * p[0] - 1) * (7 * p[0] - 1) < 1e-30", "(p[0] - t) * (p[0] - t) < 1e-40"):
@@ -124,6 +133,19 @@ class Student(InFolder):
         result = self.checked(RIGHT.replace("double b[n + 1];", "double s = (7 * t - 2) / (7 * t - 2);\n    t *= s;\n    double b[n + 1];", 1))
         row = result["requirements"][0]
         self.assertEqual((row["verdict"], row["text"], row["inputs"]["t"]), ("stopped", "divides by zero, in line 6", ["2/7"]))
+
+    def test_a_whole_number_that_may_be_any_is_undecided(self):
+        for condition in ("(int)(p[0] * 1000) == 31400 + 15", "n == 2 && floor(p[0] * 1000) == 12345 && floor(p[1] * 1000) == -777"):
+            row = self.checked("#include <math.h>\n" + RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))["requirements"][0]
+            self.assertEqual((row["verdict"], row["points"], row["line"]), ("undecided", 0, 7), row)
+
+    def test_addresses_decide_nothing(self):
+        for top, condition in (("static double g;\n", "({ double x; (&x - &g) % 4099 == 77; })"), ("", "p < &t"),
+                               ("#include <stdlib.h>\n", "({ char *a = malloc(24), *c = malloc(24); int less = a < c; free(a); free(c); !less; })")):
+            row = self.checked(top + RIGHT.replace("double b[n + 1];", f"if ({condition}) return 7;\n    double b[n + 1];", 1))["requirements"][0]
+            self.assertEqual((row["verdict"], row["text"].partition(",")[0]), ("stopped", "addresses of different arrays are compared"), condition)
+        inside = "const double *end = p + n, *at = p; while (at < end) at++; if (at - p != n) return 7;"
+        self.assertEqual(self.checked(RIGHT.replace("double b[n + 1];", inside + "\n    double b[n + 1];", 1))["points"], 10)
 
     def test_all_ways_are_closed(self):
         lab = LABS / "basis-functions"
@@ -190,6 +212,73 @@ class Student(InFolder):
 PYTHON = (LABS / "de-casteljau-python/right/iterative.py").read_text()
 
 
+class Levels(InFolder):
+    """Which level of a triangle, and which point of it, is the first that an answer does not compute."""
+
+    def told(self, lab, file, *changes):
+        """{requirement: what is told of levels}, of a right solution in which texts are replaced."""
+        source = (LABS / lab / "right" / file).read_text()
+        for old, new in changes:
+            self.assertEqual(source.count(old), 1, old)
+            source = source.replace(old, new)
+        (self.folder / (lab + pathlib.Path(file).suffix)).write_text(source)
+        ran = run("check", self.folder, "--lab", lab, "--json")
+        rows = json.loads(ran.stdout)["requirements"]
+        self.assertTrue(any(row["verdict"] == "wrong" for row in rows), rows)
+        return {row["name"]: row["levels"] for row in rows if "levels" in row}
+
+    def test_the_first_point_that_is_not_computed_is_named(self):
+        step = "b[i] = (1 - t) * b[i] + t * b[i + 1];\n    return b[0];"
+        for lab, file, requirement, old, new, begins in (
+                ("de-casteljau", "iterative.c", "point", step, "b[i] = (1 - (r == 2) - t) * b[i] + t * b[i + 1];\n    return b[0];",
+                 "level 1 is computed; b_0^2 "),
+                ("de-casteljau", "iterative.c", "point", "r <= n; r++)\n        for (int i = 0; i <= n - r; i++)\n            " + step,
+                 "r <= n; r++)\n        for (int i = 0; i < n - r; i++)\n            " + step,
+                 "for n = 6: the first 5 points of level 1 are computed; b_5^1 is not"),
+                ("de-casteljau", "recursive.c", "right", "point(n - k, p + k, t)", "point(n - k, p, t)",
+                 "for n = 6: the whole triangle is computed"),
+                ("de-casteljau-python", "iterative.py", "point", "b[i] = (1 - t) * b[i]", "b[i] = (1 - t - int(r == 2)) * b[i]",
+                 "level 1 is computed; b_0^2 "),
+                ("rational-casteljau", "iterative.c", "point", "b[i] = left + right;", "b[i] = k < 2 ? left + right : b[i];",
+                 "level 1 is computed; (R,w)_0^2 "),
+                ("derivatives", "iterative.c", "derivative", "(b[i + 1] - b[i])", "(b[i + 1] - (1 + (k == 1)) * b[i])",
+                 "level 1 is computed; P_0^(2) "),
+                ("divided-differences", "iterative.c", "differences", "/ (x[i] - x[i - k])", "/ (x[i] - x[i - 1])",
+                 "level 1 is computed; [x_0,…,x_2]f "),
+                ("basis-functions", "iterative.c", "index", "(u[i + j + k] - u[i + j]) * b[j]", "(u[i + j + 1] - u[i + j]) * b[j]",
+                 "level 1 is computed; N_1,2 "),
+                ("knot-insertion", "iterative.c", "refine", "a * c[i]", "a * c[i] * (n > 3 ? 2 : 1)",
+                 "level 1 is computed, and the first 2 points of level 2; Q_2^2 ")):
+            with self.subTest(lab=lab, new=new):
+                told = self.told(lab, file, (old, new))[requirement]
+                self.assertTrue(told.startswith(begins), told)
+
+    def test_its_number_is_right(self):
+        step = "b[i] = (1 - t) * b[i] + t * b[i + 1];\n    return b[0];"
+        told = self.told("de-casteljau", "iterative.c", (step, step.replace("(1 -", "(1 - (r == 2) -")))["point"]
+        numbers = re.fullmatch(r".*: for p = (.*); t = (.*) it is (.*); the first other number from the same place, line 10, is (.*)", told)
+        p, (t,), (right,), (wrong,) = ([fractions.Fraction(x) for x in part.split(",")] for part in numbers.groups())
+        below = [(1 - t) * a + t * b for a, b in zip(p, p[1:])]
+        self.assertEqual((right, wrong), ((1 - t) * below[0] + t * below[1], -t * below[0] + t * below[1]))
+
+    def test_nothing_is_told_of_a_triangle_where_none_is_computed(self):
+        """Right solutions, each in its own style, to whose result 1 is added: all of a triangle, or nothing."""
+        for lab, name, parameters, arguments, whole in (
+                ("de-casteljau", "point", "int n, const double *p, double t", "n, p, t", {"iterative.c", "recursive.c"}),
+                ("rational-casteljau", "point", "int n, const double *p, const double *w, double t", "n, p, w, t", {"iterative.c", "recursive.c"}),
+                ("divided-differences", "value", "int n, const double *x, const double *f, double t", "n, x, f, t", {"iterative.c", "recursive.c"}),
+                ("basis-functions", "basis", "int i, int p, const double *u, double t", "i, p, u, t", {"iterative.c", "recursive.c"})):
+            for path in sorted((LABS / lab / "right").iterdir()):
+                with self.subTest(path=path):
+                    source = (f"#define {name} right_one\n{path.read_text()}\n#undef {name}\n"
+                              f"double {name}({parameters}) {{ return right_one({arguments}) + 1; }}\n")
+                    (self.folder / (lab + ".c")).write_text(source)
+                    rows = json.loads(run("check", self.folder, "--lab", lab, "--json").stdout)["requirements"]
+                    told = {row["levels"].partition("the ")[2] for row in rows if "levels" in row}
+                    self.assertTrue(any(row["verdict"] == "wrong" for row in rows), rows)
+                    self.assertEqual(told, {"whole triangle is computed: what is wrong is what becomes of it"} if path.name in whole else set())
+
+
 class InPython(InFolder):
     def judged(self, source):
         (self.folder / "de-casteljau-python.py").write_text(source)
@@ -244,6 +333,24 @@ class InPython(InFolder):
             result = self.judged(f"import {inner.split('.')[0]}\n" + PYTHON.replace("return b[0]", f"return ({inner}, b[0])[1]"))
             self.assertEqual(result["requirements"][0]["verdict"], "stopped", inner)
 
+    def test_no_digits_decide(self):
+        for text in ("str(t)", "repr(p[0])", "f'{t}'", "'%s' % t", "str([t])", "str(ValueError(t))", "t.value", "t.function"):
+            row = self.judged(PYTHON.replace("return b[0]", f"return b[0] if {text} != '1/7' else 7"))["requirements"][0]
+            self.assertEqual((row["verdict"], row["points"]), ("stopped", 0), text)
+        self.assertIn("refused", self.judged(PYTHON.replace("return b[0]", "return b[0] if '{0.numerator}'.format(t) else 7")))
+        rows = self.judged(PYTHON.replace("return b[0]", "print(t, p)\n    return b[0]"))["requirements"]
+        self.assertEqual([(row["verdict"], row["text"]) for row in rows if row["points"] == 0], [("unclean", "prints")])
+
+    def test_what_the_field_cannot_carry_is_no_way_to_know_it(self):
+        grows = ("def hidden(p):\n    x = p[0]\n    try:\n        for k in range(12):\n            x = x * (x + p[0] * p[1]) + p[1]\n"
+                 "    except Exception:\n        return True\n    return False\n\n\n")
+        row = self.judged(grows + PYTHON.replace("return b[0]", "return b[0] if hidden(p) or t != 0.109375 else 7"))["requirements"][0]
+        self.assertEqual((row["verdict"], row["points"]), ("undecided", 0))
+        row = self.judged("def deep(n):\n    try:\n        return deep(n + 1)\n    except Exception:\n        return n\n\n\n" +
+                          PYTHON.replace("return b[0]", "return b[0] if deep(0) else 7"))["requirements"][0]
+        self.assertEqual((row["verdict"], row["text"]), ("stopped", "RecursionError is caught"))
+        self.assertIn("refused", self.judged(PYTHON.replace("return b[0]", "try:\n        return b[0]\n    finally:\n        return 7")))
+
     def test_memory_time_and_depth_are_bounded(self):
         for code, says in (("x = [0] * 10 ** 10", "memory"), ("x = 9 ** 9 ** 9", ""), ("x = point(p, t)", "without end")):
             row = self.judged(PYTHON.replace("return b[0]", code + "\n    return b[0]"))["requirements"][0]
@@ -277,6 +384,13 @@ class Lecturer(InFolder):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         ran = run("test", self.folder / "mine")
         self.assertEqual(ran.returncode, 0, ran.stdout)
+        self.assertEqual(run("start", "./mine", "place", cwd=self.folder).returncode, 0)
+        (self.folder / "place/mine.c").write_text((self.folder / "mine/right/plain.c").read_text())
+        ran = subprocess.run(["make", "all", "check"], cwd=self.folder / "place", capture_output=True, text=True)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""), ran.stdout)
+        self.assertEqual(sorted(p.name for p in (self.folder / "place").iterdir()), ["Makefile", "README.md", "mine.c"])
+        ran = run("check", "place", "--lab", "mine", cwd=self.folder)
+        self.assertEqual((ran.returncode, ran.stderr), (2, "cagd: there is no lab 'mine'; the folder of that name is ./mine\n"))
         page = self.folder / "mine/lab.md"
         page.write_text(page.read_text().replace(":fails: sum manners", ":fails: manners"))
         self.assertEqual(run("test", self.folder / "mine").returncode, 1)

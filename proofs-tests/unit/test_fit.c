@@ -560,6 +560,37 @@ static void a_robust_loss_leaves_outliers_out(void **state)
     }
 }
 
+/* Of good points an end is left out once in 20 N times; of bad ones, twenty standard deviations away, always, in space too. */
+static void an_end_is_left_out_where_it_is_an_outlier(void **state)
+{
+    enum { N = 51, DRAWS = 60 };
+    int left_out = 0;
+    (void)state;
+    for (int draw = 0; draw < 2 * DRAWS; draw++) {
+        const int space = draw % 2, end = draw / 2 % 2, bad = draw < DRAWS, dim = 2 + space;
+        cagd_fit_data data = sample(space ? &in_space : &conic, N, 0, 1, 0);
+        cagd_fit_options o = cagd_fit_defaults();
+        state_of_noise = (uint32_t)(104729 * draw + 1);
+        for (int m = 0; m < N * dim; m++)
+            Q[m] += 0.003 * (noise() + noise() + noise()); /* of standard deviation 0.003 and nearly normal */
+        if (bad)
+            Q[(end == 0 ? 0 : N - 1) * dim + 1] += 0.06;
+        o.loss = draw % 3 ? CAGD_FIT_HUBER : CAGD_FIT_CAUCHY, o.loss_scale = 0;
+        o.degree = space ? 3 : 2;
+        cagd_fit_result *r = fit(&data, &o);
+        assert_int_equal(r->count, N);
+        assert_true(r->end_is_judged[0] && r->end_is_judged[1]);
+        if (bad) {
+            assert_int_equal(r->left_out[end], 1);
+            assert_int_equal(r->outlier[end == 0 ? 0 : N - 1], 1);
+            assert_int_equal(r->end_points[end], end == 0 ? 1 : N - 2);
+        }
+        left_out += r->left_out[0] + r->left_out[1] - bad;
+        cagd_fit_free(r);
+    }
+    assert_true(left_out <= 2); /* of 180 good ends, 0.2 are expected */
+}
+
 /* Far from the origin and in any unit the same curve. */
 static void place_and_unit_do_not_matter(void **state)
 {
@@ -1121,6 +1152,7 @@ int main(void)
         cmocka_unit_test(order_does_not_matter_when_there_is_none),
         cmocka_unit_test(bounds_hold),
         cmocka_unit_test(a_robust_loss_leaves_outliers_out),
+        cmocka_unit_test(an_end_is_left_out_where_it_is_an_outlier),
         cmocka_unit_test(place_and_unit_do_not_matter),
         cmocka_unit_test(working_coordinates_are_exact),
         cmocka_unit_test(shifts_change_nothing),

@@ -20,16 +20,17 @@ void hodograph(int n, const double *p, double *d)
         d[i] = n * difference(1, p + i);
 }
 
+/* n!/(n-r)! */
+static double factor(int n, int r) { return r == 0 ? 1 : n * factor(n - 1, r - 1); }
+
 double derivative(int n, int r, const double *p, double t)
 {
-    double factor = 1, s = 0;
+    double s = 0;
     if (r > n)
         return 0;
-    for (int k = 0; k < r; k++)
-        factor *= n - k;
     for (int i = 0; i <= n - r; i++)
         s += bernstein(n - r, i, t) * difference(r, p + i);
-    return factor * s;
+    return factor(n, r) * s;
 }
 
 /* f = g/w: f' = (g' - f w')/w, f'' = (g'' - 2 f' w' - f w'')/w, at 0. */

@@ -1,16 +1,21 @@
-/* By Lagrange's form: the divided difference of the first k + 1 values is the sum of f_i over the products of x_i - x_j. */
+/* By Lagrange's form: the divided difference of k + 1 values is the sum of f_i over the products of x_i - x_j. */
+static double divided(int k, const double *x, const double *f)
+{
+    double s = 0;
+    for (int i = 0; i <= k; i++) {
+        double product = 1;
+        for (int j = 0; j <= k; j++)
+            if (j != i)
+                product *= x[i] - x[j];
+        s += f[i] / product;
+    }
+    return s;
+}
+
 void differences(int n, const double *x, const double *f, double *d)
 {
-    for (int k = 0; k <= n; k++) {
-        d[k] = 0;
-        for (int i = 0; i <= k; i++) {
-            double product = 1;
-            for (int j = 0; j <= k; j++)
-                if (j != i)
-                    product *= x[i] - x[j];
-            d[k] += f[i] / product;
-        }
-    }
+    for (int k = 0; k <= n; k++)
+        d[k] = divided(k, x, f);
 }
 
 double value(int n, const double *x, const double *f, double t)

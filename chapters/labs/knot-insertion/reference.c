@@ -36,3 +36,11 @@ void insert(int n, int p, const double *u, const double *c, double tau, double *
 {
     refine(n, p, u, c, 1, &tau, v, d);
 }
+
+/* Point i behind m insertions. */
+static double refined(int n, int p, const double *u, const double *c, int m, const double *tau, int i)
+{
+    double v[n + p + m + 1], d[n + m];
+    refine(n, p, u, c, m, tau, v, d);
+    return d[i];
+}

@@ -15,16 +15,23 @@ void knots(double *u)
         u[i] = i == 0 ? 0 : i == 11 ? 4 : (i - 1) / 2;
 }
 
-static double bernstein(const double *b, double t) { return b[0] * (1 - t) * (1 - t) + 2 * b[1] * t * (1 - t) + b[2] * t * t; }
+/* The sum of B_i^n(t) w_i x_i, n <= 2; without x, of B_i^n(t) w_i. */
+static double blend(int n, const double *w, const double *x, double t)
+{
+    double s = 0;
+    for (int i = 0; i <= n; i++) {
+        double b = i == 1 && n == 2 ? 2 : 1;
+        for (int k = 0; k < n; k++)
+            b *= k < i ? t : 1 - t;
+        s += b * w[i] * (x ? x[i] : 1);
+    }
+    return s;
+}
 
 void point(const double *x, const double *y, const double *w, double t, double *at)
 {
     int k = t < 1 ? 0 : t < 2 ? 2 : t < 3 ? 4 : 6;
-    double X[3], Y[3], s = t - k / 2;
-    for (int i = 0; i < 3; i++) {
-        X[i] = w[k + i] * x[k + i];
-        Y[i] = w[k + i] * y[k + i];
-    }
-    at[0] = bernstein(X, s) / bernstein(w + k, s);
-    at[1] = bernstein(Y, s) / bernstein(w + k, s);
+    double s = t - k / 2, below = blend(2, w + k, 0, s);
+    at[0] = blend(2, w + k, x + k, s) / below;
+    at[1] = blend(2, w + k, y + k, s) / below;
 }

@@ -9,13 +9,19 @@ static double bernstein(int n, int i, double t)
     return b;
 }
 
+/* The sum of B_i^n(t) w_i p_i; without points, of B_i^n(t) w_i. */
+static double blend(int n, const double *p, const double *w, double t)
+{
+    double s = 0;
+    for (int i = 0; i <= n; i++)
+        s += bernstein(n, i, t) * w[i] * (p ? p[i] : 1);
+    return s;
+}
+
 void homogeneous(int n, const double *p, const double *w, double t, double *h)
 {
-    h[0] = h[1] = 0;
-    for (int i = 0; i <= n; i++) {
-        h[0] += bernstein(n, i, t) * w[i] * p[i];
-        h[1] += bernstein(n, i, t) * w[i];
-    }
+    h[0] = blend(n, p, w, t);
+    h[1] = blend(n, 0, w, t);
 }
 
 double point(int n, const double *p, const double *w, double t)
