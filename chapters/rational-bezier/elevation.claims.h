@@ -733,7 +733,7 @@ CLAIM(elevated_polygons_within_their_bound)
     int last = given_whole(T, "N");
     for (int example = 0; example < CURVES; example++) {
         int n = degree[example];
-        char name[16];
+        char name[24];
         num w[4], R[8], we[MOST + 1], Re[2 * (MOST + 1)], wn[MOST + 1], Rn[2 * (MOST + 1)], K[3], least;
         snprintf(name, sizeof name, "R (%d)", example + 1);
         given_points(T, name, n + 1, 2, R);

@@ -31,7 +31,7 @@ WORDS_OF = {
     "blocks": ["chapters/weave/*.c"],
     "curve": ["cli/curve_json.c"],
     "formula": ["cli/check/document.c", "exact/expression/read*.c", "exact/expression/token.c", "exact/expression/standard.c"],
-    "harness": ["exact/code/harness.c", "exact/code/points.c"],
+    "harness": ["exact/code/harness.c", "exact/code/points.c", "exact/code/formula.c"],
     "latex": ["cli/check/document.c", "cli/check/paper.c", "exact/expression/latex*.c"],
     "number": [],
     "patterns": ["cli/names.c", "cli/select.c"],
@@ -90,7 +90,7 @@ def main():
                     done += ran
                 except KeyboardInterrupt:
                     ended = 1
-            print(f"{name}: {done} executions, {'something found' if found else 'nothing found'} ({time.monotonic() - start:.0f} s)", flush=True)
+            print(f"{name}: {done} executions, {'something found' if found else 'nothing found'}{', ended before' if ended else ''} ({time.monotonic() - start:.0f} s)", flush=True)
             if found:
                 print(text[-3000:])
             bad += found
