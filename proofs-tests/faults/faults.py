@@ -190,22 +190,23 @@ def equivalents():
 
 
 def include_flags(build):
-    """The -I of an ordinary build, for reading the sources."""
+    """Of an ordinary build, for reading the sources: every -I, under "", and the -D of each source."""
     path = pathlib.Path(build) / "compile_commands.json"
     text = path.read_text() if path.exists() else subprocess.run(["ninja", "-C", build, "-t", "compdb"], check=True, capture_output=True, text=True).stdout
-    found = {}
+    found, defined = {}, {}
     for entry in json.loads(text):
         at = pathlib.Path(entry["directory"])
         for word in re.findall(r"-(?:I|isystem ?)(\S+)", entry["command"]):
             found[str((at / word).resolve())] = 1
-        for word in re.findall(r"-DCAGD_VERSION=\S+", entry["command"]):
-            found[word.replace("\\", "")] = 1
-    return [flag if flag.startswith("-D") else f"-I{flag}" for flag in found]
+        source = (at / entry["file"]).resolve()
+        if source.is_relative_to(ROOT):
+            defined[str(source.relative_to(ROOT))] = [word for word in shlex.split(entry["command"]) if word.startswith("-D")]
+    return {"": [f"-I{folder}" for folder in found], **defined}
 
 
 def clang(root, flags, *more):
-    moved = [f.replace(f"-I{ROOT}", f"-I{root}") if "/build" not in f else f for f in flags]
-    return ["clang", "-std=c17", "-w", "-I.", *moved, *more]
+    moved = [f.replace(f"-I{ROOT}", f"-I{root}") if "/build" not in f else f for f in flags[""]]
+    return ["clang", "-std=c17", "-w", "-I.", *moved, *flags.get(more[-1], []), *more]
 
 
 def all_faults(room, flags):

@@ -317,6 +317,32 @@ static void the_driver_is_what_the_block_says(void **state)
     cagd_code_harness_free(h);
 }
 
+/* Formulas are texts of C behind the names of the outputs that have one; a line that goes on is one line. */
+static void formulas_are_handed_over_as_they_are_printed(void **state)
+{
+    (void)state;
+    struct cagd_code_harness *h = block(":input: x; c[2]\n:output: R[2]\n:output: s\n:output: R[0] + 1\n:let: h = \\frac{x}{2}\n"
+                                        ":printed: R_j\n = h + c_j\n:for: j = 0..1\n:printed: s = x");
+    char *text = NULL;
+    size_t length;
+    FILE *out = open_memstream(&text, &length);
+    cagd_code_write_driver(h, "page.md", out);
+    fclose(out);
+    const char *own = strstr(text, "cagd_code_name(\"R\"");
+    assert_non_null(own);
+    assert_string_equal(own, "cagd_code_name(\"R\", 2, R);\n"
+                             "    cagd_code_name(\"s\", 0, &s);\n"
+                             "    cagd_code_name(\"r\", 0, &r);\n"
+                             "    cagd_code_let(\"h = \\\\frac{x}{2}\");\n"
+                             "#line 7 \"page.md\"\n"
+                             "    cagd_code_printed(\"R_j  = h + c_j\", \"j = 0..1\", __FILE__, __LINE__);\n"
+                             "#line 10 \"page.md\"\n"
+                             "    cagd_code_printed(\"s = x\", \"j = 0..1\", __FILE__, __LINE__);\n"
+                             "}\n");
+    free(text);
+    cagd_code_harness_free(h);
+}
+
 static void numbers(void **state)
 {
     (void)state;
@@ -537,7 +563,7 @@ int main(void)
                                        unit(mistakes_have_their_lines),
                                        unit(texts_that_are_no_blocks),
                                        unit(blocks_say_what_they_ask),
-                                       unit(the_driver_is_what_the_block_says),
+                                       unit(the_driver_is_what_the_block_says), unit(formulas_are_handed_over_as_they_are_printed),
                                        unit(points_are_what_is_asked),
                                        unit(points_are_drawn_widely),
                                        unit(ends_of_ranges_are_met),
