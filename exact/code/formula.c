@@ -293,13 +293,14 @@ static void check_evaluation(const cagd_context *c)
 {
     unsigned faults = cagd_region_faults;
     const char *why = c->trouble != NULL ? c->trouble : "functions that are too large";
+    int length = (int)strcspn(why, ":"); /* behind it there is what to write in the blocks of cagd check */
     if (faults & (CAGD_FAULT_MEMORY | CAGD_FAULT_CROWDED))
         cagd_code_check_faults();
     cagd_region_faults = 0;
     if (faults & CAGD_FAULT_UNDEFINED)
-        cagd_code_stop(CAGD_CODE_UNDEFINED, "%s", why);
+        cagd_code_stop(CAGD_CODE_UNDEFINED, "%.*s", length, why);
     if (faults != 0)
-        cagd_code_stop(CAGD_CODE_REFUSED, "%s", why);
+        cagd_code_stop(CAGD_CODE_REFUSED, "%.*s", length, why);
 }
 
 static double side(cagd_context *c, const cagd_tree *t)
