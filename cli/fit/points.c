@@ -185,9 +185,10 @@ static int has_tag(const char *text, const char *name)
 /* Whether the text begins with the pair 0, SECTION of a DXF file, perhaps after comments, the pairs 999. */
 static int is_dxf(const char *s)
 {
-    int code, length;
-    while (sscanf(s, "%d%*[\r\n]%n", &code, &length) == 1 && code == 999) {
+    int code, length = 0; /* 0 where no line ends behind the number */
+    while (sscanf(s, "%d%*[\r\n]%n", &code, &length) == 1 && code == 999 && length > 0) {
         s += length;
+        length = 0;
         s += strcspn(s, "\r\n");
         s += strspn(s, "\r\n");
     }
