@@ -39,19 +39,21 @@ cagd_fit_choices cagd_fit_choices_all(void)
 
 /* Whether a conic in one segment, or an ellipse, does for the points.  One whose middle point is far away, an arc of nearly a half
  * turn, is better told by centre and axes. */
-static int is_enough(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r)
+static cagd_status find_enough(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
+                               int *enough)
 {
     cagd_fit_runs runs;
     cagd_fit_quality quality;
-    if (!fit_is_good(data, options, r))
-        return 0;
-    if (cagd_fit_quality_of(data, options, r, &quality) != CAGD_OK || quality.problems & CAGD_FIT_FAR)
-        return 0;
-    if (r->points_on_curve)
-        return 1;
-    if (r->rms > extent_of(data) * SMALL)
-        return 0;
-    return cagd_fit_runs_of(r, &runs) == CAGD_OK && !(runs.probability < BY_CHANCE);
+    *enough = 0;
+    REQUIRE(fit_is_good(data, options, r), CAGD_OK);
+    cagd_status status = cagd_fit_quality_of(data, options, r, &quality);
+    REQUIRE(status == CAGD_OK, status);
+    REQUIRE(!(quality.problems & CAGD_FIT_FAR), CAGD_OK);
+    *enough = r->points_on_curve != 0;
+    REQUIRE(!*enough && !(r->rms > extent_of(data) * SMALL), CAGD_OK);
+    status = cagd_fit_runs_of(r, &runs);
+    *enough = status == CAGD_OK && !(runs.probability < BY_CHANCE);
+    return status;
 }
 
 /* How many points of the curve are its own. */
@@ -128,6 +130,7 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     cagd_fit_result *one = NULL;
     cagd_fit_options spline = *options;
     cagd_status status = CAGD_OK;
+    int enough = 0;
     if (!options->closed) {
         status = fit_plainly(data, options, &one, where);
         REQUIRE(status == CAGD_OK, status);
@@ -140,8 +143,9 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
             REQUIRE(status == CAGD_OK, status);
             compete(data, options, "a straight line", one, result, found);
         }
-        if (is_enough(data, options, *result))
-            return CAGD_OK;
+        if (*result != NULL)
+            status = find_enough(data, options, *result, &enough);
+        REQUIRE(status == CAGD_OK && !enough, status);
     }
     if (options->loss != CAGD_FIT_SQUARES) { /* scores of different scales do not compare */
         if (*result != NULL)
@@ -156,17 +160,17 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
         REQUIRE(status == CAGD_OK, status);
         compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse",
                 one, result, found);
-        if (*result != NULL && (*result)->found.ellipse.known && is_enough(data, options, *result))
-            return CAGD_OK;
+        if (*result != NULL && (*result)->found.ellipse.known)
+            status = find_enough(data, options, *result, &enough);
+        REQUIRE(status == CAGD_OK && !enough, status);
     }
     spline.degree = 3;
     spline.free &= ~CAGD_FIT_WEIGHTS;
     one = NULL;
     status = fit_refined(data, &spline, choices, &one, where);
-    REQUIRE(status == CAGD_OK || *result != NULL, status);
     if (status == CAGD_OK && choices->weights)
         status = fit_test_weights(data, &spline, choices->within, &one, where);
-    REQUIRE(status == CAGD_OK || *result != NULL, status);
+    REQUIRE(status == CAGD_OK || (*result != NULL && status != CAGD_NO_MEMORY), status);
     if (status == CAGD_OK) {
         char name[64];
         snprintf(name, sizeof name, "a cubic spline with %d control points", own_count(one));

@@ -108,6 +108,7 @@ typedef struct search {
     const cagd_fit_options *options;
     const cagd_fit_choices *choices;
     int *where;
+    int *without_memory; /* becomes 1 where there was not enough to look at a fit */
     cagd_fit_result *best;
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
@@ -190,9 +191,10 @@ static int has_room(const search *s, const knots *k)
 static int problems_of(const search *s, const cagd_fit_result *r)
 {
     cagd_fit_quality quality;
-    return fit_is_good(s->data, s->options, r) && cagd_fit_quality_of(s->data, s->options, r, &quality) == CAGD_OK
-               ? quality.problems
-               : ~0;
+    REQUIRE(fit_is_good(s->data, s->options, r), ~0);
+    const cagd_status status = cagd_fit_quality_of(s->data, s->options, r, &quality);
+    *s->without_memory |= status == CAGD_NO_MEMORY;
+    return status == CAGD_OK ? quality.problems : ~0;
 }
 
 /* A good fit that crosses itself no more often than its points do. */
@@ -707,7 +709,13 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
                         cagd_fit_result **result, int *where)
 {
     cagd_fit_options own = *options;
-    search s = {.data = data, .options = &own, .choices = choices, .where = where, .within = choices->within};
+    int without_memory = 0;
+    search s = {.data = data,
+                .options = &own,
+                .choices = choices,
+                .where = where,
+                .without_memory = &without_memory,
+                .within = choices->within};
     const int chosen = choices->count || choices->within > 0;
     if (chosen || choices->smooth == 1)
         own.free &= ~CAGD_FIT_WEIGHTS;
@@ -729,6 +737,8 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
             smoothed.count = most_points(&s);
         status = smooth_best(&s, &smoothed, choices->smooth, &s.best);
     }
+    if (status == CAGD_OK && without_memory)
+        status = CAGD_NO_MEMORY;
     if (status == CAGD_OK && smooth_only && own.smooth > 0) {
         own.count = most_points(&s);
         return fit_plainly(data, &own, result, where);
