@@ -224,7 +224,7 @@ static void put_line(FILE *out, struct line *l)
         below = l->word[k].below > below ? l->word[k].below : below;
     }
     for (int at = -above; at <= below && l->count > 0; at++) {
-        int blanks = l->used > 0 ? 0 : l->indent;
+        int blanks = l->used == 0 ? l->indent : at == -above ? 0 : l->used; /* of the first line l->used are printed */
         for (int k = 0; k < l->count; k++)
             put_word(out, &l->word[k], at, &blanks);
         fputc('\n', out);

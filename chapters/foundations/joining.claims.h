@@ -46,7 +46,8 @@ static int same_point(const num P[], const num Q[]) { return equal_q(P[0], Q[0])
 :given: two pieces of one straight line, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (2,0)
 :instead: P_II = (1,0) (1,0)
-:then: the pieces meet and both slopes are 0, but $P_{\mathrm I}'(1)\ne P_{\mathrm{II}}'(0)$
+:then: the pieces meet and both slopes are 0, but $P_{\mathrm I}'(1)\ne P_{\mathrm{II}}'(0)$;
+  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
 :result: P_I(1), P_I'(1) = (1,0) (1,0); P_II(0), P_II'(0) = (1,0) (2,0)
 :method: The derivatives of both, by the kernel.
 :control: a second piece of the same speed
@@ -134,7 +135,8 @@ CLAIM(pieces_tend_to_their_ends)
 :kind: counterexample
 :given: two segments in a row, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (1,0)
-:then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both
+:then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both;
+  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
 :result: P_I(0), P_I(1) = (0,0) (1,0); P_II(0), P_II(1) = (1,0) (2,0)
 :method: The points at the ends, exactly.
 :control: the condition between the two curves
@@ -248,7 +250,8 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :given: a first piece with the coefficients $P_{\mathrm I}$, and $\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$
 :data: P_I = (0,0) (1,0); λ = -1
 :instead: λ = 2
-:then: the unit tangents of the two pieces are not equal
+:then: the unit tangents of the two pieces are not equal;
+  $P_{\mathrm I}$ is given by the coefficients of $1$ and $t$
 :result: unit tangents = (1,0) (-1,0)
 :method: Both, exactly.
 :control: a positive $\lambda$
@@ -279,7 +282,8 @@ CLAIM(negative_ratio_turns_back)
 :given: two pieces of one straight line without any corner, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
 :data: P_I = (-1,0) (2,0) (-1,0); P_II = (0,0) (1,0)
 :instead: P_I = (-1,0) (1,0) (0,0)
-:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it
+:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it;
+  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
 :result: P_I'(1) = (0,0); P_II'(0) = (1,0)
 :method: The derivatives by the kernel.
 :control: the first piece with its natural parameter
@@ -396,7 +400,8 @@ static int conditions_hold(const num D[], const num E[], num lambda, num beta)
   $\lambda$ and $\beta$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (0,0) (1,0) (0,1) (0,0); λ = 0; β = 2
 :instead: P_II = (1,0) (0,0) (1,0) (0,0) (0,1)
-:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$
+:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$;
+  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
 :result: P_I, P_I', P_I'' = (1,0) (1,0) (0,0); P_II, P_II', P_II'' = (1,0) (0,0) (2,0); P_II' × P_II'' = "6*t^2"; limit of t²K² = 9/16
 :method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0
   at $t=0$, as for a bounded $K$, is refuted.
@@ -441,7 +446,8 @@ CLAIM(zero_ratio_has_unbounded_curvature)
 :data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (0,1); λ = 1; β = 0
 :instead: P_II = (0,0) (0,0) (0,0) (1,0)
 :then: (1-5-1) to (1-5-3) hold, every vector in them being 0; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
-  along the $y$-axis, $y'>0$: a corner of a right angle
+  along the $y$-axis, $y'>0$: a corner of a right angle;
+  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
 :result: P_I, P_I', P_I'' = (0,0) (0,0) (0,0); P_II, P_II', P_II'' = (0,0) (0,0) (0,0)
 :method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That there is no right angle is
   refuted.
@@ -508,7 +514,8 @@ $K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be conti
 :given: two parabolas that meet, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
 :data: P_I = (-1,1) (1,-2) (0,1); P_II = (0,0) (1,0) (0,-1)
 :instead: P_II = (0,0) (1,0) (0,1)
-:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$
+:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$;
+  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
 :result: P_I', P_I'' = (1,0) (0,2); P_II', P_II'' = (1,0) (0,-2); K² = 4 4; P_II'' - P_I'' = (0,-4)
 :method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
 :control: a second parabola bent to the same side

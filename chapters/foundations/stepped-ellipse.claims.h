@@ -174,8 +174,8 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :::{claim} second_orbit_satisfies_the_printed_equation
 :title: The points of the difference equations are on the printed ellipse
 :zh: 差分方程的点满足椭圆方程
-:given: any $r$, any $\theta$ and $\delta=\frac{\Delta\theta}2$ with the tangents $a$ and $b$ of their halves, $\cos\delta\ne0$
-:harmless: $\cos\delta\ne0$ | the printed equation divides by it
+:given: any $r$ and $\theta$, and $\delta=\frac{\Delta\theta}2$, with the tangents $a$ and $b$ of the halves of the angles, $r\cos\delta\ne0$
+:where: $r\cos\frac{\Delta\theta}2\ne0$
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
 :method: An identity in $a$, $b$ and $r$, term by term as printed.
 :over: a b: angle but π; r: radius

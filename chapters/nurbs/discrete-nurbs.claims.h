@@ -58,7 +58,7 @@ shares $\alpha_i(j)w_i$. For these to be means the $\alpha_i(j)$ must not be neg
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots
+:scope: 22 pairs of patterns of knots, all inserted knots in the domain
 :control: the share of $r_1$ left out of the sum
 :::
 */
@@ -126,7 +126,7 @@ itself. It is stronger than the equality of the quotients, which a common factor
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots; the distinct knots variables up to order 6, numbers above
+:scope: 22 pairs of patterns of knots, all inserted knots in the domain; the distinct knots variables up to order 6, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
 */
@@ -472,7 +472,7 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
 :method: Both recursions by their letter.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots
+:scope: 22 pairs of patterns of knots, all inserted knots in the domain
 :control: $\alpha_{i,k}(j)$ taken at $j+1$
 :::
 */
@@ -505,7 +505,7 @@ CLAIM(discrete_bsplines_refine_the_basis)
 :then: `bspline_discrete` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots
+:scope: 22 pairs of patterns of knots, all inserted knots in the domain
 :defines: bspline_discrete
 :control: $v_{j+1}$ replaced by $v_j$
 :::

@@ -589,7 +589,8 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_derivatives
-:needs: marsden_identity_ends_with_the_span | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
+:needs: marsden_identity_ends_with_the_span | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed; the
+  example is of (4.4.13), and at $x=0$ both of its sides are those of $\mu=1$ with the other sign
 :figure: powers_from_averages
 :::
 

@@ -212,10 +212,11 @@ this sentence has the wrong letter.
 :class: misprint
 :corrected: For any fixed $t\in[t_j,t_{j+1})$, $k\le j\le n$
 :corrected-by: rational_triangle_gives_the_point divisors_contain_the_span
-:reading: rational_triangle_gives_the_point | the index of the interval is the $j$ of the ranges
+:reading: rational_triangle_gives_the_point | the index of the interval is the $j$ of the ranges, as it is when it is the $i$ of (4.1.5)
 :figure: wrong_interval
 
-As printed nothing ties $j$ to the interval that contains $t$.
+The printed $i$ of the interval is the running index of the ranges as well.  Only (4.1.5), printed with $i$ too, ties $j$ to the interval: the level
+$k-1$ has no index but $j$.
 :::
 */
 

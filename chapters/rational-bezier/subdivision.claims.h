@@ -421,10 +421,10 @@ weight is not even defined by (3.3.2).
 :zh: 右段分子的基函数自变量误印
 :kind: counterexample
 :data: R = 0 1; ω = 1 1; c = 1/2; t = 3/4
-:result: R(t) = 3/4; printed quotient = 7/8
+:result: R(t) = 3/4; quotient with the printed argument = 7/8
 :given: two points of the line with equal weights, $[a,b]=[0,1]$, the cut $c$ and a parameter $t$ of the right part; the
   weights in the numerator taken as they should be
-:then: the printed quotient is not $R(t)$
+:then: with the printed argument, and the weights of the numerator taken as they should be, the quotient is not $R(t)$
 :method: Both sides are computed exactly.
 :control: $(t-c)/(b-c)$ in the numerator too
 :::
@@ -442,8 +442,8 @@ CLAIM(printed_right_half_has_the_wrong_argument)
     G(rational_point)(1, 1, R, w, t, &curve);
     num printed = div(numerator, G(rational_weight)(1, wr, part));
     found(T, "R(t)", curve);
-    found(T, "printed quotient", printed);
-    about(T, "left the curve, right the printed quotient");
+    found(T, "quotient with the printed argument", printed);
+    about(T, "left the curve, right the quotient with the printed argument");
     same(T, curve, printed);
 }
 
@@ -453,11 +453,11 @@ CLAIM(printed_right_half_has_the_wrong_argument)
 :zh: 右段分子的权误印
 :kind: counterexample
 :data: R = 0 1/2 1; ω = 1 2 3; c = 1/2; t = 3/4
-:result: ω_1^1, ω_2^1 = 3/2 5/2; R(t) = 33/40; printed quotient = 133/200
+:result: ω_1^1, ω_2^1 = 3/2 5/2; R(t) = 33/40; quotient with the printed weight = 133/200
 :given: three points of the line, their weights, $[a,b]=[0,1]$, the cut $c$ and a parameter $t$ of the right part; in the
   numerator the argument is taken as it should be, and for $i=0$ the weight too, since $\omega_0^2$ is not defined
 :then: $\omega_1^1$, the printed weight of $R_2^1$ in the numerator, is not $\omega_2^1$, the one in the denominator,
-  and the printed quotient is not $R(t)$
+  and with it, the rest of the numerator taken as it should be, the quotient is not $R(t)$
 :method: Both sides are computed exactly, the weights from the recursion (3.3.2).
 :control: $\omega_2^1$ in the numerator too
 :::
@@ -480,8 +480,8 @@ CLAIM(printed_right_half_has_the_wrong_weight)
     G(rational_point)(2, 1, R, w, t, &curve);
     num printed = div(numerator, G(rational_weight)(2, wr, part));
     found(T, "R(t)", curve);
-    found(T, "printed quotient", printed);
-    about(T, "left the curve, right the printed quotient");
+    found(T, "quotient with the printed weight", printed);
+    about(T, "left the curve, right the quotient with the printed weight");
     same(T, curve, printed);
 }
 #endif

@@ -55,8 +55,8 @@ the range from $-\frac{21}4$ to 1.
 :printed: from the point of view of approximation the curve is better than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: for $\beta=1$ it depends on the polygon: to one convex polygon the curve is nearer than the Bézier curve, to another
-  it is not
+:corrected: for $\beta=1$ it depends on the polygon: to the convex polygon of the decision the curve is nearer than the Bézier curve, to the
+  convex one of the first counterexample it is not
 :corrected-by: convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::
@@ -90,8 +90,8 @@ the range from $-\frac{21}4$ to 1.
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
 :corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions and $0,0,0,0,5v,v,v,v$ with the printed
-  ones; whether the curve of $\beta=1$ is nearer to its
-  polygon than that of $\beta=0$ depends on the polygon
+  ones; to the convex polygon of the last decision the curve of $\beta=1$ is
+  nearer than that of $\beta=0$, to the one of the first counterexample it is not
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::
@@ -156,7 +156,7 @@ CLAIM(double_end_point_has_no_end_edge)
 :corrected: 1994
 :corrected-by: second_volume_is_of_the_second_year
 :example: the reference is the one that is printed.
-:cites: the journal's list of volumes | volume 1 of Advances in Computational Mathematics is of 1993, and the first volumes are one a year
+:cites: the journal's list of volumes | volume 1 of Advances in Computational Mathematics is of 1993, and the first two volumes are of two successive years
 
 One digit, 4 for 9.  The fact about the journal is no computation, and is cited.
 :::
@@ -187,7 +187,7 @@ CLAIM(reference_is_older_than_its_journal)
 :kind: decision
 :data: year of volume 1 = 1993; volume = 2; year = 1994
 :instead: volume = 3
-:given: the year of the first volume of the journal, one volume a year, and the printed volume
+:given: the year of the first volume of the journal, the next volume a year later, and the printed volume, the second
 :then: the year of the volume is the one given
 :method: The year of the first volume plus the volume less 1.
 :control: another volume

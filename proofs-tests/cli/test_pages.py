@@ -74,6 +74,13 @@ class Matrices(unittest.TestCase):
         self.assertIn("= −12", lines[at + 1])
         self.assertNotIn("= −12", lines[at] + lines[at + 2])
 
+    def test_the_rows_of_a_matrix_behind_a_label_stand_below_each_other(self):
+        lines = show("wang-ch3:prop-3.2.9-step-1").splitlines()
+        first = next(i for i, line in enumerate(lines) if "⎛" in line)
+        self.assertRegex(lines[first], "^ *let ")
+        for above, below in ("⎛⎝", "⎞⎠"):
+            self.assertEqual(columns(lines[first + 1].split(below)[0]), columns(lines[first].split(above)[0]))
+
     def test_a_matrix_that_is_wider_than_the_page_stands_in_one_line(self):
         narrow = show("wang-ch3:3.5.3", width=40)
         self.assertNotIn("│", narrow)
