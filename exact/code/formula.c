@@ -104,6 +104,16 @@ int cagd_code_formula_let(struct cagd_code_formulas *f, const char *line)
     return 0;
 }
 
+static int has_same_sides(const cagd_tree *t)
+{
+    int same = 0;
+    for (int k = 0; t->kind == CAGD_RELATION && k + 1 < t->count; k++)
+        same |= cagd_tree_equal(t->at[k], t->at[k + 1]);
+    for (int k = 0; t->kind == CAGD_ALL && k < t->count; k++)
+        same |= has_same_sides(t->at[k]);
+    return same;
+}
+
 static int is_equation(const cagd_tree *t)
 {
     for (int k = 0; t->kind == CAGD_RELATION && k + 1 < t->count; k++)
@@ -135,11 +145,17 @@ const cagd_tree *cagd_code_formula_read(struct cagd_code_formulas *f, const char
         return NULL;
     }
     const cagd_tree *t = cagd_read_statement(&f->scope, formula, equation.from, equation.to, &error);
-    if (t == NULL)
-        refuse_reading(f, formula, &error);
-    else if (!is_equation(t))
-        refuse(f, "\"%s\": an equation was expected", formula);
-    return t != NULL && is_equation(t) ? t : NULL;
+    int bad = t == NULL          ? refuse_reading(f, formula, &error)
+              : !is_equation(t)  ? refuse(f, "\"%s\": an equation was expected", formula)
+              : has_same_sides(t) ? refuse(f, "\"%s\": both sides are the same", formula)
+                                 : 0;
+    return bad == 0 ? t : NULL;
+}
+
+int cagd_code_formula_has(const struct cagd_code_formulas *f, const cagd_tree *t, const char *name, long count)
+{
+    const char *head = head_of(name, count > 0);
+    return head != NULL && cagd_depends_on(&f->scope, t, head);
 }
 
 /* ---- what names are ---------------------------------------------------------------------------------------- */
@@ -234,11 +250,20 @@ static int value_of_name(const char *key, cagd_value *value)
 
 /* ---- values at the point ------------------------------------------------------------------------------------ */
 
+/* Of a polynomial in inputs. */
+static cagd_num_q known_at_point(cagd_num_f f)
+{
+    cagd_num_q q = cagd_code_at_point(f);
+    if (q.at == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "a division by what depends on the variable of an integral");
+    return q;
+}
+
 /* A polynomial at the point, by Horner's scheme in one variable after the other: in those from the k-th on that are known by intervals. */
 static cagd_num_i enclosed(cagd_num_f f, int k)
 {
     if (k == cagd_code_enclosed_count())
-        return cagd_from_rational_i(cagd_code_at_point(f));
+        return cagd_from_rational_i(known_at_point(f));
     cagd_num_i place, sum = cagd_from_int_i(0);
     cagd_num_f x = cagd_code_enclosed_at(k, &place);
     for (int power = cagd_degree_f(f, x); power >= 0; power--)
@@ -292,7 +317,9 @@ void cagd_code_let(const char *line)
 static void check_evaluation(const cagd_context *c)
 {
     unsigned faults = cagd_region_faults;
-    const char *why = c->trouble != NULL ? c->trouble : "functions that are too large";
+    const char *why = c->trouble != NULL                 ? c->trouble
+                      : faults & CAGD_FAULT_UNDEFINED ? "a division by 0"
+                                                      : "functions that are too large";
     int length = (int)strcspn(why, ":"); /* behind it there is what to write in the blocks of cagd check */
     if (faults & (CAGD_FAULT_MEMORY | CAGD_FAULT_CROWDED))
         cagd_code_check_faults();
@@ -328,35 +355,37 @@ static void name_of_case(const cagd_context *c, const cagd_variable *const whole
                        cagd_to_string_q(cagd_binding_of((cagd_context *)c, whole[k]->head)->value.q));
 }
 
-static void compare(cagd_context *c, const cagd_variable *const whole[], int wholes, const cagd_tree *t, const char *formula)
+/* How many comparisons there were. */
+static long compare(cagd_context *c, const cagd_variable *const whole[], int wholes, const cagd_tree *t, const char *formula)
 {
     char name[150];
+    long count = t->kind == CAGD_RELATION ? t->count - 1 : 0;
     for (int k = 0; t->kind == CAGD_ALL && k < t->count; k++)
-        compare(c, whole, wholes, t->at[k], formula);
+        count += compare(c, whole, wholes, t->at[k], formula);
     for (int k = 0; t->kind == CAGD_RELATION && k + 1 < t->count; k++) {
         name_of_case(c, whole, wholes, t->at[k], formula, sizeof name, name);
         double left = side(c, t->at[k]), right = side(c, t->at[k + 1]);
         cagd_code_expect_one(name, 1, 0, left, right);
     }
+    return count;
 }
 
 /* The cases of the whole numbers from the k-th on. */
-static void each_case(cagd_context *c, const cagd_variable *const whole[], int wholes, int k, const cagd_tree *t,
+static long each_case(cagd_context *c, const cagd_variable *const whole[], int wholes, int k, const cagd_tree *t,
                       const char *formula)
 {
-    long low, high;
-    if (k == wholes) {
-        compare(c, whole, wholes, t, formula);
-        return;
-    }
+    long low, high, count = 0;
+    if (k == wholes)
+        return compare(c, whole, wholes, t, formula);
     cagd_value first = cagd_evaluate(c, whole[k]->low), last = cagd_evaluate(c, whole[k]->high);
     check_evaluation(c);
     if (!cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high))
         cagd_code_stop(CAGD_CODE_REFUSED, "a range whose ends are no whole numbers");
     for (; low <= high; low++) {
         cagd_bind(c, whole[k]->head, cagd_value_constant(cagd_from_int_q(low)));
-        each_case(c, whole, wholes, k + 1, t, formula);
+        count += each_case(c, whole, wholes, k + 1, t, formula);
     }
+    return count;
 }
 
 void cagd_code_printed(const char *formula, const char *ranges, const char *file, int line)
@@ -365,9 +394,9 @@ void cagd_code_printed(const char *formula, const char *ranges, const char *file
     struct cagd_code_formulas f = here.formulas;
     const cagd_variable *whole[MOST_WHOLE];
     const struct cagd_code_place place = {file, "the formula", line}, *before = cagd_code_at;
-    cagd_code_at = &place;
-    if (cagd_code_machine.job->numbers == CAGD_CODE_ROUNDING)
+    if (cagd_code_machine.job->numbers == CAGD_CODE_ROUNDING) /* what is told of a run with rounding is told of outputs */
         return;
+    cagd_code_at = &place;
     if (cagd_code_machine.job->numbers == CAGD_CODE_INTERVAL)
         cagd_code_stop(CAGD_CODE_REFUSED, "a formula in intervals");
     const cagd_tree *t = cagd_code_formula_read(&f, formula, ranges);
@@ -379,6 +408,7 @@ void cagd_code_printed(const char *formula, const char *ranges, const char *file
     cagd_context *c = cagd_region_array(1, 1, sizeof *c);
     cagd_code_check_faults();
     *c = (cagd_context){.scope = &f.scope, .way = &way, .steps = CAGD_USUAL_STEPS};
-    each_case(c, whole, wholes, 0, t, formula);
+    if (each_case(c, whole, wholes, 0, t, formula) == 0)
+        cagd_code_stop(CAGD_CODE_REFUSED, "a range is empty, so that nothing is compared");
     cagd_code_at = before;
 }

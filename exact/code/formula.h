@@ -19,6 +19,9 @@ struct cagd_code_formulas {
 void cagd_code_formula_name(struct cagd_code_formulas *f, const char *name, long count);
 /* A line that says what other names mean: "B_i^n(t) = ...", or ":use: bernstein B_i^n(t)".  0, or -1 and the message. */
 int cagd_code_formula_let(struct cagd_code_formulas *f, const char *line);
-/* Equations, with the ranges of their whole numbers, which are added: CAGD_RELATION, or CAGD_ALL of them.  NULL and the message. */
+/* Equations, with the ranges of their whole numbers, which are added: CAGD_RELATION, or CAGD_ALL of them.  NULL and the message, also
+ * where both sides are the same formula. */
 const cagd_tree *cagd_code_formula_read(struct cagd_code_formulas *f, const char *formula, const char *ranges);
+/* Whether that name of the harness is in the formula, or in what names in it mean. */
+int cagd_code_formula_has(const struct cagd_code_formulas *f, const cagd_tree *t, const char *name, long count);
 #endif

@@ -5,6 +5,7 @@
 #include <fenv.h>
 #include <math.h>
 #include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 struct complex_pair {
@@ -201,7 +202,7 @@ static struct {
     cagd_num_f angle;
     value sine, cosine;
 } angles[MOST_ANGLES];
-static int angle_count;
+static int angle_count, angle_names; /* cos1, cos2, ..., without those that are inputs */
 
 static value enclosed_at_point(cagd_num_q q, function *f, double (*plain)(double), const char *name)
 {
@@ -224,7 +225,9 @@ static int known_angle(value a)
     if (angle_count == MOST_ANGLES)
         cagd_code_stop(CAGD_CODE_BOUND, "more than %d angles", MOST_ANGLES);
     char name[CAGD_FIELD_MAX_NAME + 1];
-    name[0] = 'c', name[1] = 'o', name[2] = 's', name[3] = (char)('a' + angle_count), name[4] = 0;
+    do
+        snprintf(name, sizeof name, "cos%d", ++angle_names);
+    while (cagd_code_is_input(name));
     value cosine = enclosed_at_point(a.q, mpfr_cos, cos, "cos"), sine = enclosed_at_point(a.q, mpfr_sin, sin, "sin");
     cosine.f = cagd_variable_f(name);
     cagd_code_check_faults();

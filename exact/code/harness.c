@@ -160,6 +160,14 @@ static int read_range(const struct cagd_code_harness *h, struct cagd_code_asked_
     return 0;
 }
 
+static int is_input(const struct cagd_code_harness *h, const char *name)
+{
+    for (int k = 0; k < h->inputs; k++)
+        if (strcmp(h->input[k].name, name) == 0)
+            return 1;
+    return 0;
+}
+
 static int read_input(struct cagd_code_harness *h, const char *item, int line, struct cagd_code_harness_error *error)
 {
     if (h->inputs == CAGD_CODE_MOST_IN_HARNESS)
@@ -171,9 +179,8 @@ static int read_input(struct cagd_code_harness *h, const char *item, int line, s
         return wrong(error, line, "\"%s\": a name of at most %d letters was expected", item, CAGD_CODE_MOST_NAME);
     if (read_count(&at, &in->count) != 0)
         return wrong(error, line, "%s: a number of elements from 1 to %d was expected", in->name, MOST_COUNT);
-    for (int k = 0; k < h->inputs; k++)
-        if (strcmp(h->input[k].name, in->name) == 0)
-            return wrong(error, line, "%s is an input already", in->name);
+    if (is_input(h, in->name))
+        return wrong(error, line, "%s is an input already", in->name);
     h->inputs++; /* from here on freed with the rest */
     at += strspn(at, " \t");
     int status = 0;
@@ -331,6 +338,18 @@ int cagd_code_output_name(const char *text, char name[CAGD_CODE_MOST_NAME + 1], 
     return read_name(&at, name) == 0 && read_count(&at, count) == 0 && *at == 0;
 }
 
+/* Whether an output is in the formula. */
+static int has_output(const struct cagd_code_harness *h, const struct cagd_code_formulas *f, const cagd_tree *t)
+{
+    char name[CAGD_CODE_MOST_NAME + 1];
+    int count;
+    for (int k = 0; k < h->output.count; k++)
+        if (cagd_code_output_name(h->output.text[k], name, &count) && !is_input(h, name) &&
+            cagd_code_formula_has(f, t, name, count))
+            return 1;
+    return 0;
+}
+
 /* What the driver will read. */
 static int check_formulas(const struct cagd_code_harness *h, struct cagd_code_harness_error *error)
 {
@@ -348,8 +367,13 @@ static int check_formulas(const struct cagd_code_harness *h, struct cagd_code_ha
             bad = wrong(error, h->let.number[k], "%s", f.message);
     for (int k = 0; k < h->printed.count && bad == 0; k++) {
         struct cagd_code_formulas one = f;
-        if (cagd_code_formula_read(&one, h->printed.text[k], h->ranges) == NULL)
+        const cagd_tree *t = cagd_code_formula_read(&one, h->printed.text[k], h->ranges);
+        if (t == NULL)
             bad = wrong(error, h->printed.number[k], "%s", one.message);
+        else if (!has_output(h, &one, t))
+            bad = wrong(error, h->printed.number[k],
+                        "\"%s\" has none of the outputs in it, so that it says nothing of the code (a name that is an input, too, is the input)",
+                        h->printed.text[k]);
     }
     cagd_region_drop(mark);
     return bad;

@@ -294,7 +294,16 @@ static struct {
     cagd_num_f variable, square;
     int is_positive;
 } roots[MOST_ROOTS];
-static int root_count;
+static int root_count, root_names; /* root1, root2, ..., without those that are inputs */
+
+int cagd_code_is_input(const char *name)
+{
+    const struct cagd_code_job *job = cagd_code_machine.job;
+    for (int k = 0; k < job->inputs; k++)
+        if (strcmp(job->input[k].name, name) == 0)
+            return 1;
+    return 0;
+}
 
 cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point, int is_positive)
 {
@@ -307,7 +316,9 @@ cagd_code_value cagd_code_new_root(cagd_num_f square, cagd_code_value at_point, 
         }
     if (root_count == MOST_ROOTS)
         cagd_code_stop(CAGD_CODE_BOUND, "more than %d roots", MOST_ROOTS);
-    snprintf(name, sizeof name, "root%d", root_count + 1);
+    do
+        snprintf(name, sizeof name, "root%d", ++root_names);
+    while (cagd_code_is_input(name));
     roots[root_count].variable = cagd_variable_f(name);
     roots[root_count].square = square;
     cagd_code_enclose_variable(roots[root_count].variable, cagd_code_interval(at_point));

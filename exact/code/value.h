@@ -71,6 +71,8 @@ void cagd_code_know_sign(cagd_num_f f, int signs);
 int cagd_code_signs_here(cagd_num_f f);
 cagd_num_q cagd_code_value_at_point(const char *name); /* of a variable, from the job's inputs */
 int cagd_code_has_roots(void);                         /* whether some root or angle is a variable of its own */
+/* Whether an input has that name: then a variable that is none needs another one. */
+int cagd_code_is_input(const char *name);
 /* A variable that is no input is somewhere at the point; those of which that was said, in their order. */
 void cagd_code_enclose_variable(cagd_num_f variable, cagd_num_i place);
 int cagd_code_enclosed_count(void);

@@ -282,7 +282,7 @@ static num_f fresh(cagd_context *c, cagd_value a, int side)
 {
     char name[16];
     const cagd_binding *same = plain_variable(c, a);
-    snprintf(name, sizeof name, "d%d", c->fresh++);
+    snprintf(name, sizeof name, "d'%d", c->fresh++); /* no name of C: those of a way may be variables, too */
     num_f x = variable_f(name);
     cagd_binding kept = same != NULL ? *same : (cagd_binding){0};
     kept.key = "", kept.value = (cagd_value){.f = x}, kept.unknown = 1;
@@ -504,7 +504,7 @@ static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
 
 /* ---- comparisons --------------------------------------------------------------------------------------- */
 
-static int holds(int sign, cagd_relation relation)
+int cagd_relation_holds(int sign, cagd_relation relation)
 {
     switch (relation) {
     case CAGD_EQUAL:
@@ -528,8 +528,8 @@ static int holds_for_signs(unsigned signs, cagd_relation relation)
     int some = 0, all = 1;
     for (int sign = -1; sign <= 1; sign++)
         if (signs >> (sign + 1) & 1) {
-            some |= holds(sign, relation);
-            all &= holds(sign, relation);
+            some |= cagd_relation_holds(sign, relation);
+            all &= cagd_relation_holds(sign, relation);
         }
     return all ? 1 : some ? -1 : 0;
 }

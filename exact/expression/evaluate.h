@@ -164,6 +164,8 @@ int cagd_truth_in(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
 /* Whether d is 0, on a way at its point, which is noted; whether a = b, on a way wherever the program takes it. */
 int cagd_is_zero_here(cagd_context *c, cagd_value d);
 int cagd_equal_here(cagd_context *c, cagd_value a, cagd_value b);
+/* Whether a relation b, where the sign of a - b is this: -1, 0, 1. */
+int cagd_relation_holds(int sign, cagd_relation relation);
 /* a relation b for two values, likewise. */
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
 

@@ -75,24 +75,6 @@ static int sign_at(poly p, struct cagd_root r)
     return cagd_sign_q(cagd_poly_value(p, r.lo));
 }
 
-static int is_true(int order, cagd_relation relation)
-{
-    switch (relation) {
-    case CAGD_EQUAL:
-        return order == 0;
-    case CAGD_NOT_EQUAL:
-        return order != 0;
-    case CAGD_LESS:
-        return order < 0;
-    case CAGD_LESS_OR_EQUAL:
-        return order <= 0;
-    case CAGD_GREATER:
-        return order > 0;
-    default:
-        return order >= 0;
-    }
-}
-
 /* Whether both sides are defined at the root, and the relation is false. */
 static int is_false_at(const cagd_context *c, const struct sides *s, struct cagd_root r, cagd_irrational_example *e)
 {
@@ -102,7 +84,7 @@ static int is_false_at(const cagd_context *c, const struct sides *s, struct cagd
             return 0;
     e->root = r;
     e->order = below * sign_at(at_values(c, s->n, e->of, e->value), r);
-    return below != 0 && region_faults == 0 && !is_true(e->order, s->relation);
+    return below != 0 && region_faults == 0 && !cagd_relation_holds(e->order, s->relation);
 }
 
 /* At a root of the numerator, within the bounds of the name, that is no rational number. */
@@ -159,7 +141,7 @@ static int is_false_within_bounds(const cagd_context *c, const struct sides *s, 
     for (int i = 0; i < s->divisors; i++)
         if (sign_within_bounds(c, s->divisor[i], e->value) == 0)
             return 0;
-    return e->order != 0 && region_faults == 0 && !is_true(e->order, s->relation);
+    return e->order != 0 && region_faults == 0 && !cagd_relation_holds(e->order, s->relation);
 }
 
 /* Another choice of simple numbers in every round. */

@@ -585,7 +585,7 @@ void curve(const double *u, const double *P, const double *w, double t, double *
     def test_several_equations(self):
         code = "double f(double x) { return 2 * x; }"
         for printed, verdict in [("s = x + x, \\quad \\frac{s}{2} = x", "proved"), ("s = x, \\quad s = 2x", "differs"), ("s = 2x, \\quad s = x", "differs"),
-                                 ("x + x = s = 2x", "proved"), ("s = 2x = 3x", "differs"), ("s = 3x = 3x", "differs")]:
+                                 ("x + x = s = 2x", "proved"), ("s = 2x = 3x", "differs"), ("s = 3x = x + 2x", "differs")]:
             with self.subTest(printed):
                 self.assertEqual(self.of(code, "x", "double s = f(x);", f":output: s\n:printed: {printed}")["verdict"], verdict)
 
@@ -641,14 +641,35 @@ void curve(const double *u, const double *P, const double *w, double t, double *
             (":use: bernsten B_i^n(t)\n:printed: r = x", "bernsten"),
             (":use: bernstein B_i^n(t)", "there is no :printed:"),
             (":for: j = 0..1", "there is no :printed:"),
+            (":printed: x + 1 = 1 + x", "none of the outputs"),
+            (":printed: r = 2x, \\quad r + x = r + x", "both sides are the same"),
+            (":output: p[3]\n:printed: p_0 = p_1 + x", "a name that is an input, too, is the input"),
         ]:
             with self.subTest(lines):
                 self.refused(good % lines, words)
+        v = self.verdict(good % ":printed: r = j x\n:for: j = 1..0")
+        self.assertEqual((v["verdict"], "a range is empty, so that nothing is compared" in v["because"]), ("undecided", True))
+        v = self.verdict(good % ":let: z \\in \\mathbb{R}\n:printed: r = \\int_0^x \\frac{z^2 - z}{z - 1} dz")
+        self.assertEqual((v["verdict"], "the variable of an integral" in v["because"]), ("undecided", True))
         v = self.verdict(good % ":printed: r = p_3")
         self.assertEqual((v["verdict"], "a name without a value" in v["because"]), ("undecided", True))
         v = self.verdict(good % ":printed: r = \\sqrt{x}")
         self.assertEqual(v["verdict"], "undecided")
         self.assertRegex(v["because"], "^a root that is no rational function, at .*page.md:7 in the formula$")
+
+    def test_outputs_in_what_names_mean(self):
+        code = "double f(double x) { return 2 * x; }"
+        for definition, verdict in [("H = s^2", "proved"), ("H = s", "differs")]:
+            v = self.of(code, "x", "double s = f(x);", f":output: s\n:let: {definition}\n:printed: H = 4x^2")
+            self.assertEqual(v["verdict"], verdict)
+
+    def test_inputs_with_the_names_of_roots_and_cosines(self):
+        """A root is a variable of its own, and so is a cosine: whatever the inputs are called."""
+        for name, code in [("root1", "double f(double a, double x) { return sqrt(x) == a; }"), ("cos1", "double f(double a, double x) { return cos(x) == a; }")]:
+            block = (f":::{{exactly}} it\n:source: code.c\n:declare: double f(double, double);\n:input: {name}; x > 0\n:where: {name} < -1\n"
+                     f":call: double s = f({name}, x);\n:expect: s = 0\n:::\n")
+            v = self.verdict(block, "#include <math.h>\n" + code)
+            self.assertEqual(v["verdict"], "proved", v.get("because"))
 
     def test_our_kernels(self):
         block = (":::{exactly} it\n:include: \"core/kernels/kernels_d.h\"\n:input: p[8]; t\n:call: double a[2], b[2]; bezier_casteljau_d(3, 2, p, t, a);\n"

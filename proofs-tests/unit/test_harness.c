@@ -23,6 +23,17 @@ static struct cagd_code_harness *block(const char *lines)
     return h;
 }
 
+/* The text of its driver, to be freed. */
+static char *driver_of(const struct cagd_code_harness *h)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *out = open_memstream(&text, &length);
+    cagd_code_write_driver(h, "page.md", out);
+    fclose(out);
+    return text;
+}
+
 static void inputs_have_the_shapes_that_are_written(void **state)
 {
     (void)state;
@@ -305,11 +316,7 @@ static void the_driver_is_what_the_block_says(void **state)
               ":known: a.c:12[2] \t= y\n:expect: r = x\n:expect: r[12] = uuu\n:expect: s.u[1] = u[1]\n:expect: u[k] = "
               "x\n:expect: (u[0]) = "
               "u[0]\n:output: u[3]\n:output: (u[0])");
-    char *text = NULL;
-    size_t length;
-    FILE *out = open_memstream(&text, &length);
-    cagd_code_write_driver(h, "page.md", out);
-    fclose(out);
+    char *text = driver_of(h);
     const char *own = strstr(text, "#line");
     assert_non_null(own);
     assert_string_equal(own, wanted);
@@ -323,11 +330,7 @@ static void formulas_are_handed_over_as_they_are_printed(void **state)
     (void)state;
     struct cagd_code_harness *h = block(":input: x; c[2]\n:output: R[2]\n:output: s\n:output: R[0] + 1\n:let: h = \\frac{x}{2}\n"
                                         ":printed: R_j\n = h + c_j\n:for: j = 0..1\n:printed: s = x");
-    char *text = NULL;
-    size_t length;
-    FILE *out = open_memstream(&text, &length);
-    cagd_code_write_driver(h, "page.md", out);
-    fclose(out);
+    char *text = driver_of(h);
     const char *own = strstr(text, "cagd_code_name(\"R\"");
     assert_non_null(own);
     assert_string_equal(own, "cagd_code_name(\"R\", 2, R);\n"
