@@ -181,8 +181,8 @@ static void print_hypotheses(const statement *s, const claim_result *results, in
             labelled("stated in", l->place, INDENT);
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (c != NULL) {
-            labelled("Without it:", c->claim->then, INDENT);
-            print_exhibits(c);
+            paragraph("Without it:", INDENT);
+            print_counterexample(c);
         }
     }
 }
@@ -195,8 +195,7 @@ static void print_counterexamples(const statement *s, const claim_result *result
         if (c == NULL)
             continue;
         heading(number++ == 0 ? "Counterexample" : "Another counterexample");
-        prose(c->claim->then, INDENT);
-        print_exhibits(c);
+        print_counterexample(c);
     }
 }
 

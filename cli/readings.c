@@ -166,14 +166,11 @@ void print_deciding_claims(const statement *s, const claim_result *results, int 
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (state_of(c) != READING_TRUE || is_shown_above(s, l) || is_a_step(s, l->claim))
             continue;
-        enum { OF_LABEL = 7 };
         char text[64];
         snprintf(text, sizeof text, "What decides reading %d", number);
         heading(text);
         prose(c->claim->title, INDENT);
-        hanging("given", c->claim->given, OF_LABEL, INDENT);
-        hanging("let", c->claim->let, OF_LABEL, INDENT);
-        hanging("then", c->claim->then, OF_LABEL, INDENT);
+        print_sentence(c->claim, INDENT);
         prose(c->claim->method, INDENT);
         labelled("An argument:", c->claim->argued, INDENT);
         print_numbers(c, INDENT);
@@ -191,8 +188,7 @@ void print_failing_readings(const statement *s, const claim_result *results, int
             char text[64];
             snprintf(text, sizeof text, "Counterexample to reading %d", number + 1);
             heading(text);
-            prose(c->claim->then, INDENT);
-            print_exhibits(c);
+            print_counterexample(c);
         }
         number++;
     }

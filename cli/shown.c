@@ -101,11 +101,25 @@ void print_numbers(const claim_result *r, int indent)
         print_values(b->shown, b->exhibits, indent);
 }
 
-void print_exhibits(const claim_result *r)
+static void print_exhibits(const claim_result *r)
 {
     const type_result *b = speaking_type(r);
     if (b != NULL)
         print_shown(b->shown, b->exhibits);
+}
+
+void print_sentence(const claim *c, int indent)
+{
+    enum { OF_LABEL = 7 };
+    hanging("given", c->given, OF_LABEL, indent);
+    hanging("let", c->let, OF_LABEL, indent);
+    hanging("then", c->then, OF_LABEL, indent);
+}
+
+void print_counterexample(const claim_result *r)
+{
+    print_sentence(r->claim, INDENT);
+    print_exhibits(r);
 }
 
 void print_failure(const claim_result *r)

@@ -18,7 +18,7 @@ struct steps {
     int all, told, indent;
 };
 
-enum { OF_NUMBER = 4, OF_LABEL = 7 };
+enum { OF_NUMBER = 4 };
 
 static int is_step(const struct steps *at, const statement_link *l)
 {
@@ -69,9 +69,7 @@ static void print_computed_step(struct steps *at, const claim_result *c)
     char *words = finding_words(&alone), *all = finding_words(at->together);
     begin_step(at, c->claim->title);
     print_kind(at, c->claim->kind, is_the_same(words, all) ? "" : words);
-    hanging("given", c->claim->given, OF_LABEL, at->indent);
-    hanging("let", c->claim->let, OF_LABEL, at->indent);
-    hanging("then", c->claim->then, OF_LABEL, at->indent);
+    print_sentence(c->claim, at->indent);
     prose(c->claim->method, at->indent);
     labelled("An argument:", c->claim->argued, at->indent);
     if (strstr(words, "the stated ") != NULL) /* the page is to state it */

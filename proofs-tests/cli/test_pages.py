@@ -146,7 +146,15 @@ class Words(unittest.TestCase):
     def test_what_fails_is_said_as_a_condition(self):
         page = show("wang-ch3:3.1.2-line-pairs")
         self.assertIn("    What fails: the common points are four.\n", page)
-        self.assertIn("    Without it: only two of the four points exist\n", page)
+        self.assertRegex(page, r"    Without it:\n    given  the pair of the axes .*\n.*\n    then   only two of the four points exist\n")
+
+    def test_a_counterexample_says_what_its_letters_are(self):
+        """The sentence of its claim stands before its numbers, in each of the places where one is told."""
+        pages = show("wang-ch3:3.1.2-line-pairs", "hu-1987:1-4-two-inflections", "wang-ch4:cor-4.3.1-bezier", "deng-zhang-2022:eq-20")
+        told = re.findall(r"(?m)^(?:    Without it:|(?:Another c|C)ounterexample.*)\n(.*)", pages)
+        self.assertGreater(len(told), 5)
+        for line in told:
+            self.assertRegex(line, "^    given  ")
 
     def test_readings_that_are_known_and_that_are_not(self):
         page = " ".join(show("deng-zhang-2022:fig-2").split())
