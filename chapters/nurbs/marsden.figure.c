@@ -40,7 +40,7 @@ FIGURE(marsden_identity)
     }
     svg_mark(s, at(u[p + SPANS], q(0)), SVG_POINT, SVG_RING);
     for (int i = 0; i < k + SPANS - 1; i++) {
-        char name[16];
+        char name[32];
         snprintf(name, sizeof name, "ω_%dN_%d", i + 1, i + 1);
         svg_label(s, at(r(beside[i].t[0], beside[i].t[1]), r(beside[i].y[0], beside[i].y[1])), beside[i].towards,
                   SVG_CURVE_2, name);

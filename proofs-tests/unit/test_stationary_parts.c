@@ -2,6 +2,7 @@
  * fault in its last digits alone. */
 #include "unit_exact.h"
 
+#include "exact/curve/spline.h"
 #include "exact/fit/stationary.c" /* for what is its own */
 
 /* With W = (2) and V = (1/4), V W = 1/2: |y| <= |V| u + |y|/2, so |y| <= u/2 for the unit u. */
@@ -64,9 +65,163 @@ static void the_nearer_bound(void **state)
     assert_int_equal(bound_of(&options, log(8)), CAGD_STATIONARY_AT_HIGH);
 }
 
+/* ---- The smoothing term, of which the check has a formula in Bernstein polynomials, by quadrature ----- */
+
+enum { MOST_POINTS = 8, MOST_NODES = 9 };
+
+/* weight[j] of the nodes (j+1)/(count+1) of [0,1], which integrate polynomials of a degree < count: each is the integral of the
+ * polynomial that is 1 at its node and 0 at the others. */
+static void quadrature(int count, num_q node[], num_q weight[])
+{
+    for (int j = 0; j < count; j++)
+        node[j] = from_ratio_q(j + 1, count + 1);
+    for (int j = 0; j < count; j++) {
+        num_q a[MOST_NODES + 1] = {from_int_q(1)};
+        for (int m = 0, degree = 0; m < count; m++) {
+            if (m == j)
+                continue;
+            num_q scale = div_q(from_int_q(1), sub_q(node[j], node[m]));
+            a[++degree] = from_int_q(0);
+            for (int k = degree; k >= 0; k--)
+                a[k] = mul_q(scale, sub_q(k > 0 ? a[k - 1] : from_int_q(0), mul_q(node[m], a[k])));
+        }
+        weight[j] = from_int_q(0);
+        for (int k = 0; k < count; k++)
+            weight[j] = add_q(weight[j], div_q(a[k], from_int_q(k + 1)));
+    }
+}
+
+/* A curve of the test: of a closed one point i is number i - shift, modulo the period, of the unknown ones, and the first and last
+ * `shift` spans are of the domain once more. */
+struct smoothed {
+    int degree, count, period, shift;
+    double knot[2 * MOST_POINTS];
+};
+
+/* G[i n + k] = integral N_i'' N_k'' over the domain; N_i is coordinate i of a curve with the points of a unit matrix, some columns
+ * of it at a time. */
+static void integrals(const struct smoothed *s, num_q G[])
+{
+    enum { PART = CAGD_MAX_DIM };
+    const int p = s->degree, n = s->count;
+    num_q u[2 * MOST_POINTS], P[MOST_POINTS * PART], node[MOST_NODES], weight[MOST_NODES];
+    quadrature(2 * p - 1, node, weight);
+    for (int k = 0; k < n * n; k++)
+        G[k] = from_int_q(0);
+    for (int k = 0; k <= n + p; k++)
+        u[k] = from_double_q(s->knot[k]);
+    for (int mu = p + s->shift; mu < n - s->shift; mu++)
+        for (int j = 0; j < 2 * p - 1 && s->knot[mu] < s->knot[mu + 1]; j++) {
+            num_q length = sub_q(u[mu + 1], u[mu]), t = add_q(u[mu], mul_q(length, node[j])),
+                  second[MOST_POINTS + PART];
+            for (int first = 0; first < n; first += PART) {
+                num_q d[3 * PART];
+                for (int k = 0; k < n * PART; k++)
+                    P[k] = from_int_q(k / PART == first + k % PART);
+                const cagd_spline_q columns = {p, n, PART, u, P, NULL};
+                assert_int_equal(cagd_spline_derivatives_q(&columns, t, CAGD_RIGHT, 2, d), CAGD_OK);
+                for (int c = 0; c < PART; c++)
+                    second[first + c] = d[2 * PART + c];
+            }
+            for (int i = 0; i < n; i++)
+                for (int k = 0; k < n; k++)
+                    G[i * n + k] = add_q(G[i * n + k], mul_q(mul_q(weight[j], length), mul_q(second[i], second[k])));
+        }
+}
+
+static int is_tight(double low, num_q x, double high)
+{
+    return cagd_compare_q(from_double_q(low), x) <= 0 && cagd_compare_q(x, from_double_q(high)) <= 0 &&
+           high - low <= 0x1p-30 * (1 + fabs(high));
+}
+
+static int own(const struct smoothed *s, int i) { return s->period > 0 ? (i - s->shift + s->period) % s->period : i; }
+
+/* The sum of G over the places of two unknowns; with the points of the second one, where they are given. */
+static num_q sum_of(const struct smoothed *s, const num_q G[], cagd_fit_unknown a, int b, const double points[])
+{
+    num_q sum = from_int_q(0);
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; own(s, i) == a.index && k < s->count; k++)
+            if (points != NULL)
+                sum = add_q(sum, mul_q(G[i * s->count + k], from_double_q(points[2 * k + a.coordinate])));
+            else if (own(s, k) == b)
+                sum = add_q(sum, G[i * s->count + k]);
+    return sum;
+}
+
+/* Gradient lambda L^3 G P and Hessian lambda L^3 G, for all coordinates and for some of them unknown; half of it for each of two
+ * shares. */
+static void the_smoothing_term(void **state)
+{
+    (void)state;
+    static const struct smoothed of[] = {
+        {2, 4, 0, 0, {0, 0, 0, 0.375, 1, 1, 1}},
+        {3, 4, 0, 0, {0, 0, 0, 0, 2, 2, 2, 2}},
+        {3, 6, 0, 0, {0, 0, 0, 0, 0.5, 0.75, 3, 3, 3, 3}},
+        {3, 7, 0, 0, {-1, 0, 0.25, 1, 2, 2, 2.5, 4, 5, 5.5, 7}},
+        {4, 7, 0, 0, {0, 0, 0, 0, 0, 0.25, 0.25, 1, 1, 1, 1, 1}},
+        {5, 8, 0, 0, {0, 0, 0, 0, 0, 0, 0.125, 0.5, 1, 1, 1, 1, 1, 1}},
+        {2,
+         7,
+         3,
+         1,
+         {-3, -2, -1, 0, 0.5, 2, 3, 3.5, 5, 6}}, /* the spans between 0 and 3, and one more on either side */
+    };
+    enum { N = 2 * MOST_POINTS };
+    const double lambda = 0.625, none[N] = {0};
+    for (size_t c = 0; c < sizeof of / sizeof *of; c++)
+        for (int skip = 0; skip <= 1; skip++) {
+            const struct smoothed *s = &of[c];
+            const int n = s->count, free_points = s->period > 0 ? s->period : n;
+            double points[N], low[N], high[N], H_low[N * N], H_high[N * N];
+            cagd_fit_unknown unknown[N];
+            num_q G[MOST_POINTS * MOST_POINTS];
+            int unknowns = 0, where = 7;
+            for (int k = 0; k < 2 * n; k++)
+                points[k] = random_int(-64, 64) / 16.0;
+            for (int i = 0; i < 2 * n; i++)
+                points[i] = points[2 * (own(s, i / 2) + s->shift) + i % 2];
+            for (int k = 0; k < 2 * free_points; k++)
+                if (!skip || k % 3 > 0)
+                    unknown[unknowns++] = (cagd_fit_unknown){0, k / 2, k % 2};
+            const cagd_fit_data data = {.dim = 2, .points = points};
+            const cagd_spline curve = {s->degree, n, 2, s->knot, points, NULL};
+            const cagd_stationary_problem problem = {.data = &data,
+                                                     .loss_scale = 1,
+                                                     .smooth = lambda,
+                                                     .curve = &curve,
+                                                     .period = s->period,
+                                                     .shift = s->shift,
+                                                     .unknowns = unknowns,
+                                                     .unknown = unknown};
+            assert_true(cagd_stationary_enclosures(&problem, none, low, high, H_low, H_high, &where));
+            assert_int_equal(where, -1);
+            struct box half;
+            assert_true(cagd_stationary_box_new(&half, &problem) && cagd_stationary_enclose(&half, none, 2));
+            integrals(s, G);
+            num_q L = from_double_q(s->knot[n - s->shift] - s->knot[s->degree + s->shift]),
+                  factor = mul_q(from_double_q(lambda), mul_q(L, mul_q(L, L)));
+            for (int a = 0; a < unknowns; a++) {
+                num_q slope = mul_q(factor, sum_of(s, G, unknown[a], 0, points));
+                assert_true(is_tight(low[a], slope, high[a]));
+                assert_true(is_tight(2 * mpfr_get_d(half.gradient[a].lo, MPFR_RNDD), slope,
+                                     2 * mpfr_get_d(half.gradient[a].hi, MPFR_RNDU)));
+                for (int b = 0; b < unknowns; b++) {
+                    num_q entry = unknown[a].coordinate != unknown[b].coordinate
+                                      ? from_int_q(0)
+                                      : mul_q(factor, sum_of(s, G, unknown[a], unknown[b].index, NULL));
+                    assert_true(is_tight(H_low[a * unknowns + b], entry, H_high[a * unknowns + b]));
+                }
+            }
+            cagd_stationary_box_free(&half);
+        }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(the_extent_of_a_box), unit(what_a_radius_reaches), unit(the_size_of_points),
+    const struct CMUnitTest tests[] = {unit(the_smoothing_term),    unit(the_extent_of_a_box),
+                                       unit(what_a_radius_reaches), unit(the_size_of_points),
                                        unit(ways_are_added_upward), unit(the_nearer_bound)};
     return run_unit_tests(tests);
 }
