@@ -7,6 +7,7 @@
 #include "cli/lab/lab.h"
 #include "cli/point_json.h"
 #include "exact/code/border.h"
+#include "exact/code/polyhedron.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -14,7 +15,7 @@
 #include <unistd.h>
 
 enum { FIRST_POINTS = 3, MOST_SHRINKING = 200, HINT_POINTS = 4, ROUNDED = 12, MOST_KNOWN = 20000 };
-enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6 };
+enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6, SHORT = 60 };
 
 /* What is known while one submission is judged. */
 struct trial {
@@ -126,15 +127,14 @@ static const char *member(const json_t *row, const char *key)
     return text != NULL ? text : "";
 }
 
-/* The index of the first result from `from` on that is not the same, under the key "got" or "field"; -1 when there is none. */
-static int first_difference(const json_t *got, const json_t *want, const char *key, size_t from)
+/* The index of the first result that is not the same; -1 when there is none. */
+static int first_difference(const json_t *got, const json_t *want)
 {
     const json_t *a = json_object_get(got, "results"), *b = json_object_get(want, "results");
-    for (size_t k = from; k < json_array_size(b); k++) {
+    for (size_t k = 0; k < json_array_size(b); k++) {
         const json_t *x = json_array_get(a, k), *y = json_array_get(b, k);
         if (x == NULL || strcmp(member(x, "name"), member(y, "name")) != 0 ||
-            (strcmp(member(x, key), member(y, key)) != 0 &&
-             (strcmp(key, "field") != 0 || !lab_same_function(member(x, key), member(y, key)))))
+            strcmp(member(x, "got"), member(y, "got")) != 0)
             return (int)k;
     }
     return json_array_size(a) != json_array_size(b) ? 0 : -1;
@@ -153,7 +153,7 @@ static int is_input(const struct lab_case *c, const char *name)
 /* The first difference among what was computed; a changed argument is a matter of manners. */
 static int difference_of(struct trial *t, const struct lab_case *c, const struct pair *p)
 {
-    int k = first_difference(p->got, p->want, "got", 0);
+    int k = first_difference(p->got, p->want);
     if (k < 0)
         return k;
     const char *name = member(json_array_get(json_object_get(p->want, "results"), (size_t)k), "name");
@@ -177,34 +177,39 @@ struct found {
     char why[300], hole[300];        /* why it is not proved; how the reference failed                 */
 };
 
-/* Whether the only name in the expression is this one. */
-static int is_about(const char *expression, const char *name)
+/* What is 0 on a way, as the answer and the reference compared it; or, if `not`, what is not. */
+static struct lab_texts compared_on(const struct pair *at, int not )
 {
-    size_t length = strlen(name);
-    for (const char *at = expression; *at != 0;) {
-        size_t word = strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_[]");
-        if (word > 0 && (word != length || strncmp(at, name, length) != 0))
-            return 0;
-        at += word > 0 ? word : 1;
+    const json_t *both[] = {at->got, at->want}, *row;
+    struct lab_texts t = {0};
+    for (int side = 0; side < 2; side++) {
+        size_t k;
+        json_array_foreach(json_object_get(both[side], "conditions"), k, row)
+        {
+            int holding = (int)json_integer_value(json_object_get(row, "holding")),
+                wanted = not ? (holding & CAGD_CODE_ZERO) == 0 : holding == CAGD_CODE_ZERO;
+            if (wanted && *member(row, "polynomial") != 0 && t.count < LAB_MOST_TEXTS)
+                t.text[t.count++] = member(row, "polynomial");
+        }
     }
-    return 1;
+    return t;
 }
 
-/* On a way where "t = 0" was decided, t is 0 and no variable: the point for that, or NULL where no such condition is known. */
-static struct cagd_code_point *with_fixed(const struct cagd_code_point *p, const json_t *outcome)
+/* Whether the results in the field are the same for all inputs that take this way, on which equations may hold. */
+static int same_on_way(const struct pair *at)
 {
-    struct cagd_code_point *other = NULL;
+    const json_t *a = json_object_get(at->got, "results"), *b = json_object_get(at->want, "results"), *want;
+    const struct lab_texts zero = compared_on(at, 0), other = compared_on(at, 1);
     size_t k;
-    const json_t *row;
-    json_array_foreach(json_object_get(outcome, "conditions"), k,
-                       row) for (int i = 0; i < p->inputs;
-                                 i++) if (strcmp(member(row, "relation"), "=") == 0 && p->input[i].count == 0 &&
-                                          is_about(member(row, "difference"), p->input[i].name))
+    json_array_foreach(b, k, want)
     {
-        other = other != NULL ? other : cagd_code_point_copy(p);
-        other->input[i].variable = 0;
+        const json_t *got = json_array_get(a, k);
+        if (strcmp(member(got, "name"), member(want, "name")) != 0 ||
+            (strcmp(member(got, "field"), member(want, "field")) != 0 &&
+             !lab_same_where(member(got, "field"), member(want, "field"), &zero, &other)))
+            return 0;
     }
-    return other;
+    return json_array_size(a) == json_array_size(b);
 }
 
 /* The way in the field. */
@@ -214,16 +219,7 @@ static void prove(struct trial *t, const struct lab_case *c, struct lab_ways *w,
     struct pair at = ask_both(t, job_of(c, p, "field", "lab_entry"));
     f->ways++;
     if (finished(at.got) && finished(at.want)) {
-        int same = first_difference(at.got, at.want, "field", 0) < 0;
-        struct cagd_code_point *fixed = same ? NULL : with_fixed(p, at.got);
-        if (fixed != NULL) {
-            struct pair there = ask_both(t, job_of(c, fixed, "field", "lab_entry"));
-            same =
-                finished(there.got) && finished(there.want) && first_difference(there.got, there.want, "field", 0) < 0;
-            forget(&there);
-            cagd_code_point_free(fixed);
-        }
-        f->proved += same;
+        f->proved += same_on_way(&at);
         if (f->whole_line == 0)
             f->whole_line = (int)json_integer_value(json_object_get(at.got, "whole"));
         lab_ways_add(w, at.got, at.want, p);
@@ -383,7 +379,7 @@ static int says_the_same(struct lab_player *wrong, json_t *const job[], json_t *
     for (int k = 0; k < count; k++) {
         lab_ask(wrong, job[k]);
         json_t *answer = lab_answer(wrong);
-        int same = answer != NULL && finished(answer) && first_difference(answer, said[k], "got", 0) < 0;
+        int same = answer != NULL && finished(answer) && first_difference(answer, said[k]) < 0;
         json_decref(answer);
         if (!same)
             return 0;
@@ -514,7 +510,7 @@ static json_t *graph_of(struct trial *t, const struct lab_case *c, const struct 
     enum { SAMPLES = 32 };
     json_t *at = json_array(), *got = json_array(), *wanted = json_array();
     const json_t *results = json_object_get(f->at.want, "results"), *row;
-    int first = first_difference(f->at.got, f->at.want, "got", 0), over = -1;
+    int first = first_difference(f->at.got, f->at.want), over = -1;
     const char *name = member(json_array_get(results, first >= 0 ? (size_t)first : 0), "name");
     cagd_region_mark mark = cagd_region_open();
     cagd_num_q from = {NULL}, to = {NULL};
@@ -561,7 +557,7 @@ static struct pair with_levels(struct trial *t, const struct lab_case *c, const 
 static int reach_at(struct trial *t, const struct lab_case *c, const struct cagd_code_point *p, struct lab_reached *r)
 {
     struct pair at = ask_both(t, job_of(c, p, "rational", "lab_entry"));
-    int wrong = finished(at.got) && finished(at.want) && first_difference(at.got, at.want, "got", 0) >= 0;
+    int wrong = finished(at.got) && finished(at.want) && first_difference(at.got, at.want) >= 0;
     forget(&at);
     if (!wrong)
         return 0;
@@ -663,43 +659,66 @@ static void tell_wrong(struct trial *t, const struct lab_case *c, const struct f
         json_object_set_new(row, "hint", hint);
 }
 
+/* Why it is not known for all inputs that the answer is right. */
+static void tell_open(const struct found *sum, char text[LAB_CAUSE])
+{
+    const struct lab_open *open = &sum->open;
+    if (sum->why[0] != 0)
+        snprintf(text, LAB_CAUSE, "%s", sum->why);
+    else if (open->line > 0)
+        snprintf(text, LAB_CAUSE, "line %d: whether any numbers take the other way%s%s is not known", open->line,
+                 strlen(open->compared) < SHORT ? " than " : "", strlen(open->compared) < SHORT ? open->compared : "");
+    else if (open->branches > 0)
+        snprintf(text, LAB_CAUSE, "not every way through the code and the reference was met, or is known to be none");
+    else if (open->undecided > 0)
+        snprintf(text, LAB_CAUSE, "there are more ways through the code than were followed");
+    else
+        snprintf(text, LAB_CAUSE,
+                 "on %d of %d ways the results agree at the points that were tried, and not as functions",
+                 sum->ways - sum->proved, sum->ways);
+}
+
+/* What is right in all cases that were tried, but not known for all inputs, has points only where the lab says that this is enough. */
 static void tell_right(const struct lab_case *first, const struct lab_case *last, const struct found *sum, json_t *row)
 {
-    char text[LAB_CAUSE], range[140] = "";
+    char text[LAB_CAUSE], because[LAB_CAUSE], range[140] = "";
     const struct lab_open *open = &sum->open;
-    int proved = sum->ways > 0 && sum->proved == sum->ways && open->undecided == 0;
+    int proved = sum->ways > 0 && sum->proved == sum->ways && open->undecided == 0 && open->branches == 0,
+        fixed = cagd_code_variables(first->h) == 0 && first == last && sum->points > 0,
+        enough = strcmp(lab_text(first->requirement, "enough"), "cases") == 0;
     if (first != last)
         snprintf(range, sizeof range, ", %s to %s", first->label, last->label);
-    if (cagd_code_variables(first->h) == 0 && first == last && sum->points > 0)
+    const char *where = open->denominators > 0 ? ", where it has a value: no division by 0 was found" : "";
+    if (fixed)
         snprintf(text, sizeof text, "right, decided exactly");
-    else if (proved && open->conditions == 0 && open->denominators == 0)
-        snprintf(text, sizeof text, "right for all inputs%s", range);
     else if (proved && open->conditions == 0)
-        snprintf(text, sizeof text, "right for all inputs%s, where it has a value: no division by 0 was found", range);
-    else if (proved && open->branches == 0 && open->denominators == 0)
-        snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that there are", range, sum->ways);
+        snprintf(text, sizeof text, "right for all inputs%s%s", range, where);
     else if (proved)
-        snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that %d points took", range,
-                 sum->ways, sum->points);
+        snprintf(text, sizeof text, "right for all inputs%s, on each of the %d ways that there are%s", range, sum->ways,
+                 where);
     else
-        snprintf(text, sizeof text, "right in %d exact cases%s", sum->points, range);
+        snprintf(text, sizeof text, "right in %d exact cases%s%s", sum->points, range,
+                 enough ? "" : "; its points wait for a person");
     /* which whole number it is may be any of infinitely many: what each of them leads to is not seen by trying some */
-    int untried = sum->whole_line > 0 && (!proved || open->branches > 0);
+    int untried = sum->whole_line > 0 && !proved;
     if (sum->empty > 0)
         snprintf(text, sizeof text, "no numbers were found for which the reference has a result");
     else if (untried)
         snprintf(text, sizeof text, "a whole number is made of a number, and not all that it can be were tried");
     else if (sum->unfollowed)
         snprintf(text, sizeof text, "right in %d exact cases%s, but not followed for all inputs", sum->points, range);
+    int known = fixed || proved || enough;
     json_object_set_new(row, "verdict",
-                        json_string(sum->empty > 0 || untried || sum->unfollowed ? "undecided"
-                                    : proved                                     ? "proved"
-                                                                                 : "sampled"));
+                        json_string(sum->empty > 0 || untried || sum->unfollowed || !known ? "undecided"
+                                    : fixed || proved                                      ? "proved"
+                                                                                           : "sampled"));
     json_object_set_new(row, "text", json_string(text));
     if (untried)
         json_object_set_new(row, "line", json_integer(sum->whole_line));
-    if (!proved && sum->why[0] != 0)
-        json_object_set_new(row, "because", json_string(sum->why));
+    if (!fixed && !proved && sum->empty == 0 && !untried) {
+        tell_open(sum, because);
+        json_object_set_new(row, "because", json_string(because));
+    }
     if (sum->hole[0] != 0)
         json_object_set_new(row, "reference", json_string(sum->hole));
 }
@@ -715,8 +734,7 @@ static void look_for_state(struct trial *t, const struct lab_case *c)
     if (other != NULL)
         json_array_extend(json_object_get(job, "inputs"), json_object_get(other, "inputs"));
     struct pair at = ask_both(t, job);
-    if (finished(at.want) && t->manners[0] == 0 &&
-        (!finished(at.got) || first_difference(at.got, at.want, "got", 0) >= 0))
+    if (finished(at.want) && t->manners[0] == 0 && (!finished(at.got) || first_difference(at.got, at.want) >= 0))
         snprintf(t->manners, sizeof t->manners, "remembers earlier calls: the same call has another result");
     note_state(t, at.got);
     forget(&at);
@@ -741,6 +759,10 @@ static int judge_requirement(struct trial *t, int k, json_t *row)
         sum.points += f.points, sum.ways += f.ways, sum.proved += f.proved;
         sum.open.conditions += f.open.conditions, sum.open.undecided += f.open.undecided;
         sum.open.branches += f.open.branches, sum.open.denominators += f.open.denominators;
+        if (sum.open.line == 0) {
+            sum.open.line = f.open.line;
+            memcpy(sum.open.compared, f.open.compared, sizeof sum.open.compared);
+        }
         sum.empty += f.points == 0;
         sum.unfollowed |= f.unfollowed;
         if (sum.whole_line == 0)
@@ -819,7 +841,7 @@ static void look_for_turns(struct trial *t, json_t *notes)
             struct cagd_code_point *p = cagd_code_point_new(c->h, j, 1);
             struct pair at = ask_both(t, job_of(c, p, "rounding", "lab_entry"));
             int turned = finished(at.got) && finished(at.want) && json_is_integer(json_object_get(at.got, "turned")) &&
-                         first_difference(at.got, at.want, "got", 0) >= 0;
+                         first_difference(at.got, at.want) >= 0;
             json_int_t line = json_integer_value(json_object_get(at.got, "turned"));
             forget(&at);
             cagd_code_point_free(p);

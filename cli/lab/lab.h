@@ -176,8 +176,20 @@ int lab_is_python(const struct lab *lab, const char *object);
 char *lab_build_python(const struct lab *lab, const struct lab_place *place, const char *source, const char *object);
 /* As lab_inspect. */
 json_t *lab_inspect_python(const struct lab_place *place, const char *file);
-/* Whether two texts of rational functions, "(0-2*t)/(p[0]+1)", are the same function; 0 where one is not understood. */
-int lab_same_function(const char *a, const char *b);
+
+/* ---- same.c: rational functions as texts ----------------------------------------------------------------- */
+
+/* Whether two texts, "(0-2*t)/(p[0]+1)", are the same function wherever both have a value, the polynomials of `zero` are 0, and those of
+ * `other` are not: 1 is a proof. */
+enum { LAB_MOST_TEXTS = 16 };
+struct lab_texts {
+    int count;
+    const char *text[LAB_MOST_TEXTS];
+};
+int lab_same_where(const char *a, const char *b, const struct lab_texts *zero, const struct lab_texts *other);
+/* Whether it is a polynomial in one variable, and no fraction is a zero of it, so that no number in a computer is: it has no linear factor
+ * over the rationals.  0 where that is not so, or not known. */
+int lab_is_zero_at_no_fraction(const char *polynomial);
 
 /* ---- numbers.c ------------------------------------------------------------------------------------------- */
 
@@ -202,8 +214,10 @@ void lab_ways_add(struct lab_ways *w, const json_t *got, const json_t *want, con
 struct cagd_code_point *lab_ways_next(struct lab_ways *w);
 /* What is known when no point is left.  Of the conditions on all ways: */
 struct lab_open {
-    int conditions;   /* comparisons that depend on the inputs                                             */
-    int branches;     /* those whose other branch was not met, and is not proved to be taken by no inputs  */
+    int conditions; /* comparisons that depend on the inputs                                             */
+    int branches;   /* those whose other branch was not met, and is not proved to be taken by no inputs  */
+    int line;       /* of the first of these in the answer, or 0; and what is compared there:             */
+    char compared[200];
     int undecided;    /* those of them whose border was not found either; or there were too many           */
     int denominators; /* what is divided by, and not proved to be never 0                                  */
 };

@@ -10,6 +10,7 @@
 #include "exact/code/conditions.h"
 #include "exact/code/polyhedron.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,8 +26,9 @@ struct way {
     unsigned char *state; /* of each condition, see below */
 };
 
-/* A condition of a leaf: what is divided by; its other branch is taken by no inputs; it was looked for; its border was not found. */
-enum { DENOMINATOR = 1, CLOSED = 2, PURSUED = 4, NO_BORDER = 8 };
+/* A condition of a leaf: what is divided by; its other branch is taken by no inputs; it was looked for; its border was not found;
+ * it is one of the answer. */
+enum { DENOMINATOR = 1, CLOSED = 2, PURSUED = 4, NO_BORDER = 8, OF_ANSWER = 16 };
 
 struct lab_ways {
     const struct cagd_code_harness *h;
@@ -67,6 +69,7 @@ void lab_ways_free(struct lab_ways *w)
     for (int k = 0; k < w->ways; k++) {
         for (int j = 0; j < w->way[k].count; j++) {
             free((char *)(uintptr_t)w->way[k].condition[j].polynomial);
+            free((char *)(uintptr_t)w->way[k].condition[j].left);
             free((char *)(uintptr_t)w->way[k].condition[j].difference);
         }
         free(w->way[k].condition);
@@ -128,9 +131,9 @@ static int turned(int signs)
            (signs & CAGD_CODE_BELOW ? CAGD_CODE_ABOVE : 0);
 }
 
-/* One more condition, unless an earlier one says it. */
+/* One more condition, unless an earlier one says it; row: what is told of it, where it stands in the code. */
 static void put_condition(struct way *way, const char *polynomial, const char *difference, int holding, int given,
-                          int state)
+                          int state, const json_t *row)
 {
     char *text = copied(polynomial);
     if (turn_sign(text))
@@ -142,18 +145,23 @@ static void put_condition(struct way *way, const char *polynomial, const char *d
             return;
         }
     }
-    way->condition[way->count] = (struct cagd_code_condition){.left = "",
-                                                              .relation = "",
-                                                              .right = "",
-                                                              .opposite = "",
-                                                              .difference = copied(difference),
-                                                              .polynomial = text,
-                                                              .holding = holding,
-                                                              .given = given};
+    char *told = NULL;
+    if (asprintf(&told, "%s %s %s", member(row, "left"), member(row, "relation"), member(row, "right")) < 0)
+        abort();
+    way->condition[way->count] =
+        (struct cagd_code_condition){.left = told,
+                                     .relation = "",
+                                     .right = "",
+                                     .opposite = "",
+                                     .difference = copied(difference),
+                                     .polynomial = text,
+                                     .holding = holding,
+                                     .given = given,
+                                     .place = {.line = (int)json_integer_value(json_object_get(row, "line"))}};
     way->state[way->count++] = (unsigned char)state;
 }
 
-static void put_conditions(struct way *way, const json_t *outcome, int given)
+static void put_conditions(struct way *way, const json_t *outcome, int given, int state)
 {
     size_t k;
     const json_t *row;
@@ -162,7 +170,7 @@ static void put_conditions(struct way *way, const json_t *outcome, int given)
     {
         const char *polynomial = member(row, "polynomial"), *difference = member(row, "difference");
         put_condition(way, polynomial, *difference != 0 ? difference : polynomial, /* the difference may be too long */
-                      (int)json_integer_value(json_object_get(row, "holding")), given, 0);
+                      (int)json_integer_value(json_object_get(row, "holding")), given, state, row);
     }
 }
 
@@ -171,7 +179,7 @@ static void put_denominators(struct way *way, const json_t *outcome, int given)
     size_t k;
     const json_t *value;
     json_array_foreach(json_object_get(outcome, "denominators"), k, value)
-        put_condition(way, json_string_value(value), json_string_value(value), NOT_ZERO, given, DENOMINATOR);
+        put_condition(way, json_string_value(value), json_string_value(value), NOT_ZERO, given, DENOMINATOR, NULL);
 }
 
 void lab_ways_add(struct lab_ways *w, const json_t *got, const json_t *want, const struct cagd_code_point *p)
@@ -189,9 +197,9 @@ void lab_ways_add(struct lab_ways *w, const json_t *got, const json_t *want, con
                         calloc(room, sizeof *way->condition), calloc(room, 1)};
     if (way->outcome == NULL || way->condition == NULL || way->state == NULL)
         abort();
-    put_conditions(way, want, 1);
-    put_conditions(way, got, 0);
-    put_conditions(way, want, 0);
+    put_conditions(way, want, 1, 0);
+    put_conditions(way, got, 0, OF_ANSWER);
+    put_conditions(way, want, 0, 0);
     put_denominators(way, want, 1); /* where one is 0 nothing is asked */
     put_denominators(way, got, 0);
     for (int j = 0; j + 1 < way->count; j++)
@@ -419,7 +427,13 @@ static int go_on(struct lab_ways *w)
     return 0;
 }
 
-/* What linear inequalities say of the branch. */
+/* Whether the other branch of the condition is that something is 0, and it is at no fraction. */
+static int is_no_equation(const struct cagd_code_condition *c)
+{
+    return c->holding == NOT_ZERO && c->polynomial[0] != 0 && lab_is_zero_at_no_fraction(c->polynomial);
+}
+
+/* What is known of the branch: of an equation in one variable by its factors, else by linear inequalities. */
 static void begin_branch(struct lab_ways *w)
 {
     struct way *way = &w->way[w->of];
@@ -427,7 +441,8 @@ static void begin_branch(struct lab_ways *w)
     struct cagd_code_point *point = NULL;
     char text[600];
     clear_queue(w);
-    int found = cagd_code_branch(w->h, &leaf, w->k, &point, sizeof text, text);
+    int found =
+        is_no_equation(&way->condition[w->k]) ? 0 : cagd_code_branch(w->h, &leaf, w->k, &point, sizeof text, text);
     way->state[w->k] |= found == 0 ? CLOSED : PURSUED;
     w->is_open = found != 0;
     w->stage = 0;
@@ -484,6 +499,10 @@ struct lab_open lab_ways_open(const struct lab_ways *w)
                 continue;
             open.denominators += denominator != 0;
             open.branches += !denominator;
+            if (!denominator && open.line == 0 && (way->state[k] & OF_ANSWER) != 0) {
+                open.line = (int)way->condition[k].place.line;
+                snprintf(open.compared, sizeof open.compared, "%s", way->condition[k].left);
+            }
             open.undecided += !denominator && marked(w, of, k, NO_BORDER) > 0;
         }
     return open;

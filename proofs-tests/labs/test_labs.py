@@ -2,6 +2,7 @@
 
     python3 test_labs.py CAGD ROOT
 """
+import concurrent.futures
 import csv
 import fractions
 import json
@@ -153,13 +154,13 @@ class Student(InFolder):
         rows = json.loads(run("check", self.folder, "--json").stdout)["requirements"]
         self.assertEqual([r["text"].split(" ways ")[-1] for r in rows[:3]], ["that there are"] * 3)
 
-    def test_an_equation_with_irrational_solutions_alone_stays_open(self):
+    def test_no_number_is_a_solution_of_an_equation_with_irrational_solutions_alone(self):
         circle = (LABS / "nurbs-circle/right/plain.c").read_text()
         changed = circle.replace("w[i] = i % 2 == 0 ? 1 : s;", "w[i] = i % 2 == 0 ? 1 : s * s == 0.5 ? 1 : s;")
         self.assertNotEqual(circle, changed)
         (self.folder / "nurbs-circle.c").write_text(changed)
         rows = json.loads(run("check", self.folder, "--json").stdout)["requirements"]
-        self.assertEqual(rows[1]["verdict"], "sampled")
+        self.assertEqual(rows[1]["verdict"], "proved")
 
     def test_a_comparison_that_rounding_turns_is_told(self):
         result = self.checked(RIGHT.replace("double b[n + 1];", "if ((1e16 + t) - 1e16 != t) return 7;\n    double b[n + 1];", 1))
@@ -376,6 +377,86 @@ class Numbers(InFolder):
             result = self.judged(text)
             self.assertIn(f"line {line}:", result["compiler"], text)
             self.assertEqual(result["points"], 0)
+
+
+NOBODY = "p[0] * p[0] * p[0] == p[1] * p[1] + 1e-30"  # whether fractions are solutions is not known here
+
+
+class Branches(InFolder):
+    """A branch that is not known to be taken by no numbers leaves the points to a person, whatever it does."""
+
+    def verdicts(self, changes, right=RIGHT, lab="de-casteljau"):
+        """Of each changed solution the row of its first requirement."""
+        def row(change):
+            old, new, top = change
+            self.assertIn(old, right)
+            folder = tempfile.mkdtemp(dir=self.folder)
+            pathlib.Path(folder, lab + (".c" if right == RIGHT else ".py")).write_text(top + right.replace(old, new, 1))
+            return json.loads(run("check", folder, "--json").stdout)["requirements"][0]
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            return list(pool.map(row, changes))
+
+    def look(self, wanted, changes):
+        for change, row in zip(changes, self.verdicts(changes)):
+            self.assertEqual((row["verdict"], row["points"]), (wanted, 4 if wanted == "proved" else 0), (change, row))
+
+    @staticmethod
+    def returning(condition, what="7", top="#include <math.h>\n"):
+        return "double b[n + 1];", f"if ({condition}) return {what};\n    double b[n + 1];", top
+
+    def test_what_nobody_knows_has_no_points(self):
+        others = f"static int bad(const double *p) {{ return {NOBODY}; }}\n"
+        difference = "p[0] * p[0] * p[0] - p[1] * p[1] - 1e-30"
+        self.look("undecided", [
+            self.returning(NOBODY), self.returning("n == 3 && " + NOBODY), self.returning("bad(p)", top=others),
+            self.returning(NOBODY, "t"), self.returning(f"fabs({difference}) == 0"),
+            self.returning(f"fmax({difference}, 0) == fmin({difference}, 0)"), self.returning(f"({NOBODY}) && t * t * t == t + 1e-20"),
+            self.returning("p[0] * p[0] + p[1] * p[1] == 3"), self.returning("(t - 1e-300) * (t * t - 2) == 0"),
+            self.returning("p[0] * p[0] * p[0] + p[1] * p[1] * p[1] == t * t * t && p[0] * p[1] * t != 0"),
+            self.returning("(p[0] * p[0] + p[1] * p[1] - 2) * (p[0] * p[0] + p[1] * p[1] - 2) < 1e-20 && "
+                           "(p[0] * p[1] - 0.3) * (p[0] * p[1] - 0.3) < 1e-20"),
+            self.returning("fabs(p[0] * p[0] - p[1] - 0.123) < 1e-15 && fabs(p[1] * p[1] - t - 0.77) < 1e-15 && "
+                           "fabs(t * t - p[0] - 0.3) < 1e-15"),
+            ("double b[n + 1];", "for (int k = 0; k < n; k++) if (p[k] * p[k] * p[k] == p[k + 1] * p[k + 1] + 1e-30) return 7;\n"
+                                 "    double b[n + 1];", ""),
+            ("double b[n + 1];", f"switch (({difference} > 0) + ({difference} < 0)) {{ case 0: return 7; }}\n    double b[n + 1];", ""),
+            ("return b[0];", f"return {NOBODY} ? 7 : b[0];", ""), ("return b[0];", f"return b[0] + 7 * ({NOBODY});", ""),
+            self.returning("n == 1 && p[0] * p[1] == 1", "(1 - t) * p[0] + t * p[1] + (p[0] - 1) * (p[0] + 1) * (p[0] - 2) * (2 * p[0] - 1)")])
+
+    def test_a_branch_that_is_met_is_judged(self):
+        self.look("wrong", [self.returning("p[0] * p[0] + p[1] * p[1] == 3 * t * t"), self.returning("p[0] * p[0] + p[1] * p[1] == 2"),
+                            self.returning("p[0] * p[0] + p[1] * p[1] < 1e-40"), self.returning("p[0] * p[1] * p[1] == 1e-31 * t + 2"),
+                            self.returning("n == 1 && p[0] * p[1] == 1", "(1 - t) * p[0] + p[1]")])
+
+    def test_a_branch_that_no_number_takes_or_that_is_right_costs_nothing(self):
+        self.look("proved", [
+            self.returning("t * t == 0.5"), self.returning("t * t * t == 2"), self.returning("t * t == -1"),
+            self.returning("t * t * t * t == 5 * t * t - 6"), self.returning("t == 1", "p[n]"),
+            self.returning("t * (1 - t) == 0", "t == 0 ? p[0] : p[n]"), self.returning("n == 1 && p[0] == p[1]", "p[0]"),
+            self.returning("n == 1 && p[0] == p[1] * p[1]", "(1 - t) * p[1] * p[1] + t * p[1]"),
+            self.returning("n == 1 && p[0] * p[1] == 1", "(1 - t) * p[0] * p[0] * p[1] + t * p[1]")])
+
+    def test_what_waits_is_told(self):
+        [row] = self.verdicts([self.returning(NOBODY)])
+        self.assertRegex(row["text"], r"^right in \d+ exact cases, n = 1 to n = 6; its points wait for a person$")
+        self.assertEqual(row["because"], "line 7: whether any numbers take the other way is not known")
+        [row] = self.verdicts([self.returning("p[0] * p[0] + p[1] * p[1] == 3")])
+        self.assertEqual(row["because"], "line 7: whether any numbers take the other way than p[0]^2+p[1]^2 != 3 is not known")
+
+    def test_python_is_no_other(self):
+        right = (LABS / "de-casteljau-python/right/iterative.py").read_text()
+        [row] = self.verdicts([("b = list(p)", "b = list(p)\n    if p[0] * p[0] + p[1] * p[1] == 3:\n        return 7", "")], right, "de-casteljau-python")
+        self.assertEqual((row["verdict"], row["points"]), ("undecided", 0), row)
+
+    def test_a_lab_may_say_that_cases_are_enough(self):
+        shutil.copytree(LABS / "de-casteljau", self.folder / "mine")
+        page = self.folder / "mine/lab.md"
+        page.write_text(page.read_text().replace(":points: 4\n", ":points: 4\n:enough: cases\n"))
+        place = self.folder / "place"
+        place.mkdir()
+        (place / "de-casteljau.c").write_text(RIGHT.replace(*self.returning(NOBODY)[:2], 1))
+        row = json.loads(run("check", place, "--lab", self.folder / "mine", "--json").stdout)["requirements"][0]
+        self.assertEqual((row["verdict"], row["points"]), ("sampled", 4), row)
 
 
 class Lecturer(InFolder):
