@@ -7,7 +7,6 @@
 #include "cli/lab/lab.h"
 #include "cli/point_json.h"
 #include "exact/code/border.h"
-#include "exact/code/polyhedron.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -177,36 +176,38 @@ struct found {
     char why[300], hole[300];        /* why it is not proved; how the reference failed                 */
 };
 
-/* What is 0 on a way, as the answer and the reference compared it; or, if `not`, what is not. */
-static struct lab_texts compared_on(const struct pair *at, int not )
+/* What is compared on a way, by the answer and by the reference. */
+static struct lab_compared compared_on(const struct pair *at)
 {
     const json_t *both[] = {at->got, at->want}, *row;
-    struct lab_texts t = {0};
+    struct lab_compared compared = {0};
     for (int side = 0; side < 2; side++) {
         size_t k;
-        json_array_foreach(json_object_get(both[side], "conditions"), k, row)
+        json_array_foreach(json_object_get(both[side], "conditions"), k,
+                           row) if (*member(row, "polynomial") != 0 && compared.count < LAB_MOST_COMPARED)
         {
-            int holding = (int)json_integer_value(json_object_get(row, "holding")),
-                wanted = not ? (holding & CAGD_CODE_ZERO) == 0 : holding == CAGD_CODE_ZERO;
-            if (wanted && *member(row, "polynomial") != 0 && t.count < LAB_MOST_TEXTS)
-                t.text[t.count++] = member(row, "polynomial");
+            compared.polynomial[compared.count] = member(row, "polynomial");
+            compared.holding[compared.count++] = (int)json_integer_value(json_object_get(row, "holding"));
         }
     }
-    return t;
+    return compared;
 }
 
-/* Whether the results in the field are the same for all inputs that take this way, on which equations may hold. */
-static int same_on_way(const struct pair *at)
+/* Whether the results in the field are the same for all inputs that take this way, on which equations may hold; a changed argument is a
+ * matter of manners. */
+static int same_on_way(const struct lab_case *c, const struct pair *at)
 {
     const json_t *a = json_object_get(at->got, "results"), *b = json_object_get(at->want, "results"), *want;
-    const struct lab_texts zero = compared_on(at, 0), other = compared_on(at, 1);
+    const struct lab_compared compared = compared_on(at);
     size_t k;
     json_array_foreach(b, k, want)
     {
         const json_t *got = json_array_get(a, k);
+        if (is_input(c, member(want, "name")))
+            continue;
         if (strcmp(member(got, "name"), member(want, "name")) != 0 ||
             (strcmp(member(got, "field"), member(want, "field")) != 0 &&
-             !lab_same_where(member(got, "field"), member(want, "field"), &zero, &other)))
+             !lab_same_where(member(got, "field"), member(want, "field"), &compared)))
             return 0;
     }
     return json_array_size(a) == json_array_size(b);
@@ -219,7 +220,7 @@ static void prove(struct trial *t, const struct lab_case *c, struct lab_ways *w,
     struct pair at = ask_both(t, job_of(c, p, "field", "lab_entry"));
     f->ways++;
     if (finished(at.got) && finished(at.want)) {
-        f->proved += same_on_way(&at);
+        f->proved += same_on_way(c, &at);
         if (f->whole_line == 0)
             f->whole_line = (int)json_integer_value(json_object_get(at.got, "whole"));
         lab_ways_add(w, at.got, at.want, p);

@@ -179,14 +179,15 @@ json_t *lab_inspect_python(const struct lab_place *place, const char *file);
 
 /* ---- same.c: rational functions as texts ----------------------------------------------------------------- */
 
-/* Whether two texts, "(0-2*t)/(p[0]+1)", are the same function wherever both have a value, the polynomials of `zero` are 0, and those of
- * `other` are not: 1 is a proof. */
-enum { LAB_MOST_TEXTS = 16 };
-struct lab_texts {
+/* Polynomials as texts, and which signs they have on a way, sums of CAGD_CODE_ZERO, ABOVE, BELOW. */
+enum { LAB_MOST_COMPARED = 48 };
+struct lab_compared {
     int count;
-    const char *text[LAB_MOST_TEXTS];
+    const char *polynomial[LAB_MOST_COMPARED];
+    int holding[LAB_MOST_COMPARED];
 };
-int lab_same_where(const char *a, const char *b, const struct lab_texts *zero, const struct lab_texts *other);
+/* Whether two texts, "(0-2*t)/(p[0]+1)", are the same function wherever both have a value and the polynomials these signs: 1 is a proof. */
+int lab_same_where(const char *a, const char *b, const struct lab_compared *compared);
 /* Whether it is a polynomial in one variable, and no fraction is a zero of it, so that no number in a computer is: it has no linear factor
  * over the rationals.  0 where that is not so, or not known. */
 int lab_is_zero_at_no_fraction(const char *polynomial);

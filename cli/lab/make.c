@@ -95,7 +95,8 @@ int lab_begin(const struct lab *lab, const char *folder)
              "all:\n\t%s\n"
              "check:\n\t\"%s\" lab check .%s\n"
              ".PHONY: all check\n",
-             strcmp(lab->language, "python") == 0 ? "python3 -m py_compile $(wildcard *.py)"
+             strcmp(lab->language, "python") == 0 ? "python3 -c 'import ast, sys; [ast.parse(open(name).read(), name) "
+                                                    "for name in sys.argv[1:]]' $(wildcard *.py)"
              : strcmp(lab->language, "c") == 0 ? "cc -Wall -Wextra -Wno-unused-parameter -fsyntax-only $(wildcard *.c)"
                                                : "@echo nothing to compile",
              called(program), option_of(lab, option));

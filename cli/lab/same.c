@@ -1,5 +1,6 @@
 /* same.c -- rational functions as texts: whether two are the same where others are 0; see lab.h. */
 #include "cli/lab/lab.h"
+#include "exact/code/polyhedron.h"
 #include "exact/number/field.h"
 
 #include <ctype.h>
@@ -145,7 +146,7 @@ static int vanishes_with(cagd_num_f f, cagd_num_f e)
 /* Polynomials: those that are 0, and those that are not. */
 struct conditions {
     int zeros, others;
-    cagd_num_f zero[LAB_MOST_TEXTS], other[LAB_MOST_TEXTS];
+    cagd_num_f zero[LAB_MOST_COMPARED], other[LAB_MOST_COMPARED];
 };
 
 static int vanishes_where(cagd_num_f f, struct conditions c);
@@ -208,28 +209,42 @@ static int vanishes_where(cagd_num_f f, struct conditions c)
     return cagd_is_zero_f(f);
 }
 
-static int read_all(const struct lab_texts *texts, cagd_num_f f[])
+/* What is 0, and what is not: f <= 0 and -f <= 0 are one equation.  Of a text that is not understood nothing is concluded. */
+static struct conditions conditions_of(const struct lab_compared *compared)
 {
-    int count = 0;
-    for (int k = 0; k < texts->count; k++) {
-        count += read_function(texts->text[k], &f[count]);
-        cagd_region_faults = 0; /* of a text that is not understood nothing is concluded */
+    struct conditions c = {0, 0, {{NULL}}, {{NULL}}};
+    cagd_num_f f[LAB_MOST_COMPARED];
+    int holding[LAB_MOST_COMPARED], count = 0;
+    for (int k = 0; k < compared->count; k++) {
+        const int read = read_function(compared->polynomial[k], &f[count]);
+        int at = 0;
+        cagd_region_faults = 0;
+        if (!read)
+            continue;
+        const cagd_num_f opposite = cagd_neg_f(f[count]);
+        while (at < count && !cagd_equal_f(f[at], f[count]) && !cagd_equal_f(f[at], opposite))
+            at++;
+        if (at == count)
+            holding[at] = CAGD_CODE_ZERO | CAGD_CODE_ABOVE | CAGD_CODE_BELOW;
+        const int same = at == count || cagd_equal_f(f[at], f[count]);
+        holding[at] &= same ? compared->holding[k] : cagd_code_turned(compared->holding[k]);
+        count += at == count;
     }
-    return count;
+    for (int k = 0; k < count; k++)
+        if (holding[k] == CAGD_CODE_ZERO)
+            c.zero[c.zeros++] = f[k];
+        else if ((holding[k] & CAGD_CODE_ZERO) == 0)
+            c.other[c.others++] = f[k];
+    return c;
 }
 
-int lab_same_where(const char *a, const char *b, const struct lab_texts *zero, const struct lab_texts *other)
+int lab_same_where(const char *a, const char *b, const struct lab_compared *compared)
 {
     cagd_region_mark mark = cagd_region_open();
-    struct conditions c;
     cagd_num_f x, y;
     cagd_field_open(CAGD_FIELD_MAX_VARIABLES);
-    int same = read_function(a, &x) && read_function(b, &y);
-    if (same) {
-        c.zeros = read_all(zero, c.zero);
-        c.others = read_all(other, c.other);
-        same = vanishes_where(cagd_sub_f(x, y), c) && cagd_region_faults == 0;
-    }
+    const int same = read_function(a, &x) && read_function(b, &y) &&
+                     vanishes_where(cagd_sub_f(x, y), conditions_of(compared)) && cagd_region_faults == 0;
     cagd_region_faults = 0;
     cagd_region_drop(mark);
     return same;

@@ -125,19 +125,13 @@ static int turn_sign(char *polynomial)
     return 1;
 }
 
-static int turned(int signs)
-{
-    return (signs & CAGD_CODE_ZERO) | (signs & CAGD_CODE_ABOVE ? CAGD_CODE_BELOW : 0) |
-           (signs & CAGD_CODE_BELOW ? CAGD_CODE_ABOVE : 0);
-}
-
 /* One more condition, unless an earlier one says it; row: what is told of it, where it stands in the code. */
 static void put_condition(struct way *way, const char *polynomial, const char *difference, int holding, int given,
                           int state, const json_t *row)
 {
     char *text = copied(polynomial);
     if (turn_sign(text))
-        holding = turned(holding);
+        holding = cagd_code_turned(holding);
     for (int k = 0; k < way->count; k++) {
         const struct cagd_code_condition *c = &way->condition[k];
         if (*text != 0 && strcmp(c->polynomial, text) == 0 && (c->holding & ~holding) == 0) {

@@ -6,6 +6,13 @@
 
 enum { CAGD_CODE_ZERO = 1, CAGD_CODE_ABOVE = 2, CAGD_CODE_BELOW = 4 };
 
+/* The signs of -f where f has these. */
+static inline int cagd_code_turned(int signs)
+{
+    return (signs & CAGD_CODE_ZERO) | (signs & CAGD_CODE_ABOVE ? CAGD_CODE_BELOW : 0) |
+           (signs & CAGD_CODE_BELOW ? CAGD_CODE_ABOVE : 0);
+}
+
 /* A polynomial with whole coefficients, as the field writes it: "3*k[1]*t-t^2+5"; its sign is one of `signs`, a sum of the above. */
 struct cagd_code_claim {
     const char *polynomial;

@@ -460,6 +460,17 @@ class Branches(InFolder):
 
 
 class Lecturer(InFolder):
+    def test_make_in_a_lab_in_python_leaves_nothing(self):
+        self.assertEqual(run("start", "de-casteljau-python", self.folder).returncode, 0)
+        files = sorted(p.name for p in self.folder.iterdir())
+        ran = subprocess.run(["make"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""), ran.stdout)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), files)
+        (self.folder / "de-casteljau-python.py").write_text("def point(p, t):\n    return (p\n")
+        ran = subprocess.run(["make"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 2)
+        self.assertIn('File "de-casteljau-python.py", line 2', ran.stderr)
+
     def test_a_lab_of_ones_own(self):
         ran = run("new", "mine", cwd=self.folder)
         self.assertEqual(ran.returncode, 0, ran.stderr)
