@@ -77,7 +77,7 @@ The condition is necessary for every such curve, and sufficient where $\partial_
 :method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
   have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds and
   $X_t\ne0$.
-:over: dt: t'; ds: τ'; X# Y#: derivatives of the family
+:over: dt ds: -; X# Y#: derivatives of the family
 :control: the factor $t'$ in the place of $\tau'$
 :::
 */
