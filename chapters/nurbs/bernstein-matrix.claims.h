@@ -29,7 +29,8 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :title: The matrix G for the knots of Bernstein
 :zh: Bernstein 情形的矩阵 G
 :printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j),\quad i,j=0,1,\dots,k-1
-:holds-by: coefficients_of_marsden_in_every_order bernstein_knots_in_every_order
+:holds-by: coefficients_of_marsden_in_every_order bernstein_knots_of_every_function
+  symmetric_functions_of_zeros_and_ones
 :confirmed-by: bernstein_coefficients_and_g
 :figure: bernstein_matrix
 :::
@@ -38,7 +39,8 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :title: G is upper triangular
 :zh: G 为上三角阵
 :printed: \mathbf G_{k-1,k,T}\text{ is upper triangular}
-:holds-by: coefficients_of_marsden_in_every_order bernstein_knots_in_every_order
+:holds-by: coefficients_of_marsden_in_every_order bernstein_knots_of_every_function
+  symmetric_functions_of_zeros_and_ones
 :confirmed-by: bernstein_coefficients_and_g
 :figure: bernstein_matrix
 
@@ -53,20 +55,18 @@ For these knots $\omega_{i,k}$ has only the zeros 0 and 1, and $G$ is a triangul
 coefficients: it takes the Bernstein basis to the powers.
 
 :::{claim} bernstein_knots_in_every_order
-:title: Marsden's coefficients and the symmetric functions for the knots of Bernstein, in every order
-:zh: Bernstein 节点的 ω 与对称函数(任意阶数)
+:title: Marsden's coefficients for the knots of Bernstein, in every order
+:zh: Bernstein 节点的 ω(任意阶数)
 :types: field rational
 :given: $i,m\ge0$, $k=i+2+m$, the knots $t_0=\dots=t_{k-1}=0$, $t_k=\dots=t_{2k-1}=1$; the common factor $q$ of $\omega_{i,k}$ and
-  $\omega_{i+1,k}$; $x$; integers $j,h\ge1$
-:let: $P=x^{k-2-i}(x-1)^i$; $c=\binom{j+h-1}j$, so that $\binom{j+h-1}{j-1}=c\frac jh$ and $\binom{j+h}j=c\frac{j+h}h$
-:then: (1) $t_{i+1}=0$ and $t_{i+k}=1$, since $k-1-(i+1)=m\ge0$, $i+k\ge k$ and $2k-1-(i+k)=m+1>0$; so $\omega_{i,k}=q\,(x-0)$, $\omega_{i+1,k}=q\,(x-1)$, and with
-  $q=P$ they are $x^{k-1-i}(x-1)^i$ and $x^{k-2-i}(x-1)^{i+1}$; (2) one number $0$ more leaves $\mathrm{Sym}_j$ what it is, and one number $1$ more
-  makes $\binom{j+h-1}j$ of it $\binom{j+h}j$
-:method: (1) is the step of an induction on $i$; $\omega_{0,k}$ is the product of $k-1$ factors $x$.  (2) is $\mathrm{Sym}_j+b\,\mathrm{Sym}_{j-1}$ for $b=0$ and $b=1$, so that of
-  $k-1-i$ numbers $0$ and $i$ numbers $1$ it is $\binom ij$, which is $0$ for $i<j$: of no numbers $\mathrm{Sym}_0=1$ and the others are $0$, and a sum of zeros is $0$.
+  $\omega_{i+1,k}$; $x$
+:let: $P=x^{k-2-i}(x-1)^i$
+:then: $t_{i+1}=0$ and $t_{i+k}=1$, since $k-1-(i+1)=m\ge0$, $i+k\ge k$ and $2k-1-(i+k)=m+1>0$; so $\omega_{i,k}=q\,(x-0)$, $\omega_{i+1,k}=q\,(x-1)$, and with
+  $q=P$ they are $x^{k-1-i}(x-1)^i$ and $x^{k-2-i}(x-1)^{i+1}$
+:method: The step of an induction on $i$; $\omega_{0,k}$ is the product of $k-1$ factors $x$.
 :degrees: all
-:over: x; k: -; i m q P j h c S#: -
-:control: $t_{i+k}=0$ in (1)
+:over: x; k: -; i m q P: -
+:control: $t_{i+k}=0$
 :::
 */
 CLAIM(bernstein_knots_in_every_order)
@@ -80,11 +80,54 @@ CLAIM(bernstein_knots_in_every_order)
     about(T, "from one coefficient to the next"); /* P x^a (x-1)^b: one x less, one x - 1 more */
     num here = mul(P, sub(x, zero)), next = mul(P, sub(x, fault(T, one, zero)));
     same(T, mul(here, sub(x, one)), mul(next, x));
+}
+
+/*
+:::{claim} bernstein_knots_of_every_function
+:title: The knots inside the support of each function, for the knots of Bernstein
+:zh: Bernstein 情形各基函数的内节点
+:types: field rational
+:given: $i,m\ge0$, $k=i+1+m$, the knots $t_0=\dots=t_{k-1}=0$, $t_k=\dots=t_{2k-1}=1$
+:then: of the knots $t_{i+1},\dots,t_{i+k-1}$ those to $t_{k-1}$ are $0$, which are $k-1-i=m$, and those from $t_k$ are $1$, which are $i$
+:method: The numbers of indices from $i+1$ to $k-1$ and from $k$ to $i+k-1$.
+:degrees: all
+:over: k i m: -
+:control: the indices to $i+k$
+:::
+*/
+CLAIM(bernstein_knots_of_every_function)
+{
+    num i = whole(T, "i", 0, 9), m = whole(T, "m", 0, 9), one = from_int(1), k = add(add(i, m), one);
+    num last = fault(T, sub(add(i, k), one), add(i, k));
+    about(T, "the number of zeros");
+    same(T, sub(k, add(i, one)), m);
+    about(T, "the number of ones");
+    same(T, sub(add(last, one), k), i);
+}
+
+/*
+:::{claim} symmetric_functions_of_zeros_and_ones
+:title: The symmetric functions of zeros and ones
+:zh: 由 0 与 1 组成的数组的对称函数
+:types: field rational
+:given: symmetric functions $S_j=\mathrm{Sym}_j$ and $S_{j-1}$ of some numbers; integers $j,h\ge1$
+:let: $c=\binom{j+h-1}j$, so that $\binom{j+h-1}{j-1}=c\frac jh$ and $\binom{j+h}j=c\frac{j+h}h$
+:then: one number $0$ more leaves $\mathrm{Sym}_j$ what it is, and one number $1$ more makes $\binom{j+h-1}j$ of it $\binom{j+h}j$
+:method: It is $S_j+bS_{j-1}$ for $b=0$ and $b=1$, so that of $k-1-i$ numbers $0$ and $i$ numbers $1$ it is $\binom ij$, which is $0$ for $i<j$: of
+  no numbers $\mathrm{Sym}_0=1$ and the others are $0$, and a sum of zeros is $0$.
+:degrees: all
+:over: j h c S#: -
+:control: $\binom{j+h-1}{j-1}=c\frac{j+1}h$
+:::
+*/
+CLAIM(symmetric_functions_of_zeros_and_ones)
+{
+    num one = from_int(1), zero = from_int(0);
     num j = whole(T, "j", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0);
     num S[2] = {unknown(T, "S", 0), unknown(T, "S", 1)};
     about(T, "one number more");
     same(T, add(S[0], mul(zero, S[1])), S[0]);
-    same(T, add(c, mul(one, div(mul(c, j), h))), div(mul(c, add(j, h)), h));
+    same(T, add(c, mul(one, div(mul(c, fault(T, j, add(j, one))), h))), div(mul(c, add(j, h)), h));
 }
 
 /*

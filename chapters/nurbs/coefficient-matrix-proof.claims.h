@@ -240,14 +240,25 @@ CLAIM(full_powers_sum_to_nothing)
 
 The binomial theorem is an induction on the exponent, whose step is Pascal's rule.  So it is computed for all exponents at
 once.
+*/
 
+/* x C(n,i) x^(n-i) y^i + y C(n,i-1) x^(n+1-i) y^(i-1) = C(n+1,i) x^(n+1-i) y^i, with c = C(n,i) and U = x^(h-1) y^(i-1), n = i+h-1. */
+static void G(check_binomial_step)(trial *T, num x, num y)
+{
+    num i = whole(T, "i", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), U = unknown(T, "U", 0), one = from_int(1);
+    about(T, "from one exponent to the next");
+    num here = mul(c, mul(U, y)), before = mul(div(mul(c, fault(T, i, add(i, one))), h), mul(U, x));
+    same(T, add(mul(x, here), mul(y, before)), mul(div(mul(c, add(i, h)), h), mul(U, mul(x, y))));
+}
+
+/*
 :::{claim} binomial_theorem_in_every_degree
 :title: From one power of a sum to the next, whatever the exponent
 :zh: 二项式定理(任意次数)
 :types: field rational
-:given: $x$ and $y$, once $t_r$ and $(t_{r+1}-t_r)u$, and once $\tau-t_r$ and $(t_r-t_{r+1})u$; integers $i,h\ge1$, $n=i+h-1$
+:given: $x=\tau-t_r$ and $y=(t_r-t_{r+1})u$; integers $i,h\ge1$, $n=i+h-1$
 :let: $c=\binom ni$, so that $\binom n{i-1}=c\frac ih$ and $\binom{n+1}i=c\frac{i+h}h$; $U=x^{h-1}y^{i-1}$
-:then: $x+y$ is $t$, and $\tau-t$, for $t=t_r+(t_{r+1}-t_r)u$; and $x\binom nix^{n-i}y^i+y\binom n{i-1}x^{n+1-i}y^{i-1}=\binom{n+1}ix^{n+1-i}y^i$
+:then: $x+y$ is $\tau-t$ for $t=t_r+(t_{r+1}-t_r)u$; and $x\binom nix^{n-i}y^i+y\binom n{i-1}x^{n+1-i}y^{i-1}=\binom{n+1}ix^{n+1-i}y^i$
 :method: The step of an induction on $n$, in which $i$, $h$, $c$ and $U$ are variables: $(x+y)^{n+1}$ is $x+y$ times $(x+y)^n$, and for $i=0$ and
   $i=n+1$ there is one term on either side.  $(x+y)^0=1$.
 :degrees: all
@@ -257,18 +268,37 @@ once.
 */
 CLAIM(binomial_theorem_in_every_degree)
 {
-    num i = whole(T, "i", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), U = unknown(T, "U", 0), t[2];
-    num u = parameter(T, "u"), tau = unknown(T, "tau", 0), one = from_int(1);
+    num t[2], u = parameter(T, "u"), tau = unknown(T, "tau", 0);
     G(increasing)(T, 2, t);
     num step = mul(u, sub(t[1], t[0])), at = add(t[0], step);
-    num x[2] = {t[0], sub(tau, t[0])}, y[2] = {step, neg(step)}, total[2] = {at, sub(tau, at)};
-    for (int k = 0; k < 2; k++) {
-        about(T, "the sum of the two");
-        same(T, add(x[k], y[k]), total[k]);
-        about(T, "from one exponent to the next");
-        num here = mul(c, mul(U, y[k])), before = mul(div(mul(c, fault(T, i, add(i, one))), h), mul(U, x[k]));
-        same(T, add(mul(x[k], here), mul(y[k], before)), mul(div(mul(c, add(i, h)), h), mul(U, mul(x[k], y[k]))));
-    }
+    about(T, "the sum of the two");
+    same(T, add(sub(tau, t[0]), neg(step)), sub(tau, at));
+    G(check_binomial_step)(T, sub(tau, t[0]), neg(step));
+}
+
+/*
+:::{claim} power_of_t_in_every_degree
+:title: From one power of t to the next, whatever the exponent
+:zh: t 的幂的二项展开(任意次数)
+:types: field rational
+:given: $x=t_r$ and $y=(t_{r+1}-t_r)u$; integers $i,h\ge1$, $n=i+h-1$
+:let: $c=\binom ni$, so that $\binom n{i-1}=c\frac ih$ and $\binom{n+1}i=c\frac{i+h}h$; $U=x^{h-1}y^{i-1}$
+:then: $x+y$ is $t$ for $u=(t-t_r)/(t_{r+1}-t_r)$; and $x\binom nix^{n-i}y^i+y\binom n{i-1}x^{n+1-i}y^{i-1}=\binom{n+1}ix^{n+1-i}y^i$
+:method: The step of an induction on $n$, in which $i$, $h$, $c$ and $U$ are variables: $(x+y)^{n+1}$ is $x+y$ times $(x+y)^n$, and for $i=0$ and
+  $i=n+1$ there is one term on either side.  $(x+y)^0=1$.
+:degrees: all
+:over: t#: knots; i h c U: -
+:control: $i+1$ for $i$ in $\binom n{i-1}$
+:::
+*/
+CLAIM(power_of_t_in_every_degree)
+{
+    num t[2], u = parameter(T, "u");
+    G(increasing)(T, 2, t);
+    num length = sub(t[1], t[0]), step = mul(u, length);
+    about(T, "the parameter of the sum of the two");
+    same(T, div(sub(add(t[0], step), t[0]), length), u);
+    G(check_binomial_step)(T, t[0], step);
 }
 
 /*

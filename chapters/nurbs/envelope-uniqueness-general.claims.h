@@ -56,7 +56,7 @@ vanishing curvature or torsion, and its members have them.
 :figure: nurbs_envelope_square
 
 Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  As $f[\tau^r,t^{k-1-r}]$ says (`member_of_span_is_polar`), $r$ and $k-1-r$ have the same solutions
-with $t$ and $\tau$ exchanged, in every dimension: for $r=k-2$ they are the $\tau$ with $\mathbf r'\times\mathbf r''=0$, and any $t$.
+with $t$ and $\tau$ exchanged: for $r=k-2$ they are, beside $\tau=t$, the $\tau$ with $\mathbf r'(\tau)\times\mathbf r''(\tau)=0$, with any $t$.
 :::
 
 Two remarks on the polar form carry the section.  To replace one argument $t$ by $\tau$ is a step along the tangent of

@@ -204,8 +204,7 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :holds-by: family_moves_with_its_points
 :figure: nurbs_second_line
 
-That two derivatives are parallel does not depend on the coordinates.  Where the plane
-passes through the origin, as in `thm-4.3.2-coplanar`, a rotation about the origin suffices.
+That two derivatives are parallel does not depend on the coordinates.
 :::
 
 To turn the plane of the points into $z=0$ one has to know that the construction does not depend on coordinates.  The

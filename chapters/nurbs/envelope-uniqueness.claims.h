@@ -77,7 +77,7 @@ The condition is necessary for every such curve, and sufficient where $\partial_
 :method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
   have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds and
   $X_t\ne0$.
-:over: dt: t'; ds: τ'; X# Y#: derivatives of the family
+:over: dt ds: -; X# Y#: derivatives of the family
 :control: the factor $t'$ in the place of $\tau'$
 :::
 */
@@ -274,12 +274,12 @@ The words before it are lost in the copy at hand.
 :zh: 族曲线的两个偏导矢
 :types: field
 :given: $X=A/W$ with $A=p(t)+\frac{\tau-t}{k-1}p'(t)$, $W=w(t)+\frac{\tau-t}{k-1}w'(t)$, $p$ and $w$ quadratic
-  polynomials of $t$ with variable coefficients; any $k\ne1$, $\tau$, at any $t$
+  polynomials of $t$ with variable coefficients; any $k\ge2$, $\tau$, at any $t$
 :then: both printed formulas, in one coordinate
 :method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
   $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
 :where: the weights of curve and member are not 0
-:degrees: all
+:degrees: all from 1
 :over: k: -; p# w#: coefficients
 :control: $k-1$ in the place of $k-2$
 :::
@@ -378,13 +378,13 @@ r''$, so that the other case is the inflections of the curve and nothing else.
 :::{claim} first_level_condition_as_printed
 :title: The condition of the envelope is the printed equation of vector products
 :zh: 包络条件与所印方程等价
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
 :method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
   are positive on the span.
 :where: the weights of curve and member are not 0
-:degrees: all
+:degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the sign of the second term
 :::
@@ -404,14 +404,14 @@ CLAIM(first_level_condition_as_printed)
 :::{claim} first_level_condition_factors
 :title: The condition of the envelope is (τ-t) r' x r'' up to a factor
 :zh: 包络条件等价于 (τ-t) r'×r''=0
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
 :method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
   joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
 :where: the weights of curve and member are not 0
-:degrees: all
+:degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w^2$ in the place of $w^3$
 :::
@@ -442,13 +442,13 @@ inflection is touched by all.
 :::{claim} extra_points_run_along_the_tangent
 :title: The points of a line t = t₀ of the square are a segment of the tangent
 :zh: 直线 t=t₀ 上的点构成切线段
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
 :method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
 :where: the weights of curve and member are not 0
-:degrees: all
+:degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: $w$ left out
 :::
@@ -481,12 +481,12 @@ For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for 
 :::{claim} product_with_second_derivative_loses_the_left_side
 :title: The scalar product of the condition with p'' is w'' times a triple product
 :zh: 与 p'' 的数量积只留下 w'' 倍的混合积
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
 :method: Everything a variable.
 :where: the weights of curve and member are not 0
-:degrees: all
+:degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w''$ left out
 :::
@@ -504,13 +504,13 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :::{claim} product_with_the_numerator_gives_the_triple_product
 :title: The scalar product of the condition with the numerator of the member is the triple product
 :zh: 与族曲线分子的数量积给出混合积
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
 :method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
   is 0.
 :where: the weights of curve and member are not 0
-:degrees: all
+:degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
 :control: the factor $w$ in the place of $W$
 :::
@@ -592,7 +592,7 @@ For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
 :::{claim} triple_product_is_that_of_the_point
 :title: The triple product is that of p, r', r'', up to the factor −W
 :zh: 混合积与 (p, r', r'') 只差因子 −W
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$; and for
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$; and for
   $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$

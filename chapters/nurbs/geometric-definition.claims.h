@@ -484,14 +484,14 @@ of knots.
 :::{claim} quadratic_legs_have_one_envelope
 :title: For k = 3 a segment turns unless three neighbouring points are on a line
 :zh: k=3 时仅当三点共线包络条件才处处成立
-:given: $k=3$; a span of simple knots; three points of the plane with weights; any $\tau$
+:given: $k=3$; a span with every pattern of the knots around it, the distinct knots variables; three points of the plane with weights; any $\tau$
 :then:
   $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$,
   a constant
 :method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
   span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
   zero.
-:scope: simple knots
+:scope: every pattern of the knots around a span
 :control: the factor 2
 :::
 */
@@ -499,18 +499,20 @@ CLAIM(quadratic_legs_have_one_envelope)
 {
     num u[MOST_KNOTS], R[6], w[3], H[9], D[9], a[2], b[2], tau = parameter(T, "s");
     int place[MOST_KNOTS];
-    G(knots_of_span)(T, 2, 0, u, place);
     G(free_curve)(T, 2, 2, R, w);
     G(rational_homogenize)(2, 2, R, w, H);
-    G(bspline_derivatives)(G(span_alone)(2, 3, u, 2, H), tau, 2, D);
     for (int c = 0; c < 2; c++) {
         a[c] = sub(R[2 + c], R[c]);
         b[c] = sub(R[4 + c], R[c]);
     }
-    num lengths = mul(mul(sub(u[3], u[1]), sub(u[4], u[2])), sub(u[3], u[2]));
     num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b));
-    /* det(P, P', P'') = 4 w_j-2 w_j-1 w_j (r_j-1 - r_j-2) × (r_j - r_j-2) / ((t_j+1 - t_j-1)(t_j+2 - t_j)(t_j+1 - t_j)) */
-    same(T, G(det3)(D, D + 3, D + 6), mul(from_int(fault(T, 4, 2)), div(turn, lengths)));
+    for (int shape = 0; shape < G(shapes)(2); shape++) {
+        G(knots_of_span)(T, 2, shape, u, place);
+        G(bspline_derivatives)(G(span_alone)(2, 3, u, 2, H), tau, 2, D);
+        num lengths = mul(mul(sub(u[3], u[1]), sub(u[4], u[2])), sub(u[3], u[2]));
+        /* det(P, P', P'') = 4 w_j-2 w_j-1 w_j (r_j-1 - r_j-2) × (r_j - r_j-2) / ((t_j+1 - t_j-1)(t_j+2 - t_j)(t_j+1 - t_j)) */
+        same(T, G(det3)(D, D + 3, D + 6), mul(from_int(fault(T, 4, 2)), div(turn, lengths)));
+    }
 }
 
 #include "chapters/judge/claims_off.h"

@@ -565,7 +565,7 @@ CLAIM(cofactors_give_powers_of_t)
 :title: The powers of t in powers of u
 :zh: t 的幂按 u 的幂展开
 :printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,\dots,k-1
-:holds-by: binomial_theorem_in_every_degree
+:holds-by: power_of_t_in_every_degree
 :confirmed-by: power_of_t_in_powers_of_u
 :::
 

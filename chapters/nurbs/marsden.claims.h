@@ -152,6 +152,45 @@ CLAIM(marsden_identity)
 }
 
 #if FIELD
+/* The factor of N_i,k-1 in W_i N_i,k + W_i-1 N_i-1,k by the recursion with rise and fall, against up W_i + down W_i-1. */
+static void G(check_level)(trial *T, num rise, num fall, num up, num down)
+{
+    num N[3], W[2];
+    for (int m = 0; m < 3; m++)
+        N[m] = unknown(T, "N", m);
+    for (int m = 0; m < 2; m++)
+        W[m] = unknown(T, "W", m);
+    /* N_i,k = rise N_i,k-1 + c N_i+1,k-1 and N_i-1,k = d N_i-1,k-1 + fall N_i,k-1; N[1] is N_i,k-1 */
+    num right = add(mul(rise, N[1]), mul(unknown(T, "c", 0), N[2])),
+        left = add(mul(unknown(T, "d", 0), N[0]), mul(fall, N[1]));
+    num factor = derivative_f(add(mul(W[1], right), mul(W[0], left)), N[1]);
+    about(T, "the factor of N_i,k-1");
+    same(T, factor, add(mul(up, W[1]), mul(down, W[0])));
+}
+
+/*
+:::{claim} one_level_in_every_order
+:title: The coefficients of one order less, whatever the order
+:zh: 系数的一层递推(任意阶数)
+:types: field
+:given: $N_{i,k-1}(t)$ and its two neighbours, the numbers $W_i^0$ and $W_{i-1}^0$, the knots $a=t_i$, $b=t_{i+k-1}$; all variables
+:then: in $W_i^0N_{i,k}(t)+W_{i-1}^0N_{i-1,k}(t)$ the function $N_{i,k-1}(t)$ has the factor $W_i^1=\frac{t-a}{b-a}W_i^0+\frac{b-t}{b-a}W_{i-1}^0$
+:method: Both functions of order $k$ by the recursion of Cox and de Boor, with other factors $c$, $d$ for the outer functions; the
+  derivative by $N_{i,k-1}$.  On the span $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ vanish (`outer_functions_are_made_of_outer_ones`), and for
+  $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide (`divisors_contain_the_span`, level 1).
+:degrees: all from 1
+:scope: every pattern of knots
+:over: a b c d: -; N# W#: -
+:control: the two fractions exchanged
+:::
+*/
+CLAIM(one_level_in_every_order)
+{
+    num t = parameter(T, "t"), a = unknown(T, "a", 0), b = unknown(T, "b", 0);
+    num rise = div(sub(t, a), sub(b, a)), fall = div(sub(b, t), sub(b, a));
+    G(check_level)(T, rise, fall, fault(T, rise, fall), fault(T, fall, rise));
+}
+
 /*
 The induction of the source can be run for all orders at once.  In the sum over the functions of order $k$ the recursion puts two
 functions of order $k-1$ in the place of each; $N_{i,k-1}$ then stands in two neighbouring terms, with the factor that two
@@ -179,17 +218,8 @@ CLAIM(marsden_step_for_every_order)
 {
     num x = unknown(T, "x", 0), t = parameter(T, "t"), q = unknown(T, "q", 0), a = unknown(T, "a", 0),
         b = unknown(T, "b", 0);
-    num N[3], W[2], rise = div(sub(t, a), sub(b, a)), fall = div(sub(b, t), sub(b, a));
-    for (int m = 0; m < 3; m++)
-        N[m] = unknown(T, "N", m);
-    for (int m = 0; m < 2; m++)
-        W[m] = unknown(T, "W", m);
-    /* N_i,k = rise N_i,k-1 + c N_i+1,k-1 and N_i-1,k = d N_i-1,k-1 + fall N_i,k-1; N[1] is N_i,k-1 */
-    num right = add(mul(rise, N[1]), mul(unknown(T, "c", 0), N[2])),
-        left = add(mul(unknown(T, "d", 0), N[0]), mul(fall, N[1]));
-    num factor = derivative_f(add(mul(W[1], right), mul(W[0], left)), N[1]);
-    about(T, "the factor of N_i,k-1");
-    same(T, factor, add(mul(rise, W[1]), mul(fall, W[0])));
+    num rise = div(sub(t, a), sub(b, a)), fall = div(sub(b, t), sub(b, a));
+    G(check_level)(T, rise, fall, rise, fall);
     num here = mul(q, sub(x, fault(T, b, a))), before = mul(q, sub(x, fault(T, a, b)));
     about(T, "the factor with the products");
     same(T, add(mul(rise, here), mul(fall, before)), mul(sub(x, t), q));
@@ -402,7 +432,7 @@ CLAIM(marsden_identity_of_order_one)
 :zh: 递推转移到系数
 :printed: for $k>1$, by (2.1.1): $\sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t)$,
   $W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0$
-:holds-by: marsden_step_for_every_order
+:holds-by: one_level_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_moves_to_the_coefficients
 :needs: one_level_needs_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ is in the span: there the functions at the ends,
@@ -624,7 +654,7 @@ What is compared is the same for every order: a factor more, and every coefficie
   its coefficient of $x^{k-1-j}$, which for $\omega_{i,k}$ is $\sigma\,\mathrm{Sym}_j$.  So by (3) the coefficients on both sides of Marsden's identity are those of
   (4.4.20) and of (4.4.22).
 :degrees: all
-:over: t; S# b c j h A B C U: -
+:over: t S# b c j h A B C U: -
 :control: $S_j-bS_{j-1}$ in (1)
 :::
 */
