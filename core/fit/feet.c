@@ -1,5 +1,6 @@
 #include "core/fit/feet.h"
 
+#include "core/fit/means.h"
 #include "core/fit/polygon.h"
 
 #include <math.h>
@@ -12,7 +13,8 @@ typedef struct search {
     const fit_curve *curve;
     fit_polygon polygon;
     int thorough; /* every side that may be nearest is tried, since two that are nearly as near may be neighbours */
-    int stride, anchors;
+    int stride, anchors,
+        beyond; /* a foot is looked for as far as so many anchors beyond those between which its point lies */
     int *side;
     double *square; /* room for a number of each side */
 } search;
@@ -213,6 +215,9 @@ static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
     const int stride = (p->points - 1) / p->strategy.anchors + 1;
     *s = (search){.problem = p, .curve = curve, .thorough = p->nothing_free, .stride = stride};
     s->anchors = (p->points - 1) / stride + 1;
+    const int neighbours =
+        p->unordered ? 1 : fit_neighbours(&(cagd_fit_data){p->points, p->dim, fit_point(p, 0), NULL});
+    s->beyond = neighbours > 1 ? neighbours / stride + 1 : 0;
     const int least = p->unordered ? 2 * p->strategy.sides : p->strategy.sides;
     if (!fit_polygon_new(curve, least, &s->polygon))
         return 0;
@@ -222,12 +227,14 @@ static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
 }
 
 /* Where the foot of point i is looked for: on all sides, on that of the anchor which it is, or between those of two
- * anchors. */
+ * anchors; of points that scatter by more than they are apart, between those of anchors farther away. */
 static sides sides_of(const search *s, int i)
 {
-    const int a = i / s->stride, end = s->polygon.sides - 1;
+    const int a = i / s->stride, end = s->polygon.sides - 1, low = a - s->beyond, high = a + 1 + s->beyond;
     if (s->problem->unordered)
         return (sides){0, end};
+    if (s->beyond > 0)
+        return (sides){low >= 0 ? s->side[low] : 0, high < s->anchors ? s->side[high] : end};
     if (i % s->stride == 0)
         return (sides){s->side[a], s->side[a]};
     return (sides){s->side[a], a + 1 < s->anchors ? s->side[a + 1] : end};

@@ -2,6 +2,7 @@
 
 #include "core/fit/candidate.h"
 #include "core/fit/fit.h"
+#include "core/fit/means.h"
 #include "core/fit/strategy.h"
 #include "core/number/limits.h"
 #include "core/require.h"
@@ -112,6 +113,7 @@ typedef struct search {
     cagd_fit_result *best;
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
+    int shapely;    /* whether a curve whose shape is not good is passed over */
     int dense;      /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
     knots at; /* of the best one */
@@ -187,6 +189,9 @@ static int has_room(const search *s, const knots *k)
            (s->dense ? 1 : 2) * count * s->data->dim <= s->data->count * (s->data->dim - 1) + 2 * s->data->dim;
 }
 
+/* What is not good about the shape of a fit. */
+enum { SHAPE = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_GAPS | CAGD_FIT_FAR | CAGD_FIT_BACKWARDS };
+
 /* What is not good about a fit; all of it where it is no minimum or has excursions. */
 static int problems_of(const search *s, const cagd_fit_result *r)
 {
@@ -203,7 +208,7 @@ static int has_no_loops(const search *s, const cagd_fit_result *r) { return !(pr
 /* Whether the fit is one that the search may end with. */
 static int may_be_best(const search *s, const cagd_fit_result *r)
 {
-    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r));
+    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r) && !(s->shapely && problems_of(s, r) & SHAPE));
     return s->good_alone ? has_no_loops(s, r) : cagd_fit_is_minimum(r);
 }
 
@@ -282,12 +287,10 @@ static int divide(const search *s, const cagd_fit_result *r, knots *k)
 
 /* ---- the search ------------------------------------------------------------------------------------------- */
 
-/* Even knots, or those that are put in one by one, from as few as there can be, until PATIENCE more have not helped. */
-static cagd_status put_in(search *s, int even)
+/* Even knots, or those that are put in one by one, from these, over which `last` is a fit unless it is NULL, until PATIENCE more have not
+ * helped. */
+static cagd_status put_into(search *s, knots k, cagd_fit_result *last, int even)
 {
-    knots k;
-    cagd_fit_result *last = NULL;
-    make_even(s->options->closed ? s->options->degree + 1 : 0, &k);
     cagd_status status = CAGD_OK;
     double lowest = HUGE_VAL;
     for (int idle = 0; idle < PATIENCE && status == CAGD_OK;) {
@@ -325,6 +328,14 @@ static cagd_status put_in(search *s, int even)
     if (last != s->best)
         cagd_fit_free(last);
     return status;
+}
+
+/* The same from as few knots as there can be. */
+static cagd_status put_in(search *s, int even)
+{
+    knots k;
+    make_even(s->options->closed ? s->options->degree + 1 : 0, &k);
+    return put_into(s, k, NULL, even);
 }
 
 /* The sum of 1/sigma^2. */
@@ -407,7 +418,6 @@ static cagd_status place_knots(search *s)
  * excursions or loops that `lowest` has not. */
 static cagd_status try_knots(search *s, const knots *k, const cagd_fit_result *lowest, int shape, int *better)
 {
-    enum { SHAPE = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_GAPS | CAGD_FIT_FAR | CAGD_FIT_BACKWARDS };
     cagd_fit_result *next;
     cagd_status status = fit_on(s, k, lowest, &next);
     REQUIRE(status == CAGD_OK, status);
@@ -682,12 +692,46 @@ static int answers_better(const search *one, const search *other)
     return answers(one) || (loops != others ? loops < others : one->best->largest < other->best->largest);
 }
 
+/* Of points that scatter by more than they are apart, whose polygon says nothing of the curve: first the knots by the means of neighbours, then
+ * more of them by all points, as long as the shape stays good.  *found: whether there is such a curve, which is then the best one. */
+static cagd_status search_by_means(search *s, int *found)
+{
+    const int neighbours = s->options->unordered || s->within > 0 ? 1 : fit_neighbours(s->data);
+    *found = 0;
+    REQUIRE(neighbours > 1, CAGD_OK);
+    cagd_fit_data means;
+    cagd_fit_result *all = NULL;
+    cagd_status status = fit_means(s->data, neighbours, &means);
+    search of_means = *s;
+    of_means.data = &means, of_means.best = NULL, of_means.shapely = s->shapely = 1;
+    if (status == CAGD_OK)
+        status = search_knots(&of_means);
+    if (status == CAGD_OK && of_means.best != NULL)
+        status = fit_on(s, &of_means.at, of_means.best, &all);
+    *found =
+        status == CAGD_OK && all != NULL && isfinite(score_of(s, &of_means.at, all)) && is_best(s, &of_means.at, all);
+    if (*found) {
+        s->best = all;
+        status = put_into(s, s->at, all, 0);
+        if (status == CAGD_OK)
+            status = take_out_idle(s);
+    } else
+        cagd_fit_free(all);
+    s->shapely = 0;
+    cagd_fit_free(of_means.best);
+    fit_means_free(&means);
+    return status == CAGD_TOO_FEW ? CAGD_OK : status;
+}
+
 /* Minima that are not good lead with a tolerance to good ones by what is taken out of them.  Where they do not, good ones alone are sought; where
  * these do not keep within it, with knots as dense as the points, placed by these and then even. */
 static cagd_status find_knots(search *s)
 {
     enum { GOOD, PLACED, EVEN, WAYS };
-    cagd_status status = search_knots(s);
+    int found;
+    cagd_status status = search_by_means(s, &found);
+    if (status == CAGD_OK && !found)
+        status = search_knots(s);
     for (int way = GOOD; way < WAYS && status == CAGD_OK && s->within > 0 && s->best != NULL && !answers(s); way++) {
         if (way == GOOD && has_no_loops(s, s->best))
             continue;

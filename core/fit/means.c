@@ -1,0 +1,82 @@
+#include "core/fit/means.h"
+
+#include "core/require.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { FEWEST = 20 }; /* groups, below which nothing is seen of a curve */
+
+/* A polygon through a curve is hardly shorter than one with three times as many corners.  Where points scatter across it by s, and have the
+ * distance h along it, a side has the length sqrt(h^2 + 2 s^2) in the mean; with three taken together 3 h and s/sqrt(3). */
+static const double SHORTER = 0.9;
+
+static double weight_of(const cagd_fit_data *data, int i)
+{
+    return data->sigma != NULL ? 1 / (data->sigma[i] * data->sigma[i]) : 1;
+}
+
+/* Mean c of group g of `groups`, and the sum of the weights there. */
+static double mean_of(const cagd_fit_data *data, int neighbours, int groups, int g, int c, double *weight)
+{
+    const int low = g * neighbours, high = g + 1 < groups ? low + neighbours : data->count;
+    double sum = 0;
+    *weight = 0;
+    for (int i = low; i < high; i++) {
+        sum += weight_of(data, i) * data->points[(size_t)i * (size_t)data->dim + (size_t)c];
+        *weight += weight_of(data, i);
+    }
+    return sum / *weight;
+}
+
+/* The length of the polygon of the means. */
+static double length_of(const cagd_fit_data *data, int neighbours)
+{
+    const int groups = data->count / neighbours;
+    double length = 0, before[3] = {0};
+    for (int g = 0; g < groups; g++) {
+        double square = 0, weight;
+        for (int c = 0; c < data->dim; c++) {
+            const double x = mean_of(data, neighbours, groups, g, c, &weight);
+            square += (x - before[c]) * (x - before[c]);
+            before[c] = x;
+        }
+        length += g > 0 ? sqrt(square) : 0;
+    }
+    return length;
+}
+
+int fit_neighbours(const cagd_fit_data *data)
+{
+    int neighbours = 1;
+    for (double length = length_of(data, 1); data->count / (3 * neighbours) >= FEWEST;) {
+        const double next = length_of(data, 3 * neighbours);
+        if (!(next < SHORTER * length))
+            break;
+        length = next;
+        neighbours *= 3;
+    }
+    return neighbours;
+}
+
+cagd_status fit_means(const cagd_fit_data *data, int neighbours, cagd_fit_data *means)
+{
+    const int groups = data->count / neighbours;
+    double *points = malloc((size_t)groups * (size_t)(data->dim + 1) * sizeof *points),
+           *sigma = points != NULL ? points + (size_t)groups * (size_t)data->dim : NULL;
+    *means = (cagd_fit_data){groups, data->dim, points, data->sigma != NULL ? sigma : NULL};
+    REQUIRE(points != NULL, CAGD_NO_MEMORY);
+    for (int g = 0; g < groups; g++)
+        for (int c = 0; c < data->dim; c++) {
+            double weight;
+            points[(size_t)g * (size_t)data->dim + (size_t)c] = mean_of(data, neighbours, groups, g, c, &weight);
+            sigma[g] = 1 / sqrt(weight);
+        }
+    return CAGD_OK;
+}
+
+void fit_means_free(cagd_fit_data *means)
+{
+    free((double *)means->points);
+    *means = (cagd_fit_data){0};
+}
