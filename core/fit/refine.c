@@ -113,7 +113,7 @@ typedef struct search {
     cagd_fit_result *best;
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
-    int shapely;    /* whether a curve whose shape is not good is passed over */
+    int shapely;    /* whether a curve with excursions, loops or gaps is passed over        */
     int dense;      /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
     knots at; /* of the best one */
@@ -144,7 +144,7 @@ static cagd_status fit_step(const cagd_fit_data *data, const cagd_fit_options *o
     return fit_candidate(data, &o, result, where);
 }
 
-/* The chosen curve once more, with all that is said of it. */
+/* The chosen curve once more, with all that is said of it; the one that was chosen, where that leads from a good curve to none. */
 static cagd_status finish(const search *s, const cagd_fit_options *options, cagd_fit_result **result)
 {
     cagd_fit_result *last = *result;
@@ -154,10 +154,12 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
     o.free &= ~CAGD_FIT_WEIGHTS;
     o.without_intervals = options->without_intervals || last->found.knots_chosen;
     cagd_status status = fit_plainly(s->data, &o, result, s->where);
-    if (status == CAGD_OK)
-        (*result)->found = last->found;
-    cagd_fit_free(last);
-    return status;
+    REQUIRE(status == CAGD_OK, (cagd_fit_free(last), status));
+    const int worse = fit_is_good(s->data, options, last) && !fit_is_good(s->data, options, *result);
+    (*result)->found = last->found;
+    cagd_fit_free(worse ? *result : last);
+    *result = worse ? last : *result;
+    return CAGD_OK;
 }
 
 /* The spline on these knots, from the one before if there is one. */
@@ -189,8 +191,11 @@ static int has_room(const search *s, const knots *k)
            (s->dense ? 1 : 2) * count * s->data->dim <= s->data->count * (s->data->dim - 1) + 2 * s->data->dim;
 }
 
-/* What is not good about the shape of a fit. */
-enum { SHAPE = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_GAPS | CAGD_FIT_FAR | CAGD_FIT_BACKWARDS };
+/* What is not good about the curve of a fit, and about its control points and feet as well. */
+enum {
+    FIGURE = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_GAPS,
+    SHAPE = FIGURE | CAGD_FIT_FAR | CAGD_FIT_BACKWARDS
+};
 
 /* What is not good about a fit; all of it where it is no minimum or has excursions. */
 static int problems_of(const search *s, const cagd_fit_result *r)
@@ -208,7 +213,7 @@ static int has_no_loops(const search *s, const cagd_fit_result *r) { return !(pr
 /* Whether the fit is one that the search may end with. */
 static int may_be_best(const search *s, const cagd_fit_result *r)
 {
-    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r) && !(s->shapely && problems_of(s, r) & SHAPE));
+    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r) && !(s->shapely && problems_of(s, r) & FIGURE));
     return s->good_alone ? has_no_loops(s, r) : cagd_fit_is_minimum(r);
 }
 
@@ -287,13 +292,13 @@ static int divide(const search *s, const cagd_fit_result *r, knots *k)
 
 /* ---- the search ------------------------------------------------------------------------------------------- */
 
-/* Even knots, or those that are put in one by one, from these, over which `last` is a fit unless it is NULL, until PATIENCE more have not
+/* Even knots, or those that are put in one by one, from these, over which `last` is a fit unless it is NULL, until `patience` more have not
  * helped. */
-static cagd_status put_into(search *s, knots k, cagd_fit_result *last, int even)
+static cagd_status put_into(search *s, knots k, cagd_fit_result *last, int even, int patience)
 {
     cagd_status status = CAGD_OK;
     double lowest = HUGE_VAL;
-    for (int idle = 0; idle < PATIENCE && status == CAGD_OK;) {
+    for (int idle = 0; idle < patience && status == CAGD_OK;) {
         cagd_fit_result *next;
         status = fit_on(s, &k, even ? NULL : last, &next);
         if (status != CAGD_OK) {
@@ -335,7 +340,7 @@ static cagd_status put_in(search *s, int even)
 {
     knots k;
     make_even(s->options->closed ? s->options->degree + 1 : 0, &k);
-    return put_into(s, k, NULL, even);
+    return put_into(s, k, NULL, even, PATIENCE);
 }
 
 /* The sum of 1/sigma^2. */
@@ -692,31 +697,64 @@ static int answers_better(const search *one, const search *other)
     return answers(one) || (loops != others ? loops < others : one->best->largest < other->best->largest);
 }
 
+/* The knots without the one that the fit needs least; *fit becomes the fit over them, NULL where there is none. */
+static cagd_status drop_a_knot(const search *s, knots *k, cagd_fit_result **fit)
+{
+    const knots from = *k;
+    cagd_fit_result *best = NULL;
+    for (int i = 0; i < from.inner; i++) {
+        const knots one = without(&from, i, 0);
+        cagd_fit_result *next;
+        const cagd_status status = fit_on(s, &one, *fit, &next);
+        REQUIRE(status == CAGD_OK, (cagd_fit_free(best), status));
+        const int better = cagd_fit_is_minimum(next) && (best == NULL || next->cost < best->cost);
+        cagd_fit_free(better ? best : next);
+        if (better)
+            best = next, *k = one;
+    }
+    cagd_fit_free(*fit);
+    *fit = best;
+    return CAGD_OK;
+}
+
+/* The curve over the knots of a fit to means, begun with that fit, through all points; where that is not good, over fewer of these knots.  It
+ * becomes the best one. */
+static cagd_status from_means(search *s, search *of_means)
+{
+    knots k = of_means->at;
+    cagd_status status = CAGD_OK;
+    while (status == CAGD_OK && of_means->best != NULL) {
+        cagd_fit_result *all;
+        status = fit_on(s, &k, of_means->best, &all);
+        REQUIRE(status == CAGD_OK, status);
+        if (isfinite(score_of(s, &k, all)) && is_best(s, &k, all)) {
+            s->best = all;
+            break;
+        }
+        cagd_fit_free(all);
+        status = drop_a_knot(of_means, &k, &of_means->best);
+    }
+    return status;
+}
+
 /* Of points that scatter by more than they are apart, whose polygon says nothing of the curve: first the knots by the means of neighbours, then
- * more of them by all points, as long as the shape stays good.  *found: whether there is such a curve, which is then the best one. */
-static cagd_status search_by_means(search *s, int *found)
+ * more of them by all points, as long as each helps and brings no excursions, loops or gaps.  Otherwise nothing is the best one. */
+static cagd_status search_by_means(search *s)
 {
     const int neighbours = s->options->unordered || s->within > 0 ? 1 : fit_neighbours(s->data);
-    *found = 0;
     REQUIRE(neighbours > 1, CAGD_OK);
     cagd_fit_data means;
-    cagd_fit_result *all = NULL;
     cagd_status status = fit_means(s->data, neighbours, &means);
     search of_means = *s;
-    of_means.data = &means, of_means.best = NULL, of_means.shapely = s->shapely = 1;
+    of_means.data = &means, of_means.shapely = s->shapely = 1;
     if (status == CAGD_OK)
         status = search_knots(&of_means);
-    if (status == CAGD_OK && of_means.best != NULL)
-        status = fit_on(s, &of_means.at, of_means.best, &all);
-    *found =
-        status == CAGD_OK && all != NULL && isfinite(score_of(s, &of_means.at, all)) && is_best(s, &of_means.at, all);
-    if (*found) {
-        s->best = all;
-        status = put_into(s, s->at, all, 0);
-        if (status == CAGD_OK)
-            status = take_out_idle(s);
-    } else
-        cagd_fit_free(all);
+    if (status == CAGD_OK)
+        status = from_means(s, &of_means);
+    if (status == CAGD_OK && s->best != NULL)
+        status = put_into(s, s->at, s->best, 0, 1);
+    if (status == CAGD_OK && s->best != NULL)
+        status = take_out_idle(s);
     s->shapely = 0;
     cagd_fit_free(of_means.best);
     fit_means_free(&means);
@@ -728,9 +766,8 @@ static cagd_status search_by_means(search *s, int *found)
 static cagd_status find_knots(search *s)
 {
     enum { GOOD, PLACED, EVEN, WAYS };
-    int found;
-    cagd_status status = search_by_means(s, &found);
-    if (status == CAGD_OK && !found)
+    cagd_status status = search_by_means(s);
+    if (status == CAGD_OK && s->best == NULL)
         status = search_knots(s);
     for (int way = GOOD; way < WAYS && status == CAGD_OK && s->within > 0 && s->best != NULL && !answers(s); way++) {
         if (way == GOOD && has_no_loops(s, s->best))
