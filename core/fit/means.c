@@ -8,8 +8,9 @@
 enum { FEWEST = 20 }; /* groups, below which nothing is seen of a curve */
 
 /* A polygon through a curve is hardly shorter than one with three times as many corners.  Where points scatter across it by s, and have the
- * distance h along it, a side has the length sqrt(h^2 + 2 s^2) in the mean; with three taken together 3 h and s/sqrt(3). */
-static const double SHORTER = 0.9;
+ * distance h along it, a side has the length sqrt(h^2 + 2 s^2) in the mean; with three taken together 3 h and s/sqrt(3).  Points that go
+ * back a part of the way shorten it as well, once, by less than SCATTERED says. */
+static const double SCATTERED = 0.75, SHORTER = 0.9;
 
 static double weight_of(const cagd_fit_data *data, int i)
 {
@@ -51,7 +52,7 @@ int fit_neighbours(const cagd_fit_data *data)
     int neighbours = 1;
     for (double length = length_of(data, 1); data->count / (3 * neighbours) >= FEWEST;) {
         const double next = length_of(data, 3 * neighbours);
-        if (!(next < SHORTER * length))
+        if (!(next < (neighbours == 1 ? SCATTERED : SHORTER) * length))
             break;
         length = next;
         neighbours *= 3;

@@ -1,4 +1,4 @@
-"""kinds.py CAGD [--write [FOLDER]] -- what the defaults of cagd fit do on twenty-five kinds of simulated measurement, whose truth is known.
+"""kinds.py CAGD [--write [FOLDER]] -- what the defaults of cagd fit do on twenty-seven kinds of simulated measurement, whose truth is known.
 
 A table: the kind, how many points, what was chosen, whether it was found closed, how far the truth is from the fitted curve at the
 most and how far the fitted curve from the truth, in standard deviations of the noise, and what the report says against it.
@@ -52,6 +52,7 @@ def to_polyline(q, line):
 
 # ---- truths: curves over 0 <= u <= 1 ------------------------------------------------------------------------
 def wave(u): return [6 * u, math.sin(6 * u)]
+def bends(u): return [u, math.sin(6 * u)]  # in a circle of radius 1/36
 def circle(u): return [3 + 2 * math.cos(2 * math.pi * u), 1 + 2 * math.sin(2 * math.pi * u)]
 def ellipse(u): return [3 + 2 * math.cos(2 * math.pi * u), 1 + 1.2 * math.sin(2 * math.pi * u)]
 def parabola(u): return [2 * u - 1, u * (1 - u)]
@@ -90,6 +91,7 @@ def cases():
         swapped[i], swapped[i + 3] = swapped[i + 3], swapped[i]
     there = measure(wave, 80, 0.01, 6)
     strokes = there[:50] + there[40:]
+    across = [[i / 2000, math.sin(6 * i / 2000) + r.gauss(0, 0.03)] for i in range(2001)]
     ring = measure(circle, 60, 0.01, 7, True)
     wild = measure(wave, 120, 0.01, 8)
     for i in (30, 70):
@@ -106,6 +108,8 @@ def cases():
         ("in two strokes that overlap", wave, strokes, 0.01, [], False, 8, 8),
         ("with two outliers", wave, wild, 0.01, ["--loss", "huber", "--control-points", "8", "--degree", "3"], False, 6, 6),
         ("a wave of 5001 points", wave, measure(wave, 5001, 0.01, 9), 0.01, [], False, 4, 4),
+        ("scattered by more than they are apart", wave, measure(wave, 5001, 0.05, 21), 0.05, [], False, 2, 2),
+        ("as many where the curve bends within the scatter", bends, across, 0.03, [], False, 3, 3),
         ("nine points of a wave", wave, measure(wave, 9, 0.001, 10), 0.001, [], False, None, None),
         ("a whole circle", circle, ring, 0.01, [], True, 4, 4),
         ("a circle, first point repeated", circle, ring + ring[:1], 0.01, [], True, 4, 4),

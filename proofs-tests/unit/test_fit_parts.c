@@ -2,6 +2,7 @@
 #include "proofs-tests/fit/options.h"
 
 #include "core/fit/feet.h"
+#include "core/fit/means.h"
 #include "core/fit/model.h"
 #include "core/fit/order.h"
 #include "core/fit/problem.h"
@@ -407,6 +408,59 @@ static void feet_in_order_keep_to_their_leg(void **state)
     release(&any);
 }
 
+/* Points one apart on a line, scattered across it by s and back: (-1)^i s.  Three together have the mean +-s/3. */
+static void zigzag(int n, double s, double points[])
+{
+    for (int i = 0; i < n; i++) {
+        points[2 * i] = i;
+        points[2 * i + 1] = i % 2 ? -s : s;
+    }
+}
+
+static void neighbours_are_taken_together_where_points_scatter(void **state)
+{
+    (void)state;
+    enum { MANY = 600 };
+    double points[2 * MANY];
+    const cagd_fit_data data = {MANY, 2, points, NULL};
+    /* a side is sqrt(1 + 4 s^2) long, and sqrt(9 + 4 s^2/9) that of the means, which stands for three: less than 0.75 of these from s = 0.446
+     * on, and 0.9 from 9 and 81 times 0.244 on */
+    static const struct {
+        double s;
+        int neighbours;
+    } of[] = {{0, 1},   {0.43, 1}, {0.46, 3},  {1.9, 3},
+              {2.3, 9}, {16, 9},   {20.5, 27}, {1e6, 27}}; /* 600/81 are too few */
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        zigzag(MANY, of[k].s, points);
+        assert_int_equal(fit_neighbours(&data), of[k].neighbours);
+    }
+    zigzag(59, 10, points);
+    assert_int_equal(fit_neighbours(&(cagd_fit_data){59, 2, points, NULL}), 1);
+    assert_int_equal(fit_neighbours(&(cagd_fit_data){60, 2, points, NULL}), 3);
+}
+
+static void means_of_neighbours(void **state)
+{
+    (void)state;
+    enum { EIGHT = 8 };
+    double points[2 * EIGHT], deviation[EIGHT] = {1, 1, 0.5, 1, 2, 1, 1, 1};
+    zigzag(EIGHT, 3, points);
+    const cagd_fit_data data = {EIGHT, 2, points, deviation}, plain = {EIGHT, 2, points, NULL};
+    cagd_fit_data means;
+    assert_int_equal(fit_means(&data, 3, &means), CAGD_OK);
+    assert_int_equal(means.count, 2); /* of 3 and of 5 */
+    const double x[] = {(0 + 1 + 4 * 2) / 6.0, (3 + 0.25 * 4 + 5 + 6 + 7) / 4.25};
+    const double y[] = {(3 - 3 + 4 * 3) / 6.0, (-3 + 0.25 * 3 - 3 + 3 - 3) / 4.25};
+    for (int g = 0; g < 2; g++) {
+        assert_true(fabs(means.points[2 * g] - x[g]) < 1e-14 && fabs(means.points[2 * g + 1] - y[g]) < 1e-14);
+        assert_true(fabs(means.sigma[g] - 1 / sqrt(g == 0 ? 6 : 4.25)) < 1e-15);
+    }
+    fit_means_free(&means);
+    assert_int_equal(fit_means(&plain, 4, &means), CAGD_OK);
+    assert_true(means.count == 2 && means.sigma == NULL && means.points[0] == 1.5 && means.points[1] == 0);
+    fit_means_free(&means);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -420,6 +474,8 @@ int main(void)
         cmocka_unit_test(the_largest_degree),
         cmocka_unit_test(the_model_keeps_to_rank_and_cost),
         cmocka_unit_test(feet_in_order_keep_to_their_leg),
+        cmocka_unit_test(neighbours_are_taken_together_where_points_scatter),
+        cmocka_unit_test(means_of_neighbours),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
