@@ -123,6 +123,32 @@ static const cagd_tree *condition(cagd_reader *r)
     return cagd_new_of(r, CAGD_ALL, range->from, 2, (const cagd_tree *[]){range, more});
 }
 
+static int definition(cagd_reader *r, cagd_scope *scope);
+
+/* The right side of a definition, in which the arguments of the left side are known, and what stands behind it. */
+static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
+{
+    struct cagd_bound bound[CAGD_MOST_CHILDREN];
+    const struct cagd_bound *outside = r->bound;
+    for (int k = 0; k < left->count; k++)
+        if (left->at[k]->kind == CAGD_NAME) {
+            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound};
+            r->bound = &bound[k];
+        }
+    cagd_definition *d = cagd_define(scope, left);
+    const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
+    int read = body != NULL;
+    if (read) {
+        d->body = body, d->dimension = body->dimension;
+        if (cagd_pass(r, ",") || cagd_next_is(r, "\\text")) {
+            cagd_read_words(r);
+            read = r->token->kind == CAGD_TOKEN_END || next_definition(r) || (d->when = condition(r)) != NULL;
+        }
+    }
+    r->bound = outside;
+    return read;
+}
+
 static int definition(cagd_reader *r, cagd_scope *scope)
 {
     r->declaring = 1;
@@ -135,23 +161,8 @@ static int definition(cagd_reader *r, cagd_scope *scope)
                NULL;
     if (!is_left_side(r, left, 1) || !cagd_expect(r, "=", "the left side"))
         return 0;
-    struct cagd_bound bound[CAGD_MOST_CHILDREN];
-    for (int k = 0; k < left->count; k++)
-        if (left->at[k]->kind == CAGD_NAME) {
-            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound};
-            r->bound = &bound[k];
-        }
-    cagd_definition *d = cagd_define(scope, left);
-    const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
-    if (body == NULL)
+    if (!right_side(r, scope, left))
         return 0;
-    d->body = body, d->dimension = body->dimension;
-    if (cagd_pass(r, ",") || cagd_next_is(r, "\\text")) {
-        cagd_read_words(r);
-        if (r->token->kind != CAGD_TOKEN_END && !next_definition(r) && (d->when = condition(r)) == NULL)
-            return 0;
-    }
-    r->bound = NULL;
     return !next_definition(r) || definition(r, scope);
 }
 

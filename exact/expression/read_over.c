@@ -384,12 +384,12 @@ static int below(cagd_reader *r, struct range *a)
     if (!(one_end ? from_one_end : letters_of_amount(r) > 0 ? of_one_amount : between_ends)(r, a))
         return 0;
     const struct cagd_bound *outside = r->bound;
+    int read = 1;
     bind_all(r, a);
-    while (cagd_pass(r, ",") || (stack && cagd_pass(r, "\\\\")))
-        if (!read_condition(r, a))
-            return 0;
-    r->bound = outside;
-    return (!stack || cagd_expect(r, "}", "the range")) && cagd_expect(r, "}", "the range");
+    while (read && (cagd_pass(r, ",") || (stack && cagd_pass(r, "\\\\"))))
+        read = read_condition(r, a);
+    r->bound = outside; /* what cannot be read may be read otherwise, without these */
+    return read && (!stack || cagd_expect(r, "}", "the range")) && cagd_expect(r, "}", "the range");
 }
 
 /* _{t \in [0,1]}, _{0 \le t \le 1} for a letter that has a meaning. */
