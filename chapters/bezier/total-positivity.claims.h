@@ -146,6 +146,7 @@ positive.
 :zh: 系数有 p 次变号时,(0,1) 内至多 p 个不同的根
 :given: a decomposition of $0,\dots,n$ into consecutive blocks $0,\dots,p$, positive $g_0,\dots,g_n$, and
   $0<t_0<\dots<t_p<1$
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $\det\Bigl(\sum_{j\in\text{block }k}g_jB_j^n(t_i)\Bigr)_{i,k=0}^p>0$; hence $\sum b_iB_i^n$ has at most $V(b)$ different
   roots in $(0,1)$, unless it is $0$
 :method: For each of the $2^n$ decompositions the determinant is a polynomial in the $g_j$ and the $x_i$, after each row was
@@ -212,6 +213,7 @@ matter, so that an automaton with a handful of states reads sequences of every l
 :zh: 因子 s-r 至少增加一次变号;笛卡尔符号法则(任意次)
 :kind: decision
 :given: a polynomial $q\ne0$ of any degree, $r>0$, and $p=(s-r)\,q$, so that $p_k=q_{k-1}-rq_k$
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $V(p)\ge V(q)+1$; hence a polynomial has at most as many positive roots, each as often as its multiplicity, as its
   coefficients have changes of sign, and $\sum b_iB_i^n$, not all $b_i=0$, has at most $V(b)$ roots in $(0,1)$ so counted
 :method: The sign of $p_k$ depends on those of $q_{k-1}$ and $q_k$, and where these are equal and not 0 it may be any: the
@@ -280,6 +282,7 @@ are tried, with few sizes.
 :data: sizes = 7 1 9 2 8 3 5; N = 6
 :given: every pattern of the signs $-1,0,1$ of the coefficients $b_0,\dots,b_n$, not all $0$, with the sizes $1,\dots,1$ and, for
   $n\le N$, with the sizes that are given and their reverse
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: the number of roots of $\sum b_iB_i^n$ in $(0,1)$, each as often as its multiplicity, is at most $V(b)$ and differs from
   it by an even number; the different ones are as many as Sturm's theorem counts
 :method: Of $b$ and $-b$ one is taken.  Each polynomial's roots are counted exactly, by subdivision and by Sturm's chain; the parity holds also where end
@@ -364,6 +367,7 @@ curve.
 :kind: decision
 :given: a sequence $\dots,p,a,b,s,\dots$ and $c=(1-\lambda)a+\lambda b$, $0\le\lambda\le1$
 :harmless: $0\le\lambda\le1$ | a point between two neighbours is such a mean
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $V(\dots,p,a,c,b,s,\dots)=V(\dots,p,a,b,s,\dots)\ge V(\dots,p,a,s,\dots)$
 :method: $V$ depends on signs only, and of what stands before $a$ and after $b$ only on the nearest sign that is not $0$, or
   on there being none: $81$ cases for $p$, $a$, $b$, $s\in\{-1,0,1\}$.  For given signs of $a$ and $b$ the values

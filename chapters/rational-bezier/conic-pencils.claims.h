@@ -249,7 +249,7 @@ parallel lines, and the missing member is the pair of the diagonals.
 :kind: counterexample
 :data: S_1 = 1 0 0 0 0 -1; S_2 = 0 0 1 0 0 -1; S = 1 0 -1 0 0 0; P = (1,1) (1,-1) (-1,1) (-1,-1)
 :instead: S = 1 0 1 0 0 -2
-:result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; values of λ that give S = 0
+:result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; number of the λ that give S = 0
 :given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and the pair of lines $S=S_1-S_2$
   through these
 :then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of $S$
@@ -267,7 +267,7 @@ CLAIM(pencil_misses_its_difference)
     given_points(T, "P", 4, 2, P);
     int on_first = passes_through(T, "S_1(P)", S1, 4, P), on_second = passes_through(T, "S_2(P)", S2, 4, P);
     int fits = passes_through(T, "S(P)", S, 4, P), count = members_like(S1, S2, S, 0, 2);
-    found_whole(T, "values of λ that give S", count);
+    found_whole(T, "number of the λ that give S", count);
     about(T, "whether the conic, which passes through the four points, is a member");
     refute(T, on_first && on_second && fits && count == 0);
 }
@@ -630,7 +630,7 @@ CLAIM(concurrent_lines_lose_a_point)
 :kind: counterexample
 :data: l_1 = 1 0 0; l_2 = 1 0 -1; l_3 = 0 1 0; l_4 = 0 1 -1; S = 1 0 -1 -1/2 1/2 0
 :instead: S = 1 0 1 -1/2 -1/2 0
-:result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; values of λ that give S = 0
+:result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; number of the λ that give S = 0
 :given: the pairs $l_1$, $l_2$ and $l_3$, $l_4$ of the opposite sides of a square, and the pair of its diagonals $S$
 :then: the diagonals are $l_1l_2-l_3l_4$, and no $\lambda$ gives them
 :method: The real zeros in $\lambda$ of a determinant of coefficients are counted.
@@ -647,7 +647,7 @@ CLAIM(diagonals_are_no_member)
     int corners = meeting_points(l, P);
     found_points(T, "common points", corners, 2, P);
     int fits = passes_through(T, "S(P)", S, corners, P), count = members_like(S1, S2, S, 0, 2);
-    found_whole(T, "values of λ that give S", count);
+    found_whole(T, "number of the λ that give S", count);
     about(T, "whether the conic, which passes through the four corners, is a member");
     refute(T, fits && count == 0);
 }

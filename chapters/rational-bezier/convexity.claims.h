@@ -146,6 +146,7 @@ polygon whose triangles all turn left has, with positive weights, a curve that a
 :zh: 曲率符号由控制三角形有向面积之和决定
 :given: a curve of the plane with weights $\omega_i$ and points $(x_i,y_i)$; $\Delta_{ijk}$ the determinant of
   $B_i,B_j,B_k$ and their first two derivatives
+:let: $D_{ijk}=\det\bigl((x_i,y_i,1),(x_j,y_j,1),(x_k,y_k,1)\bigr)$ for the points $(x_i,y_i)$
 :then: $\omega^3(x'y''-y'x'')=\sum_{i<j<k}\Delta_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$
 :method: The sum is $\det(P,P',P'')$, by expansion; in the field with all weights, coordinates and $t$ variables, with derivatives
   of the Bernstein functions on one side and of the homogeneous curve on the other.  That $\omega^3(x'y''-y'x'')$ is
@@ -188,6 +189,7 @@ three separate parameters says more.
 :title: Three points of the curve turn as the triangles of the polygon do
 :zh: 曲线上三点的转向由控制三角形决定
 :given: $0<t_1<t_2<t_3<1$, positive weights
+:let: $D_{ijk}=\det\bigl((x_i,y_i,1),(x_j,y_j,1),(x_k,y_k,1)\bigr)$ for the points $(x_i,y_i)$; $P(t)=\sum_iB_i(t)\omega_i(x_i,y_i,1)$
 :then: $\det(P(t_1),P(t_2),P(t_3))=\sum_{i<j<k}M_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$ with the $3\times3$ minors $M_{ijk}$ of
   $(B_m(t_l))$, and every $M_{ijk}>0$
 :method: The equation, that of Cauchy and Binet, holds for any numbers in the place of the $B_m(t_l)$: in the field they, the
@@ -255,6 +257,7 @@ only.
 :kind: decision
 :given: all polygons of $n+1$ points of the grid $\{0,1,2\}^2$ for $n=2,3$; for $n=4,5$ all that run once round the eight
   points on the border of the grid, stopping or starting anywhere
+:let: $D_{ijk}=\det\bigl((x_i,y_i,1),(x_j,y_j,1),(x_k,y_k,1)\bigr)$ for the points $(x_i,y_i)$
 :then: if the polygon closed by its chord is convex and counterclockwise, then $D_{ijk}\ge0$ for all $i<j<k$, and not all
   are $0$
 :method: Convexity is decided by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.
@@ -522,6 +525,7 @@ other side.
 :title: Subdivision keeps the turn of every triangle
 :zh: 离散后的多边形保持三角形转向
 :given: $0<\lambda<1$; the $2n+1$ points of the two halves, joined, as combinations of the $n+1$ points of the whole
+:let: $D_{ijk}=\det\bigl((x_i,y_i,1),(x_j,y_j,1),(x_k,y_k,1)\bigr)$ for the points $(x_i,y_i)$
 :then: every $3\times3$ minor of the matrix of these combinations is $\ge0$; so with positive weights, if all $D_{ijk}\ge0$ for the
   whole, then the same for the joined polygon
 :method: The columns are the subdivisions of the unit vectors.  The minors are computed in the field with $\lambda=\frac s{1+s}$:

@@ -108,6 +108,7 @@ CLAIM(change_of_parameter_acts_on_one_factor)
 :title: The triangle of de Casteljau and the two parts of a cut, in every degree
 :zh: 割角三角阵列与离散(任意次数)
 :given: $b_i=Z^i$, any $Z$, $\lambda$, $x$; an interval $[a,a+h]$
+:let: $D(t)=1-t+tZ$; any $U$
 :then: (1) $(1-\lambda)U+\lambda ZU=D(\lambda)U$, so level $r$ of the triangle is $b_i^r=Z^{i-r}D(\lambda)^r$; (2)
   $1-x+xD(\lambda)=D(\lambda x)$; (3) $(1-x)D(\lambda)+xZ=D(\lambda+x(1-\lambda))$; (4) with $c=a+\lambda h$ these
   arguments of $D$ are $\frac{t-a}h$ for $t=a+x(c-a)$ and for $t=c+x(a+h-c)$
@@ -158,7 +159,7 @@ CLAIM(triangle_of_powers_consists_of_powers)
 :zh: 曲线族成员在切触处的导数(任意次数、任意层)
 :given: $b_i=Z^i$, $m,r\ge1$, $n=m+r$, the member $D(c)^rD(t)^m$, any $Z$, $c$, $t$, $h$; numbers $N$, $N'$, $W\ne0$, $W'$
 :where: $\omega(c)\ne0$
-:let: $\delta=Z-1$, which is $D'(t)$; $U=D(c)^{r-1}D(t)^{m-1}$
+:let: $D(t)=1-t+tZ$; $\delta=Z-1$, which is $D'(t)$; $U=D(c)^{r-1}D(t)^{m-1}$
 :then: (1) $D(c+h)=D(c)+h\delta$; (2) the derivatives of the member by $t$ and by $c$ are $m\delta\,D(c)U$ and
   $r\delta\,D(t)U$; (3) if numerator and denominator of a quotient have $\frac mnN'$ and $\frac mnW'$ for derivatives, the
   quotient has $\frac mn$ times the derivative that belongs to $N'$ and $W'$
@@ -363,7 +364,7 @@ CLAIM(end_direction_has_a_positive_factor)
 :title: Second differences over a part of the interval, in every degree
 :zh: 子区间上的二阶差分(任意次数)
 :given: $b_i=Z^i$ over $[0,1]$, and the coefficients $D(u)^{n-i}D(v)^i$ of the same polynomial over $[u,v]$, $0<u,v<1$
-:let: $\delta=Z-1$
+:let: $D(t)=1-t+tZ$; $\delta=Z-1$
 :then: $D(v)-D(u)=(v-u)\delta$, so that $\Delta^2b_i^{[u,v]}=D(u)^{n-2-i}D(v)^i\,(v-u)^2\delta^2$; multiplied by $D(u)$ or $D(v)$ a polynomial in
   $Z$ with coefficients that are not negative keeps such coefficients, and $D(u)=D(v)=1$ for $Z=1$
 :method: $\delta^2Z^j$ stands for $\Delta^2b_j$.  The product $D(u)^{n-2-i}D(v)^i$ has $n-2$ factors $1-u+uZ$, $1-v+vZ$, so it is $\sum_j\beta_{ij}Z^j$ with
@@ -632,6 +633,7 @@ Descartes' rule comes from multiplying by $s-\rho$, one positive root $\rho$ aft
 :given: $q(s)=\sum q_ms^m$, not 0, of any degree, $\rho>0$, $p(s)=(s-\rho)q(s)$, so $p_m=q_{m-1}-\rho q_m$; positive numbers $a$, $b$
 :harmless: positive numbers $a$, $b$ | absolute values of coefficients that are not 0
 :harmless: not 0, of any degree | the polynomial with no roots to count is left out by the rule itself
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $a+\rho b>0$ and $\rho a>0$; so $V[p]\ge V[q]+1$, and by induction a polynomial has no more positive roots, counted with multiplicity, than
   changes of sign
 :method: Read from the highest power downwards.  $p$ begins with the first coefficient of $q$.  Where $q$ changes its sign from $\sigma$ to $-\sigma$, let $q_i=-\sigma a$ be the

@@ -213,7 +213,7 @@ CLAIM(flat_frame_has_no_tangent) { G(refute_tangent)(T); }
 :kind: counterexample
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); R_2 = (0,1); κ = -1
 :instead: κ = -2
-:result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); values of λ that give S = 0
+:result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); number of the λ that give S = 0
 :given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$
 :then: $S$ is an ellipse, $AC-B^2>0$, which touches $l_1$ in $R_0$ and $l_2$ in $R_2$; for no $\lambda$ is
   $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
@@ -241,7 +241,7 @@ CLAIM(limings_pencil_misses_one_conic)
     found_points(T, "S(R_0), S(R_2)", 2, 1, value);
     found_points(T, "gradient at R_0", 1, 2, g0);
     found_points(T, "gradient at R_2", 1, 2, g2);
-    found_whole(T, "values of λ that give S", count);
+    found_whole(T, "number of the λ that give S", count);
     int touches = is_zero_q(value[0]) && is_zero_q(g0[0]) && !is_zero_q(g0[1]) && is_zero_q(value[1]) &&
                   is_zero_q(g2[1]) && !is_zero_q(g2[0]);
     about(T, "whether the ellipse, which touches both lines, is a member");

@@ -384,6 +384,7 @@ just this change.
 :zh: Descartes 符号法则
 :kind: decision
 :given: $q(s)=\sum_{m=0}^nc_ms^m$, not $0$
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $q$ has at most $V[c_0,\dots,c_n]$ positive roots, counted with multiplicity
 :method: If all $c_m\ne0$ have one sign there is no positive root.  Otherwise let $i$ be the index just before the first change
   of sign and $\alpha=i+\frac12$.  The function $s^{-\alpha}q(s)$ has the positive roots of $q$, and its derivative is
@@ -463,6 +464,7 @@ The way back to the polygon is a matter of signs: positive binomial coefficients
 :kind: decision
 :given: all patterns of signs of $y_0,\dots,y_n$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$ at
   the ends
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $V[\binom ni\omega_iy_i]=V[y_i]$
 :method: The products are computed exactly.  For all positive weights: the sign of a product is the product of the signs.
 :degrees: 1..6
@@ -499,6 +501,7 @@ A single negative weight is enough to add two changes of sign.
 :instead: ω = 2 1 2
 :result: C(n,i) ω_i y_i = 4 -10 4; V of the products = 2; V of y = 0
 :given: degree $2$, positive values $y$, and weights $\omega$ of which the middle one is negative
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $V[\binom ni\omega_iy_i]>V[y_i]$
 :method: Computed.
 :control: the middle weight made positive
@@ -540,6 +543,7 @@ CLAIM(mixed_weights_change_sign_changes)
 :zh: 顶点变号数等于多边形跨越次数
 :kind: decision
 :given: all patterns $y_i\in\{-1,0,1\}$, the polygon with vertices $(i,y_i)$ and the line $y=0$
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $V[y_0,\dots,y_n]$ is the number of times that a point which runs along the polygon changes sides
 :method: Between its quarters an edge of these polygons meets the line at most once; the sides of the points at $\frac14$ and
   $\frac34$ of every edge, none of which is an isolated point on the line, are read one after the other.  Compared with

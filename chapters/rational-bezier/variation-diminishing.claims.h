@@ -87,6 +87,7 @@ against single vertices.  Signs are all that matters, so a few heights will do.
 :kind: decision
 :given: all $y_i\in\{-1,0,1\}$, $x_i=i$, the line $y=0$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$
   at the ends
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: the curve crosses the line at most as often as the polygon; even the roots with multiplicity in $(0,1)$ are at most $V$,
   and differ from it by an even number; for a curve inside the line both numbers of crossings are $0$
 :method: Crossings of the curve by Descartes' rule in the Bernstein basis with subdivision, and by Sturm's theorem for the product
@@ -297,6 +298,7 @@ numbers do not matter, only their signs.
 :kind: decision
 :given: numbers $y_0,\dots,y_n$ and $\hat y_i$, $0\le i\le n+1$, with $\hat y_0=y_0$, $\hat y_{n+1}=y_n$, and $\hat y_i$ a mean
   of $y_{i-1}$ and $y_i$ with positive factors
+:let: $V$ the number of changes of sign, where zeros are left out
 :then: $V[\hat y_0,\dots,\hat y_{n+1}]\le V[y_0,\dots,y_n]$
 :method: Only signs matter.  All patterns of signs $-,0,+$ of the $y_i$ are run through, and for each all patterns of the
   $\hat y_i$ that are possible: the sign of a mean is that of both numbers, or of the one that is not $0$, or, for
