@@ -116,7 +116,7 @@ $p$.
 :::{claim} gaps_bound_the_defect
 :title: With gaps at most h the defect is at most (k/24) h²
 :zh: 节点间距不超过 h 时偏差不超过 k h²/24
-:given: $p$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
+:given: $p\ge2$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
 :let: $V_p=\sum_{i<j}(i-j)^2$
 :then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect $\frac{V_ph^2}{2p^2(p-1)}$ is $\frac{p+1}{24}h^2$; with smaller gaps
   it is not larger

@@ -335,7 +335,7 @@ CLAIM(right_end_belongs_to_no_interval)
 :title: With knots at most k-fold, and the end knots of the domain not repeated inside, every point counts
 :zh: 节点重数不超过阶数时各顶点均起作用
 :types: field rational
-:given: several segments with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
+:given: several segments over knots that are at most $k$-fold, with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
   domain
 :then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
 :method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.

@@ -345,16 +345,15 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :printed: De Boor's recursion and Boehm's insertion of a knot are main tools for the evaluation, the conversion and the like of NURBS; their merit is
   that the computation is stable and simple
 :holds-by: recursion_subtracts_data_only weights_of_levels_are_positive divisors_contain_the_span insertion_ratios_are_between_zero_and_one
-:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive, and $t$ in the interval: with
+:meant: the word stable, which is used of computations with roundings | The rounded result is the exact one for points and weights that were changed relatively by a few
+  roundings, how many depending on the order alone and not on the knots.
+:reading: that they are simple, and main tools: opinions.
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$, and algorithm 4.1.1: $t\in[t_i,t_{i+1})$ | the weights are positive, and $t$ in the interval: with
   weights of both signs a weight of a level may be a difference, even $0$
 :argued: | That few roundings reach the result, and that no computed number is subtracted, is counted.  That the rounded
   result is then the exact one for data that were changed relatively by so many factors $1\pm u$, and that this is what stable
   means, is said in words.
 :figure: deboor_triangle
-
-Stable is read as: the rounded result is the exact one for points and weights that were changed relatively by a few
-roundings, how many depending on the order alone and not on the knots.  What is counted are curves of the plane.  That the recursions are simple, and main tools, is
-an opinion that nothing here decides.
 :::
 
 :::{claim} recursion_subtracts_data_only

@@ -147,7 +147,7 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$
 :reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the formula for the divided difference before it has in front of $f(t_l)$ as
   printed: so read it is $-N_{0,1}$ for $k=1$
-:corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
+:corrected: \alpha_l=\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_l-t_j)\Bigr]^{-1}
 :corrected-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
 :figure: simple_knots_sign
 
@@ -309,7 +309,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
   \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r;\ j=0,1,\dots,k-1
 :class: misprint
 :refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
-:corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha\ne l}
+:corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha=i,\,\alpha\ne l}^{i+k}
   (t_l-t_\alpha)}
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
 :striking: 9
@@ -329,7 +329,7 @@ would change from term to term, and become negative.
 :title: The exponent k-l-j with the number of the knot is wrong
 :zh: 指数 k-l-j 中的 l 应为 1
 :kind: counterexample
-:given: $k=2$, where the sign is right, the simple knots $t_i$, $r$, $i$ and $j$
+:given: $k=2$, where the sign is right, the simple knots $t_i$, numbered from 0, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$
 :data: t_i = 0 1 3 5; r = 1; i = 1; j = 0
 :then: $a_{ji}=N_{i,k}(t_r)$ is 0; with the exponents $2-l$ for the two $l$ of the sum it is not
 :result: the printed a_ji = -7/8; N_i,k(t_r) = 0
@@ -398,7 +398,7 @@ CLAIM(uniform_matrix_is_the_matrix)
 :::{statement} wang-ch4:uniform-start
 :title: The chain begins with formula 4.4.23
 :zh: 推导以 (4.4.23) 为起点
-:printed: with $t_i=i$ formula (4.4.23) becomes the first sum of the chain, whose sign is $(-1)^{j+k+l-i}$
+:printed: with $t_i=i$ formula (4.4.23) becomes the first sum of the chain, $a_{ji}=\binom{k-1}jk\sum_{l=r+1}^{i+k}\frac{(-1)^{j+k+l-i}(l-r)^{k-l-j}}{(l-i)!\,(i+k-l)!}$
 :class: invalid-proof
 :refuted-by: uniform_chain_does_not_follow
 :corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$ and, in both, the exponent $k-1-j$
@@ -551,7 +551,7 @@ CLAIM(last_sum_gives_the_uniform_matrix)
 :title: From the printed formula 4.4.23 the first sum does not follow
 :zh: 由印出的 (4.4.23) 推不出第一式
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$
 :data: k = 1; r = 0; i = 0; j = 0
 :then: (4.4.23) gives the negative of the first sum of the chain; the exponents are 0 with either reading
 :result: (4.4.23) = -1; the first sum = 1
@@ -622,7 +622,7 @@ sum one entry is enough.
 :title: The exponent k-l-j of the first sum is wrong
 :zh: 第一式中指数 k-l-j 有误
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$
 :data: k = 2; r = 1; i = 1; j = 0
 :then: $a_{ji}=0$; the first sum, of which one exponent is 0 and the other negative, is not 0
 :result: the first sum = -3/2; a_ji = 0
@@ -658,7 +658,7 @@ With $l$ in its own upper limit the sum has no meaning; with the limit and the e
 :title: The factorial (r+s+l-l)! of the second sum is wrong
 :zh: 第二式中阶乘 (r+s+l-l)! 有误
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$, so that $s=i-r+k-1=0$; the upper limit and the exponent taken with the digit 1
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=0$; the upper limit and the exponent taken with the digit 1
 :data: k = 1; r = 2; i = 2; j = 0
 :then: the only term of the second sum has $(r+s)!$ in the place of $0!$, so that it is not $a_{ji}$
 :result: the second sum = 1/2; a_ji = 1
@@ -693,7 +693,7 @@ By the letter the sum has no value: $l$, the variable of the second sum, is boun
 :title: In the third sum the letter l is free, and with l = 2 it is no entry of the matrix
 :zh: 第三式中的字母 l 无所指
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$, so that $s=i-r+k-1=1$; a value of $l$, which nothing says
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=1$; a value of $l$, which nothing says
 :data: k = 2; r = 1; i = 1; j = 0; l = 2
 :then: $a_{ji}=0$; the third sum with this $l$ is not 0, and with $l=1$ it is 0
 :result: the third sum = -1; a_ji = 0
@@ -726,7 +726,7 @@ CLAIM(uniform_letter_is_free_in_the_third_sum)
 :title: The exponent k-l-j of the fourth sum is wrong
 :zh: 第四式中指数 k-l-j 有误
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$, so that $s=i-r+k-1=1$
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=1$
 :data: k = 2; r = 1; i = 1; j = 0
 :then: $a_{ji}=0$; the fourth sum with the exponents $k-l-j$ is not 0
 :result: the fourth sum = 2; a_ji = 0
