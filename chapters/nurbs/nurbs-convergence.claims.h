@@ -29,12 +29,10 @@ of the curve and the curve does not jump, and then with the square of the larges
   the spline, with a bound by the points of $f''$
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
-  all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve, and either side is treated alone.  For $k=2$ the curve over the
-  domain is the polygon.
+  all refinements.  Let $T_m'$ be the knots that halve every gap $m$ times: they are nested, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve,
+  and either side is treated alone.
 :figure: nurbs_polygons_converge
 :striking: 42
-
-Choose for $T_m'$ the knots that halve every gap $m$ times: nested, and $h_m\to0$.
 :::
 
 :::{statement} wang-ch4:remark-4.1.1-convergence
@@ -44,7 +42,7 @@ Choose for $T_m'$ the knots that halve every gap $m$ times: nested, and $h_m\to0
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, $h_m\to0$; infinitely many do not suffice
+:hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
@@ -118,7 +116,7 @@ $p$.
 :::{claim} gaps_bound_the_defect
 :title: With gaps at most h the defect is at most (k/24) h²
 :zh: 节点间距不超过 h 时偏差不超过 k h²/24
-:given: $p$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
+:given: $p\ge2$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
 :let: $V_p=\sum_{i<j}(i-j)^2$
 :then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect $\frac{V_ph^2}{2p^2(p-1)}$ is $\frac{p+1}{24}h^2$; with smaller gaps
   it is not larger
@@ -225,7 +223,7 @@ static void G(integrated_twice)(int n, int p, const num u[], const num e[], num 
 CLAIM(polygon_is_within_the_bound_of_the_spline)
 {
     static const char *const kinds[][3] = {
-        {"31113", "212112", NULL}, {"41214", "3113", NULL}, {"51315", "411124", NULL}, {"61416", NULL}};
+        {"31113", "211112", NULL}, {"41214", "3113", NULL}, {"51315", "411124", NULL}, {"61416", NULL}};
     int p = T->degree, place[MOST_KNOTS];
     num x[MOST_KNOTS], u[MOST_KNOTS], xi[MOST_KNOTS], e[MOST_KNOTS], c[MOST_KNOTS], parabola[MOST_KNOTS];
     for (int k = 0; kinds[p - 2][k] != NULL; k++) {

@@ -26,9 +26,9 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: the sentence, which goes from the polygon to the curve | This direction.
 :reading: curve_may_be_convex_alone | this direction only: the converse, which is not printed, fails
-:argued: | For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, and they turn as
+:argued: | Insert three parameters $k-1$ times each: the three points of the curve are vertices, and they turn as
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
-  linearly independent; it goes straight on, and so does the curve, since no line across is crossed more often.
+  linearly independent; it goes straight on, and so does the curve, since a line across it crosses it no more often than the polygon, by theorem 4.2.2.
 :figure: convex_polygon_convex_spline
 :::
 
@@ -209,7 +209,7 @@ another.
 :title: The hulls of a growing sequence of knots
 :zh: 凸包之交
 :printed: for the sequence of corollary 4.1.1, by lemma 4.2.1: $A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))$
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
@@ -218,8 +218,6 @@ another.
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; in a decreasing
   sequence of sets the intersection of the first $m$ is the last.
 :figure: hulls_of_knot_sets
-
-What is computed is one knot.
 :::
 
 :::{statement} wang-ch4:thm-4.2.1-step-nested
@@ -229,7 +227,7 @@ What is computed is one knot.
 :class: misprint
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
 :corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for a polygon that runs through its points once, or with the hulls for the $A$
-:corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.
 :figure: hulls_of_knot_sets
 
@@ -241,7 +239,7 @@ corollary 4.1.1 is that of the $T'_m$.
 :title: The limit of the hulls is closed and convex
 :zh: 凸包的极限
 :printed: hence $A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))$ is a closed convex set, too
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
@@ -251,8 +249,6 @@ corollary 4.1.1 is that of the $T'_m$.
 :argued: | The limit of a decreasing sequence of compact sets is their intersection, and an intersection of closed convex sets is
   closed and convex.
 :figure: hulls_of_knot_sets
-
-What is decided is that the sets decrease.
 :::
 
 :::{claim} hulls_of_unrelated_knots_are_not_nested

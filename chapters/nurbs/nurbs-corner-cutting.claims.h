@@ -22,22 +22,22 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :title: A convex polygon stays convex when knots are inserted
 :zh: 嵌节点保持控制多边形的凸性
 :printed: let $\Phi$ be the empty set, and let the initial control polygon $\Gamma_k^{(T)}(\Phi)$ of the plane NURBS curve (4.1.2) be a convex curve; then for every
-  finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and the hulls decrease (`lemma-4.2.1-hulls`)
+  finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and $A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))$
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares knots_outside_the_domain_cut_corners
-  inserted_points_divide_the_edges
+  inserted_points_divide_the_edges clamped_start_inserted_again_repeats_the_first_point
 :confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:argued: straight polygons, every order and every number of points and knots | One corner after the other is cut, and neither the triangles nor the
-  identities of one insertion know how many points there are; their other cases are those of the claims.  Where all triangles are 0, the polygon goes straight on; its
+:argued: straight polygons, every order and every number of points and knots | The knots are inserted one after the other, and the triangles and the
+  identities of one insertion are the same for every order and every number of points.  Where all triangles are 0, the polygon goes straight on; its
   new vertices are on its edges, one on each and in their order, so that the new polygon does.
 :figure: cutting_corners
 
@@ -124,9 +124,10 @@ CLAIM(printed_insertion_keeps_the_curve)
 :::{claim} printed_factors_are_the_discrete_shares
 :title: The printed factors are the discrete B-splines of one knot
 :zh: 所印因子即单节点的离散 B 样条
-:given: all knots simple, or both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or a knot there of a multiplicity below $k$
-:then: $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is the printed $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so that (4.1.6) is
-  the printed mean of two points
+:given: all knots simple, or both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or a knot
+  there of a multiplicity below $k$
+:then: for $1\le i\le n$ and $1\le j\le n+1$, $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is the printed $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so
+  that (4.1.6) is the printed mean of two points, for $\tau$ outside the domain at the ends $r_1$ and $r_n$ alone
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.
 :degrees: k = 1..6 sampled 7
 :scope: simple knots, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
@@ -142,16 +143,17 @@ CLAIM(printed_factors_are_the_discrete_shares)
         struct G(knot_vector) K = G(pattern)(T, pattern), V;
         int n = K.count - k;
         G(numbers_for_knots)(k, &K);
-        for (int place = K.place[k]; place <= K.place[n + 1]; place += 2) {
-            num c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS], tau = G(number_at)(T, &K, place, "tau");
+        for (int place = K.place[1] + 2; place < K.place[K.count]; place += 2) {
+            num tau = G(number_at)(T, &K, place, "tau");
             int times = 0, mu = G(left_of)(&K, place);
             for (int i = 1; i <= K.count; i++)
                 times += K.place[i] == place;
             if (times >= k)
                 continue;
-            G(equal_weights)(n, w);
-            G(equal_weights)(n, c);
-            G(insert_at)(n, k, 1, &K, place, tau, c, w, &V, d, z);
+            for (int i = 1; i <= K.count + 1; i++) {
+                V.t[i] = i <= mu ? K.t[i] : i == mu + 1 ? tau : K.t[i - 1];
+                V.place[i] = i <= mu ? K.place[i] : i == mu + 1 ? place : K.place[i - 1];
+            }
             for (int j = 1; j <= n + 1; j++) {
                 num here = G(printed_alpha)(k, mu, K.t, tau, j), rest = sub(from_int(1), here);
                 for (int i = 1; i <= n; i++) {
@@ -161,6 +163,41 @@ CLAIM(printed_factors_are_the_discrete_shares)
             }
         }
     }
+}
+
+/*
+:::{claim} clamped_start_inserted_again_repeats_the_first_point
+:title: At a k-fold start the points (4.1.6) repeat the first point
+:zh: 左端 k 重节点再嵌入时 (4.1.6) 重复首顶点
+:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $T'$ is $q$ times $t_1=t_k$, $q=1,\dots,k$
+:then: $\alpha_{i,k}^{(T,T')}(j)$ is $1$ for $i=\max(1,j-q)$ and $0$ for all other $i$: the new points are $r_1$, $q$ times, and then $r_1,\dots,r_n$
+:method: The recursion of the discrete B-splines by its letter, intervals closed on the left.
+:degrees: k = 1..6 sampled 7
+:scope: clamped ends with one knot of every multiplicity between
+:control: $i=\max(1,j-q+1)$
+:::
+*/
+CLAIM(clamped_start_inserted_again_repeats_the_first_point)
+{
+    int k = T->degree;
+    char pattern[MOST_KNOTS];
+    for (int m = 1; m <= k; m++)
+        for (int q = 1; q <= k; q++) {
+            G(pattern_of_insertion)(k, m, pattern);
+            struct G(knot_vector) K = G(pattern)(T, pattern), V;
+            int n = K.count - k;
+            V.count = K.count + q;
+            for (int i = 1; i <= V.count; i++) {
+                V.t[i] = K.t[i > q ? i - q : 1];
+                V.place[i] = K.place[i > q ? i - q : 1];
+            }
+            for (int j = 1; j <= n + q; j++)
+                for (int i = 1; i <= n; i++) {
+                    int old = j - fault(T, q, q - 1);
+                    num share = from_int(i == (old > 1 ? old : 1));
+                    same(T, G(alpha)(k - 1, K.t + 1, K.place + 1, V.t + 1, V.place + 1, i - 1, j - 1), share);
+                }
+        }
 }
 
 /*
@@ -366,18 +403,19 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :title: The hulls decrease
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
+  clamped_start_inserted_again_repeats_the_first_point
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: as for the lemma
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
-:argued: | One knot after the other, in the domain or, as the first reading says, outside: the new vertices are on edges of the polygon before, hence in its hull, and
-  the hull of points of a convex set is part of the set.
+:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
+  the set.
 :figure: hulls_of_knot_sets
 :::
 
@@ -421,7 +459,7 @@ CLAIM(inserted_points_divide_the_edges)
   which (4.1.6) is read here
 :figure: where_hypotheses_are_needed
 
-The points are those of (4.1.6) for one knot, the new weights are the denominators.  (2.9.1) is not in the text at hand; in homogeneous coordinates this is the insertion of a knot into a B-spline curve.
+The points are those of (4.1.6) for one knot, the new weights are the denominators.  (2.9.1) is not in the text at hand.
 :::
 */
 
@@ -535,7 +573,7 @@ CLAIM(clamped_end_may_be_inserted_again)
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: mixed_weights_and_convexity
 
-This is about the $s_i$ that exist; for which knots the formula of the points asks for a weight $w_0$ is the matter of `lemma-4.2.1-step-points`.
+This is about the $s_i$ that exist.
 :::
 
 :::{statement} wang-ch4:lemma-4.2.1-step-inscribed
@@ -558,15 +596,17 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\Phi)$, the lemma is true for one knot; and by the same method, $\Gamma_k^{(T)}(T')$ being convex for
   $m-1$ knots, $\Gamma_k^{(T)}(T'')$ is convex for $m$
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
-  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
+  clamped_start_inserted_again_repeats_the_first_point
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
   is not enough
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $\tau_1$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
-:argued: straight polygons, every order and every number of points | One insertion is decided for any points by the triangles; no claim knows more of the
-  order than the factors, which are between 0 and 1.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
+:argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
+  number of points.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
   their order, so that the new polygon does.
 :figure: what_convex_must_mean
 :::
@@ -581,7 +621,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :kind: decision
 :given: seven convex polygons, among them a closed one, one with collinear and repeated vertices, one that turns by more than a half
   turn; orders $2,3,4$; simple knots, clamped ends, inner knots of multiplicity $k-1$; weights $1$, $1000$ and $1$ in turn,
-  $10^i$, and $\frac1{1000}$ inside; every knot and every middle of an interval inserted $k$ times
+  $10^i$, and $\frac1{1000}$ inside; every knot after $t_1$ and every middle of an interval inserted $k$ times
 :then: after each insertion the polygon is convex with the same orientation, and every new vertex is on its edge of the polygon before
 :method: The printed formulas in rationals, $\mu$ by comparing; convexity by `exact/decide/hull.h`; on the edge: no turn, and between the ends.
 :degrees: k = 2..4
@@ -640,7 +680,7 @@ of the same curve over the knots with the new one, with its new weights, and if 
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
 :holds-by: steps_of_refinement_compose nothing_inserted_changes_nothing
 :confirmed-by: knots_are_inserted_in_any_order
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T''$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: cutting_corners
 
@@ -720,18 +760,19 @@ CLAIM(knots_are_inserted_in_any_order)
 :title: The chain of hulls in the induction
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
+  clamped_start_inserted_again_repeats_the_first_point
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: as for the lemma
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
-:argued: | One knot after the other, in the domain or, as the first reading says, outside: the new vertices are on edges of the polygon before, hence in its hull, and
-  the hull of points of a convex set is part of the set.
+:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
+  the set.
 :figure: hulls_of_knot_sets
 :::
 */

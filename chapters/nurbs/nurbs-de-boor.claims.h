@@ -18,7 +18,7 @@ ratio of the weights at its ends.
 :title: The weights of the levels
 :zh: 各层的权因子
 :definition: yes
-:printed: w_i^{[r]}(t)=w_i,\ r=0;\ i=j-k+1,\dots,j,\qquad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
+:printed: w_i^{[r]}(t)=w_i,\ r=0;\ i=j-k+1,j-k+2,\dots,j,\qquad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
   w_{i-1}^{[r-1]}(t),\ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span
 :confirmed-by: weights_of_levels_are_positive rational_triangle_gives_the_point
@@ -31,7 +31,7 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :title: The points of the levels
 :zh: 各层的顶点
 :definition: yes
-:printed: r_i^{[r]}(t)=r_i,\ r=0;\ i=j-k+1,\dots,j,\qquad
+:printed: r_i^{[r]}(t)=r_i,\ r=0;\ i=j-k+1,j-k+2,\dots,j,\qquad
   r_i^{[r]}(t)=\frac{(t-t_i)w_i^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_i^{[r-1]}(t)
   +\frac{(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}{(t-t_i)w_i^{[r-1]}(t)+(t_{i+k-r}-t)w_{i-1}^{[r-1]}(t)}r_{i-1}^{[r-1]}(t),
   \ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
@@ -266,8 +266,6 @@ CLAIM(other_interval_gives_other_point)
 :reading: rational_triangle_gives_the_point | for the parameters of the printed intervals
 :reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
 :figure: missing_end
-
-For $t_{n+1}$ the last interval that is not empty is taken closed.
 :::
 
 :::{claim} end_is_in_no_interval

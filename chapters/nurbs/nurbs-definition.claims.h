@@ -50,7 +50,7 @@ mean.
 :title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
 :zh: 定义域内 B 样条基非负且和为一,故分母为正
 :given: several segments, with any positive gaps of the knots; any interval $[x_m,x_{m+1}]$ of the domain;
-  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$
+  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$, or $t=x_{m+1}$, where the limit from the left is taken
 :then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
   weight
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
@@ -68,8 +68,9 @@ CLAIM(basis_is_a_partition_of_unity)
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             int mu = G(span_of_interval)(K.count, K.place, interval);
-            for (int knot = 0; knot <= 1; knot++) { /* inside, and at the left end */
-                num t = knot ? K.u[mu] : G(parameter_inside)(T, K.u, mu), sum = from_int(0);
+            num at[3] = {G(parameter_inside)(T, K.u, mu), K.u[mu], K.u[mu + 1]}; /* inside, and at both ends */
+            for (int end = 0; end < 3; end++) {
+                num t = at[end], sum = from_int(0);
                 for (int i = 0; i < K.n; i++) {
                     num N = G(cox_de_boor)(p, K.u, K.place, i, interval, t);
                     about(T, "the sign of N_i");
@@ -204,8 +205,6 @@ CLAIM(control_point_of_space_is_not_enough)
 :argued: every order | The control points are $\tilde r_1,\dots,\tilde r_n$ by the beginning of the sentence, and the polygon is that of definition 4.3.1, whose curve of
   order 2 is $r_1r_2\cdots r_n$ whatever the order of the curve that it controls.
 :figure: polygon_begun_elsewhere
-
-The first point acts on the curve where its support meets the domain, as every other, whether or not the curve begins in it; at an end of multiplicity $k-1$ it does.
 :::
 */
 
@@ -325,7 +324,7 @@ CLAIM(right_end_belongs_to_no_interval)
   $N_{i,k}$ is zero and $r_i$ has none
 :reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: without $t_k<t_{k+1}$
   the support of the first function meets the domain in no interval
-:reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
+:reading: every_point_counts | with knots at most $k$-fold, $t_k<t_{k+1}$ and $t_n<t_{n+1}$ every point has a share
 :figure: idle_point
 :::
 */
@@ -336,7 +335,7 @@ CLAIM(right_end_belongs_to_no_interval)
 :title: With knots at most k-fold, and the end knots of the domain not repeated inside, every point counts
 :zh: 节点重数不超过阶数时各顶点均起作用
 :types: field rational
-:given: several segments with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
+:given: several segments over knots that are at most $k$-fold, with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
   domain
 :then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
 :method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.
@@ -446,7 +445,7 @@ This is a polynomial spline in four-dimensional space; the rational curve is its
 :::{statement} wang-ch4:formula-4.1.2
 :title: The curve in affine coordinates
 :zh: 仿射坐标下的表示
-:printed: r(t)=\left(\frac{X(t)}{w(t)},\frac{Y(t)}{w(t)},\frac{Z(t)}{w(t)}\right)=\sum_{i=1}^nN_{i,k}(t)w_ir_i\Big/
+:printed: r(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{w(t)},\frac{Y(t)}{w(t)},\frac{Z(t)}{w(t)}\right)=\sum_{i=1}^nN_{i,k}(t)w_ir_i\Big/
   \sum_{i=1}^nN_{i,k}(t)w_i,\quad r_i=(x_i,y_i,z_i),\quad t_k\le t\le t_{n+1},\ n\ge k
 :holds-by: nurbs_point_is_the_weighted_mean basis_is_a_partition_of_unity
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -606,13 +605,11 @@ but of other points; the star in the printed formula leaves open which is meant.
   idle
 :reading: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ by the letter of the half-open intervals, when $t_{2k}=t_{k+1}$:
   all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
-:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over simple knots, but then
-  they are not the given ones
+:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over simple knots, made from the
+  given ones by `bspline_to_bezier`
 :needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | $n=k$ and
   $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$: otherwise the starred data differ from the given ones
 :figure: bezier_knots
-
-The knots $t_1$ and $t_{2k}$ do not count, but for the last value of $t$.
 :::
 
 :::{claim} bezier_knots_give_rational_bezier

@@ -74,8 +74,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
   says of the envelope, (3.3.4): the first and the second reading.
 :reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2
 :reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches wherever $\mathbf r'\ne0$
-:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2 by its letter, with contact of order $n-r$, $n=k-1$: it is not there, and nothing in theorem
-  4.3.1 gives it
+:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2 by its letter, with contact of order $n-r$, $n=k-1$: it is not there
 :figure: bezier_knots
 :::
 
@@ -242,7 +241,7 @@ the orders determine.
 :title: Member and curve turn in a fixed ratio, which depends on k and r only
 :zh: 族曲线与曲线的曲率之比只与 k, r 有关
 :given: the derivatives $P,P',P''$ of a curve with weight $w>0$, two coordinates, and those of the member,
-  $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n$ and $m$
+  $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n\ge2$ and $m\ge1$
 :where: $w(t)>0$
 :then: $r_m'=\frac mnr'$ and $r_m'\times r_m''=\frac{m^2(m-1)}{n^2(n-1)}\,r'\times r''$, hence
   $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where

@@ -89,8 +89,7 @@ CLAIM(segment_needs_the_points_of_its_span)
 :confirmed-by: divisors_contain_the_span
 :figure: nurbs_envelope_families
 
-The indices are in range, level $r$ having the indices $j-k+r+1,\dots,j$, and so are the divisors
-$t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
+Level $r$ has the indices $j-k+r+1,\dots,j$ of the sums, and its divisors are $t_{i+k-r}-t_i\ge t_{j+1}-t_j>0$.
 :::
 
 The definition looks as if it depended on the knots in a complicated way.  The next claim says that it does not:
@@ -313,8 +312,6 @@ CLAIM(levels_keep_weight_and_point)
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
-
-The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ telescope.
 :::
 
 :::{statement} wang-ch4:formula-4.3.7
@@ -475,7 +472,7 @@ the right and knows nothing of the other; the source says so in passing, and it 
 :printed: here the partial derivatives at a point $t_i$ are understood as limits from the right
 :holds-by: member_of_span_touches_curve
 :needs: corner_has_two_tangents | the limit is printed from the right | the limit is from the right; from the left the
-  curve has, at a $(k-1)$-fold knot, another direction than the member of the span on the right
+  curve may have, at a $(k-1)$-fold knot, another direction than the member of the span on the right
 :figure: knot_sides
 
 The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.

@@ -277,8 +277,8 @@ CLAIM(sides_agree_up_to_order_less_multiplicity)
 #if !FIELD
 /*
 For the basis this is a statement about single functions. Numerator and denominator then have the same derivatives from both
-sides, and the rule for quotients gives those of the curve from them. Curvature needs two and torsion three of them. The next
-claim shows that the bound cannot be improved, not even for the shape alone.
+sides, and the rule for quotients gives those of the curve from them. Curvature needs two and torsion three of them. The
+next claim shows a quadratic curve with a simple knot where the next derivative jumps, and the curvature with it.
 
 :::{claim} nurbs_sides_agree
 :title: Value, derivatives, curvature and torsion of the curve from both sides
@@ -477,7 +477,7 @@ alone carries the segment: its points are shared with the next ones.
 :method: The kernels at $t=t_k$; for $k=3$ without the torsion.
 :degrees: 2..6 sampled 7
 :scope: a start of multiplicity k-1, simple knots behind it
-:where: the gaps of the knots are positive
+:where: the gaps of the knots are positive; no weight is 0
 :over: x: -
 :control: $\Delta_1/\Delta_2$ left out
 :::

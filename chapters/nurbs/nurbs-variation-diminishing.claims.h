@@ -396,13 +396,13 @@ change can arise.
 :printed: for the control polygon of the NURBS curve $\boldsymbol r_t(t)$ the insertion of any set $T'$ of knots is always variation diminishing: for every line $\boldsymbol L$ of
   the plane $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges knots_outside_the_domain_cut_corners
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
+  knots_outside_the_domain_cut_corners clamped_start_inserted_again_repeats_the_first_point
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
   of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | it counts as one intersection, not as infinitely many points
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when
-  $t_1=t_k$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: averages_between_neighbours_keep_sign_changes | of crossings
@@ -429,8 +429,8 @@ The source gives no proof; the index $t$ of the curve is $k$, see `notation-orde
 :then: $c$ put between $a$ and $b$ does not change their number, and taking $a$ out does not raise it
 :result: cases = 81
 :method: Only signs matter, and only those of neighbours: all cases of $p,a,b,s\in\{-1,0,1\}$, and the given $\lambda$
-  give $c$ every sign it can have.  The number is a sum over pairs of neighbours, so this is for polygons of every length.  Where $p$ or $s$ is not there, nothing is taken out next to the end, since an
-  insertion keeps both ends.
+  give $c$ every sign it can have.  The number is a sum over pairs of neighbours, so this is for polygons of every length.  Where $s$ is not there, $p,a,b$ is tried, too; where $p$ is not
+  there, $a$ is an end, which an insertion keeps.
 :degrees: all
 :scope: every sign of four neighbouring heights and of their mean
 :harmless: $0\le\lambda\le1$ | a point of an edge is such a mean
@@ -737,15 +737,14 @@ CLAIM(jump_crosses_the_line_without_a_point)
 :printed: with $T'=\{t_1'\}^{k-1}\oplus\{t_2'\}^{k-1}\oplus\cdots\oplus\{t_{N+1}'\}^{k-1}$ by (4.1.9) every point of intersection
   $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
 :holds-by: inserted_parameters_become_vertices
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing
-  can be inserted by the printed formula
-:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$: then $r(t'_i)$ is a vertex, too,
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$, or $t_1=t_k$: then $r(t'_i)$ is a vertex, too,
   though not the one with the index of (4.1.9)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :figure: points_of_the_line_as_vertices
 
 In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
-$\mu_i+(i-1)(k-1)$.  A parameter that is a knot of multiplicity $m$ already becomes one of multiplicity $m+k-1$.
+$\mu_i+(i-1)(k-1)$.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-meet
@@ -756,13 +755,10 @@ $\mu_i+(i-1)(k-1)$.  A parameter that is a knot of multiplicity $m$ already beco
 :holds-by: inserted_parameters_become_vertices
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing can be inserted
-  by the printed formula
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :argued: every curve | The points are common points of the line and of the polygon, being vertices.
 :figure: points_of_the_line_as_vertices
-
-Two parameters with one point are two vertices with one point, and count twice.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-contradiction
@@ -770,14 +766,13 @@ Two parameters with one point are two vertices with one point, and count twice.
 :zh: 与引理矛盾
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; for points of the plane
   the lemma fails
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | it counts as one intersection
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing can be inserted
-  by the printed formula
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :figure: what_must_be_counted
 :::
 

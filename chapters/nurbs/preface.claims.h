@@ -34,7 +34,7 @@ this can be computed is decided here.
   powerful tool for their study
 :reading: every_level_divides_its_edges | of the recursion for points: a meaning is there, which the chapter itself states for
   algorithm 4.1.1: every level cuts the corners of the polygon
-:reading: convex_quartic_of_span_has_second_envelope | that the envelope on which the definition rests is unique, see `thm-4.3.3` and `def-4.3.1`
+:reading: convex_quartic_of_span_has_second_envelope | that the envelope of every such family is unique, as theorem 4.3.3 has it
 :reading: that the meaning is not intuitive, and the definition a powerful tool: opinions; as history, that nobody gave such a definition before: no
   computation decides it.
 :figure: deboor_triangle
@@ -47,8 +47,8 @@ this can be computed is decided here.
   three-dimensional world; we analyse its discrete structure: with the discrete NURBS curve as a tool, that convexity is kept and variation diminished is obvious
 :reading: insertion_cuts_the_corners | that the discrete curves cut corners, in the space of the curve
 :reading: polygon_that_turns_back_loses_convexity | that the first holds for every polygon that is convex by the letter of definition 4.2.1
-:reading: insertion_turns_like_its_triangles | of homogeneous coordinates: in them, too, that convexity is kept can be seen, by the determinants
-  of three points
+:reading: insertion_turns_like_its_triangles | of homogeneous coordinates: in them, too, it is seen in which sense the triangles of three
+  points turn, by their determinants, and that an insertion keeps it
 :reading: that it is hard there and obvious here: opinions.
 :figure: cutting_corners
 :::
@@ -59,8 +59,6 @@ this can be computed is decided here.
 :printed: NURBS curves have the merit of B-spline curves that their shape can be adjusted locally
 :holds-by: moved_point_changes_its_support
 :figure: local_control
-
-Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
 :::
 
 :::{statement} wang-ch4:preface-continuity
@@ -75,9 +73,6 @@ Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
 :argued: | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
   power of $w>0$.
 :figure: knot_sides
-
-A knot of multiplicity $m$ costs $m$ of the $k-1$ continuous derivatives; where $r'\ne0$ the curvature is continuous for
-$m\le k-3$, and where it is not 0 the torsion for $m\le k-4$.
 :::
 
 :::{statement} wang-ch4:preface-conics
@@ -104,7 +99,7 @@ A whole circle is one NURBS curve with rational points and weights, whatever the
 :zh: 切于三角形两边的二次曲线都是三阶 NURBS 曲线
 :given: order three, $n=3$, knots $x_0,x_1^2,x_2^2,x_3$, variables; the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights
   $1,1,-\frac{4\nu}\mu$; any $t$
-:where: the conic is no pair of lines
+:where: the conic is no pair of lines; $w(t)\ne0$
 :then: $\mu\,xy+\nu(x+y-1)^2=0$ with the coordinates $x,y$ of $r(t)$
 :method: The point of the curve from the definition, all terms, put into the equation of the conic.  Where the arc between the
   tangents is inside the triangle, $xy>0$, so that $\nu/\mu<0$, and the three weights are positive.
@@ -129,7 +124,7 @@ CLAIM(tangent_conics_are_curves_of_order_three)
 }
 
 /*
-A parabola is all that polynomials of degree two can draw, and no polynomial draws an arc of a circle at all. With weights nine points draw the whole
+Polynomials of degree two draw parabolas and straight lines, and no polynomial draws an arc of a circle at all. With weights nine points draw the whole
 circle. The distinct knots may be any numbers, since each quarter is a conic for itself. That the points lie on the circle is not yet that the circle is run through; the claim after it says that.
 
 :::{claim} circle_is_a_nurbs_curve
@@ -350,16 +345,15 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :printed: De Boor's recursion and Boehm's insertion of a knot are main tools for the evaluation, the conversion and the like of NURBS; their merit is
   that the computation is stable and simple
 :holds-by: recursion_subtracts_data_only weights_of_levels_are_positive divisors_contain_the_span insertion_ratios_are_between_zero_and_one
-:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive, and $t$ in the interval: with
+:meant: the word stable, which is used of computations with roundings | The rounded result is the exact one for points and weights that were changed relatively by a few
+  roundings, how many depending on the order alone and not on the knots.
+:reading: that they are simple, and main tools: opinions.
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$, and algorithm 4.1.1: $t\in[t_i,t_{i+1})$ | the weights are positive, and $t$ in the interval: with
   weights of both signs a weight of a level may be a difference, even $0$
 :argued: | That few roundings reach the result, and that no computed number is subtracted, is counted.  That the rounded
   result is then the exact one for data that were changed relatively by so many factors $1\pm u$, and that this is what stable
   means, is said in words.
 :figure: deboor_triangle
-
-Stable is read as: the rounded result is the exact one for points and weights that were changed relatively by a few
-roundings, how many depending on the order alone and not on the knots.  What is counted are curves of the plane.  That the recursions are simple, and main tools, is
-an opinion that nothing here decides.
 :::
 
 :::{claim} recursion_subtracts_data_only

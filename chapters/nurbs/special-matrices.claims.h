@@ -143,13 +143,12 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :::{statement} wang-ch4:simple-basis
 :title: The B-spline of simple knots
 :zh: 单节点 B 样条基
-:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}
+:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1},\quad i=r-k+1,r-k+2,\dots,r
 :reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$
-:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what `simple-divided-difference` has in front of $f(t_l)$ as printed: so
-  read it is $-N_{i,k}$ for odd $k$
-:corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
+:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the formula for the divided difference before it has in front of $f(t_l)$ as
+  printed: so read it is $-N_{0,1}$ for $k=1$
+:corrected: \alpha_l=\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_l-t_j)\Bigr]^{-1}
 :corrected-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
-:confirmed-by: printed_simple_matrix_differs_by_the_parity_sign
 :figure: simple_knots_sign
 
 Nothing in the source says what $\alpha_l$ is.
@@ -204,11 +203,12 @@ static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, 
 :title: With the printed factors the formula gives the negative B-spline
 :zh: 按印式得到负的 B 样条基
 :kind: counterexample
-:given: $k=1$, the knots $t_i$ of $N_{0,1}$ and a $t$ between them
+:given: $k=1$ and $r=i=0$, the two knots $t_i$ of $N_{0,1}$ and a $t$ between them; $\alpha_1=1/(t_0-t_1)$, the printed factor
 :data: t_i = 0 1; t = 1/2
-:then: printed is $(t_1-t_0)(t_1-t_0)^0/(t_0-t_1)$, the negative of $N_{0,1}(t)$
-:result: a_00 = -1; N_0,1(t) = 1
-:method: The formula for $j=0$, where the exponents $k-1-j$ and $k-l-j$ with $l=r+1=1$ are both 0.
+:then: the sum $(t_1-t_0)\alpha_1(t_1-t)^0$, and the only coefficient of its powers of $u$, $a_{00}=(t_1-t_0)(t_1-t_0)^0/(t_0-t_1)$, are the negative of
+  $N_{0,1}(t)$
+:result: the sum = -1; a_00 = -1; N_0,1(t) = 1
+:method: Both formulas by their letter; the exponents $k-1-j$ and $k-l-j$ with $j=0$ and $l=r+1=1$ are both 0.
 :control: the factors $t_l-t_\alpha$
 :::
 */
@@ -218,10 +218,15 @@ CLAIM(printed_weights_give_the_negative_basis)
     given_points(T, "t_i", 2, 1, x);
     num t = given(T, "t");
     struct G(span) S = G(span_of_pattern)(1, 0, x);
+    num alpha = div(from_int(1), G(product_of_differences)(S.t, 0, 1, 1, fault(T, 0, 1)));
+    num sum = mul(mul(sub(S.t[1], S.t[0]), alpha), G(power)(sub(S.t[1], t), 0));
     num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1)), value = G(basis_value)(&S, 0, 1, t);
+    found(T, "the sum", sum);
     found(T, "a_00", a);
     found(T, "N_0,1(t)", value);
-    about(T, "a_00, and N_0,1");
+    about(T, "the sum, and N_0,1(t)");
+    same(T, sum, value);
+    about(T, "a_00, and N_0,1(t)");
     same(T, a, value);
 }
 #endif
@@ -246,7 +251,7 @@ formula is proved first; then the printed one is compared with it, and the parit
 :title: The corrected formula gives the coefficient matrix
 :zh: 改正后的 (4.4.23)
 :given: orders $k=p+1$, odd and even, simple knots and $u$ variables
-:then: the columns of `bspline_matrix_simple` are the $N_{i,k}$ in powers of $u$
+:then: the columns of `bspline_matrix_simple`, the sums (4.4.23) with $t_l-t_\alpha$ and the exponent $k-1-j$, are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
 :degrees: 0..5 sampled 7
 :scope: simple knots
@@ -274,8 +279,8 @@ CLAIM(simple_matrix_is_the_matrix)
 :title: With the exponent k-1-j the printed matrix is (-1)^k times the right one
 :zh: 印式与正确矩阵相差 (-1)^k
 :given: orders $k=p+1$, odd and even, simple knots, variables
-:then: the printed $a_{ji}$, its exponent read as $k-1-j$, is $(-1)^ka_{ji}$
-:method: The printed formula by its letter against `bspline_matrix`.
+:then: the sum (4.4.23) with the exponent $k-1-j$ and the factors $t_\alpha-t_l$ is $(-1)^ka_{ji}$; with the factors $t_l-t_\alpha$ it is $a_{ji}$
+:method: Both sums by their letter against `bspline_matrix`, which computes the $a_{ji}$ by the recursion of de Boor and Cox.
 :degrees: 0..4 sampled 7
 :scope: simple knots
 :over: t#: knots
@@ -289,9 +294,11 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
     num A[CELLS];
     G(bspline_matrix)(k - 1, S.t, S.r, A);
     for (int j = 0; j < k; j++)
-        for (int i = 0; i < k; i++)
+        for (int i = 0; i < k; i++) {
             /* the printed entry is (-1)^k a_ji */
             same(T, G(printed_entry)(&S, i, j, 0, 1), G(signed_by)(fault(T, k, k + 1), A[j * k + i]));
+            same(T, G(printed_entry)(&S, i, j, 0, 0), A[j * k + i]);
+        }
 }
 
 /*
@@ -299,17 +306,17 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
 :title: The entries of the coefficient matrix for simple knots
 :zh: 单节点系数矩阵的元素
 :printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
-  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,\dots,r;\ j=0,1,\dots,k-1
+  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r;\ j=0,1,\dots,k-1
 :class: misprint
 :refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
-:corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha\ne l}
+:corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha=i,\,\alpha\ne l}^{i+k}
   (t_l-t_\alpha)}
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
 :striking: 9
 :figure: simple_knots_sign
 
-Two faults: the sign, wrong for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, in the copy at hand if not in the book, which for even
-$k$ is wrong alone.
+Two faults: the factors, whose product has the wrong sign for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, which is wrong alone in the
+second counterexample.
 :::
 */
 
@@ -322,7 +329,7 @@ would change from term to term, and become negative.
 :title: The exponent k-l-j with the number of the knot is wrong
 :zh: 指数 k-l-j 中的 l 应为 1
 :kind: counterexample
-:given: $k=2$, where the sign is right, the simple knots $t_i$, $r$, $i$ and $j$
+:given: $k=2$, where the sign is right, the simple knots $t_i$, numbered from 0, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$
 :data: t_i = 0 1 3 5; r = 1; i = 1; j = 0
 :then: $a_{ji}=N_{i,k}(t_r)$ is 0; with the exponents $2-l$ for the two $l$ of the sum it is not
 :result: the printed a_ji = -7/8; N_i,k(t_r) = 0
@@ -354,15 +361,18 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :title: Equidistant knots may be taken as the integers
 :zh: 等距时不妨设 t_i=i
 :printed: when the knots of $T$ are equidistant, one may put $t_i=i$
-:holds-by: coefficient_matrix_is_affinely_invariant uniform_matrix_is_the_matrix
+:holds-by: uniform_matrix_is_the_matrix
+:confirmed-by: coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
+
+The knots are $a+hi$, and the matrix is that of $a=0$, $h=1$.
 :::
 
 :::{claim} uniform_matrix_is_the_matrix
 :title: The formula for equidistant knots gives the coefficient matrix
 :zh: 等距节点系数矩阵公式
 :given: orders $k=p+1$, the knots $a+hm$ with variables $a$ and $h$, $u$ variable
-:then: the columns of `bspline_matrix_uniform` are the $N_{i,k}$ in powers of $u$
+:then: the columns of `bspline_matrix_uniform`, the printed sums, in which neither $a$ nor $h$ stands, are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
 :degrees: 0..6 sampled 8
 :over: a: first knot; h: gap
@@ -388,17 +398,16 @@ CLAIM(uniform_matrix_is_the_matrix)
 :::{statement} wang-ch4:uniform-start
 :title: The chain begins with formula 4.4.23
 :zh: 推导以 (4.4.23) 为起点
-:printed: with $t_i=i$ formula (4.4.23) becomes the first sum of the chain, whose sign is $(-1)^{j+k+l-i}$
+:printed: with $t_i=i$ formula (4.4.23) becomes the first sum of the chain, $a_{ji}=\binom{k-1}jk\sum_{l=r+1}^{i+k}\frac{(-1)^{j+k+l-i}(l-r)^{k-l-j}}{(l-i)!\,(i+k-l)!}$
 :class: invalid-proof
 :refuted-by: uniform_chain_does_not_follow
-:corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$; the misprinted sign of (4.4.23) is gone in the chain
-:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
+:corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$ and, in both, the exponent $k-1-j$
+:corrected-by: corrected_entry_becomes_the_first_sum
 :confirmed-by: uniform_chain_gives_the_matrix
 :figure: simple_knots_sign
 :::
 */
 
-#if RATIONAL
 /* (a)^exponent for any integer exponent. */
 static num G(any_power)(int a, int exponent)
 {
@@ -435,6 +444,33 @@ static num G(uniform_line)(int line, int k, int r, int i, int j, int one)
     return mul(front, sum);
 }
 
+/*
+:::{claim} corrected_entry_becomes_the_first_sum
+:title: Formula 4.4.23, its factors put right, becomes the first sum
+:zh: 改正后的 (4.4.23) 化为第一式
+:given: orders $k=p+1$, the knots $t_{r-k+1},\dots,t_{r+k}$, which are $a,a+1,\dots,a+2k-1$ with a variable $a$
+:then: for all $i$ and $j$ the sum (4.4.23) with the factors $t_l-t_\alpha$ and the exponent $k-1-j$ is the first sum with this exponent
+:method: Both sums by their letter.  In the first sum only differences of $l$, $i$ and $r$ stand, so that $r$ may be taken as $k-1$.
+:degrees: 0..6 sampled 8
+:over: a: first knot
+:control: the factors $t_\alpha-t_l$
+:::
+*/
+CLAIM(corrected_entry_becomes_the_first_sum)
+{
+    int k = T->degree + 1;
+    struct G(span) S = {.k = k, .r = k - 1};
+    num a = unknown(T, "a", 0);
+    for (int m = 0; m < 2 * k; m++) {
+        S.t[m] = add(a, from_int(m));
+        S.group[m] = m;
+    }
+    for (int j = 0; j < k; j++)
+        for (int i = 0; i < k; i++)
+            same(T, G(printed_entry)(&S, i, j, 0, fault(T, 0, 1)), G(uniform_line)(1, k, S.r, i, j, 1));
+}
+
+#if RATIONAL
 /* The 2k equidistant knots of the span [r, r+1), and the place of i among their functions. */
 static struct G(span) G(uniform_span)(int k, int r)
 {
@@ -493,7 +529,7 @@ The last sum knows nothing of $r$, and each term of the others is one of its ter
 :given: the orders $k=p+1$
 :then: for all $s$ and $j$ the fourth sum with the exponent $k-1-j$ is the entry of row $j$ and column $s$ of the kernel's matrix; $r$ is in neither
 :method: The sum by its letter, with the digit 1 where the letter $l$ stands for it; that the kernel's matrix is that of equidistant knots is
-  `uniform_matrix_is_the_matrix`, and that the other sums have the same terms `uniform_terms_pass_into_one_another`.
+  `uniform_matrix_is_the_matrix`.
 :degrees: 0..8
 :control: the sign $(-1)^{s+1}$ put before the sum
 :::
@@ -515,7 +551,7 @@ CLAIM(last_sum_gives_the_uniform_matrix)
 :title: From the printed formula 4.4.23 the first sum does not follow
 :zh: 由印出的 (4.4.23) 推不出第一式
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$
 :data: k = 1; r = 0; i = 0; j = 0
 :then: (4.4.23) gives the negative of the first sum of the chain; the exponents are 0 with either reading
 :result: (4.4.23) = -1; the first sum = 1
@@ -586,7 +622,7 @@ sum one entry is enough.
 :title: The exponent k-l-j of the first sum is wrong
 :zh: 第一式中指数 k-l-j 有误
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$
 :data: k = 2; r = 1; i = 1; j = 0
 :then: $a_{ji}=0$; the first sum, of which one exponent is 0 and the other negative, is not 0
 :result: the first sum = -3/2; a_ji = 0
@@ -606,7 +642,7 @@ CLAIM(uniform_letter_one_fails)
 :::{statement} wang-ch4:uniform-line-2
 :title: Second sum: i = r-k+1+s
 :zh: 等距情形第二式
-:printed: \binom{k-1}jk(-1)^j\sum_{l=r+1}^{r+l+s}\frac{(-1)^{l+r+s+1}(l-r)^{k-l-j}}{(l+k-r-1-s)!\,(r+s+l-l)!}
+:printed: a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{l=r+1}^{r+l+s}\frac{(-1)^{l+r+s+1}(l-r)^{k-l-j}}{(l+k-r-1-s)!\,(r+s+l-l)!}
 :class: misprint
 :refuted-by: uniform_letter_in_factorial_fails
 :corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
@@ -622,7 +658,7 @@ With $l$ in its own upper limit the sum has no meaning; with the limit and the e
 :title: The factorial (r+s+l-l)! of the second sum is wrong
 :zh: 第二式中阶乘 (r+s+l-l)! 有误
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$; the upper limit and the exponent taken with the digit 1
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=0$; the upper limit and the exponent taken with the digit 1
 :data: k = 1; r = 2; i = 2; j = 0
 :then: the only term of the second sum has $(r+s)!$ in the place of $0!$, so that it is not $a_{ji}$
 :result: the second sum = 1/2; a_ji = 1
@@ -642,7 +678,7 @@ CLAIM(uniform_letter_in_factorial_fails)
 :::{statement} wang-ch4:uniform-line-3
 :title: Third sum: v = l-r-1
 :zh: 等距情形第三式
-:printed: \binom{k-1}jk(-1)^j\sum_{v=0}^s\frac{(-1)^{v+s}(v+1)^{k-l-j}}{(v+k-s)!\,(s-v)!}
+:printed: a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{v=0}^s\frac{(-1)^{v+s}(v+1)^{k-l-j}}{(v+k-s)!\,(s-v)!}
 :class: misprint
 :refuted-by: uniform_letter_is_free_in_the_third_sum
 :corrected: the exponent is $k-1-j$
@@ -657,9 +693,9 @@ By the letter the sum has no value: $l$, the variable of the second sum, is boun
 :title: In the third sum the letter l is free, and with l = 2 it is no entry of the matrix
 :zh: 第三式中的字母 l 无所指
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$; a value of $l$, which nothing says
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=1$; a value of $l$, which nothing says
 :data: k = 2; r = 1; i = 1; j = 0; l = 2
-:then: $a_{ji}=0$; the third sum with this $l$ is not 0, and with $l=1$ it is
+:then: $a_{ji}=0$; the third sum with this $l$ is not 0, and with $l=1$ it is 0
 :result: the third sum = -1; a_ji = 0
 :method: The sum by its letter, $l$ being a number.
 :control: $l=1$, the exponent $k-1-j$
@@ -677,11 +713,11 @@ CLAIM(uniform_letter_is_free_in_the_third_sum)
 :::{statement} wang-ch4:uniform-line-4
 :title: Fourth sum: l = s-v
 :zh: 等距情形第四式
-:printed: \binom{k-1}jk(-1)^j\sum_{l=0}^s\frac{(-1)^l(s-l+1)^{k-l-j}}{(k-l)!\,l!}
+:printed: a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{l=0}^s\frac{(-1)^l(s-l+1)^{k-l-j}}{(k-l)!\,l!}
 :class: misprint
 :refuted-by: uniform_letter_in_last_sum_fails
 :corrected: the exponent is $k-1-j$
-:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
+:corrected-by: last_sum_gives_the_uniform_matrix uniform_matrix_is_the_matrix
 :confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_letter
 :::
@@ -690,7 +726,7 @@ CLAIM(uniform_letter_is_free_in_the_third_sum)
 :title: The exponent k-l-j of the fourth sum is wrong
 :zh: 第四式中指数 k-l-j 有误
 :kind: counterexample
-:given: $t_i=i$; $k$, $r$, $i$ and $j$
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=1$
 :data: k = 2; r = 1; i = 1; j = 0
 :then: $a_{ji}=0$; the fourth sum with the exponents $k-l-j$ is not 0
 :result: the fourth sum = 2; a_ji = 0
@@ -716,7 +752,7 @@ CLAIM(uniform_letter_in_last_sum_fails)
 :confirmed-by: uniform_chain_gives_the_matrix
 :figure: uniform_matrices
 
-The last $l$ is a new one: it is $r+1+s$ minus the old.  With the digit 1 in the exponents, see `uniform-line-1` to `uniform-line-4`, each term of a sum is one of the next.
+The last $l$ is a new one: it is $r+1+s$ minus the old.  Each term of a sum is one of the next where the digit 1 stands for the letter $l$ that is printed in the exponents.
 :::
 
 :::{claim} uniform_terms_pass_into_one_another
@@ -724,8 +760,7 @@ The last $l$ is a new one: it is $r+1+s$ minus the old.  With the digit 1 in the
 :zh: 三次替换逐项成立
 :given: $k$, $r$, $s$ and $v$, variables; $i=r-k+1+s$, $l=r+1+v$ for the old $l$, $s-v$ for the new one
 :then: base, factorials and exponents of the term $l$ of the first sum are those of the term $l$ of the second, $v$ of the third and $s-v$ of the fourth, and the exponents of $-1$ differ by even
-  numbers; the terms $l=r+1,\dots,i+k$ are $l=r+1,\dots,r+1+s$, then $v=0,\dots,s$, then $s,\dots,0$; and in (4.4.23), with $t_l-t_\alpha=l-\alpha$, the
-  product over $\alpha\ne l$ is $(l-i)!\,(-1)^{i+k-l}(i+k-l)!$, whose exponent of $-1$ differs from $k+l-i$ by an even number
+  numbers; the terms $l=r+1,\dots,i+k$ are $l=r+1,\dots,r+1+s$, then $v=0,\dots,s$, then $s,\dots,0$
 :method: Identities in the four letters, factor by factor, the digit 1 where the letter $l$ stands for it.  The factor $(-1)^j$, the binomial coefficient, $k$ and the exponent $k-1-j$ stand in
   all four.
 :degrees: all
@@ -753,7 +788,6 @@ CLAIM(uniform_terms_pass_into_one_another)
     same(T, sub(sign[0], sign[1]), mul(two, sub(sub(sub(k, r), s), one)));
     same(T, sub(sign[1], sign[2]), mul(two, add(r, one)));
     same(T, sub(sign[2], sign[3]), mul(two, v));
-    same(T, sub(sub(add(k, l), i), sub(add(i, k), l)), mul(two, sub(l, i)));
     about(T, "the last term");
     same(T, add(i, k), add(add(r, one), s));
 }
