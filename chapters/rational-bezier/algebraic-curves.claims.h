@@ -69,7 +69,7 @@ CLAIM(hyperbola_has_the_printed_form_for_degree_one)
 :::{claim} highest_terms_go_along_with_an_affine_map
 :title: The highest terms of a polynomial go along with an affine map, and do not vanish, in every degree
 :zh: 仿射变换下最高次项仍为最高次项(任意次数)
-:given: a polynomial whose part of highest degree $d$ is $p$, as $S^dp+q$ with $S^{-d}q$ of lower degree in a letter $S$ that counts the degree; one more factor $S(a_0x+b_0y)+e$; an affine map
+:given: a polynomial $S^dp+q$ in a letter $S$ that counts the degree, $q$ of a degree less than $d$ in it, so that $p$ is the part of highest degree; one more factor $S(a_0x+b_0y)+e_0$; an affine map
   $u=a_0x+b_0y+e_0$, $v=a_1x+b_1y+e_1$, $D=a_0b_1-a_1b_0\ne0$
 :where: the map is invertible
 :then: the product has the part $p\,(a_0x+b_0y)$ of degree $d+1$, and the rest is of lower degree; and $x=\frac{b_1(u-e_0)-b_0(v-e_1)}D$, $y=\frac{a_0(v-e_1)-a_1(u-e_0)}D$

@@ -97,7 +97,8 @@ static num G(scalar)(const num o[], const num a[], const num b[])
   $r^2\sin^2\theta=l^2$, so $r=l\csc\theta$; $\cos\angle R_0CR_2=2\cos^2\theta-1$ and
   $\sin\angle R_0CR_2=2\sin\theta\cos\theta$; the arc lies on the side of $R_1$ and the centre on the other side
   of the chord, so the central angle of the arc is $2\theta<\pi$
-:method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  The
+:method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  $R_1$ is to the left of $R_0R_2$; with
+  $R_1$ to the right the ends, their weights, and $t$ and $1-t$ are exchanged.  The
   sides of the chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
 :defines: circular_arc_circle
 :scope: 0 ≤ t ≤ 1

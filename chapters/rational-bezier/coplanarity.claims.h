@@ -323,20 +323,20 @@ CLAIM(motion_takes_a_plane_to_the_coordinate_plane)
 /*
 
 :::{statement} wang-ch3:prop-3.2.9-step-2
-:title: If z(t) vanishes, so does its numerator
-:zh: z(t) 恒为零则分子恒为零
-:printed: Z(t)/\omega(t)=\sum_{i=0}^nB_i^n(t)\omega_iz_i/\omega(t)\equiv0\ \Rightarrow\
-  \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0,\quad 0\le t\le1
+:title: z(t) vanishes where its numerator does
+:zh: z(t) 恒为零即分子恒为零
+:printed: then $Z(t)/\omega(t)=\sum_{i=0}^nB_i^n(t)\omega_iz_i/\omega(t)\equiv0$, that is $\sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0$,
+  $0\le t\le1$
 :holds-by: mean_grows_by_one_term
 :confirmed-by: plane_form_of_the_curve
 
-The mean of the numbers $z_i$ is the quotient of the two sums; where it is 0, its numerator is.
+The mean of the numbers $z_i$ is the quotient of the two sums; it is 0 where its numerator is, and nowhere else.
 :::
 
 :::{statement} wang-ch3:prop-3.2.9-step-3
 :title: The Bernstein functions are linearly independent
 :zh: Bernstein 基线性无关
-:printed: \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0\ \Rightarrow\ \omega_iz_i=0,\quad i=0,1,\dots,n
+:printed: with $\sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0$ one has, by the linear independence of the basis, $\omega_iz_i=0$, $i=0,1,\dots,n$
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
 
@@ -374,7 +374,9 @@ CLAIM(collocation_determinant_does_not_vanish)
 :::{statement} wang-ch3:prop-3.2.9-step-4
 :title: The weights can be divided out
 :zh: 约去权因子
-:printed: \omega_iz_i=0\ \Rightarrow\ z_i=0,\quad i=0,1,\dots,n
+:printed: $\omega_iz_i=0$ or (或) $z_i=0$, $i=0,1,\dots,n$, that is, the $\mathbf R_i$ are in the $xy$-plane
+:meant: the words "that is, the $\mathbf R_i$ are in the $xy$-plane" | From $\omega_iz_i=0$ it follows that $z_i=0$: the word 或 joins a second form of the same
+  equations.
 :holds-by: weight_can_be_divided_out
 :confirmed-by: plane_function_determines_the_vertices
 :needs: weight_zero_hides_the_vertex | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_i\ne0$

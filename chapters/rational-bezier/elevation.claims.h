@@ -651,7 +651,7 @@ CLAIM(elevated_polygons_converge)
     nonnegative(T, sub(div(l, sub(N, l)), gap));
 
     about(T, "(1), i <= l");
-    num early = whole(T, "j", 0, 3), late = add(early, p), M = add(late, r);
+    num early = whole(T, "j", 0, 3), beyond = whole(T, "q", 0, 3), late = add(early, beyond), M = add(late, r);
     nonnegative(T, sub(div(late, sub(M, late)), div(early, M)));
 
     about(T, "(2)");
@@ -694,8 +694,7 @@ CLAIM(elevated_parabola_misses_by_one_over_degree)
 
 #if RATIONAL
 /*
-Nor is the order better for other rational curves: of those that follow the second has an error that, multiplied by
-$N$, seems to settle at a number that is not $0$.
+The bound is compared with computed errors.  That of the second curve is shown multiplied by $N$.
 
 :::{claim} elevated_polygons_within_their_bound
 :title: Computed elevations stay within the bound

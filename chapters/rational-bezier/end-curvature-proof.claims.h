@@ -205,7 +205,7 @@ believed.
 :title: The first derivative at t = 0
 :zh: t=0 处一阶导矢
 :printed: \mathbf R'(0)=n\,\omega_1\mathbf a_1/\omega_0
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -213,7 +213,7 @@ believed.
 :title: The second derivative at t = 0
 :zh: t=0 处二阶导矢
 :printed: \mathbf R''(0)=n(n-1)\,\omega_2\mathbf a_2/\omega_0+f_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -221,7 +221,7 @@ believed.
 :title: The third derivative at t = 0
 :zh: t=0 处三阶导矢
 :printed: \mathbf R'''(0)=n(n-1)(n-2)\,\omega_3\mathbf a_3/\omega_0+g_2\mathbf a_2+g_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -229,7 +229,7 @@ believed.
 :title: What the coefficients f_1, g_1, g_2 depend on
 :zh: f_1、g_1、g_2 的依赖关系
 :printed: Here $f_1$, $g_2$, $g_1$ are determined by the weights and $n$.
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 
 They are, with $\omega'=n(\omega_1-\omega_0)$ and $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$, the derivatives of $\omega$ at $0$:
@@ -275,8 +275,8 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
   $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$,
   $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
   $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
-:method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$
-  (`change_of_parameter_acts_on_one_factor`); numerator and denominator are divided as power series, with $n$ a
+:method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$;
+  numerator and denominator are divided as power series, with $n$ a
   variable of the field.  At $1$ the same in $s=1-t$ with the polygon reversed, where
   $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.  What does not exist
   for $n<3$ has a factor $0$.  A coordinate is any coordinate.
@@ -476,7 +476,7 @@ CLAIM(factor_of_the_curvature_is_positive)
 :zh: t=1 处同理
 :printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive for the curvature; the example is to be read in reversed order.

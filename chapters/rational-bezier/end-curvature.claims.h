@@ -256,7 +256,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :printed: The curvature $\kappa$ and the torsion $\tau$ at the ends: let no control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,2,\dots,n$; then
   (3.2.5) and (3.2.6).
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide | $\mathbf
   a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$; that is all that the formulas of the curvature use of the hypothesis; other
@@ -274,7 +274,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(0)=\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\frac{\|\mathbf
   a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_curvature_at_zero
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_0\ne\mathbf R_1$.
@@ -293,7 +293,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf
   a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
@@ -308,7 +308,7 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(\mathbf a_1,\mathbf
   a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  bernstein_sum_begins_with_its_differences
 :confirmed-by: end_torsion_at_zero
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$: the first three points are not on a line.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_3$ and $\mathbf a_3$ do not exist: whatever stands for them, the factor $n-2$
@@ -324,7 +324,7 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(\mathbf
   a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}$.
 :holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
-  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  bernstein_sum_begins_with_its_differences
 :confirmed-by: end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
   to be read in reversed order.

@@ -32,9 +32,10 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the
   equality sign says; already the cubic $(\tau,\tau^3)$ has another one
 :reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections
+:reading: flat_point_has_another_envelope | the same for $r=1$, with the restriction to curves with $\mathbf R'\times\mathbf R''\ge0$
 :corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
-  $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
-  $\mathbf R$ alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$
+  $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; with positive weights it is
+  $\mathbf R$ alone when the $\mathbf R_i$ are, in this order, the corners of a strictly convex polygon, so always for $n=2$ and a true triangle; for $r=1$
   and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
   convex_polygon_has_one_envelope_in_every_degree determinant_of_three_sums_goes_by_triples
@@ -43,9 +44,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :figure: envelope_extra
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
-$\operatorname{env}$ means is not said in this chapter.  When three points lie on a line the condition holds everywhere
-(`flat_polygon_has_no_envelope`).  Where $R'\times R''=0$ and a further envelope appears, the curve need not change its side
-(`flat_point_has_another_envelope`).
+$\operatorname{env}$ means is not said in this chapter.
 :::
 
 The factorization takes three steps.  The condition is first brought from points to homogeneous vectors, where it is a
@@ -252,7 +251,7 @@ static enum cagd_sign_pattern G(turning)(int n, const num R[])
 :instead: t = 3/4
 :result: point of the member = (0,-1/16); X_t, X_c = (1,0) (1,0); F at the point = 4096
 :given: the points $R$ of a quartic, equal weights; the member $c$ of level $r$, and its point at $t=1-c$, both counted in
-  $[0,1]$; the equation of the quartic is given in `second_envelopes_by_elimination`
+  $[0,1]$
 :then: there the envelope condition is satisfied at a point that is not on the curve; the curve's curvature is positive
   throughout
 :method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$; the value of (3.4.1) at the point is compared with 0.  That $R'\times R''$ is positive on the closed interval is decided first, by its sign as a

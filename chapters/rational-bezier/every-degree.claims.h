@@ -34,32 +34,87 @@ static inline num G(factor_at)(num t, num Z) { return add(sub(from_int(1), t), m
 :control: $i+1$ for $i$ in $C(n,i-1)$
 :::
 */
-CLAIM(bernstein_sum_of_powers_is_a_power)
+/* C(n,i), C(n,i-1) and C(n+1,i), of which the two last are c i/k and c (i+k)/k with c = C(n,i), k = n + 1 - i, by the definition. */
+struct G(pascal) {
+    int n;
+    num here, before, next;
+};
+static struct G(pascal) G(neighbouring_binomials)(trial *T)
 {
-    num one = from_int(1), t = parameter(T, "t"), u = unknown(T, "u", 0), rest = sub(one, t);
+    num one = from_int(1);
 #if FIELD
     num i = whole(T, "i", 1, 5), k = whole(T, "k", 1, 5), c = unknown(T, "c", 0);
+    int n = 0;
 #else
     int index = pick(T, 1, 5), last = pick(T, 1, 5), n = index + last - 1;
     num i = from_int(index), k = from_int(last), c = from_int(binomial(n, index));
 #endif
-    num before = div(mul(c, fault(T, i, add(i, one))), k), next = div(mul(c, add(i, k)), k);
+    struct G(pascal) p = {n, c, div(mul(c, fault(T, i, add(i, one))), k), div(mul(c, add(i, k)), k)};
 #if !FIELD
     about(T, "binomial coefficients");
-    same(T, before, from_int(binomial(n, index - 1)));
-    same(T, next, from_int(binomial(n + 1, index)));
+    same(T, p.before, from_int(binomial(n, index - 1)));
+    same(T, p.next, from_int(binomial(n + 1, index)));
 #endif
+    return p;
+}
+
+/* (1-t) B_i^n + t B_{i-1}^n = B_i^{n+1}, with u = t^{i-1} (1-t)^{k-1} */
+static void G(next_bernstein_function)(trial *T, struct G(pascal) p, num t)
+{
+    num u = unknown(T, "u", 0), rest = sub(from_int(1), t);
+    num here = mul(p.here, mul(t, u)), there = mul(p.before, mul(rest, u));
     about(T, "from one degree to the next");
-    /* (1-t) B_i^n + t B_{i-1}^n = B_i^{n+1} */
-    num here = mul(c, mul(t, u)), there = mul(before, mul(rest, u));
-    same(T, add(mul(rest, here), mul(t, there)), mul(next, mul(mul(t, rest), u)));
+    same(T, add(mul(rest, here), mul(t, there)), mul(p.next, mul(mul(t, rest), u)));
+}
+
+CLAIM(bernstein_sum_of_powers_is_a_power)
+{
+    num t = parameter(T, "t");
+    struct G(pascal) p = G(neighbouring_binomials)(T);
+    G(next_bernstein_function)(T, p, t);
 #if !FIELD
     num Z = unknown(T, "Z", 0), b[MAX_DEGREE + 1], value;
-    for (int j = 0; j <= n; j++)
+    for (int j = 0; j <= p.n; j++)
         b[j] = G(power)(Z, j);
-    G(bezier_casteljau)(n, 1, b, t, &value);
+    G(bezier_casteljau)(p.n, 1, b, t, &value);
     about(T, "the sum and the power");
-    same(T, value, G(power)(G(factor_at)(t, Z), n));
+    same(T, value, G(power)(G(factor_at)(t, Z), p.n));
+#endif
+}
+
+/*
+:::{claim} bernstein_sum_begins_with_its_differences
+:title: The Taylor coefficients of a Bernstein sum at its beginning, in every degree
+:zh: Bernstein 和在起点的 Taylor 系数(任意次数)
+:given: $b_i=Z^i$, whose differences are $\Delta^jb_0=(Z-1)^j$; $n\ge0$
+:then: $\sum_iB_i^n(t)b_i=\sum_j\binom nj\Delta^jb_0\,t^j$
+:method: Induction on $n$: the step multiplies either side by $1-t+tZ=1+t(Z-1)$.  On the left it makes $B_i^{n+1}(t)=(1-t)B_i^n(t)+tB_{i-1}^n(t)$ the factor of $Z^i$, on the right
+  $\binom nj+\binom n{j-1}=\binom{n+1}j$ that of $t^j(Z-1)^j$.  With $C(n,i)=c$ and $k=n+1-i$ the definition by factorials gives $C(n,i-1)=c\frac ik$ and
+  $C(n+1,i)=c\frac{i+k}k$; $i$, $k$, $c$, $t$, $Z$ and $t^{i-1}(1-t)^{k-1}=u$ are variables.  For $i=0$ and $i=n+1$ there is one term on either side.  The equation is linear in
+  the $b_i$ and holds for all of them, since the powers of $Z$ are independent.  Outside the field $i$ and $k$ are random integers, and the two sums are compared as well.
+:degrees: all
+:over: i k c u Z t: -
+:control: $i+1$ for $i$ in $C(n,i-1)$
+:::
+*/
+CLAIM(bernstein_sum_begins_with_its_differences)
+{
+    num t = parameter(T, "t"), Z = unknown(T, "Z", 0), delta = sub(Z, from_int(1));
+    struct G(pascal) p = G(neighbouring_binomials)(T);
+    G(next_bernstein_function)(T, p, t);
+    about(T, "the factor of the step");
+    same(T, G(factor_at)(t, Z), add(from_int(1), mul(t, delta)));
+    about(T, "Pascal's rule");
+    same(T, add(p.here, p.before), p.next);
+#if !FIELD
+    num b[MAX_DEGREE + 1], value, sum = from_int(0);
+    for (int j = 0; j <= p.n; j++) {
+        b[j] = G(power)(Z, j);
+        sum = add(sum, mul(from_int(binomial(p.n, j)), G(power)(mul(t, delta), j)));
+    }
+    G(bezier_casteljau)(p.n, 1, b, t, &value);
+    about(T, "the two sums");
+    same(T, value, sum);
 #endif
 }
 
@@ -282,7 +337,7 @@ CLAIM(positive_terms_make_a_convex_mean)
   whose weight $\omega_i$ has grown by $\delta$, for every $n$; a quotient of polynomials in $\varepsilon$ with a denominator that is not
   0 at $\varepsilon=0$ is continuous there, so its value is the limit for $\omega_i\to\infty$.
 :degrees: all
-:over: W#: weights; c: δ; M# R#: points
+:over: W#: weights; c: increase of a weight; M# R#: points
 :control: $1-q$ for $q$
 :::
 */

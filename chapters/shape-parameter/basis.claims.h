@@ -273,15 +273,16 @@ The text only gives the name; what is decided is whether they are linearly indep
 :title: The functions are linearly independent unless beta is -7 or -21/4
 :zh: 线性无关的充要条件
 :kind: decision
-:data: β = -7 -21/4
-:result: rank, corrected functions = 7 7; rank, printed functions = 7 7
-:given: all complex $\beta$, the printed and the corrected functions
+:data: β = -7 -21/4; k, corrected functions = 0 0 -1 27/5 -27/5 1 0 0
+:result: rank, corrected functions = 7 7; rank, printed functions = 7 7; changes of sign of k = 3
+:given: all complex $\beta$, the printed and the corrected functions; for the second value of $\beta$ coefficients $k$
 :then: the nine determinants of the largest order of the matrix of Bernstein coefficients vanish together exactly for
-  two values of $\beta$; for these the rank is that of seven functions
+  two values of $\beta$; for these the rank is that of seven functions; for the second the combinations of the corrected functions that are 0
+  are the multiples of $\sum k_iB_i$, whose coefficients change their sign three times
 :method: The determinant without row $r$ is, up to positive numbers, the polynomial
   $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$ in $\beta$, since the rows before $r$ leave a lower and those after it an
   upper triangle.  The greatest common divisor of the nine is computed; its squarefree part
-  has these two roots and no other.  The two ranks by elimination.
+  has these two roots and no other.  The two ranks by elimination; rank 7 leaves the multiples of one combination, and $\sum k_iB_i$ is the zero polynomial.
 :degrees: 7..7
 :scope: every complex β
 :control: only the last two of the determinants
@@ -317,6 +318,12 @@ CLAIM(functions_are_independent_but_for_two_values)
         }
         found_points(T, rank_of[printed_ones], 2, 1, rank);
     }
+    num k[8];
+    given_points(T, "k, corrected functions", 8, 1, k);
+    int changes = G(sign_changes)(7, k);
+    agree(T, poly_is_zero(G(combination)(0, 7, value[1], k)));
+    found_whole(T, "changes of sign of k", changes);
+    agree(T, changes == 3);
 }
 
 /* Whether sum k_i B_i is the zero polynomial for the printed and for the corrected functions, the eight k given for each. */

@@ -40,8 +40,8 @@ sense, for a triangle and its base.
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
 it none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is
-possible, and $t=0$, $t=1$ are one point of the curve.  The whole curve is on a line only at $\beta=-\frac{21}4$, for multiples of the
-coefficients of `a_combination_vanishes`, which have three changes.
+possible, and $t=0$, $t=1$ are one point of the curve.  All of $f$ is 0 only at $\beta=-\frac{21}4$, for multiples of
+coefficients that change their sign three times.
 :::
 
 :::{statement} deng-zhang-2022:property-3.7-reason

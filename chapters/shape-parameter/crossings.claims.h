@@ -48,7 +48,8 @@ With two neighbours $k_{i-1},k_i$ each Bernstein coefficient of $\sum k_iB_i$ is
 matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.
 With the sum 1 this is said of $k_i=u\cdot(P_i-Q)$ and of the distance of the curve from $L$.  Every change of sign is a crossing of the polygon, with
 a common point or edge of its own; an end of the curve is on $L$ when that end of the polygon is.  Below the range and above it one function has a zero inside,
-and three points or one make a polygon on one side of a line that its curve meets.
+and three points or one make a polygon on one side of a line that its curve meets.  With the printed functions and $\beta\ne0$ the curve of eight equal points
+$P$ that are not the origin is $(1-4\beta(1-t)^3t^4)P$, and meets lines that do not meet $P$.
 :::
 */
 

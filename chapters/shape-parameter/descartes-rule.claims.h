@@ -254,7 +254,7 @@ CLAIM(first_coefficient_gives_the_sign)
 :zh: k_0>0 且变号七次时 k_7<0
 :kind: decision
 :given: all sequences of eight signs $-1,0,1$ that begin with 1
-:then: where the sign changes seven times, the last is $-1$
+:then: where the sign changes seven times, the last is $-1$; where it changes $m$ times and the last is not 0, the last is $(-1)^m$
 :method: All are counted through.
 :degrees: 7..7
 :control: those with six changes
@@ -267,7 +267,9 @@ CLAIM(seven_changes_end_below_zero)
         num k[8] = {from_int(1)};
         for (int i = 1, rest = code; i <= 7; i++, rest /= 3)
             k[i] = from_int(rest % 3 - 1);
-        if (G(sign_changes)(7, k) != fault(T, 7, 6))
+        int changes = G(sign_changes)(7, k);
+        agree(T, is_zero_q(k[7]) || (sign_q(k[7]) > 0) == (changes % 2 == 0));
+        if (changes != fault(T, 7, 6))
             continue;
         found_some = 1;
         agree(T, sign_q(k[7]) < 0);
@@ -279,7 +281,8 @@ CLAIM(seven_changes_end_below_zero)
 :::{statement} deng-zhang-2022:property-3.6-case-1
 :title: Seven changes of sign: at most seven roots
 :zh: 情形 1
-:printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
+:printed: for $k_0>0$ and $SA=7$ one has by a lemma $k_7<0$; $f$ is continuous on $[0,1]$, $f(0)=k_0$, $f(1)=k_7$; with eight roots in $(0,1)$ it would be
+  $f(1)=k_7>0$, a contradiction, so that (15) holds
 :holds-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends seven_changes_end_below_zero
 :figure: roots_at_minus_seven
 
@@ -294,7 +297,7 @@ The lemma that is cited for $k_7<0$ is not in the text.
 :class: invalid-proof
 :corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
   when $k_7=0$ it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
-:corrected-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends
+:corrected-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends seven_changes_end_below_zero
   totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven

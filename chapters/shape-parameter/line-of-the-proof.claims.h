@@ -25,9 +25,8 @@ intersections" is true or false according to what is counted.
 :printed: let $L$ be the line (or plane) through the point $Q$ with the normal vector $u$
 :definition: yes
 :checked-by: points_of_a_line_by_its_normal
+:needs: no_normal_no_line | the words themselves, since a normal vector is not 0 | $u\ne0$
 :figure: line_along_an_edge
-
-A normal vector is not 0 (`no_normal_no_line`).
 :::
 
 :::{claim} points_of_a_line_by_its_normal
@@ -211,7 +210,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
 :class: false
 :corrected: for the corrected functions (`sec-2-properties`) the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters $t$ of common
-  points with $0<t<1$; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
+  points with $0<t<1$; with the printed functions the function is $(q(t)-Q)\cdot u$ only for $\beta=0$ or $Q\cdot u=0$
 :corrected-by: line_function_of_the_curve
 :figure: crossings_off_the_polygon
 

@@ -22,14 +22,12 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
   triangle $b_0b_1b_2$, its weight at $b_1$ does not fall and those at $b_0$ and $b_2$ do not grow; if the polygon is convex and turns by
-  at most two right angles,  each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1
+  at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :striking: 11
-
-Below this range a point can move inward: `below_the_range_a_larger_beta_pulls_inward`.
 
 Outward is to the right of $q'$, or along it, where the polygon turns to the left: $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with
 the factors of the claims, none of them positive in the range.
@@ -135,8 +133,9 @@ another one it is lost.
 :printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
 :class: false
-:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it
-  holds for the convex polygon of the decision and fails for that of the second counterexample
+:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$, the largest
+  distances of points of the curves from the polygon being compared, it holds for the convex polygon of the decision and fails for that of the
+  second counterexample
 :corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::

@@ -302,8 +302,8 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
 :refuted-by: second_function_decreases
 :class: false
 :corrected: for $0<t<1$: $B_0$ and $B_7$ decrease; $B_1$ increases exactly for $t<\frac15$, $B_2$ for $t<\frac49$, $B_5$ for
-  $t>\frac59$, $B_6$ for $t>\frac45$, and beyond these points they decrease; the corrected $B_3$ and $B_4$ increase.  Of the
-  printed ones $\hat B_4$ increases, $\hat B_3$ only for $t<\frac59$
+  $t>\frac59$, $B_6$ for $t>\frac45$, and on the other side of these points they decrease; the corrected $B_3$ and $B_4$ increase.  Of the
+  printed ones $\hat B_4$ increases, and $\hat B_3$ exactly for $t<\frac59$
 :corrected-by: slopes_in_beta signs_of_the_slopes
 :figure: slopes_in_beta
 :striking: 9

@@ -55,8 +55,8 @@ the range from $-\frac{21}4$ to 1.
 :printed: from the point of view of approximation the curve is better than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: for $\beta=1$ it depends on the polygon: to the convex polygon of the decision the curve is nearer than the Bézier curve, to the
-  convex one of the first counterexample it is not
+:corrected: for $\beta=1$ it depends on the polygon: by the largest distance of its points from the polygon the curve is nearer than the Bézier curve to the convex
+  polygon of the decision, and not to the convex one of the first counterexample
 :corrected-by: convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::
@@ -90,8 +90,8 @@ the range from $-\frac{21}4$ to 1.
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
 :corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions and $0,0,0,0,5v,v,v,v$ with the printed
-  ones; to the convex polygon of the last decision the curve of $\beta=1$ is
-  nearer than that of $\beta=0$, to the one of the first counterexample it is not
+  ones; by the largest distance of its points from the polygon the curve of $\beta=1$ is
+  nearer than that of $\beta=0$ to the convex polygon of the last decision, and not to the one of the first counterexample
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::
@@ -237,12 +237,13 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 :printed: rational Bézier curves, with the control points unmoved, have weights, which can adjust the shape of the curve
 :holds-by: two_middle_weights_give_two_arcs
 :confirmed-by: more_weight_moves_a_mean_to_its_point growing_weight_pulls_each_point_straight_to_the_vertex
+:meant: the word can (可以) | Some change of the weights changes the shape.
+:reading: weights_in_a_progression_keep_the_shape | read as "every change of the weights changes the shape": weights in a geometric progression may leave
+  the curve on the parabola of equal weights
+:reading: points_on_a_line_keep_their_segment | read in the same way, of points on a line: they may keep their segment
 :figure: geometric_weights
 
-They can, which does not say that every change of the weights does: weights in a geometric progression may leave the curve on the
-parabola of equal weights (`weights_in_a_progression_keep_the_shape`), and points on a line may keep their segment
-(`points_on_a_line_keep_their_segment`).  The sentence goes on that it is not clear yet how to choose the weights; that is an opinion,
-which no computation decides.
+The sentence goes on that it is not clear yet how to choose the weights; that is an opinion, which no computation decides.
 :::
 
 :::{claim} points_on_a_line_keep_their_segment
