@@ -43,11 +43,10 @@ static int same_point(const num P[], const num Q[]) { return equal_q(P[0], Q[0])
 :title: A straight joint with a jump of the derivative
 :zh: 斜率连续而导矢不连续
 :kind: counterexample
-:given: two pieces of one straight line, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two pieces of one straight line, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (2,0)
 :instead: P_II = (1,0) (1,0)
-:then: the pieces meet and both slopes are 0, but $P_{\mathrm I}'(1)\ne P_{\mathrm{II}}'(0)$;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: the pieces meet and both slopes are 0, but $P_{\mathrm I}'(1)\ne P_{\mathrm{II}}'(0)$
 :result: P_I(1), P_I'(1) = (1,0) (1,0); P_II(0), P_II'(0) = (1,0) (2,0)
 :method: The derivatives of both, by the kernel.
 :control: a second piece of the same speed
@@ -86,7 +85,7 @@ derivative continuous; the three conditions of the source say what this requires
 :confirmed-by: pieces_tend_to_their_ends
 :figure: joined_and_closed
 
-One letter for both curves; read as it stands, it makes one curve closed.
+One letter stands for both curves; the condition printed is that of one closed curve.
 
 For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ are multiples of $u$, so that the pieces tend to
 $P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$.
@@ -133,10 +132,9 @@ CLAIM(pieces_tend_to_their_ends)
 :title: Two segments in a row are joined, and neither is closed
 :zh: 相连的两段并不自闭
 :kind: counterexample
-:given: two segments in a row, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two segments in a row, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (1,0)
-:then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both
 :result: P_I(0), P_I(1) = (0,0) (1,0); P_II(0), P_II(1) = (1,0) (2,0)
 :method: The points at the ends, exactly.
 :control: the condition between the two curves
@@ -211,7 +209,7 @@ learned by heart.
   although no $\lambda$ is.
 :figure: joints_of_order
 
-The index $x$ stands for II, the second piece, as in (1-5-1) and (1-5-3).
+The index $x$ is read as II, that of the second piece.
 :::
 
 :::{claim} equal_unit_tangents_fix_the_ratio
@@ -247,11 +245,10 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :title: With a negative ratio the slope is continuous and the curve goes back
 :zh: 负比值使曲线折返
 :kind: counterexample
-:given: a first piece with the coefficients $P_{\mathrm I}$, and $\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$
+:given: a first piece $P_{\mathrm I}$, by its coefficients of $1$ and $t$, and $\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$
 :data: P_I = (0,0) (1,0); λ = -1
 :instead: λ = 2
-:then: the unit tangents of the two pieces are not equal;
-  $P_{\mathrm I}$ is given by the coefficients of $1$ and $t$
+:then: the unit tangents of the two pieces are not equal
 :result: unit tangents = (1,0) (-1,0)
 :method: Both, exactly.
 :control: a positive $\lambda$
@@ -279,11 +276,10 @@ CLAIM(negative_ratio_turns_back)
 :title: At a singular end of a straight piece no ratio satisfies the condition
 :zh: 奇异端点处条件失效
 :kind: counterexample
-:given: two pieces of one straight line without any corner, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two pieces of one straight line without any corner, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (-1,0) (2,0) (-1,0); P_II = (0,0) (1,0)
 :instead: P_I = (-1,0) (1,0) (0,0)
-:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it
 :result: P_I'(1) = (0,0); P_II'(0) = (1,0)
 :method: The derivatives by the kernel.
 :control: the first piece with its natural parameter
@@ -317,11 +313,11 @@ curvature that grows without bound.
 :holds-by: condition_keeps_the_curvature_vector
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 
-The index $x$ stands for II.  That it suffices is decided here.
+The index $x$ is read as II.  Decided is that the condition suffices.
 :::
 
 :::{statement} hu-1987:1-5-3-beta
@@ -331,7 +327,7 @@ The index $x$ stands for II.  That it suffices is decided here.
 :holds-by: condition_keeps_the_curvature_vector
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
@@ -396,23 +392,46 @@ static int conditions_hold(const num D[], const num E[], num lambda, num beta)
 :title: With the ratio 0 the conditions hold and the curvature is unbounded
 :zh: 比值为零时曲率无界
 :kind: counterexample
-:given: a straight first piece, and a second one that begins like a cusp, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$;
+:given: a straight first piece, and a second one that begins like a cusp, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$;
   $\lambda$ and $\beta$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (0,0) (1,0) (0,1) (0,0); λ = 0; β = 2
 :instead: P_II = (1,0) (0,0) (1,0) (0,0) (0,1)
-:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$
 :result: P_I, P_I', P_I'' = (1,0) (1,0) (0,0); P_II, P_II', P_II'' = (1,0) (0,0) (2,0); P_II' × P_II'' = "6*t^2"; limit of t²K² = 9/16
 :method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0
   at $t=0$, as for a bounded $K$, is refuted.
 :control: a second piece that begins like a parabola, of bounded curvature
 :::
 */
+/* Of a curve with the coefficients c that begins with P' = t^k U and P' x P'' = t^m v: v^2/|U|^6, the limit of t^(6k-2m) K^2 for t -> 0.
+ * *product is P' x P''; *divided says whether the powers of t below the k-th and the m-th do not occur. */
+static num limit_of_squared_curvature(int degree, const num c[], int k, int m, poly *product, int *divided)
+{
+    poly component[2], turn[2];
+    num U[2], of_axis[MAX_DEGREE + 1];
+    *divided = 1;
+    for (int j = 0; j < dim; j++) {
+        for (int i = 0; i <= degree; i++)
+            of_axis[i] = c[dim * i + j];
+        component[j] = poly_derivative(poly_from_q(degree + 1, of_axis));
+        turn[j] = poly_derivative(component[j]);
+        U[j] = poly_coefficient(component[j], k);
+        for (int i = 0; i < k; i++)
+            *divided &= is_zero_q(poly_coefficient(component[j], i));
+    }
+    *product = poly_sub(poly_mul(component[0], turn[1]), poly_mul(component[1], turn[0]));
+    for (int i = 0; i < m; i++)
+        *divided &= is_zero_q(poly_coefficient(*product, i));
+    num v = poly_coefficient(*product, m);
+    return div(mul(v, v), G(power)(G(norm_squared)(dim, U), 3));
+}
+
 CLAIM(zero_ratio_has_unbounded_curvature)
 {
     enum { degree = 4 };
-    num first[4], second[2 * (degree + 1)], D[6], E[6], U[2];
-    poly component[2], turn[2];
+    num first[4], second[2 * (degree + 1)], D[6], E[6];
+    poly product;
+    int divided;
     given_points(T, "P_I", 2, 2, first);
     given_points(T, "P_II", degree + 1, 2, second);
     num lambda = given(T, "λ"), beta = given(T, "β");
@@ -420,17 +439,7 @@ CLAIM(zero_ratio_has_unbounded_curvature)
     G(power_derivatives)(degree, dim, second, from_int(0), 2, E);
     found_points(T, "P_I, P_I', P_I''", 3, 2, D);
     found_points(T, "P_II, P_II', P_II''", 3, 2, E);
-    for (int j = 0; j < dim; j++) {
-        num c[degree + 1];
-        for (int k = 0; k <= degree; k++)
-            c[k] = second[dim * k + j];
-        component[j] = poly_derivative(poly_from_q(degree + 1, c));
-        turn[j] = poly_derivative(component[j]);
-        U[j] = poly_coefficient(component[j], 1); /* P' = t U, at t = 0 */
-    }
-    poly product = poly_sub(poly_mul(component[0], turn[1]), poly_mul(component[1], turn[0]));
-    num v = poly_coefficient(product, 2), limit = div(mul(v, v), G(power)(G(norm_squared)(dim, U), 3));
-    int divided = is_zero_q(poly_coefficient(product, 0)) && is_zero_q(poly_coefficient(product, 1));
+    num limit = limit_of_squared_curvature(degree, second, 1, 2, &product, &divided);
     found_text(T, "P_II' × P_II''", poly_to_string(product, "t"));
     found(T, "limit of t²K²", limit);
     about(T, "the conditions holding, whether t²K² tends to 0");
@@ -438,16 +447,53 @@ CLAIM(zero_ratio_has_unbounded_curvature)
 }
 
 /*
+:::{claim} vanishing_derivatives_hide_a_jump_of_curvature
+:title: Where all derivatives vanish the conditions hold and the curvature jumps
+:zh: 导矢全为零时条件成立而曲率间断
+:kind: counterexample
+:given: a first piece on the $x$-axis, and a second one along the parabola $y=x^2$, which touches that axis, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of
+  $1,t,t^2,\dots$; $\lambda$ and $\beta$
+:data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (1,0) (0,0) (0,0) (0,1); λ = 1; β = 0
+:instead: P_II = (0,0) (0,0) (0,0) (1,0) (0,0) (0,0) (0,0)
+:then: (1-5-1) to (1-5-3) hold, every vector in them being 0; $K=0$ on the first piece, and on the second $K^2$ has a limit that is not 0 with $t\to0$
+:result: P_I, P_I', P_I'' = (0,0) (0,0) (0,0); P_II, P_II', P_II'' = (0,0) (0,0) (0,0); P_II' × P_II'' = "54*t^6"; limit of K² = 4
+:method: The conditions by the kernel; the first piece has $y=0$.  With $P'=t^2U$ and $P'\times P''=t^6v$, divided as polynomials, $K^2=v^2/|U|^6$; that it is 0 at
+  $t=0$, as on the first piece, is refuted.
+:control: a second piece on the axis as well
+:::
+*/
+CLAIM(vanishing_derivatives_hide_a_jump_of_curvature)
+{
+    enum { degree = 6 };
+    num first[8], second[2 * (degree + 1)], D[6], E[6];
+    poly product;
+    int divided, straight = 1;
+    given_points(T, "P_I", 4, 2, first);
+    given_points(T, "P_II", degree + 1, 2, second);
+    num lambda = given(T, "λ"), beta = given(T, "β");
+    G(power_derivatives)(3, dim, first, from_int(1), 2, D);
+    G(power_derivatives)(degree, dim, second, from_int(0), 2, E);
+    found_points(T, "P_I, P_I', P_I''", 3, 2, D);
+    found_points(T, "P_II, P_II', P_II''", 3, 2, E);
+    for (int k = 0; k < 4; k++)
+        straight &= is_zero_q(first[dim * k + 1]);
+    num limit = limit_of_squared_curvature(degree, second, 2, 6, &product, &divided);
+    found_text(T, "P_II' × P_II''", poly_to_string(product, "t"));
+    found(T, "limit of K²", limit);
+    about(T, "the conditions holding, whether K² tends to that of the first piece");
+    refute(T, conditions_hold(D, E, lambda, beta) && straight && divided && !is_zero_q(limit));
+}
+
+/*
 :::{claim} vanishing_derivatives_hide_a_corner
 :title: Where all derivatives vanish the conditions hold at a corner
 :zh: 导矢全为零时条件成立而有角点
 :kind: counterexample
-:given: two cubic pieces on the axes, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$; $\lambda$ and $\beta$
+:given: two cubic pieces on the axes, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$; $\lambda$ and $\beta$
 :data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (0,1); λ = 1; β = 0
 :instead: P_II = (0,0) (0,0) (0,0) (1,0)
 :then: (1-5-1) to (1-5-3) hold, every vector in them being 0; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
-  along the $y$-axis, $y'>0$: a corner of a right angle;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+  along the $y$-axis, $y'>0$: a corner of a right angle
 :result: P_I, P_I', P_I'' = (0,0) (0,0) (0,0); P_II, P_II', P_II'' = (0,0) (0,0) (0,0)
 :method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That there is no right angle is
   refuted.
@@ -511,11 +557,10 @@ $K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be conti
 :title: Two parabolas with one tangent and one curvature, bent to different sides
 :zh: 曲率相等而弯向相反
 :kind: counterexample
-:given: two parabolas that meet, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two parabolas that meet, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (-1,1) (1,-2) (0,1); P_II = (0,0) (1,0) (0,-1)
 :instead: P_II = (0,0) (1,0) (0,1)
-:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$
 :result: P_I', P_I'' = (1,0) (0,2); P_II', P_II'' = (1,0) (0,-2); K² = 4 4; P_II'' - P_I'' = (0,-4)
 :method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
 :control: a second parabola bent to the same side
@@ -780,10 +825,10 @@ CLAIM(length_of_a_piece_is_at_most_one)
 :title: A piece taken backward has a negative factor
 :zh: 反向截取
 :kind: counterexample
-:given: two parameters, the later one first
+:given: two parameters of $[0,1]$, the later one first
 :data: t_0 = 3/4; t_1 = 1/4
 :instead: t_0 = 1/4; t_1 = 3/4
-:then: $t_1-t_0$ is negative
+:then: $t_1-t_0$ is negative, so that it is no quotient of lengths
 :result: t_1 - t_0 = -1/2
 :method: The number, exactly.
 :control: $t_0$ and $t_1$ exchanged
@@ -873,7 +918,7 @@ CLAIM(fractional_change_of_a_power_curve)
 :title: With factors of different signs the parameter has a pole
 :zh: 异号时参数变换有极点
 :kind: counterexample
-:given: factors $p$ and $q$ of different signs, and a parameter $u$ of $(0,1)$
+:given: the change $t=\frac{pu}{pu+q(1-u)}$ with factors $p$ and $q$ of different signs, and a parameter $u$ of $(0,1)$
 :data: p = 1; q = -1; u = 1/2
 :instead: q = 1
 :then: the denominator $pu+q(1-u)$ vanishes
