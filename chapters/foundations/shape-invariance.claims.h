@@ -752,7 +752,7 @@ its values; section 1-2 has moved control points, which is another thing.
 :printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates, and geometric properties
   of a figure can be studied without relying on a coordinate system.
 :holds-by: image_of_a_power_curve_is_one matrices_pass_to_the_points translation_adds_the_sum_of_the_functions
-:hypothesis: image_keeps_no_chord | where the curve is a sum of points with functions as factors, these have the sum 1: the relation of Cauchy.
+:hypothesis: image_keeps_no_chord | functions that are the factors of points have the sum 1: the relation of Cauchy.
   The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
 :figure: two_cubes_and_their_image
 

@@ -21,6 +21,8 @@ In this way the whole frame is computed from four points, eight tangents and fou
 :holds-by: cubic_frame_takes_the_data_of_the_corners
 :confirmed-by: cubic_frame_of_corners_gives_the_product
 :figure: worked_patch
+
+In the text at hand the sums have no signs; those shown here have the data of the corners.
 :::
 */
 

@@ -203,6 +203,8 @@ the straight one between two corners; and this is what the third surface has the
 :needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | $f_0+f_1=1$: else the
   curves of $P_1$ from $0w$ to $1w$ need not be straight
 :figure: boolean_sum
+
+In the text at hand the three sums have no signs.
 :::
 
 :::{claim} linear_interpolation_runs_along_straight_lines
@@ -312,6 +314,7 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 :confirmed-by: shifted_frame_shifts_the_patch_by_a_product
 :figure: boolean_sum
 
+In the text at hand the sums of products have no signs; with those shown here the patch has the borders.
 The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its frame.
 :::
 
@@ -507,6 +510,8 @@ in more than the corners: from each of two borders the corner inherits a mixed d
 :hypothesis: two_twists_cannot_both_be_kept | at each corner the data agree: points, tangents, and the derivative of $0w_u$
   along its border with that of $u0_w$ along its own
 :figure: two_twists
+
+In the text at hand the sums of products have no signs; with those shown here the patch keeps its data.
 :::
 
 :::{statement} slides-ch4:3-corner-data

@@ -187,6 +187,8 @@ simplest data of all, those of a constant.
   $f'(t_i)=3a_3t_i^2+2a_2t_i+a_1$ for $i=0,1$
 :holds-by: cubic_equations_are_the_conditions
 :figure: nodes_that_meet
+
+In the text at hand the equations have no signs and no primes; those shown here are the four conditions.
 :::
 
 :::{claim} cubic_equations_are_the_conditions
@@ -506,6 +508,8 @@ In the text at hand the table has no primes; with those shown here it is true.
   $q_{00}'(0)=q_{01}'(0)=q_{11}'(0)=0$; $q_{11}'(1)=1$, $q_{00}'(1)=q_{01}'(1)=q_{10}'(1)=0$
 :holds-by: unit_functions_are_dual_to_the_data
 :figure: hermite_blending_functions
+
+In the text at hand the table has no primes; with those shown here it is true.
 :::
 
 :::{claim} blending_functions_are_dual_to_the_data
@@ -647,7 +651,8 @@ In the text at hand the formulas have no signs and no primes; those shown here a
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 
-The letter $\varphi$ stands for the polynomial as a function of $u$.  In the text at hand the formulas have no primes; those shown here are true.
+The letter $\varphi$ stands for the polynomial as a function of $u$.  In the text at hand the formulas have no signs and no primes; those
+shown here are true.
 :::
 
 :::{claim} unit_blending_functions

@@ -684,10 +684,40 @@ CLAIM(another_coordinate_changes_no_other)
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:hypothesis: weights_of_both_signs_make_a_pole | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
+:hypothesis: quotient_with_a_pole_is_unbounded | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
 
 For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.
 :::
+*/
+
+#if RATIONAL
+/*
+:::{claim} quotient_with_a_pole_is_unbounded
+:title: A quotient of polynomials with a pole in the interval has no bound
+:zh: 区间内有极点的有理函数无界
+:kind: counterexample
+:data: d = 1 -2; t = 1/2
+:instead: d = 1 1
+:result: d_0 + d_1 t = 0
+:given: the coordinate $x(s)=\frac1{d_0+d_1s}$ for $0\le s\le1$, and a parameter $t$ of $(0,1)$
+:then: the denominator is $d_1(s-t)$, so that $|x(s)|=\frac1{|d_1||s-t|}$ is more than any bound near $t$, and $x$ has no value at $t$
+:method: The denominator at $t$, and $d_1$, exactly; that the first is not 0, or the second is, is refuted.
+:control: another denominator
+:::
+*/
+CLAIM(quotient_with_a_pole_is_unbounded)
+{
+    num d[2], t = given(T, "t");
+    given_points(T, "d", 2, 1, d);
+    num below = add(d[0], mul(d[1], t));
+    int inside_the_interval = sign_q(t) > 0 && compare_q(t, from_int(1)) < 0;
+    found(T, "d_0 + d_1 t", below);
+    about(T, "whether the denominator has no zero at t");
+    refute(T, inside_the_interval && is_zero_q(below) && !is_zero_q(d[1]));
+}
+#endif
+
+/*
 
 :::{statement} slides-ch4:1-part
 :title: A part of a curve or of a surface

@@ -279,6 +279,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
   interval
 :figure: one_tangent_two_lengths
+
+In the text at hand the formula has no signs and no primes; with those shown here it is true.
 :::
 
 :::{statement} slides-ch4:2-scaled-tangents
@@ -291,6 +293,7 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces that meet at $t_i$
 :figure: one_tangent_two_lengths
 
+In the text at hand the formulas have no signs and no primes.
 The same letter is used for the tangent at the end of one piece, $f'(t_i)(t_i-t_{i-1})$, and at the start of the next, and before, in the sum
 over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 :::
