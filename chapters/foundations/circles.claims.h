@@ -82,7 +82,7 @@ apart; neither depends on where the point began.
 :title: The centre stays under a rotation
 :zh: 旋转不动圆心
 :kind: counterexample
-:given: the rotation whose angle has the tangent $a$ of its half, and $P_0$
+:given: one step from $P_0$ to $P_1$ of the rotation about the origin whose angle has the tangent $a$ of its half
 :data: a = 1; P_0 = (0,0)
 :instead: P_0 = (1,0)
 :then: $P_1=P_0$
@@ -160,10 +160,11 @@ found by Pythagoras, or from the tangent of half the angle.
 :title: Equal steps on the circle without a trigonometric function
 :zh: 不用三角函数的等步长旋转
 :kind: counterexample
-:given: the matrix $M$ with the entries $\frac{1-a^2}{1+a^2}$ and $\frac{2a}{1+a^2}$ in the place of cosine and sine; $n$ steps from $P_0$
+:given: the matrix $M$ of (1-3-2) with the numbers $\frac{1-a^2}{1+a^2}$ and $\frac{2a}{1+a^2}$ in the place of cosine and sine; $n$ steps
+  from $P_0$
 :data: P_0 = (1,0); n = 100; a = 1/16
 :instead: ε = 1/8
-:then: all points are on the circle, at equal distances $d$
+:then: all points are on the circle about the origin through $P_0$, each at the distance $d$ from the one before
 :result: M = (255/257,32/257) (-32/257,255/257); d² = 4/257
 :method: The squares of radius and distance, exactly; the matrix takes the four operations only, no trigonometric function and no root;
   that one differs is refuted.
@@ -206,9 +207,9 @@ CLAIM(rational_step_has_no_angle)
 :printed: $\Delta\theta$ is small; with $\cos\Delta\theta=1$, $\sin\Delta\theta=\Delta\theta$ approximately, (1-3-1) becomes
   $x_{n+1}=x_n-\Delta\theta\,y_n$, $y_{n+1}=\Delta\theta\,x_n+y_n$.
 :holds-by: small_step_is_the_rotation_to_first_order
+:meant: the word approximately (近似地) | To first order in the angle.
 :figure: three_generators
 
-The approximation is meant to first order in the angle.
 :::
 */
 
@@ -291,7 +292,8 @@ treated alike in its four quadrants.
 :printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or
   arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
-:meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.
+:meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.  The circles or
+  arcs are the points of (1-3-4).
 :hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: to be exact, $n$ steps from
   $(1,0)$ need $nm$ binary places.
 :confirmed-by: short_coordinates_never_move
@@ -334,7 +336,7 @@ static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit 
 :title: With integers the point stands still
 :zh: 整数移位使点停止不动
 :kind: counterexample
-:given: a whole $m$ and a point with whole coordinates; shifts that drop the bits shifted out
+:given: one step of (1-3-4) from $(x_0,y_0)$ to $(x_1,y_1)$, $\varepsilon=2^{-m}$, in whole numbers; shifts that drop the bits shifted out
 :data: m = 4; x_0 = 10; y_0 = 0
 :instead: x_0 = 160
 :then: $x_1=x_0$ and $y_1=y_0$: the point never moves, though the exact $y_1$ is not $y_0$
@@ -357,7 +359,7 @@ CLAIM(short_registers_stop_the_point)
 
 /*
 :::{claim} short_coordinates_never_move
-:title: Points with coordinates from 0 to 2^m - 1 stand still, and negative coordinates do not
+:title: Points with coordinates from 0 to 2^m - 1 stand still, and one with a negative ordinate does not
 :zh: 非负短坐标的点不动
 :kind: decision
 :given: every $m=1,\dots,M$ and all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$; and one point with
@@ -404,15 +406,15 @@ a geometric progression.
 :::{statement} hu-1987:1-3-radius-grows
 :title: The radius of the simplified circle keeps growing
 :zh: 半径有不断增大的趋势
-:printed: The radius of the circle tends to increase without end.
+:printed: The radius of the circle has the tendency to increase continually.
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
 :confirmed-by: turn_of_small_steps_gains_a_fifth
 :needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
 :needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
-It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  What a turn gains is computed for one $\varepsilon$:
-`turn_of_small_steps_gains_a_fifth`.
+It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  With $\varepsilon=\frac1{16}$ a turn takes about a hundred steps, and the
+radius at its end is between two bounds: `turn_of_small_steps_gains_a_fifth`.
 :::
 
 :::{claim} small_steps_multiply_the_radius
@@ -514,7 +516,7 @@ static void refute_that_a_step_moves(trial *T)
 :title: A step of zero closes at once
 :zh: 步长为零时不动
 :kind: counterexample
-:given: $\varepsilon$ and $P_0$
+:given: one step of (1-3-5) with $\varepsilon$, from $P_0$ to $P_1$
 :data: ε = 0; P_0 = (1,0)
 :instead: ε = 1/16
 :then: $P_1=P_0$
@@ -532,7 +534,7 @@ CLAIM(small_step_of_zero_stays) { refute_that_a_step_moves(T); }
 :title: A point at the centre stays there
 :zh: 圆心处的点不动
 :kind: counterexample
-:given: $\varepsilon$ and $P_0$
+:given: one step of (1-3-5) with $\varepsilon$, from $P_0$ to $P_1$
 :data: ε = 1/16; P_0 = (0,0)
 :instead: P_0 = (1,0)
 :then: $P_1=P_0$
@@ -555,13 +557,13 @@ CLAIM(centre_is_never_left) { refute_that_a_step_moves(T); }
 :needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
-Not often, but always.
+The new radius is larger after every step: $|P_{n+1}|^2=(1+\varepsilon^2)|P_n|^2$.
 :::
 */
 
 /*
 :::{claim} small_step_adds_a_perpendicular_vector
-:title: The step is a right angle to the radius, of a fixed share of its length
+:title: The step is at a right angle to the radius, and a fixed share of its length
 :zh: 增量垂直于位置矢量
 :given: any point, any $\varepsilon$
 :then: $(P_{n+1}-P_n)\cdot P_n=0$ and $|P_{n+1}-P_n|^2=\varepsilon^2|P_n|^2$, whence $|P_{n+1}|^2=|P_n|^2+\varepsilon^2|P_n|^2$ by Pythagoras

@@ -93,7 +93,7 @@ static int pages_increase(int first_chapter, int chapter, int section)
 :title: Section 9-3 begins before section 9-2
 :zh: 9-3 节页码小于 9-2 节
 :kind: counterexample
-:given: the printed pages of the sections of the last chapter
+:given: the printed pages of the sections of the given chapter, and which of its sections is left out, 0 if none is
 :data: chapter = 9; pages = 225 237 234 237 242 244 248; left out = 0
 :instead: left out = 2
 :then: they do not increase, because the third is less than the second
@@ -146,12 +146,10 @@ For the ninth, chapter 2, the pages around it leave all possibilities open.
 :title: A chapter begins with its first section
 :zh: 章首页码
 :printed: Chapter 2 begins on page 23, its first section on page 25, and the last section before it, 1-9, on page 22.
-:reading: second_chapter_begins_before_its_first_section | a chapter begins on the page of its first section
-:reading: other_chapters_begin_with_their_first_section | so it is in the eight other chapters
+:reading: second_chapter_begins_before_its_first_section | chapter 2 begins on the page of its first section
+:reading: other_chapters_begin_with_their_first_section | the eight other chapters begin on the pages of their first sections
 :figure: pages_of_the_sections
 
-The pages themselves are not at hand.  Whether one of the numbers is wrong, or chapter 2 has a page of its own before its first
-section, cannot be decided from the table.
 :::
 */
 
@@ -160,7 +158,7 @@ section, cannot be decided from the table.
 :title: The page of chapter 2 is not that of section 2-1
 :zh: 第二章页码与 2-1 节不符
 :kind: counterexample
-:given: a chapter, by its number
+:given: the number of a chapter, and two pages of the table of contents: that of the chapter and that of its first section
 :data: chapter = 2
 :instead: chapter = 3
 :then: the printed page of the chapter is not that of its first section

@@ -27,37 +27,37 @@ what the lengths of the velocities do.
 :::{claim} end_data_determine_the_cubic
 :title: The coefficients meet the data at the ends, and are the only ones
 :zh: 端点数据与系数一一对应
-:given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of the plane
+:given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of space
 :then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
   coefficients
 :method: Both ways round with everything a variable: values and derivatives by the definition.
-:over: q#: end points; v#: end tangents; x# y#: coefficients
+:over: q#: end points; v#: end tangents; x# y# z#: coefficients
 :control: $\dot Q_1$ left out of $B$
 :::
 */
 CLAIM(end_data_determine_the_cubic)
 {
-    num Q[2 * dim], V[2 * dim], c[4 * dim], given[4 * dim];
-    for (int m = 0; m < 2 * dim; m++) {
+    num Q[2 * space], V[2 * space], c[4 * space], given[4 * space];
+    for (int m = 0; m < 2 * space; m++) {
         Q[m] = unknown(T, "q", m);
         V[m] = unknown(T, "v", m);
     }
-    G(cubic_of_ends)(dim, Q, V, c);
-    for (int j = 0; j < dim; j++)
-        c[2 * dim + j] = fault(T, c[2 * dim + j], add(c[2 * dim + j], V[dim + j]));
+    G(cubic_of_ends)(space, Q, V, c);
+    for (int j = 0; j < space; j++)
+        c[2 * space + j] = fault(T, c[2 * space + j], add(c[2 * space + j], V[space + j]));
     for (int end = 0; end < 2; end++)
-        for (int j = 0; j < dim; j++) {
-            same(T, G(power_sum)(3, dim, c, j, from_int(end)), Q[end * dim + j]);
-            same(T, G(power_sum_derivative)(3, dim, c, j, 1, from_int(end)), V[end * dim + j]);
+        for (int j = 0; j < space; j++) {
+            same(T, G(power_sum)(3, space, c, j, from_int(end)), Q[end * space + j]);
+            same(T, G(power_sum_derivative)(3, space, c, j, 1, from_int(end)), V[end * space + j]);
         }
-    G(free_points)(T, 3, dim, given);
+    G(free_points)(T, 3, space, given);
     for (int end = 0; end < 2; end++)
-        for (int j = 0; j < dim; j++) {
-            Q[end * dim + j] = G(power_sum)(3, dim, given, j, from_int(end));
-            V[end * dim + j] = G(power_sum_derivative)(3, dim, given, j, 1, from_int(end));
+        for (int j = 0; j < space; j++) {
+            Q[end * space + j] = G(power_sum)(3, space, given, j, from_int(end));
+            V[end * space + j] = G(power_sum_derivative)(3, space, given, j, 1, from_int(end));
         }
-    G(cubic_of_ends)(dim, Q, V, c);
-    for (int m = 0; m < 4 * dim; m++)
+    G(cubic_of_ends)(space, Q, V, c);
+    for (int m = 0; m < 4 * space; m++)
         same(T, c[m], given[m]);
 }
 
@@ -98,9 +98,9 @@ static void printed_coefficients(const num v[], num c[])
 :title: The position at the beginning is not the tangent there
 :zh: 端点位置矢量不等于切矢
 :kind: counterexample
-:given: the cubic on a line with the coefficients $c$, from $D$ to $A$
-:data: c = 0 1 0 0
-:instead: c = 1 1 0 0
+:given: the cubic $P(t)=\sum_kc_kt^k$ on a line, that is with the coefficients $c$ from $D$ to $A$
+:data: c = 0 1 0 1
+:instead: c = 1 1 0 1
 :then: $P(0)\ne\dot P(0)$: no $\dot Q_0$ is both, and $C\ne P(0)$
 :result: P(0) = 0; P'(0) = 1
 :method: Value and derivative by the kernel.
@@ -124,10 +124,10 @@ CLAIM(position_is_not_the_tangent)
 :zh: 记号全作位置矢量时三个系数有误
 :kind: decision
 :given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; the printed coefficients with $Q_i$ for every letter
-:data: Q = 0 1; V = 1 1
-:instead: Q = 1 1
+:data: Q = 0 1; V = 2 1
+:instead: Q = 2 1
 :then: of $D,C,B,A$ as printed $D$ alone is right
-:result: printed D, C, B, A = 0 0 2 -1; corrected = 0 1 0 0
+:result: printed D, C, B, A = 0 0 2 -1; corrected = 0 2 -2 1
 :method: Each against the corrected one, exactly.
 :control: $Q_0=V_0$, where $C$ is right, too
 :::
@@ -180,10 +180,10 @@ static void with_printed_coefficient(trial *T, int k, num Q[], num c[])
 :title: With the dotted points in A the curve does not end where it should
 :zh: 印刷的 A 不满足端点条件
 :kind: counterexample
-:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $A$ as printed, $B$, $C$, $D$ as corrected
-:data: Q = 0 1; V = 1 1
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $A$ as printed, with $\dot Q_i=V_i$ for all its letters; $B$, $C$, $D$ as corrected
+:data: Q = 0 1; V = 2 1
 :then: $P(1)\ne Q_1$
-:result: D, C, B, A = 0 1 0 2; P(1) = 3
+:result: D, C, B, A = 0 2 -2 5; P(1) = 5
 :method: $P(1)=A+B+C+D$, exactly.
 :control: the corrected $A$
 :::
@@ -214,10 +214,10 @@ CLAIM(dotted_first_coefficient_misses_the_end)
 :title: With the dotted points in B the curve does not end where it should
 :zh: 印刷的 B 不满足端点条件
 :kind: counterexample
-:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $B$ as printed, $A$, $C$, $D$ as corrected
-:data: Q = 0 1; V = 1 1
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $B$ as printed, with $\dot Q_i=V_i$ for all its letters; $A$, $C$, $D$ as corrected
+:data: Q = 0 1; V = 2 1
 :then: $P(1)\ne Q_1$
-:result: D, C, B, A = 0 1 -3 0; P(1) = -2
+:result: D, C, B, A = 0 2 -8 1; P(1) = -5
 :method: $P(1)=A+B+C+D$, exactly.
 :control: the corrected $B$
 :::
@@ -238,7 +238,7 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :zh: 系数 C
 :printed: C=\dot Q_0
 :holds-by: end_data_determine_the_cubic
-:meant: the dot over it, which is the derivative everywhere in section 1-4 | $\dot Q_0$ is the tangent vector at
+:meant: the dot over it, by which section 1-4 writes derivatives | $\dot Q_0$ is the tangent vector at
   $t=0$.
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector
 :reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line of the source has it for $D$
@@ -255,7 +255,7 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :corrected-by: end_data_determine_the_cubic
 :reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line of the source before
 :reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too
-:meant: the sentence above, in which the first $\dot Q_0$ is called the position vector | The second; the dot is a slip.
+:meant: the sentence above, in which the first $\dot Q_0$ is called the position vector | $\dot Q_0$ is the position vector; the dot is a slip.
 :figure: ends_with_lost_letters
 :::
 
@@ -263,10 +263,10 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :title: With the dotted point in D the curve does not begin where it should
 :zh: 印刷的 D 不满足端点条件
 :kind: counterexample
-:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $D$ as printed, $A$, $B$, $C$ as corrected
-:data: Q = 0 1; V = 1 1
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $D$ as printed, with $\dot Q_0=V_0$; $A$, $B$, $C$ as corrected
+:data: Q = 0 1; V = 2 1
 :then: $P(0)\ne Q_0$
-:result: D, C, B, A = 1 1 0 0; P(0) = 1
+:result: D, C, B, A = 2 2 -2 1; P(0) = 2
 :method: $P(0)=D$.
 :control: the corrected $D$
 :::
@@ -390,22 +390,24 @@ CLAIM(cubic_run_backward_exchanges_the_ends)
 :given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
 :then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot
   Q_1|$, $|\dot Q_0|$
-:method: The squares of the lengths by the definition, everything a variable.
+:method: The squares of the lengths by the definition, everything a variable; the angle by the tangent of its half, and $\pi$, of which there is none,
+  for itself.
 :scope: plane cubics
-:over: x# y#: coefficients; a: angle but π; m#: translations
+:over: x# y#: coefficients; a: angle; m#: translations
 :control: the lengths of $P(1-t)$ not exchanged
 :::
 */
 CLAIM(congruent_cubics_have_these_lengths)
 {
     num c[4 * dim], image[4 * dim], D[2][dim], E[2][dim], one = from_int(1);
-    struct G(turn) angle = G(turn_by)(parameter(T, "a"));
+    struct G(turn) angles[2] = {G(turn_by)(parameter(T, "a")), {neg(one), from_int(0)}}; /* any but π, and π */
     G(free_points)(T, 3, dim, c);
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < dim; j++)
             D[end][j] = G(power_sum_derivative)(3, dim, c, j, 1, from_int(end));
-    for (int kind = 0; kind < 4; kind++) { /* reflected or not, run backward or not */
-        int backward = kind / 2;
+    for (int kind = 0; kind < 8; kind++) { /* reflected or not, run backward or not, the angle */
+        int backward = kind / 2 % 2;
+        struct G(turn) angle = angles[kind / 4];
         if (backward)
             G(power_on_interval)(3, dim, c, one, from_int(0), image);
         for (int k = 0; k < 4; k++) {
@@ -432,8 +434,8 @@ CLAIM(congruent_cubics_have_these_lengths)
 :title: Two cubics with exchanged lengths that are the first ones, turned over
 :zh: 两端长度互换得旋转后的同一曲线
 :kind: counterexample
-:given: the ends $Q$; $P$ with the tangents $V$, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$,
-  $W^*$ with $V^*$, $U^*$
+:given: the ends $Q$; the cubics $P$ with the tangents $V$ there, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$,
+  $W^*$ with $V^*$, $U^*$; all four by their coefficients from $D$ to $A$
 :data: Q = (0,0) (1,0); V = (1,1) (2,2); U = (2,2) (1,1); V* = (1,1) (2,-2); U* = (2,2) (1,-1)
 :instead: U = (2,2) (2,2); U* = (2,2) (2,-2)
 :then: $W(t)=Q_0+Q_1-P(1-t)$: $W$ is $P$ turned by two right angles about the middle of the chord; and $W^*$ is $P^*$, reflected in the
@@ -480,11 +482,11 @@ CLAIM(exchanged_lengths_turn_the_cubic)
 :title: With both tangents along the chord the lengths do not matter
 :zh: 切矢沿弦时形状不变
 :kind: counterexample
-:given: the ends $Q$ on the $x$-axis; two pairs of tangents, $V$ and $U$, along the chord
-:data: Q = (0,0) (1,0); V = (1,0) (1,0); U = (2,0) (1/2,0)
+:given: two cubics with the ends $Q$ on the $x$-axis, and with the tangents $V$ and $U$, all along the chord
+:data: Q = (0,0) (1,0); V = (3/2,0) (3/2,0); U = (2,0) (1/2,0)
 :instead: U = (2,1) (1/2,0)
 :then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
-:result: x' with V = "1"; x' with U = "3/2*t^2 - 3*t + 2"
+:result: x' with V = "3*t^2 - 3*t + 3/2"; x' with U = "3/2*t^2 - 3*t + 2"
 :method: The coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
 :control: a second curve with a tangent that leaves the chord
 :::
@@ -531,7 +533,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :title: With the same ends and lengths another direction makes an S of an arch
 :zh: 端点与切矢长度相同而方向不同
 :kind: decision
-:given: the ends $Q$ on the $x$-axis; the tangents $V$ and $U$, with the same lengths, the last one turned
+:given: two cubics with the ends $Q$ on the $x$-axis, and with the tangents $V$ and $U$, of the same lengths, the last one turned; two parameters $t$
 :data: Q = (0,0) (3,0); V = (3,3) (3,-3); U = (3,3) (3,3); t = 1/4 3/4
 :instead: U = (3,3) (3,-3)
 :then: the first curve is above its chord for $0<t<1$; the second one is above it at the first $t$ and below it at the second

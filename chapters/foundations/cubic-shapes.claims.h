@@ -25,8 +25,6 @@ coefficients, and by $\delta=3b^2-4ac$.
   parallel_tangents_give_an_s_or_an_arch
 :figure: forms_of_a_cubic
 
-On the whole curve the sign of $\delta=3b^2-4ac$ tells a double point from two inflections if $a=A\times B\ne0$; not so for $a=0$:
-`delta_does_not_tell_graphs`.
 :::
 
 :::{claim} sign_of_delta_tells_the_form
@@ -239,8 +237,9 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
 :title: With the same ends and directions all forms occur
 :zh: 端点与切向相同而形态各异
 :kind: decision
-:given: the triangle $R$; five pairs $(\alpha,\beta)$ of lengths; for each the inflections, the parameters of the double point in $(0,1)$
-  and the sign of $\delta$ that are wanted
+:given: the triangle $R$ of $Q_0$, $M$, $Q_1$; the cubics from $Q_0$ to $Q_1$ with the tangents $2\alpha(M-Q_0)$, $2\beta(Q_1-M)$ for five pairs $(\alpha,\beta)$; for each of these
+  forms the number of inflections and that of the parameters of the double point, both in $(0,1)$, and the sign of $\delta=3b^2-4ac$, with
+  $a=A\times B$, $b=A\times C$, $c=B\times C$
 :data: R = (0,0) (1,2) (3,0); (α,β) = (1/2,1/2) (1,3) (2,2) (3,3) (4,4); forms = (0,0,-1) (1,0,1) (2,0,1) (1,1,0) (0,2,-1)
 :instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
 :then: on the open arc no, one and two inflections; a cusp, where $\delta=0$; a loop, whose double point has two parameters in $(0,1)$

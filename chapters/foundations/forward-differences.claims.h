@@ -16,14 +16,13 @@ knows one column of the table, the point and its $n$ differences at one place, f
 :::{statement} hu-1987:1-4-difference-1-definition
 :title: The first forward difference
 :zh: 一阶向前差分的定义
-:printed: \Delta P(t)=P(t-\delta)-P(t)
+:printed: \Delta P(t)=P(t-\delta)-P(t)=3A\delta t^2+(3A\delta^2+2B\delta)t+A\delta^3+B\delta^2+C\delta
 :refuted-by: printed_first_difference_looks_back
 :class: misprint
-:corrected: \Delta P(t)=P(t+\delta)-P(t)
+:corrected: \Delta P(t)=P(t+\delta)-P(t)=3A\delta t^2+(3A\delta^2+2B\delta)t+A\delta^3+B\delta^2+C\delta
 :corrected-by: differences_of_a_cubic
 :figure: forward_differences
 
-The sign of $\delta$: the formula printed beside it is that of the forward difference.
 :::
 
 :::{statement} hu-1987:1-4-difference-1
@@ -31,6 +30,7 @@ The sign of $\delta$: the formula printed beside it is that of the forward diffe
 :zh: 一阶差分
 :printed: \Delta P(t)=3A\delta t^2+(3A\delta^2+2B\delta)t+A\delta^3+B\delta^2+C\delta
 :holds-by: differences_of_a_cubic
+:meant: the words before it, forward differences (向前差分) | $\Delta P(t)=P(t+\delta)-P(t)$.
 :figure: forward_differences
 :::
 
@@ -39,6 +39,7 @@ The sign of $\delta$: the formula printed beside it is that of the forward diffe
 :zh: 二阶差分
 :printed: \Delta^2P(t)=\Delta P(t+\delta)-\Delta P(t)=6A\delta^2t+6A\delta^3+2B\delta^2
 :holds-by: differences_of_a_cubic
+:meant: the words before it, forward differences (向前差分) | $\Delta P(t)=P(t+\delta)-P(t)$.
 :figure: forward_differences
 :::
 */
@@ -89,8 +90,8 @@ CLAIM(differences_of_a_cubic)
 :title: With the printed argument the first difference has another sign
 :zh: 印刷的一阶差分符号有误
 :kind: counterexample
-:given: the line with the coefficients $c$, from $D$ to $A$; $t$ and $\delta$
-:data: c = 0 1 0 0; t = 0; δ = 1
+:given: the cubic $P(t)=\sum_kc_kt^k$, that is with the coefficients $c$ from $D$ to $A$; $t$ and $\delta$
+:data: c = 0 0 0 1; t = 0; δ = 1
 :then: $P(t-\delta)-P(t)$ is not the expression that is printed for it
 :result: P(t-δ) - P(t) = -1; printed expression = 1
 :method: Both sides of the printed line, exactly.
@@ -126,7 +127,7 @@ CLAIM(printed_first_difference_looks_back)
 :title: With the printed argument the third difference is the negative
 :zh: 印刷的三阶差分符号有误
 :kind: counterexample
-:given: the cubic with the coefficients $c$, from $D$ to $A$; $t$ and $\delta$
+:given: the cubic $P(t)=\sum_kc_kt^k$, that is with the coefficients $c$ from $D$ to $A$; $t$ and $\delta$
 :data: c = 0 0 0 1; t = 0; δ = 1
 :then: $\Delta^2P(t-\delta)-\Delta^2P(t)$ is the negative of the value that is printed for it
 :result: Δ²P(t-δ) - Δ²P(t) = -6; printed value = 6
@@ -184,7 +185,7 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
 :then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
   step $\delta\ne0$ is the constant $a_n$, and every further one is 0
 :method: An identity with $k$, $x$ and $c$ variables, $x=t/\delta$.  The functions $\binom{t/\delta}0,\dots,\binom{t/\delta}n$ have the degrees
-  $0,\dots,n$, so that every polynomial of degree at most $n$ is such a sum.
+  $0,\dots,n$, so that every polynomial of degree at most $n$ is such a sum.  With $\delta=0$ all differences are 0.
 :degrees: all
 :over: k c: -; x: t
 :control: $\frac{x-k}k$ in the place of $\frac{x-k+1}k$
@@ -244,7 +245,6 @@ CLAIM(differences_by_alternating_sums)
 :confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
 
-For $i=1$ it is true.
 :::
 */
 
@@ -254,22 +254,22 @@ For $i=1$ it is true.
 :title: One step from 0 does not reach the second place
 :zh: 一步不能到达第 i 点
 :kind: counterexample
-:given: the line with the coefficients $c$, $\delta$ and $i$
-:data: c = 0 1; δ = 1; i = 2
+:given: the cubic $P(t)=\sum_kc_kt^k$, the step $\delta$ and $i$; $P_0$ and $\Delta P_0$ belong to $t=0$
+:data: c = 0 0 0 1; δ = 1; i = 2
 :instead: i = 1
 :then: $P_0+\Delta P_0$ is not $P(i\delta)$
-:result: P_0 + ΔP_0 = 1; P(iδ) = 2
+:result: P_0 + ΔP_0 = 1; P(iδ) = 8
 :method: Both values, exactly.
 :control: the first place
 :::
 */
 CLAIM(step_from_zero_reaches_one_step_only)
 {
-    num c[2], d[2];
-    given_points(T, "c", 2, 1, c);
-    num delta = given(T, "δ"), place = mul(given(T, "i"), delta), there = G(power_sum)(1, 1, c, 0, place);
-    G(power_differences)(1, 1, c, delta, d);
-    G(power_difference_step)(1, 1, d);
+    num c[4], d[4];
+    given_points(T, "c", 4, 1, c);
+    num delta = given(T, "δ"), place = mul(given(T, "i"), delta), there = G(power_sum)(3, 1, c, 0, place);
+    G(power_differences)(3, 1, c, delta, d);
+    G(power_difference_step)(3, 1, d);
     found(T, "P_0 + ΔP_0", d[0]);
     found(T, "P(iδ)", there);
     about(T, "P_0 + ΔP_0, and P(iδ)");
@@ -358,20 +358,20 @@ CLAIM(step_takes_differences_to_the_next_place)
 :::{claim} printed_lines_step_a_cubic
 :title: The four lines of the table, and the four scaled ones, for a cubic
 :zh: 三次曲线差分表的四式
-:given: any coefficients of a cubic in the plane, any $t$ and $\delta\ne0$; $P_0,\Delta P_0,\Delta^2P_0,\Delta^3P_0$ the differences at $t$,
+:given: any coefficients of a cubic in space, any $t$ and $\delta\ne0$; $P_0,\Delta P_0,\Delta^2P_0,\Delta^3P_0$ the differences at $t$,
   $P_1,\dots,\Delta^3P_1$ those at $t+\delta$
 :where: $\delta\ne0$
 :then: $\Delta^kP_1=\Delta^kP_0+\Delta^{k+1}P_0$ for $k=0,1,2$ and $\Delta^3P_1=\Delta^3P_0$; divided by $\delta^k$ these are
   $\frac1{\delta^k}\Delta^kP_1=\frac1{\delta^k}\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\Delta^{k+1}P_0$
 :method: Both sides by the alternating sums of the definition; no kernel is used.
 :degrees: 3..3
-:over: x# y#: coefficients; d: δ
+:over: x# y# z#: coefficients; d: δ
 :control: the differences at $t+2\delta$
 :::
 */
 CLAIM(printed_lines_step_a_cubic)
 {
-    enum { dim = 2, last = 3 };
+    enum { dim = 3, last = 3 };
     num c[(last + 1) * dim], t = parameter(T, "t"), delta = positive(T, "d", 0), zero = from_int(0);
     num next = add(t, fault(T, delta, add(delta, delta)));
     G(free_points)(T, last, dim, c);
@@ -574,7 +574,7 @@ CLAIM(table_costs_shifts_and_additions)
 :title: For other steps the products remain
 :zh: 一般步长仍需乘法
 :kind: counterexample
-:given: a step that is no power of two, degree $n$, one coordinate, the beginning of the table (1-4-5) and one step of (1-4-4)
+:given: a step $\delta$ that is no power of two, a curve of degree $n$, one coordinate, the beginning of the table (1-4-5) and one step of (1-4-4)
 :data: n = 3
 :then: the products with $\delta$ in the table, and one for each difference in the step, are multiplications
 :result: products of the table = 3; products of the step = 3

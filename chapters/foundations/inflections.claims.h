@@ -59,20 +59,19 @@ only the third derivative of a cubic; a second derivative that is constant would
 :corrected-by: derivatives_of_a_cubic
 :figure: derivatives_with_lost_dots
 
-The third dot is lost.
 :::
 */
 
 #if RATIONAL
 /*
 :::{claim} second_derivative_is_not_constant
-:title: The second derivative of a parabola is not six times its cubic coefficient
+:title: The second derivative of a cubic is not six times its first coefficient
 :zh: 二阶导矢不等于 6A
 :kind: counterexample
-:given: the parabola with the coefficients $c$, from $D$ to $A$, and $t$
-:data: c = 0 0 1 0; t = 1/3
+:given: the cubic $P(t)=\sum_kc_kt^k$, that is with the coefficients $c$ from $D$ to $A$, and $t$
+:data: c = 0 0 0 1; t = 1/3
 :then: $P''$ is not six times $A$
-:result: P''(t) = 2; 6A = 0
+:result: P''(t) = 2; 6A = 6
 :method: The kernel, exactly.
 :control: the third derivative
 :::
@@ -94,7 +93,7 @@ CLAIM(second_derivative_is_not_constant)
 :title: At a cusp the formula of the curvature divides by zero
 :zh: 尖点处曲率公式的分母为零
 :kind: counterexample
-:given: a cubic with a cusp, with the coefficients $c$, and its parameter $t$
+:given: the cubic $P(t)=\sum_kc_kt^k$, which has a cusp, and the parameter $t$ of the cusp
 :data: c = (0,0) (0,0) (1,0) (0,1); t = 0
 :instead: t = 1
 :then: the speed, whose third power is the denominator, is 0
@@ -122,9 +121,10 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed, at points with $\dot P\ne0$
 :corrected-by: curvature_and_torsion_belong_to_arc_length
-:meant: the letter, and the formula of the torsion below it, which has lost dots as well | $s$ is the length of the arc, with a dot lost over it.
-:reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else
-:reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say
+:meant: the letter, and the formula of the torsion below it, in which $\ddot P$ stands for the third derivative, too | $s$ is the length of the arc, and a dot
+  over it is missing.
+:reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc
+:reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, at points with $\dot P\ne0$, which the text at hand does not say
 :hypothesis: curvature_divides_by_zero_at_a_cusp | $\dot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: curvature_and_the_speed
 :::
@@ -133,7 +133,7 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :title: With the length of the arc in the place of the speed the quotient is not the curvature
 :zh: 以弧长代替速率时曲率公式不成立
 :kind: counterexample
-:given: a cubic in space with the coefficients $c$; $t$; the polynomial with the coefficients $l$
+:given: the cubic $P(t)=\sum_kc_kt^k$ in space; $t$; the polynomial $\sum_kl_kt^k$
 :data: c = (0,0,0) (3,0,0) (0,3,0) (0,0,2); t = 1; l = 0 3 0 2
 :then: $s(t)=\sum_kl_kt^k$ is the length of the arc from 0 to $t$, because its derivative is $|\dot P|$; and the printed quotient is not
   the curvature $K$
@@ -239,7 +239,7 @@ CLAIM(second_derivative_splits_along_the_first)
 :title: At a cusp the vector product vanishes and the second derivative is no multiple of the first
 :zh: 尖点处不存在标量 g
 :kind: counterexample
-:given: a cubic with a cusp, with the coefficients $c$, and its parameter $t$
+:given: the cubic $P(t)=\sum_kc_kt^k$, which has a cusp, and the parameter $t$ of the cusp
 :data: c = (0,0) (0,0) (1,0) (0,1); t = 0
 :instead: c = (0,0) (1,0) (1,0) (0,1)
 :then: $P'\times P''=0$, and $P''\ne gP'=0$ for every $g$
@@ -332,7 +332,7 @@ CLAIM(turning_of_a_cubic_is_quadratic)
 :title: A curve of degree four with curvature 0 where it does not change its side
 :zh: 四次曲线曲率为零而不变凹凸
 :kind: decision
-:given: the curve with the coefficients $c$, from the constant one on, and $t$
+:given: the curve $P(t)=\sum_kc_kt^k$, and $t$
 :data: c = (0,0) (1,0) (0,0) (0,0) (0,1); t = 0
 :instead: c = (0,0) (1,0) (0,0) (0,1) (0,0)
 :then: $P'\times P''$ is 0 at $t$ and positive on both sides of it; the curve touches the $x$-axis there and is above it on both sides
@@ -370,7 +370,7 @@ CLAIM(fourth_power_has_curvature_zero_on_one_side)
 :title: For the graph of a cubic function the equation of the inflections is linear
 :zh: 三次函数图形的拐点方程是一次的
 :kind: counterexample
-:given: the graph of a cubic function, with the coefficients $c$
+:given: the cubic $P(t)=\sum_kc_kt^k$, which is the graph of a cubic function
 :data: c = (0,0) (1,0) (0,0) (0,1)
 :instead: c = (0,0) (1,0) (1,0) (0,1)
 :then: $P'\times P''$ has degree 1: one inflection, at 0, and no second root anywhere
@@ -406,7 +406,7 @@ Two do occur: `each_form_occurs`.
 :title: Along a line the vector product is zero for every parameter
 :zh: 直线上曲率处处为零
 :kind: counterexample
-:given: a cubic on a line, with the coefficients $c$
+:given: the cubic $P(t)=\sum_kc_kt^k$, which runs on a line
 :data: c = (0,0) (1,0) (0,0) (1,0)
 :instead: c = (0,0) (1,0) (0,0) (1,1)
 :then: $P'\times P''=0$ as a polynomial: more than two parameters

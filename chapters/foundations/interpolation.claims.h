@@ -121,7 +121,7 @@ The plainest description needs neither: a curve can be kept as many points, join
 :::
 
 :::{claim} polyline_of_a_parabola_needs_many_points
-:title: A piece of a polyline leaves the parabola by a quarter of the square of the length of its interval
+:title: A piece of a polyline leaves the parabola, measured upright, by a quarter of the square of the length of its interval
 :zh: 折线与抛物线的偏差
 :given: the parabola $y=x^2$ and its chord over $[a,a+h]$, any $a$, $h$ and $s$; $N$ pieces that are together shorter than $Nh$ by $g$, and one more, of the
   length $h-d$
@@ -153,11 +153,11 @@ CLAIM(polyline_of_a_parabola_needs_many_points)
 :title: The line nearest to three data meets none of them
 :zh: 最小二乘直线不过型值点
 :kind: decision
-:given: the data $p_t$ at $t=0,1,2$; lines $a+\alpha+\beta t$
+:given: the data $p_t$ at $t=0,1,2$; the level line of height $a$, and all lines $a+\alpha+\beta t$
 :data: p = 0 1 0; a = 1/3
 :instead: a = 1/2
 :then: the sum of the squares of the distances is $m+q_0\alpha^2+q_1\alpha\beta+q_2\beta^2$, where the form with the coefficients $q$ is
-  positive for $(\alpha,\beta)\ne(0,0)$: the level line of height $a$ is the only nearest one, and meets no datum
+  positive for $(\alpha,\beta)\ne(0,0)$: the level line is the only nearest one, and meets no datum
 :result: m = 2/3; q = 3 6 5
 :method: $m$ is the sum for $\alpha=\beta=0$, and $q_0,q_1,q_2$ are the sums of $1$, $2t$ and $t^2$.  The two expressions are compared at
   six pairs $(\alpha,\beta)$ that determine a polynomial of degree 2 in two variables; the distances of the line from the data are not 0.

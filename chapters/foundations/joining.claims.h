@@ -1,5 +1,5 @@
 /*
-# Joining curves, and other parameters (曲线段的连接与参数变换)
+# Joining curves (曲线段的连接)
 
 Two pieces that meet in a point may look like one curve although their parameters know nothing of each other.  The source
 gives three conditions at the joint, of order 0, 1 and 2.  What they guarantee together is one sentence: after a change of
@@ -43,11 +43,10 @@ static int same_point(const num P[], const num Q[]) { return equal_q(P[0], Q[0])
 :title: A straight joint with a jump of the derivative
 :zh: 斜率连续而导矢不连续
 :kind: counterexample
-:given: two pieces of one straight line, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two pieces of one straight line, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (2,0)
 :instead: P_II = (1,0) (1,0)
-:then: the pieces meet and both slopes are 0, but $P_{\mathrm I}'(1)\ne P_{\mathrm{II}}'(0)$;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: the pieces meet and both slopes are 0, but $P_{\mathrm I}'(1)\ne P_{\mathrm{II}}'(0)$
 :result: P_I(1), P_I'(1) = (1,0) (1,0); P_II(0), P_II'(0) = (1,0) (2,0)
 :method: The derivatives of both, by the kernel.
 :control: a second piece of the same speed
@@ -86,7 +85,7 @@ derivative continuous; the three conditions of the source say what this requires
 :confirmed-by: pieces_tend_to_their_ends
 :figure: joined_and_closed
 
-One letter for both curves; read as it stands, it makes one curve closed.
+One letter stands for both curves; the condition printed is that of one closed curve.
 
 For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ are multiples of $u$, so that the pieces tend to
 $P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$.
@@ -133,10 +132,9 @@ CLAIM(pieces_tend_to_their_ends)
 :title: Two segments in a row are joined, and neither is closed
 :zh: 相连的两段并不自闭
 :kind: counterexample
-:given: two segments in a row, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two segments in a row, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (1,0)
-:then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both
 :result: P_I(0), P_I(1) = (0,0) (1,0); P_II(0), P_II(1) = (1,0) (2,0)
 :method: The points at the ends, exactly.
 :control: the condition between the two curves
@@ -211,7 +209,7 @@ learned by heart.
   although no $\lambda$ is.
 :figure: joints_of_order
 
-The index $x$ stands for II, the second piece, as in (1-5-1) and (1-5-3).
+The index $x$ is read as II, that of the second piece.
 :::
 
 :::{claim} equal_unit_tangents_fix_the_ratio
@@ -247,11 +245,10 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :title: With a negative ratio the slope is continuous and the curve goes back
 :zh: 负比值使曲线折返
 :kind: counterexample
-:given: a first piece with the coefficients $P_{\mathrm I}$, and $\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$
+:given: a first piece $P_{\mathrm I}$, by its coefficients of $1$ and $t$, and $\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$
 :data: P_I = (0,0) (1,0); λ = -1
 :instead: λ = 2
-:then: the unit tangents of the two pieces are not equal;
-  $P_{\mathrm I}$ is given by the coefficients of $1$ and $t$
+:then: the unit tangents of the two pieces are not equal
 :result: unit tangents = (1,0) (-1,0)
 :method: Both, exactly.
 :control: a positive $\lambda$
@@ -279,11 +276,10 @@ CLAIM(negative_ratio_turns_back)
 :title: At a singular end of a straight piece no ratio satisfies the condition
 :zh: 奇异端点处条件失效
 :kind: counterexample
-:given: two pieces of one straight line without any corner, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two pieces of one straight line without any corner, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (-1,0) (2,0) (-1,0); P_II = (0,0) (1,0)
 :instead: P_I = (-1,0) (1,0) (0,0)
-:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it
 :result: P_I'(1) = (0,0); P_II'(0) = (1,0)
 :method: The derivatives by the kernel.
 :control: the first piece with its natural parameter
@@ -317,11 +313,11 @@ curvature that grows without bound.
 :holds-by: condition_keeps_the_curvature_vector
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 
-The index $x$ stands for II.  That it suffices is decided here.
+The index $x$ is read as II.  Decided is that the condition suffices.
 :::
 
 :::{statement} hu-1987:1-5-3-beta
@@ -331,7 +327,7 @@ The index $x$ stands for II.  That it suffices is decided here.
 :holds-by: condition_keeps_the_curvature_vector
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
@@ -396,23 +392,46 @@ static int conditions_hold(const num D[], const num E[], num lambda, num beta)
 :title: With the ratio 0 the conditions hold and the curvature is unbounded
 :zh: 比值为零时曲率无界
 :kind: counterexample
-:given: a straight first piece, and a second one that begins like a cusp, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$;
+:given: a straight first piece, and a second one that begins like a cusp, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$;
   $\lambda$ and $\beta$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (0,0) (1,0) (0,1) (0,0); λ = 0; β = 2
 :instead: P_II = (1,0) (0,0) (1,0) (0,0) (0,1)
-:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$
 :result: P_I, P_I', P_I'' = (1,0) (1,0) (0,0); P_II, P_II', P_II'' = (1,0) (0,0) (2,0); P_II' × P_II'' = "6*t^2"; limit of t²K² = 9/16
 :method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0
   at $t=0$, as for a bounded $K$, is refuted.
 :control: a second piece that begins like a parabola, of bounded curvature
 :::
 */
+/* Of a curve with the coefficients c that begins with P' = t^k U and P' x P'' = t^m v: v^2/|U|^6, the limit of t^(6k-2m) K^2 for t -> 0.
+ * *product is P' x P''; *divided says whether the powers of t below the k-th and the m-th do not occur. */
+static num limit_of_squared_curvature(int degree, const num c[], int k, int m, poly *product, int *divided)
+{
+    poly component[2], turn[2];
+    num U[2], of_axis[MAX_DEGREE + 1];
+    *divided = 1;
+    for (int j = 0; j < dim; j++) {
+        for (int i = 0; i <= degree; i++)
+            of_axis[i] = c[dim * i + j];
+        component[j] = poly_derivative(poly_from_q(degree + 1, of_axis));
+        turn[j] = poly_derivative(component[j]);
+        U[j] = poly_coefficient(component[j], k);
+        for (int i = 0; i < k; i++)
+            *divided &= is_zero_q(poly_coefficient(component[j], i));
+    }
+    *product = poly_sub(poly_mul(component[0], turn[1]), poly_mul(component[1], turn[0]));
+    for (int i = 0; i < m; i++)
+        *divided &= is_zero_q(poly_coefficient(*product, i));
+    num v = poly_coefficient(*product, m);
+    return div(mul(v, v), G(power)(G(norm_squared)(dim, U), 3));
+}
+
 CLAIM(zero_ratio_has_unbounded_curvature)
 {
     enum { degree = 4 };
-    num first[4], second[2 * (degree + 1)], D[6], E[6], U[2];
-    poly component[2], turn[2];
+    num first[4], second[2 * (degree + 1)], D[6], E[6];
+    poly product;
+    int divided;
     given_points(T, "P_I", 2, 2, first);
     given_points(T, "P_II", degree + 1, 2, second);
     num lambda = given(T, "λ"), beta = given(T, "β");
@@ -420,17 +439,7 @@ CLAIM(zero_ratio_has_unbounded_curvature)
     G(power_derivatives)(degree, dim, second, from_int(0), 2, E);
     found_points(T, "P_I, P_I', P_I''", 3, 2, D);
     found_points(T, "P_II, P_II', P_II''", 3, 2, E);
-    for (int j = 0; j < dim; j++) {
-        num c[degree + 1];
-        for (int k = 0; k <= degree; k++)
-            c[k] = second[dim * k + j];
-        component[j] = poly_derivative(poly_from_q(degree + 1, c));
-        turn[j] = poly_derivative(component[j]);
-        U[j] = poly_coefficient(component[j], 1); /* P' = t U, at t = 0 */
-    }
-    poly product = poly_sub(poly_mul(component[0], turn[1]), poly_mul(component[1], turn[0]));
-    num v = poly_coefficient(product, 2), limit = div(mul(v, v), G(power)(G(norm_squared)(dim, U), 3));
-    int divided = is_zero_q(poly_coefficient(product, 0)) && is_zero_q(poly_coefficient(product, 1));
+    num limit = limit_of_squared_curvature(degree, second, 1, 2, &product, &divided);
     found_text(T, "P_II' × P_II''", poly_to_string(product, "t"));
     found(T, "limit of t²K²", limit);
     about(T, "the conditions holding, whether t²K² tends to 0");
@@ -438,16 +447,53 @@ CLAIM(zero_ratio_has_unbounded_curvature)
 }
 
 /*
+:::{claim} vanishing_derivatives_hide_a_jump_of_curvature
+:title: Where all derivatives vanish the conditions hold and the curvature jumps
+:zh: 导矢全为零时条件成立而曲率间断
+:kind: counterexample
+:given: a first piece on the $x$-axis, and a second one along the parabola $y=x^2$, which touches that axis, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of
+  $1,t,t^2,\dots$; $\lambda$ and $\beta$
+:data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (1,0) (0,0) (0,0) (0,1); λ = 1; β = 0
+:instead: P_II = (0,0) (0,0) (0,0) (1,0) (0,0) (0,0) (0,0)
+:then: (1-5-1) to (1-5-3) hold, every vector in them being 0; $K=0$ on the first piece, and on the second $K^2$ has a limit that is not 0 with $t\to0$
+:result: P_I, P_I', P_I'' = (0,0) (0,0) (0,0); P_II, P_II', P_II'' = (0,0) (0,0) (0,0); P_II' × P_II'' = "54*t^6"; limit of K² = 4
+:method: The conditions by the kernel; the first piece has $y=0$.  With $P'=t^2U$ and $P'\times P''=t^6v$, divided as polynomials, $K^2=v^2/|U|^6$; that it is 0 at
+  $t=0$, as on the first piece, is refuted.
+:control: a second piece on the axis as well
+:::
+*/
+CLAIM(vanishing_derivatives_hide_a_jump_of_curvature)
+{
+    enum { degree = 6 };
+    num first[8], second[2 * (degree + 1)], D[6], E[6];
+    poly product;
+    int divided, straight = 1;
+    given_points(T, "P_I", 4, 2, first);
+    given_points(T, "P_II", degree + 1, 2, second);
+    num lambda = given(T, "λ"), beta = given(T, "β");
+    G(power_derivatives)(3, dim, first, from_int(1), 2, D);
+    G(power_derivatives)(degree, dim, second, from_int(0), 2, E);
+    found_points(T, "P_I, P_I', P_I''", 3, 2, D);
+    found_points(T, "P_II, P_II', P_II''", 3, 2, E);
+    for (int k = 0; k < 4; k++)
+        straight &= is_zero_q(first[dim * k + 1]);
+    num limit = limit_of_squared_curvature(degree, second, 2, 6, &product, &divided);
+    found_text(T, "P_II' × P_II''", poly_to_string(product, "t"));
+    found(T, "limit of K²", limit);
+    about(T, "the conditions holding, whether K² tends to that of the first piece");
+    refute(T, conditions_hold(D, E, lambda, beta) && straight && divided && !is_zero_q(limit));
+}
+
+/*
 :::{claim} vanishing_derivatives_hide_a_corner
 :title: Where all derivatives vanish the conditions hold at a corner
 :zh: 导矢全为零时条件成立而有角点
 :kind: counterexample
-:given: two cubic pieces on the axes, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$; $\lambda$ and $\beta$
+:given: two cubic pieces on the axes, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$; $\lambda$ and $\beta$
 :data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (0,1); λ = 1; β = 0
 :instead: P_II = (0,0) (0,0) (0,0) (1,0)
 :then: (1-5-1) to (1-5-3) hold, every vector in them being 0; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
-  along the $y$-axis, $y'>0$: a corner of a right angle;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+  along the $y$-axis, $y'>0$: a corner of a right angle
 :result: P_I, P_I', P_I'' = (0,0) (0,0) (0,0); P_II, P_II', P_II'' = (0,0) (0,0) (0,0)
 :method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That there is no right angle is
   refuted.
@@ -511,11 +557,10 @@ $K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be conti
 :title: Two parabolas with one tangent and one curvature, bent to different sides
 :zh: 曲率相等而弯向相反
 :kind: counterexample
-:given: two parabolas that meet, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:given: two parabolas that meet, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (-1,1) (1,-2) (0,1); P_II = (0,0) (1,0) (0,-1)
 :instead: P_II = (0,0) (1,0) (0,1)
-:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$;
-  $P_{\mathrm I}$ and $P_{\mathrm{II}}$ are given by the coefficients of $1,t,t^2,\dots$
+:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$
 :result: P_I', P_I'' = (1,0) (0,2); P_II', P_II'' = (1,0) (0,-2); K² = 4 4; P_II'' - P_I'' = (0,-4)
 :method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
 :control: a second parabola bent to the same side
@@ -589,307 +634,5 @@ CLAIM(signed_curvature_is_that_of_the_vector)
     for (int j = 0; j < space; j++)
         same(T, k[j], mul(factor, left[j]));
 }
-
-/*
-## A piece of a curve as a curve (参数规范化)
-
-:::{statement} hu-1987:1-5-4
-:title: The parameter of a piece
-:zh: 参数的线性变换
-:printed: For the piece from $t_0$ to $t_1$ and $0\le t^*\le1$: $t=(1-t^*)t_0+t^*t_1=t_0+(t_1-t_0)t^*$
-:holds-by: linear_change_runs_through_the_interval
-:confirmed-by: pieces_in_new_powers
-:figure: piece_of_a_cubic
-:::
-
-:::{claim} linear_change_runs_through_the_interval
-:title: The linear change of the parameter takes 0 and 1 to the ends of the interval, and keeps the order
-:zh: 线性参数变换
-:given: any $t_0$ and $t_1$, any $u$; and an interval, $t_1=t_0+h$, $h>0$
-:then: $(1-u)t_0+ut_1=t_0+(t_1-t_0)u$, which is $t_0$ for $u=0$ and $t_1$ for $u=1$; of two values of $u$ the larger one gives the larger value
-  where $t_0<t_1$, so that $0\le u\le1$ is taken to $t_0\le t\le t_1$, each value once
-:method: Identities with everything a variable; the difference of two values is $h$ times that of the parameters, with $h>0$.
-:over: r s u: parameter value; d h: -
-:control: $t_0$ and $t_1$ exchanged in the first form
-:::
-*/
-CLAIM(linear_change_runs_through_the_interval)
-{
-    num t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u"), zero = from_int(0), one = from_int(1);
-    num places[3] = {u, zero, one}, values[3] = {add(t0, mul(sub(t1, t0), u)), t0, t1};
-    for (int k = 0; k < 3; k++) {
-        num first = fault(T, t0, t1), last = fault(T, t1, t0);
-        about(T, k == 0 ? "the two forms" : "an end");
-        same(T, add(mul(sub(one, places[k]), first), mul(places[k], last)), values[k]);
-    }
-    num h = positive(T, "h", 0), later = positive(T, "d", 0),
-        gap = sub(add(t0, mul(h, add(u, later))), add(t0, mul(h, u)));
-    about(T, "the order");
-    nonnegative(T, gap);
-    same(T, gap, mul(h, later));
-}
-
-/*
-:::{claim} pieces_in_new_powers
-:title: The kernel gives the piece between two parameters, in a parameter from 0 to 1
-:zh: 截取曲线段
-:given: any coefficients of degree $n$ in the plane, any $t_0$, $t_1$ and $u$
-:then: the curve of `power_on_interval` at $u$ is $P((1-u)t_0+ut_1)$, and that is $P(t_0+(t_1-t_0)u)$
-:method: The kernel's coefficients in the sum of powers, against the sum of powers at either parameter; everything a variable.
-:degrees: 1..6 sampled 12
-:over: x# y#: coefficients; r s: parameter value; u: parameter value
-:defines: power_on_interval
-:control: $t_0$ and $t_1$ exchanged
-:::
-*/
-CLAIM(pieces_in_new_powers)
-{
-    int n = T->degree;
-    num c[(MAX_DEGREE + 1) * dim], piece[(MAX_DEGREE + 1) * dim];
-    num t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u");
-    G(free_points)(T, n, dim, c);
-    G(power_on_interval)(n, dim, c, fault(T, t0, t1), fault(T, t1, t0), piece);
-    num mean = add(mul(sub(from_int(1), u), t0), mul(u, t1)), along = add(t0, mul(sub(t1, t0), u));
-    for (int j = 0; j < dim; j++) {
-        num value = G(power_sum)(n, dim, piece, j, u);
-        same(T, value, G(power_sum)(n, dim, c, j, mean));
-        same(T, value, G(power_sum)(n, dim, c, j, along));
-    }
-}
-
-/*
-A piece that is cut out of a curve has to be given the unit interval again.  For points this is the insertion of a
-linear function; for coefficients it is Taylor's formula at $t_0$ with the unit of length $t_1-t_0$, and the four
-printed rows are its four terms.
-
-:::{statement} hu-1987:1-5-5
-:title: The coefficients of a piece
-:zh: 截取曲线段的系数
-:printed: P(t^*)=[t^{*3}\;t^{*2}\;t^*\;1]\begin{bmatrix}(t_1-t_0)^3A\\3(t_1-t_0)^2t_0A+(t_1-t_0)^2B\\3(t_1-t_0)t_0^2A+2(t_1-t_0)t_0B+(t_1-t_0)C\\t_0^3A+t_0^2B+t_0C+D\end{bmatrix}
-:holds-by: coefficients_of_a_piece_are_as_printed pieces_in_new_powers
-:figure: piece_of_a_cubic
-:::
-
-:::{claim} coefficients_of_a_piece_are_as_printed
-:title: The four rows for a cubic
-:zh: 三次曲线段的四个系数
-:given: any $A,B,C,D$ of space, any $t_0$, $t_1$
-:then: the coefficients by the kernel are the four printed rows
-:method: Each row, everything a variable.
-:degrees: 3..3
-:over: x# y# z#: coefficients; r s: parameter value
-:control: the factor 2 in the place of the 3 of the second row
-:::
-*/
-CLAIM(coefficients_of_a_piece_are_as_printed)
-{
-    num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), h = sub(t1, t0);
-    G(free_points)(T, 3, space, c);
-    G(power_on_interval)(3, space, c, t0, t1, piece);
-    num three = from_int(3), h2 = mul(h, h), h3 = mul(h2, h), t2 = mul(t0, t0), t3 = mul(t2, t0);
-    for (int j = 0; j < space; j++) {
-        num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j];
-        num linear = add(add(mul(mul(three, mul(h, t2)), A), mul(mul(from_int(2), mul(h, t0)), B)), mul(h, C));
-        num rows[4] = {add(add(mul(t3, A), mul(t2, B)), add(mul(t0, C), D)), linear,
-                       add(mul(mul(fault(T, three, from_int(2)), mul(h2, t0)), A), mul(h2, B)), mul(h3, A)};
-        for (int k = 0; k <= 3; k++)
-            same(T, piece[k * space + j], rows[k]);
-    }
-}
-
-/*
-While the new parameter runs from 0 to 1, the old one runs through the length $t_1-t_0$ only, so each derivative brings
-one such factor.  That is why tangent vectors cannot be carried over from a curve to its piece: their directions stay,
-their lengths do not.
-
-:::{statement} hu-1987:1-5-6
-:title: The derivatives in the new parameter
-:zh: 新参数下的导矢
-:printed: \frac{dP}{dt^*}=(t_1-t_0)\frac{dP}{dt},\qquad\frac{d^2P}{dt^{*2}}=(t_1-t_0)^2\frac{d^2P}{dt^2}
-:holds-by: derivatives_of_a_piece
-:figure: piece_of_a_cubic
-:::
-
-:::{claim} derivatives_of_a_piece
-:title: The k-th derivative of a piece has the k-th power of the length of its interval
-:zh: 曲线段的各阶导矢
-:given: any coefficients of degree 3 in space, any $t_0$, $t_1$ and $u$, $k=0,1,2,3$
-:then: the $k$-th derivative of the piece at $u$ is $(t_1-t_0)^kP^{(k)}(t_0+(t_1-t_0)u)$; the square of the length of the first one is
-  $(t_1-t_0)^2|P'|^2$
-:method: Both derivatives by the definition, everything a variable.
-:over: x# y# z#: coefficients; r s u: parameter value
-:control: the first power for every $k$
-:::
-*/
-CLAIM(derivatives_of_a_piece)
-{
-    num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u");
-    num h = sub(t1, t0), t = add(t0, mul(h, u)), speed = from_int(0), before = from_int(0);
-    G(free_points)(T, 3, space, c);
-    G(power_on_interval)(3, space, c, t0, t1, piece);
-    for (int j = 0; j < space; j++)
-        for (int k = 0; k <= 3; k++) {
-            num there = G(power_sum_derivative)(3, space, c, j, k, t),
-                here = G(power_sum_derivative)(3, space, piece, j, k, u);
-            /* d^k P/du^k = (t_1 - t_0)^k d^k P/dt^k */
-            same(T, here, mul(G(power)(h, fault(T, k, k > 0 ? 1 : k)), there));
-            if (k == 1) {
-                speed = add(speed, mul(here, here));
-                before = add(before, mul(there, there));
-            }
-        }
-    same(T, speed, mul(mul(h, h), before));
-}
-
-/*
-:::{statement} hu-1987:1-5-range
-:title: The length of the interval of a piece
-:zh: 参数区间长度的范围
-:printed: 0\le(t_1-t_0)\le1
-:holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | $[t_0,t_1]$ is a part of $[0,1]$ | $0\le t_0\le t_1\le1$; the piece is taken
-  forward.
-:figure: piece_of_a_cubic
-:::
-
-:::{claim} length_of_a_piece_is_at_most_one
-:title: The interval of a piece out of the unit interval is no longer than 1
-:zh: 区间长度不超过一
-:given: $0\le t_0\le t_1\le1$ as $t_0=a$, $t_1=a+b$, $1=a+b+c$ in units of $a+b+c$; $a,b,c\ge0$, not all 0
-:then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
-:method: Both have no negative coefficient in $a,b,c$; every pair of parameters with $t_0\le t_1$ is of this form, $a$, $b$, $c$ being the lengths of the three
-  parts of $[0,1]$, of which any may be 0.
-:scope: 0 ≤ t₀ ≤ t₁ ≤ 1
-:harmless: $a,b,c\ge0$, not all 0 | it is $0\le t_0\le t_1\le1$
-:over: a b c: -
-:control: $t_0-t_1$
-:::
-*/
-CLAIM(length_of_a_piece_is_at_most_one)
-{
-    num a = positive(T, "a", 0), b = positive(T, "b", 0), rest = positive(T, "c", 0);
-    num whole_length = add(a, add(b, rest));
-    num t0 = div(a, whole_length), t1 = div(add(a, b), whole_length), length = fault(T, sub(t1, t0), sub(t0, t1));
-    nonnegative(T, length);
-    nonnegative(T, sub(from_int(1), length));
-}
-
-#if RATIONAL
-/*
-:::{claim} backward_piece_has_negative_length
-:title: A piece taken backward has a negative factor
-:zh: 反向截取
-:kind: counterexample
-:given: two parameters, the later one first
-:data: t_0 = 3/4; t_1 = 1/4
-:instead: t_0 = 1/4; t_1 = 3/4
-:then: $t_1-t_0$ is negative
-:result: t_1 - t_0 = -1/2
-:method: The number, exactly.
-:control: $t_0$ and $t_1$ exchanged
-:::
-*/
-CLAIM(backward_piece_has_negative_length)
-{
-    num t0 = given(T, "t_0"), t1 = given(T, "t_1"), length = sub(t1, t0);
-    found(T, "t_1 - t_0", length);
-    about(T, "t_1 - t_0, which should not be negative");
-    nonnegative(T, length);
-}
-#endif
-
-/*
-:::{statement} hu-1987:1-5-tangent-length
-:title: The tangents become shorter by the length of the interval
-:zh: 切矢长度的变化
-:printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
-:holds-by: derivatives_of_a_piece
-:needs: backward_piece_has_negative_length | $0\le(t_1-t_0)\le1$ stands before it | $t_0\le t_1$: no length is negative
-:figure: piece_of_a_cubic
-:::
-
-## A rational change of the parameter
-
-A linear change of the parameter leaves the degree alone, and so it leaves nothing to choose once the ends are fixed.
-One number of freedom is gained by a quotient of linear functions (双线性变换): the ends stay, and the points crowd towards
-one of them.  The price is that the curve becomes a rational one, whose weights are products of powers of two numbers.
-
-:::{statement} hu-1987:1-5-rational-change
-:title: The parameter can be changed by a fractional linear map
-:zh: 双线性(同形)参数变换
-:printed: More generally the parameter can be changed by, for example, a bilinear or homographic transformation, a rational one, as in the formula
-  that follows.
-:holds-by: bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
-:confirmed-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
-:hypothesis: fractional_change_with_a_pole | the denominator has no zero on the interval.
-:figure: fractional_parameter
-
-The text that is at hand ends before the formula.
-:::
-
-:::{claim} fractional_change_of_a_power_curve
-:title: A fractional change of the parameter makes the curve rational and keeps its points
-:zh: 分式线性变换下的曲线
-:given: any coefficients of degree $n$ in the plane, $t=\frac{pu}{pu+q(1-u)}$ with $p,q>0$
-:where: $p,q>0$
-:then: the rational Bézier curve with the Bézier points of $P$ and the weights $p^iq^{n-i}$ is $P(t)$ at $u$; the derivatives of $t$ at the
-  ends, $\frac pq$ and $\frac qp$, have the product 1
-:method: The Bézier points by `bernstein_from_power`, the curve by the rational kernel, the weights by `rational_reparametrize`, against
-  the sum of powers; the derivatives as limits of quotients, $\frac{t}{u}$ at 0 and $\frac{1-t}{1-u}$ at 1, which are
-  $\frac p{pu+q(1-u)}$ and $\frac q{pu+q(1-u)}$.
-:degrees: 1..6 sampled 8
-:over: x# y#: coefficients; p; q; u
-:control: the weights $p^{n-i}q^i$
-:::
-*/
-CLAIM(fractional_change_of_a_power_curve)
-{
-    int n = T->degree;
-    num c[(MAX_DEGREE + 1) * dim], line[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * dim], w[MAX_DEGREE + 1], P[dim];
-    num p = positive(T, "p", 0), q = positive(T, "q", 0), u = parameter(T, "u"), one = from_int(1);
-    num below = add(mul(p, u), mul(q, sub(one, u))), t = div(mul(p, u), below);
-    G(free_points)(T, n, dim, c);
-    for (int j = 0; j < dim; j++) {
-        for (int k = 0; k <= n; k++)
-            line[k] = c[k * dim + j];
-        G(bernstein_from_power)(n, line, line);
-        for (int k = 0; k <= n; k++)
-            R[k * dim + j] = line[k];
-    }
-    for (int k = 0; k <= n; k++)
-        w[k] = one;
-    G(rational_reparametrize)(n, w, fault(T, p, q), fault(T, q, p), w);
-    G(rational_point)(n, dim, R, w, u, P);
-    for (int j = 0; j < dim; j++)
-        same(T, P[j], G(power_sum)(n, dim, c, j, t));
-    about(T, "the speeds at the ends");
-    same(T, div(t, u), div(p, below));
-    same(T, div(sub(one, t), sub(one, u)), div(q, below));
-}
-
-#if RATIONAL
-/*
-:::{claim} fractional_change_with_a_pole
-:title: With factors of different signs the parameter has a pole
-:zh: 异号时参数变换有极点
-:kind: counterexample
-:given: factors $p$ and $q$ of different signs, and a parameter $u$ of $(0,1)$
-:data: p = 1; q = -1; u = 1/2
-:instead: q = 1
-:then: the denominator $pu+q(1-u)$ vanishes
-:result: p u + q (1 - u) = 0
-:method: The denominator, exactly; that it is not 0 is refuted.
-:control: $p=q$
-:::
-*/
-CLAIM(fractional_change_with_a_pole)
-{
-    num p = given(T, "p"), q = given(T, "q"), u = given(T, "u");
-    num below = add(mul(p, u), mul(q, sub(from_int(1), u)));
-    found(T, "p u + q (1 - u)", below);
-    about(T, "whether the denominator is not zero");
-    refute(T, is_zero_q(below));
-}
-#endif
 
 #include "chapters/judge/claims_off.h"

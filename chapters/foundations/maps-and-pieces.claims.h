@@ -24,12 +24,10 @@ denominator with it as a weight.
 :printed: Geometric transformations of parametric curves, such as affine and projective ones, are easily carried out.
 :reading: image_of_a_power_curve_is_one | affine ones can be carried out on the coefficients: each is multiplied by one matrix, and one vector is added
 :reading: projective_image_of_a_power_curve_is_rational | so can projective ones: each is multiplied by one matrix, and the point is divided
-:reading: projective_image_is_not_the_curve_of_the_images | so can projective ones on control points, each mapped for itself: not unless they are
-  homogeneous
+:reading: projective_image_is_not_the_curve_of_the_images | so can projective ones on control points, each mapped for itself
 :reading: what is easy: an opinion, which no computation decides
 :figure: projective_image_of_a_parabola
 
-The points $[x(t)\;y(t)\;z(t)\;1]$ of the curve are multiplied by a matrix, and after a projective one divided.
 :::
 
 :::{claim} projective_image_of_a_power_curve_is_rational
@@ -80,7 +78,7 @@ CLAIM(projective_image_of_a_power_curve_is_rational)
 :title: The projective images of the control points are not control points of the image
 :zh: 射影变换不保持多项式曲线
 :kind: counterexample
-:given: the parabola with the Bézier points $R$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, and $t$
+:given: the parabola $P$ with the Bézier points $R$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, and $t$
 :data: R = (0,0) (1,0) (1,1); t = 1/2
 :then: the image of $P(t)$ is not the point $Q(t)$ of the polynomial curve of the three images
 :result: images of R = (0,0) (1,0) (1/2,1/2); image of P(t) = (3/5,1/5); Q(t) = (5/8,1/8)
@@ -121,15 +119,14 @@ other praises the convex hull (凸包) and the diminishing of variation (变差�
 them.
 
 :::{statement} hu-1987:1-2-degree-and-subdivision
-:title: A curve can be given more freedom without changing its shape
+:title: Raising the degree and dividing a curve keep its shape
 :zh: 升阶与分割不改变形状
 :printed: When the shape wanted is not reached by adjusting the parameters of the control points, the power to describe is raised by keeping the
   shape and raising the degree of the curve, or by keeping the shape and dividing the curve.
-:holds-by: bernstein_raised_by_one_degree bernstein_sum_of_powers_is_a_power triangle_of_powers_consists_of_powers
-:confirmed-by: elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
-:meant: the words, that the degree is raised (使曲线的次数增大) | The curves have a degree: they are polynomial ones.
-
-What is decided is that both are possible, in every degree, and keep the shape.
+:reading: bernstein_raised_by_one_degree | the degree of a polynomial curve can be raised, and the shape is kept
+:reading: triangle_of_powers_consists_of_powers | a polynomial curve can be divided, and the shape is kept
+:reading: what the power to describe is, and by how much it is raised: the source does not say, so that nothing is there to be decided
+:confirmed-by: bernstein_sum_of_powers_is_a_power elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
 :::
 
 :::{claim} division_keeps_power_curve

@@ -39,7 +39,7 @@ radii that a screen has the two are nearly the same; for the smallest ones they 
 :reading: larger_difference_is_the_height | the distance in the rows and columns of a screen, the larger of the two differences of the coordinates
 :figure: step_of_the_third_way
 
-The difference vanishes for large $r$: the square of the distance is less than $1+\frac1{r^2}$.
+For $0<\theta<\frac\pi2$ and $r\sin\theta=1$ the square of the distance is between 1 and $1+\frac1{r^2}$: `distance_of_the_third_way_tends_to_a_pixel`.
 :::
 */
 
@@ -49,7 +49,7 @@ The difference vanishes for large $r$: the square of the distance is less than $
 :title: At height one the second point is farther than one from the first
 :zh: 高度为一而距离大于一
 :kind: counterexample
-:given: $r$, $A_0=(r,0)$, and the cosine of $\theta$
+:given: the radius $r$, $A_0=(r,0)$, and the cosine of the angle $\theta$ by which it is turned to $A_1$
 :data: r = 1; cos θ = 0
 :then: $A_1$ has the height $r\sin\theta=1$, and $|A_0A_1|$ is more than 1
 :result: (r sin θ)² = 1; |A_0A_1|² = 2
@@ -186,7 +186,7 @@ and the positive root.
 :title: The three forms of the matrix agree
 :zh: 第三种方法矩阵的三种形式
 :given: $0<\theta\le\frac\pi2$ with the tangent $a$ of its half, $0<a\le1$, $r=\frac1{\sin\theta}$
-:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$; the determinant is 1
+:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$, so that $\theta=\sin^{-1}\frac1r$; the determinant is 1
 :method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive, and for $a=1$, where it is 0: it is the root.
 :scope: $0<\theta\le\frac\pi2$
 :harmless: $0<a\le1$ | it is $0<\theta\le\frac\pi2$, $a=\tan\frac\theta2$
@@ -217,7 +217,7 @@ CLAIM(third_matrix_by_the_radius)
 :given: cosine and sine of an obtuse angle $\theta$
 :data: cos θ = -3/5; sin θ = 4/5
 :instead: cos θ = 3/5
-:then: $\sqrt{1-\sin^2\theta}\ne\cos\theta$
+:then: $\sqrt{1-\sin^2\theta}\ne\cos\theta$; the cosine of $\sin^{-1}(\sin\theta)$ is that root, so that this angle is not $\theta$
 :result: √(1 - sin² θ) = 3/5
 :method: Both numbers, exactly.
 :control: the acute angle with this sine

@@ -116,7 +116,7 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
 :holds-by: horner_step_keeps_the_sum
 :confirmed-by: horner_computes_the_sum_of_powers
 :meant: the reason that is given, a curve whose coordinates are explicit functions of $t$ | Of a curve, easy is: by inserting $t$, without an equation to be
-  solved; the functions are polynomials, as in all of the section.
+  solved; the functions are polynomials, as in the formulas that follow.
 
 The word printed is "surface", the reason is one for curves.
 :::
@@ -140,14 +140,14 @@ first at which it changes its side within the plane.  Lines have to be excepted,
   everywhere.
 :figure: degrees_two_and_three
 
-The table of contents of the source has a section on uniform quadratic B-spline surfaces.
+The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2).
 :::
 
 :::{claim} quadratic_curve_is_in_use
 :title: The parabola is a polynomial curve of degree two
 :zh: 二次曲线段
 :kind: counterexample
-:given: the parabola with the coefficients $c$; the degree $n$ that is printed as the lowest, and a parameter $t$
+:given: the parabola $P(t)=\sum_kc_kt^k$; the degree $n$ that is printed as the lowest, and a parameter $t$
 :data: c = (0,0) (1,0) (0,1) (0,0); n = 3; t = 1/3
 :instead: c = (0,0) (1,0) (0,0) (0,1)
 :then: its degree is less than $n$, and it is no line
@@ -208,7 +208,7 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 :title: A line with parameters of degree one and two has curvature zero
 :zh: 一、二次直线的曲率恒为零
 :kind: counterexample
-:given: two parameters of one line on $[0,1]$, with the coefficients $P$ and $Q$
+:given: two curves along one line for $0\le t\le1$, $P$ and $Q$, by their coefficients of $1,t,t^2,t^3$
 :data: P = (0,0) (1,0) (0,0) (0,0); Q = (0,0) (1,0) (1,0) (0,0)
 :instead: P = (0,0) (1,0) (0,1) (0,0)
 :then: $P'\ne0$ and $P'\times P''=0$ everywhere, and so for $Q$

@@ -79,8 +79,8 @@ the line that turns back, the trouble begins where the point stands still.
 :example: a curve whose coordinates are polynomials, and which is of no class.
 :figure: cusp_and_its_derivative
 
-The words are out of order: the derivatives of positive order up to $r$ must be meant.
-By this definition the curve of the example is of no class at $t=\frac12$.
+The words are out of order, and are read as: the derivatives of the orders 1 to $r$.
+The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class there.
 :::
 
 The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, and for a
@@ -132,11 +132,11 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 :::{claim} polynomial_without_constant_is_small_near_zero
 :title: A polynomial without a constant is as small as one likes near zero, in every degree
 :zh: 无常数项的多项式在零附近任意小(任意次数)
-:given: $0<h<1$; a sum of some terms $c_kh^k$, $k\ge1$, of a size of at most $E$, the sum $S$ of the sizes of their coefficients, $hS-E=g\ge0$; one more
+:given: $0<h<1$, the size of the argument; a sum of some terms $c_k(\pm h)^k$, $k\ge1$, of a size of at most $E$, the sum $S$ of the sizes of their coefficients, $hS-E=g\ge0$; one more
   coefficient, of the size $a$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
 :harmless: $hS-E=g\ge0$ | the induction keeps it
 :harmless: $\varepsilon>0$, $0<y<1$ | as small as one likes
-:then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_kh^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
+:then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_k(\pm h)^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
   $\varepsilon\,(1-y)$
 :method: One step with everything a variable; then induction over the terms.
 :degrees: all
@@ -255,7 +255,7 @@ CLAIM(chord_turns_into_the_derivative)
 :title: A loop has two tangents at its double point
 :zh: 二重点处有两条切线
 :kind: counterexample
-:given: the plane cubic with the coefficients $c$, and two parameters $t$
+:given: the plane cubic $P(t)=\sum_kc_kt^k$, and two parameters $t$
 :data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1
 :instead: t = 1 1
 :then: both parameters give one point, and the derivatives there are not 0, and not parallel
@@ -305,7 +305,7 @@ CLAIM(double_point_has_two_tangents)
 :::{claim} cusp_of_the_example_is_a_cusp
 :title: The curve of the example is a semicubical parabola
 :zh: 例中曲线为半立方抛物线
-:given: the curve of the example, with the coefficients $c$; the parameter $t$ of the cusp; any $u$
+:given: the curve of the example, $P(t)=\sum_kc_kt^k$; the parameter $t$ of the cusp; any $u$
 :data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
 :instead: c = (0,0) (3,3) (-5,-3) (4,0)
 :then: $P(t+u)=(x_0+\kappa u^3,\;y_0+\mu u^2)$ with $(x_0,y_0)=e_0$, $(0,\mu)=e_2$, $(\kappa,0)=e_3$; so
@@ -352,7 +352,7 @@ the direction, the velocity divided by its length, and this quotient is undefine
 :class: false
 :corrected: $\dot P$ is continuous, as polynomials are, and zero at the cusp; the unit tangent $\dot P/|\dot P|$ has no limit there: it jumps
   from $(0,1)$ to $(0,-1)$.
-:corrected-by: unit_tangent_jumps_at_the_cusp
+:corrected-by: unit_tangent_jumps_at_the_cusp cusp_of_the_example_is_a_cusp
 :example: the sentence is about the cusp of this one curve.
 :figure: cusp_and_its_derivative
 :striking: 42
@@ -365,7 +365,7 @@ the direction, the velocity divided by its length, and this quotient is undefine
 :title: At the cusp the derivative has its own value as the limit from both sides
 :zh: 尖点处导矢连续
 :kind: counterexample
-:given: the curve of the example, with the coefficients $c$; the parameter $t$ of the cusp
+:given: the curve of the example, $P(t)=\sum_kc_kt^k$; the parameter $t$ of the cusp
 :data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
 :then: $x'$ and $y'$ are polynomials in the distance $u$ from $t$, whose limits for $u\to0$ from either side are their values there
 :result: x'(t + u) = "12*u^2"; y'(t + u) = "-6*u"; P'(t) = (0,0)
@@ -399,7 +399,7 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :::{claim} unit_tangent_jumps_at_the_cusp
 :title: The unit tangent turns over at the cusp
 :zh: 单位切矢在尖点处反向
-:given: the curve of the example, with the coefficients $c$, at $t-u$ and $t+u$, where $t$ is the parameter of the cusp and $u>0$
+:given: the curve of the example, $P(t)=\sum_kc_kt^k$, at $t-u$ and $t+u$, where $t$ is the parameter of the cusp and $u>0$
 :data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
 :then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
   $(0,-1)$ with $u$
@@ -434,7 +434,7 @@ by what the point does after it, and this leads to the source's last example, wh
 :meant: the examples that follow, each with an anomaly of its own | There are singular points with such cases, of more than one kind.
 :reading: cusp_of_the_example_is_a_cusp | there are such points: at a cusp the direction turns over
 :reading: point_moves_forward_back_and_forward | there are such points of another kind: on a line the point turns back
-:reading: singular_point_of_a_plain_segment | at every singular point: at some the point only stands still for a moment, and nothing is seen
+:reading: singular_point_of_a_plain_segment | at every singular point something abnormal is seen
 :figure: singular_point_of_a_segment
 :::
 */
@@ -445,7 +445,7 @@ by what the point does after it, and this leads to the source's last example, wh
 :title: A segment run once and forward, with a singular point in the middle
 :zh: 含奇异点的普通线段
 :kind: counterexample
-:given: $x=y=\phi(t)$, the abscissa of the example with the cusp: a cubic with the coefficients $c$; a parameter $t$
+:given: the curve $x=y=\phi(t)=\sum_kc_kt^k$, the abscissa of the example with the cusp; a parameter $t$
 :data: c = 0 3 -6 4; t = 1/2
 :instead: c = 0 6 -15 10
 :then: $\phi'$ is not negative on $[0,1]$ and vanishes at $t$ only, where the curve is singular; the curve runs from $(0,0)$ to $(1,1)$
@@ -486,10 +486,10 @@ CLAIM(singular_point_of_a_plain_segment)
 :::{claim} natural_line_is_regular
 :title: The derivative of the line is (1, 1) everywhere
 :zh: 直线的导矢为常矢量
-:given: the line $x=y=t$, with the coefficients $c$, at any $t$
+:given: the line $x=y=t$, that is $P(t)=\sum_kc_kt^k$, at any $t$
 :data: c = (0,0) (1,1) (0,0)
 :instead: c = (0,0) (0,0) (1,1)
-:then: $P'(t)$ does not depend on $t$
+:then: $P'(t)=(1,1)$, which is not $(0,0)$, for every $t$
 :result: P'(t) = (1,1)
 :method: The kernel at a variable $t$; every component is 1.
 :control: $x=y=t^2$
@@ -521,7 +521,7 @@ CLAIM(natural_line_is_regular)
 :title: The other parameter covers the segment and nothing else
 :zh: 另一参数恰好走遍线段
 :kind: decision
-:given: the printed $\phi$, with the coefficients $c$, on $[0,1]$
+:given: the printed $\phi(t)=\sum_kc_kt^k$ on $[0,1]$
 :data: c = 0 6 -15 10
 :instead: c = 0 7 -15 10
 :then: $0\le\phi\le1$, and both ends are reached: every $x$ of $[0,1]$ is a value, as $\phi-x$ is not positive at 0 and not negative at 1, and so
@@ -563,7 +563,7 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :::{claim} singular_parameters_of_the_line
 :title: The derivative vanishes at the two printed parameters
 :zh: 导数的两个零点
-:given: the printed $\phi$, with the coefficients $c$, at $t=\frac{p+w}q$, any $w$
+:given: the printed $\phi(t)=\sum_kc_kt^k$ at $t=\frac{p+w}q$, any $w$
 :data: c = 0 6 -15 10; p = 5; q = 10; k = 3/10
 :instead: q = 9
 :then: $\phi'(t)=k\,(w^2-p)$; so $\phi'=0$ exactly for $w=\pm\sqrt p$; at these $\phi(t)=\frac{p-w}q$, the other one of the two
@@ -598,11 +598,10 @@ shows.
 :class: misprint
 :corrected: The point moves forward on $[0,t_1]$, backward on $[t_1,t_2]$, and forward again on $[t_2,1]$, with
   $t_{1,2}=(5\mp\sqrt5)/10$.
-:corrected-by: point_moves_forward_back_and_forward
+:corrected-by: point_moves_forward_back_and_forward singular_parameters_of_the_line
 :figure: one_line_two_parameters
 
-A clause about the way back, between the two singular points, is missing; the word "again" at the end of the sentence still
-refers to it.
+Read as a sentence in which a clause about the way back is missing, to which the word "again" (又) refers.
 :::
 */
 
@@ -612,10 +611,10 @@ refers to it.
 :title: Between the singular points the point moves backward
 :zh: 两奇异点之间点后退
 :kind: counterexample
-:given: the printed $\phi$, with the coefficients $c$, and $t<t_2$
+:given: the printed $\phi(t)=\sum_kc_kt^k$, and a parameter $t<t_2$
 :data: c = 0 6 -15 10; t = 1/2
 :instead: t = 1/5
-:then: $\phi'(t)$ is negative
+:then: $\phi'(t)$ is negative, so that the point moves backward there
 :result: φ'(t) = -3/2
 :method: The derivative, exactly; that it is not negative before $t_2$ is refuted.
 :control: a parameter before $t_1$
@@ -636,7 +635,7 @@ CLAIM(point_moves_backward_in_between)
 :title: The derivative changes its sign exactly twice
 :zh: 导数恰好变号两次
 :kind: decision
-:given: the printed $\phi$, with the coefficients $c$, on $[0,1]$, and three parameters $t$
+:given: the printed $\phi(t)=\sum_kc_kt^k$ on $[0,1]$, and three parameters $t$
 :data: c = 0 6 -15 10; t = 0 1/2 1
 :instead: c = 0 12 -15 10
 :then: $\phi'$ is positive at the ends, negative in the middle, and has two roots, both changes of sign, in $(0,1)$

@@ -35,23 +35,29 @@ step, which makes them as large as the coefficients, and begins the table with t
 :given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=\frac1n$ with $n=2^m$, any coefficients
 :data: n = 256; m = 8
 :instead: n = 128
-:then: $\Delta^3P_0$ is six times $A/2^{3m}$, and the differences of order 4 and more are 0
-:method: The table of a cubic as one of degree four by the kernel, so that the fourth difference comes from five points; everything but the
-  step a variable.
+:then: $\Delta^3P_0$ is six times $A/2^{3m}$; the difference of order 4 is 0 at every $t$, and so are those of higher order, which are its differences
+:method: The third difference by the kernel; the fourth from the five points at $t,t+\delta,\dots$ by subtractions; everything but the step a variable.
 :scope: δ = 1/256
-:over: c#: coefficients
+:over: c#: coefficients; t: -
 :control: twice the step
 :::
 */
 CLAIM(third_difference_loses_three_bytes)
 {
-    num c[5], d[5], delta = div(from_int(1), given(T, "n")), scale = from_ratio(1, 1L << 3 * given_whole(T, "m"));
+    num c[4], d[4], delta = div(from_int(1), given(T, "n")), scale = from_ratio(1, 1L << 3 * given_whole(T, "m"));
+    num t = parameter(T, "t"), values[5];
     for (int k = 0; k < 4; k++)
         c[k] = unknown(T, "c", k);
-    c[4] = from_int(0);
-    G(power_differences)(4, 1, c, delta, d);
+    G(power_differences)(3, 1, c, delta, d);
+    about(T, "the third difference");
     same(T, d[3], mul(c[3], mul(from_int(6), scale))); /* Δ³P_0 = 6 A δ³ */
-    vanishes(T, d[4]);
+    for (int i = 0; i < 5; i++)
+        values[i] = G(power_sum)(3, 1, c, 0, add(t, mul(from_int(i), delta)));
+    for (int k = 1; k < 5; k++)
+        for (int i = 0; i < 5 - k; i++)
+            values[i] = sub(values[i + 1], values[i]);
+    about(T, "the fourth difference");
+    vanishes(T, values[0]);
 }
 
 #if RATIONAL
@@ -60,7 +66,7 @@ CLAIM(third_difference_loses_three_bytes)
 :title: The third difference is six times the first
 :zh: 三阶差分为一阶差分的六倍
 :kind: counterexample
-:given: the cubic with the coefficients $c$, from $D$ to $A$, and $\delta$
+:given: the cubic $P(t)=\sum_kc_kt^k$, that is with the coefficients $c$ from $D$ to $A$, and $\delta$; the differences at $t=0$
 :data: c = 0 0 0 1; δ = 1/256
 :instead: c = 0 1 0 1
 :then: $\Delta^3P_0$ is larger than $\Delta P_0$
@@ -184,12 +190,12 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :title: With powers of two the points are computed at high speed
 :zh: 步长为 2 的幂时高速计算
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions table_after_any_number_of_steps
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions table_after_any_number_of_steps printed_lines_step_a_cubic
 :confirmed-by: stepping_reaches_the_other_end table_is_whole_in_units_of_the_cube stepping_is_exact_for_short_coefficients
 :meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
   in the place of products.
 :hypothesis: short_words_lose_the_end | the words are long enough; with $3m$ binary places more than the coefficients have they hold every row exactly,
-  `table_is_whole_in_units_of_the_cube`.  Words with 16 places may lose the end.
+  `table_is_whole_in_units_of_the_cube`.  Words with 8 places may lose the end.
 :figure: stepping_and_rounding
 :::
 
@@ -206,7 +212,8 @@ points, and the rows of (1-4-5) only that of their own, small, size.
 :zh: 差分表比系数多 3m 位
 :given: $\delta=\frac1N$, any $N>0$, as $N=2^m$; any coefficients of degree 3
 :then: $N^3$ times the four rows are $N^3D$, $A+BN+CN^2$, $6A+2BN$ and $6A$; so where the coefficients are whole in units of $2^{-b}$ the rows are whole in
-  units of $2^{-b-3m}$, and remain so, as only sums are formed
+  units of $2^{-b-3m}$, and remain so, as only sums are formed; the rows of (1-4-4) are these times $1$, $N$, $N^2$ and $N^3$, and so are whole in these
+  units, too
 :method: The kernel's table, everything a variable; the polynomials in $N$ have whole coefficients.
 :over: N: -; x#: coefficients
 :control: $N^2$ in the place of $N^3$
@@ -368,17 +375,17 @@ CLAIM(stepping_loses_what_horner_keeps)
 
 /*
 :::{claim} short_words_lose_the_end
-:title: Words of 16 binary places lose the cubic term
-:zh: 字长不足时丢失三次项
+:title: Words of 8 binary places never leave the first point
+:zh: 字长不足时停在起点
 :kind: counterexample
-:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta$; differences kept to so many binary places, the rest cut off; $n$
-  steps
-:data: c = 0 0 0 1/8; δ = 1/256; places = 16; n = 256
+:given: the cubic $P(t)=\sum_kc_kt^k$, that is with the coefficients $c$ from $D$ to $A$; the table (1-4-5), and $n$ steps (1-4-4) with $\delta=\frac1n$; of every
+  row, and of every product with $\delta$, so many binary places are kept as `places` says, and the rest is cut off
+:data: c = 0 0 0 1/8; δ = 1/256; places = 8; n = 256
 :instead: places = 27
-:then: the second and the third difference are cut to 0, and so is the first: the last point is $P(0)$ in the place of $P(1)$
-:result: table, cut = 0 0 0 0; last point = 0; P(1) = 1/8
-:method: The table with each difference cut, then exact steps.
-:control: places enough to hold $\Delta^3P_0$
+:then: the rows $\frac1\delta\Delta P_0$ and $\frac1{\delta^2}\Delta^2P_0$ are cut to 0, and so is every product with $\delta$: the last point is $P(0)$ in the place of $P(1)$
+:result: table, cut = 0 0 0 3/4; last point = 0; P(1) = 1/8
+:method: The table by the kernel, divided by the powers of $\delta$ and cut; then the four lines of (1-4-4), with each product cut.
+:control: places enough to hold every row
 :::
 */
 /* a >= 0 with all binary places after the first `places` cut off */
@@ -399,12 +406,14 @@ CLAIM(short_words_lose_the_end)
     given_points(T, "c", 4, 1, c);
     num delta = given(T, "δ"), end = G(power_sum)(3, 1, c, 0, from_int(1));
     int places = given_whole(T, "places"), steps = given_whole(T, "n");
+    num power = from_int(1);
     G(power_differences)(3, 1, c, delta, d);
-    for (int k = 0; k < 4; k++)
-        d[k] = cut(d[k], places);
+    for (int k = 0; k < 4; k++, power = mul(power, delta))
+        d[k] = cut(div(d[k], power), places);
     found_points(T, "table, cut", 4, 1, d);
-    for (int k = 0; k < steps; k++)
-        G(power_difference_step)(3, 1, d);
+    for (int i = 0; i < steps; i++)
+        for (int k = 0; k < 3; k++) /* Δ^k P_1/δ^k = Δ^k P_0/δ^k + δ (Δ^{k+1} P_0/δ^{k+1}) */
+            d[k] = add(d[k], cut(mul(delta, d[k + 1]), places));
     found(T, "last point", d[0]);
     found(T, "P(1)", end);
     about(T, "the last point, and P(1)");

@@ -47,7 +47,7 @@ To be the graph of a function is a property that a turn of the same shape can ta
 :title: Two discs, each well described, contain one point
 :zh: 两圆盘的描述互不排斥
 :kind: decision
-:given: the discs about $C_0$ and $C_1$ with the radii $r$, and a point $X$
+:given: the discs about $C_0$ and $C_1$ with the radii $r_0$ and $r_1$, and a point $X$
 :data: C = (0,0) (1,0); r = 1 1; X = (1/2,0)
 :instead: C = (0,0) (3,0)
 :then: $|X-C_k|^2<r_k^2$ for both: $X$ is inside of both
@@ -78,7 +78,7 @@ CLAIM(two_descriptions_may_claim_one_place)
 :title: The curve of the example
 :zh: 例:两点的参数曲线
 :definition: yes
-:printed: P(t)=A_0(t)\,P_0+A_1(t)\,P_1\qquad(0\le t\le1)
+:printed: $P(t)=A_0(t)\,P_0+A_1(t)\,P_1$, $0\le t\le1$ (1-2-1); let $A_0(t)=(1-t)^3$, $A_1(t)=t^3$
 :checked-by: two_cubes_begin_and_end_at_their_points
 :figure: two_cubes_and_their_image
 :::
@@ -87,7 +87,8 @@ CLAIM(two_descriptions_may_claim_one_place)
 :title: The two factors of the example at the ends of the interval
 :zh: 例中调和函数的端值
 :printed: For $A_0(t)=(1-t)^3$, $A_1(t)=t^3$: $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$.
-:holds-by: two_cubes_begin_and_end_at_their_points
+:holds-by: two_cubes_have_the_printed_end_values
+:confirmed-by: two_cubes_begin_and_end_at_their_points
 :figure: two_cubes_and_their_image
 :::
 */
@@ -108,12 +109,32 @@ static num beside_chord(const num P[], const num X[])
 #endif
 
 /*
+:::{claim} two_cubes_have_the_printed_end_values
+:title: The four values of the two factors at the ends
+:zh: 两调和函数的四个端值
+:given: $A_0=(1-t)^3$, $A_1=t^3$
+:then: $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$
+:method: The four numbers.
+:scope: the two stated functions
+:control: the two ends exchanged
+:::
+*/
+CLAIM(two_cubes_have_the_printed_end_values)
+{
+    for (int end = 0; end <= 1; end++) {
+        num t = from_int(fault(T, end, 1 - end));
+        same(T, G(power)(sub(from_int(1), t), 3), from_int(1 - end));
+        same(T, G(power)(t, 3), from_int(end));
+    }
+}
+
+/*
 :::{claim} two_cubes_begin_and_end_at_their_points
-:title: The factors of the example are 1 and 0 at one end, 0 and 1 at the other
+:title: The curve of the example begins and ends at its two points
 :zh: 两端插值
 :given: $A_0=(1-t)^3$, $A_1=t^3$, any two points
 :then: $P(0)=P_0$ and $P(1)=P_1$ for $P=A_0P_0+A_1P_1$
-:method: The sum at the two integers, the points variables; the coefficients of $P_0$ and $P_1$ are the four values.
+:method: The sum at the two integers, the points variables.
 :control: the two ends exchanged
 :::
 */
@@ -183,7 +204,7 @@ The conclusion is true for the printed points.
 :zh: 端值相同而不成直线
 :kind: counterexample
 :types: rational
-:given: the points $P_0$, $P_1$ on the two axes, and $t$
+:given: the curve $P(t)=(1-t)^3P_0+t^3P_1$ of two points $P_0$, $P_1$ on the axes, at $t$
 :data: P = (1,0) (0,1); t = 1/2
 :then: $P(t)$ is not on the line through $P_0$ and $P_1$
 :result: P(t) = (1/8,1/8)
@@ -351,8 +372,8 @@ No part of it is straight: $P'\times P''$ is 0 at $P_0^*$ and $P_1^*$ only.
 :instead: P* = (0,0) (7,8)
 :then: $P'\times P''$ has no zero in $(0,1)$, and zeros at 0 and 1
 :result: P' × P'' = "-180*t^2 + 180*t"
-:method: $P'\times P''$ as a polynomial of $t$, by the kernels for cubics; its sign on the open interval and on the closed
-  one by root counts.
+:method: $P'\times P''$ as a polynomial of $t$, by the kernels for cubics; its sign on the open interval by root counts, its values
+  at the ends.
 :scope: 0 ≤ t ≤ 1
 :control: $P_0^*$ in the origin
 :::
@@ -456,17 +477,17 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
 :title: A curve as a sum of points with functions as factors
 :zh: 曲线的一般表达式
 :definition: yes
-:printed: P(t)=[x(t)\;y(t)\;z(t)]=[\phi_0(t)\;\phi_1(t)\;\cdots\;\phi_n(t)]\,[Q_0\;Q_1\;\cdots\;Q_n]^T
+:printed: $P(t)=[x(t)\;y(t)\;z(t)]=[\phi_0(t)\;\phi_1(t)\;\cdots\;\phi_n(t)]\,[Q_0\;Q_1\;\cdots\;Q_n]^T$, where $\phi_0(t),\dots,\phi_n(t)$ are polynomials of the
+  parameter $t$, and $Q_0,\dots,Q_n$ the position vectors that define the curve
 :checked-by: matrices_pass_to_the_points
 :figure: rotations_of_the_example
 
-The functions are polynomials in the source; nothing here uses it.
 :::
 
 :::{claim} matrices_pass_to_the_points
 :title: A matrix applied to the points is applied to the curve
 :zh: 矩阵变换作用于顶点即作用于曲线
-:given: a sum $S=\sum\phi_iQ_i$ of some terms, any point of space, with one more value of $\phi$ and one more point $Q$; a
+:given: a sum $S=\sum\phi_iQ_i$ of some terms, which may be any point of space, with one more value of $\phi$ and one more point $Q$; a
   $3\times3$ matrix $T$
 :then: $ST+\phi\,(QT)=(S+\phi Q)\,T$; so, term by term, $\sum\phi_i\,(Q_iT)=\bigl(\sum\phi_iQ_i\bigr)T$, whether $T$ is a
   rotation or not
@@ -519,10 +540,11 @@ the points whatever the functions are: that is the associative law of the produc
 :title: Turning the points of the example about another point does not turn its curve
 :zh: 绕非原点旋转时形状改变
 :kind: counterexample
-:given: the points $P$ of the source, the rotation by a right angle about $C$, and $t$
+:given: the points $P$ of the source and their curve $P(t)=(1-t)^3P_0+t^3P_1$, the rotation by a right angle about $C$, and $t$; $P^*(t)$ is the
+  curve of the turned points
 :data: P = (0,0) (10,10); C = (1,0); t = 1/2
 :instead: C = (0,0)
-:then: the curve of the turned points is at $t$ not in the turned point $P(t)$
+:then: $P^*(t)$ is not the turned point $P(t)$
 :result: turned P = (1,-1) (-9,9); turned P(t) = (-1/4,1/4); P*(t) = (-1,1)
 :method: Both points, exactly.
 :control: the rotation about the origin
@@ -646,7 +668,7 @@ CLAIM(doubled_functions_keep_the_shape)
 :title: A segment keeps its shape although the sum of its functions is 2
 :zh: 函数和为 2 的线段保持形状
 :kind: counterexample
-:given: the functions $\phi_0=k(1-t)$ and $\phi_1=kt$, the points $Q$, the translation $m$, and three parameters $t$
+:given: the curve $P=\phi_0Q_0+\phi_1Q_1$ with $\phi_0=k(1-t)$ and $\phi_1=kt$; $P^*$ is that of the points $Q_0+m$, $Q_1+m$; three parameters $t$
 :data: k = 2; Q = (0,0) (1,0); m = (1,1); t = 0 1/2 1
 :instead: k = 1
 :then: $P^*(t)-P(t)$ is the same for all three $t$, so the segments are congruent; $\phi_0+\phi_1$ is not 1
@@ -683,8 +705,10 @@ CLAIM(shape_is_kept_without_the_sum_one)
 :::{statement} hu-1987:1-2-example-cauchy
 :title: The example violates the relation of Cauchy
 :zh: 例不满足柯西关系
-:printed: In the example the relation of Cauchy is not satisfied, so the shape need not be kept by a translation.
-:holds-by: sum_of_two_cubes_is_less_than_one image_of_the_example_is_not_the_translated_curve
+:printed: In the example the relation of Cauchy is not satisfied, so that the invariance of the shape after a translation cannot be guaranteed.
+:holds-by: sum_of_two_cubes_is_less_than_one two_cubes_from_the_origin_trace_the_segment image_of_the_example_turns_everywhere
+  new_coordinates_are_a_translation
+:confirmed-by: image_of_the_example_is_not_the_translated_curve
 :figure: sums_of_functions
 :::
 
@@ -727,18 +751,18 @@ its values; section 1-2 has moved control points, which is another thing.
 :zh: 参数曲线的几何不变性
 :printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates, and geometric properties
   of a figure can be studied without relying on a coordinate system.
-:holds-by: image_of_a_power_curve_is_one
-:hypothesis: image_keeps_no_chord | functions that are not moved with the points have the sum 1: the relation of Cauchy.  The
-  curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
+:holds-by: image_of_a_power_curve_is_one matrices_pass_to_the_points translation_adds_the_sum_of_the_functions
+:hypothesis: image_keeps_no_chord | functions that are the factors of points have the sum 1: the relation of Cauchy.
+  The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
 :figure: two_cubes_and_their_image
 
-As a vector function the curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.
+As a vector function a polynomial curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.
 :::
 
 :::{claim} image_of_a_power_curve_is_one
 :title: The image of a polynomial curve is the polynomial curve of the mapped coefficients
 :zh: 多项式曲线的仿射象
-:given: a sum $S=\sum c_kt^k$ of some terms, any point of space, with one more coefficient $c$ and power $p=t^k$; any
+:given: a sum $S=\sum c_kt^k$ of some terms, which may be any point of space, with one more coefficient $c$ and power $p=t^k$; any
   $3\times3$ matrix $T$ and any $m$
 :then: $(S+cp)\,T+m=(ST+m)+(cT)\,p$; so $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
 :method: Both sides with everything a variable; by induction for any number of terms.
@@ -775,7 +799,7 @@ CLAIM(image_of_a_power_curve_is_one)
 :title: In the new coordinates the middle of the example is not on the chord
 :zh: 新坐标系中曲线离弦
 :kind: counterexample
-:given: the points $P^*$ of the source, and $t$
+:given: the curve $P^*(t)=(1-t)^3P_0^*+t^3P_1^*$ of the points $P^*$ of the source, and $t$
 :data: P* = (-3,-2) (7,8); t = 1/2
 :instead: P* = (0,0) (10,10)
 :then: $P^*(t)$ is not on the line through $P_0^*$ and $P_1^*$

@@ -60,7 +60,7 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :::{statement} hu-1987:1-3-second-difference-equations
 :title: The difference equations of the ellipse
 :zh: 椭圆的差分方程
-:printed: With $x_n=r\cos\theta$, $y_n=r\sin(\theta+\frac{\Delta\theta}2)$, $\varepsilon=2\sin\frac{\Delta\theta}2$:
+:printed: The step can be described by the difference equations of an ellipse: with $x_n=r\cos\theta$, $y_n=r\sin(\theta+\frac{\Delta\theta}2)$, $\varepsilon=2\sin\frac{\Delta\theta}2$:
   $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta-2r\sin\frac{\Delta\theta}2\sin(\theta+\frac{\Delta\theta}2)=x_n-\varepsilon y_n$,
   $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon
   x_{n+1}$
@@ -258,7 +258,7 @@ of second order, and both are half the sine to first order.
 :meant: the formula itself, in which $\cos\frac{\Delta\theta}2\big/\sqrt{1-\sin\frac{\Delta\theta}2}$ is the largest radius of the ellipse over $r$ | The
   error is counted outwards, relative to $r$.
 :reading: ellipse_lies_between_two_circles | the largest distance outwards
-:reading: ellipse_leaves_the_circle_by_more | the largest distance of all: inwards it is larger
+:reading: ellipse_leaves_the_circle_by_more | the largest distance of all, outwards or inwards
 :figure: ellipse_of_the_second_way
 
 With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ larger
@@ -325,10 +325,11 @@ CLAIM(inward_error_of_the_ellipse_is_larger)
 :title: Inwards the ellipse leaves the circle by more than the printed error
 :zh: 椭圆向内偏离大于印刷的误差
 :kind: counterexample
-:given: the sine $s$ that the source's example has, $a=1+s$
+:given: $s=\sin\frac{\Delta\theta}2$, as in the source's example; in units of $r$, $\sqrt{1+s}-1$ is the printed error, which is that outwards, and $1-\sqrt{1-s}$
+  the one inwards; $a=1+s$
 :data: s = 1/32
 :instead: s = 0
-:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false
+:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false: the error inwards is the larger one
 :result: (1 + a)² - 4a = 1/1024
 :method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1-a)^2\le0$.
 :control: the circle
@@ -369,7 +370,7 @@ The source's own example, $m=4$, is that of the corrected exponent.
 :title: For m = 4 the printed approximation is nearly twice the error
 :zh: 近似式给出两倍的误差
 :kind: counterexample
-:given: the $m$ of the source's example, and $s=2^{-m-1}$
+:given: the $m$ of the source's example, $s=\sin\frac{\Delta\theta}2=2^{-m-1}$
 :data: m = 4
 :then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not $E=\sqrt{1+s}-1$, but nearly twice as much
 :result: 2^-(m+1) = "3.1 %"; E = "1.6 %"

@@ -15,11 +15,9 @@ torsion is a single number, which vanishes exactly when the cubic is plane.
 :printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{s^3K^2}
 :refuted-by: printed_vectors_have_no_torsion
 :class: misprint
-:corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
+:corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
 :figure: derivatives_with_lost_dots
-
-A mixed product with one vector twice is 0, whatever is meant by the letter $s$.
 :::
 
 :::{claim} torsion_by_speed_and_curvature
@@ -63,9 +61,9 @@ static num G(sarrus)(const num r0[], const num r1[], const num r2[])
 :title: With the second derivative twice the printed torsion is zero
 :zh: 重复二阶导矢时挠率恒为零
 :kind: counterexample
-:given: a cubic in space with the coefficients $c$, and $t$
+:given: the cubic $P(t)=\sum_kc_kt^k$ in space, and $t$, where its speed is 1
 :data: c = (0,0,0) (1,0,0) (0,1,0) (0,0,1); t = 0
-:then: $[P'\,P''\,P'']$ is 0, the torsion is not
+:then: $[P'\,P''\,P'']$ is 0, and with it the printed quotient, whatever number $s$ is; the torsion is not
 :result: P', P'', P''' = (1,0,0) (0,2,0) (0,0,6); printed quotient = 0; τ = 3
 :method: The derivatives by the kernel; at $t$ the speed is 1, so that its power does not matter.
 :control: $P'''$ in the last place
@@ -98,19 +96,18 @@ curve has to be taken at a place where it is not; there one sees that the sixth 
 :printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{s^3K^2}
 :refuted-by: printed_power_spoils_the_torsion
 :class: misprint
-:corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
+:corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
 :figure: torsion_and_the_speed
 
-The formula is read with the lost dots restored, $\dddot P$ in the last place and $\dot s$ below: the power of the speed is
-wrong then, too.
+The formula is read with $\dddot P$ in the last place and $\dot s$ below, so that the power alone is tried.
 :::
 
 :::{claim} printed_power_spoils_the_torsion
 :title: With the third power of the speed the torsion is wrong at a place where the speed is not one
 :zh: 速率三次幂给出错误的挠率
 :kind: counterexample
-:given: a cubic in space with the coefficients $c$, and $t$
+:given: the cubic $P(t)=\sum_kc_kt^k$ in space, and $t$; the printed quotient with $\dddot P$ in the last place and $\dot s$ for $s$
 :data: c = (0,0,0) (3,0,0) (0,3,0) (0,0,2); t = 1
 :then: the speed $\dot s$ is not 1, and the printed quotient is not the torsion
 :result: s'(t) = 9; K² = 4/729; printed quotient = 54; τ = 2/27
@@ -140,7 +137,7 @@ CLAIM(printed_power_spoils_the_torsion)
 :title: The determinant of the derivatives
 :zh: 导矢的行列式
 :printed: $(\dot P\times\ddot P)\cdot\ddot P=\begin{vmatrix}\dot x&\dot y&\dot z\\\ddot x&\ddot y&\ddot z\\\ddot x&\ddot y&\ddot
-  z\end{vmatrix}=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
+  z\end{vmatrix}=\cdots=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
 :refuted-by: determinant_with_equal_rows_is_zero
 :class: misprint
 :corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row
@@ -190,7 +187,7 @@ CLAIM(determinant_of_the_derivatives_is_constant)
 :title: The printed determinant has two equal rows
 :zh: 两行相同的行列式为零
 :kind: counterexample
-:given: a cubic in space with the coefficients $c$, from $D$ to $A$, and $t$
+:given: the cubic $P(t)=\sum_kc_kt^k$ in space, that is with the coefficients $c$ from $D$ to $A$, and $t$
 :data: c = (0,0,0) (1,0,0) (0,1,0) (0,0,1); t = 0
 :then: the printed determinant is 0, and the right side that is printed for it is not
 :result: (A,B,C) = -1; printed determinant = 0; -12 (A,B,C) = 12
@@ -232,7 +229,7 @@ from the others remove $t$ altogether; with the printed entry it does depend on 
 :title: With the printed entry the determinant depends on the parameter
 :zh: 印刷的元素使行列式出错
 :kind: counterexample
-:given: a cubic in space with the coefficients $c$, from $D$ to $A$, and $t$
+:given: the cubic $P(t)=\sum_kc_kt^k$ in space, that is with the coefficients $c$ from $D$ to $A$, and $t$
 :data: c = (0,0,0) (0,0,1) (0,1,0) (1,0,1); t = 2
 :then: the determinant with the printed rows is not the right side
 :result: rows = (12,4,7) (12,2,12) (6,0,6); printed determinant = 60; -12 (A,B,C) = -12
@@ -263,7 +260,7 @@ CLAIM(printed_entry_spoils_the_determinant)
 :holds-by: determinant_of_the_derivatives_is_constant
 :figure: determinants_of_the_derivatives
 
-It is the value of $(\dot P,\ddot P,\dddot P)$, with which the chain begins when the lost dot is restored.
+Read as the value of $(\dot P\times\ddot P)\cdot\dddot P$, with which the chain is to begin.
 :::
 
 A single number decides whether a cubic is plane.  The three normals $A\times B$, $C\times A$ and $B\times C$ test the

@@ -50,8 +50,8 @@ read with limits of $f',\dots,f^{(k)}$ from either side it does not even say tha
 :data: n = 1000; slope = 1; bound = 1/2
 :instead: slope = 1/1000
 :result: f(x)/x at most = 1/3000; f'(1/n) = 1
-:given: $f(0)=0$, $f(-x)=f(x)$, and on $[\frac1{n+1},\frac1n]$ the Hermite cubic with the values 0 and the slopes
-  $(-1)^{n+1}$ and $(-1)^n$ at its ends
+:given: $f(0)=0$, $f(-x)=f(x)$, and on $[\frac1{n+1},\frac1n]$, for every $n\ge1$, the Hermite cubic with the values 0 and the slopes
+  $(-1)^{n+1}s$ and $(-1)^ns$ at its ends, where $s$ is the given slope; one even $n$, and a bound
 :then: $f'(0)=0$ from both sides, as $\frac{f(x)}x$ tends to 0 with $x$; and for the given even $n$ the derivative $f'(\frac1n)$ is not near $f'(0)$
 :method: With $h=\frac1{n(n+1)}$ the inner Bézier ordinates of a piece have the size $d$, a third of $h$, hence $|f|\le d$ and
   $\bigl|\frac{f(x)}x\bigr|\le d\,(n+1)$, a third of $\frac1n$, which tends to 0.  Computed for one even $n$: the bound of the quotient,
@@ -89,18 +89,19 @@ CLAIM(equal_derivatives_are_not_continuous)
 :title: Derivatives with one limit from both sides, and a jump
 :zh: 导数左右极限相等而函数间断
 :kind: counterexample
-:data: left = 0; right = 1; k = 3
-:instead: right = 0
-:given: a function that has one constant value to the left of $x=0$ and another from there on
-:then: the derivatives up to the order $k$ have one limit from both sides, and the values differ
+:data: values = 0 1; k = 3
+:instead: values = 0 0
+:given: a function that has the first of two constant values to the left of $x=0$ and the second from there on; the orders $1,\dots,k$
+:then: the derivatives of these orders have one limit from both sides, and the values differ
 :method: Both pieces as polynomials, values and derivatives at 0 up to the order $k$.
 :control: one value everywhere
 :::
 */
 CLAIM(equal_limits_do_not_make_a_continuous_function)
 {
-    struct G(poly) left = G(constant)(given(T, "left")), right = G(constant)(given(T, "right"));
-    num zero = from_int(0);
+    num values[2], zero = from_int(0);
+    given_points(T, "values", 2, 1, values);
+    struct G(poly) left = G(constant)(values[0]), right = G(constant)(values[1]);
     int k = given_whole(T, "k");
     about(T, "the derivatives at 0");
     for (int j = 1; j <= k; j++)
@@ -201,9 +202,9 @@ $f''/(1+f'^2)^{3/2}$.
 :data: c = (0,0) (0,1) (0,0) (1,0); s = 1/1000; bound = 1000
 :instead: s = 1/10
 :result: P'(0) = (0,1); P''(0) = (0,0); f(h)/h = 1000000
-:given: the cube root $f$, and its graph $P(s)=\sum_kc_ks^k$, which is at $h=s^3$ for the parameter $s$ and at the origin for $s=0$
+:given: the cube root $f$, and its graph $P(s)=\sum_kc_ks^k=(s^3,s)$, which is at $h=s^3$ for the parameter $s$ and at the origin for $s=0$; a bound
 :then: the graph has at the origin a derivative that is not 0, hence the curvature $\frac{P'\times P''}{|P'|^3}$; the quotient
-  $\frac{f(h)}h=\frac1{s^2}$ is more than the given bound
+  $\frac{f(h)}h=\frac1{s^2}$ is more than the given bound, and so than any for a smaller $s$
 :method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is not greater than the given bound
   is refuted.
 :control: a point that is not so near to the origin
@@ -383,7 +384,7 @@ provided that both have a direction.
   proportional with a negative factor is a curve that turns back
 :meant: the word that is explained, proportional (成比例) | The sizes may differ.
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ
-:reading: halves_of_a_segment_have_one_speed | the sizes do differ: two halves of a segment with one speed are $G^1$ as well
+:reading: halves_of_a_segment_have_one_speed | the sizes do differ
 :figure: joints_of_order
 :::
 */
@@ -397,8 +398,8 @@ provided that both have a direction.
 :data: P = (0,0) (1,0); Q = (1,0) (2,0); length = 1
 :instead: length = 1/2
 :result: before = (1,0); after = (1,0)
-:given: the two halves $P$ and $Q$ of a segment, the first over $[0,1]$, the second over an interval of the given length
-:then: the derivatives at the joint are equal
+:given: the two halves $P$ and $Q$ of a segment, each by its two end points, the first over $[0,1]$, the second over an interval of the given length
+:then: the derivatives before and after the joint are equal, and both halves have one unit tangent
 :method: The derivatives by the kernel, divided by the length; that the squares of their lengths differ is refuted.
 :control: the second half over a shorter interval
 :::
@@ -436,7 +437,7 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :figure: proportional_derivatives
 :striking: 44
 
-There are four readings: two factors without relation; one factor for both; the factor of the second derivative the square of that of the
+The counterexamples are to four readings: two factors without relation; one factor for both; the factor of the second derivative the square of that of the
 first, which is sufficient and not necessary; and derivatives by the arc length, where the first are equal and the second
 proportional.  None is what the definition by arc length says.
 :::

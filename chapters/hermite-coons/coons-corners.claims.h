@@ -21,6 +21,8 @@ In this way the whole frame is computed from four points, eight tangents and fou
 :holds-by: cubic_frame_takes_the_data_of_the_corners
 :confirmed-by: cubic_frame_of_corners_gives_the_product
 :figure: worked_patch
+
+In the text at hand the sums have no signs; those shown here have the data of the corners.
 :::
 */
 
@@ -118,7 +120,7 @@ static void G(any_corners)(trial *T, num M[16])
 :::{claim} cubic_frame_of_corners_gives_the_product
 :title: The Boolean sum over a frame of Hermite cubics is q(u) M q(w)
 :zh: Hermite 边框的布尔和为张量积
-:given: any $M$, $u$, $w$; the frame computed from $M$ by the printed formulas
+:given: any $M$, $u$, $w$; the frame computed from $M$, $[u0\;u1\;u0_w\;u1_w]=q(u)M$ and the column of $0w,1w,0w_u,1w_u$ as $Mq(w)^T$
 :then: all three terms of the patch are $q(u)Mq(w)^T$, so the patch is; it is also $UHMH^TW^T$
 :method: The frame with the functions $q$ multiplied out from their factors, the patch by `coons_patch`, the product by the printed
   matrix $H$; everything variable.
@@ -162,7 +164,11 @@ All three terms of the Boolean sum are then the same surface, and of $1+1-1$ cop
 :zh: 双三次 Coons 曲面的矩阵形式
 :printed: P(u,w)=q(u)\,M\,q(w)^T=[u^3\;u^2\;u\;1]\,H\,M\,H^T\,[w^3\;w^2\;w\;1]^T,\quad H=\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}
 :holds-by: cubic_frame_of_corners_gives_the_product tensor_kernel_is_the_matrix_product
+:confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: worked_patch
+
+In the text at hand $H$ has no signs; of all choices of them the one shown is the only one whose columns are the functions $q$:
+`one_choice_of_signs_in_the_matrix`.
 :::
 
 :::{claim} tensor_kernel_is_the_matrix_product
@@ -212,7 +218,7 @@ must come out.  That it holds with several choices is due to symmetries: where a
 :holds-by: signs_of_the_worked_patch
 :figure: worked_patch
 
-The signs are lost and have been put back by computation: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
+In the text at hand the six matrices have no signs: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
 values.  Those for $x$ differ by the sign of all derivatives with respect to $w$, the twists among them.  In $z$ the sign of the tangents along
 $w$ and that of the twists are free; in $y$ that of the tangents along $u$ and that of the twists.
 :::

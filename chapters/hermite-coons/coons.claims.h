@@ -132,7 +132,7 @@ CLAIM(shifted_frame_shifts_the_patch_by_a_product)
 :data: f_0(0), f_1(0) = 1/2 1/2; f_0(w), f_1(w) = 1/2 1/2; w = 1/2
 :instead: f_0(0), f_1(0) = 1 0
 :result: height of 0w = 1/4; height of P(0,w) = 1/8
-:given: two constant blending functions, whose sum is 1; $0w=(0,w,w(1-w))$, the other borders straight, those of the unit square
+:given: two constant blending functions $f_0$, $f_1$, whose sum is 1; $0w=(0,w,w(1-w))$, the other borders straight, those of the unit square
 :then: on the border the patch has another height than the curve
 :method: The kernel, third coordinate.
 :control: $f_0=1-t$, $f_1=t$
@@ -203,6 +203,8 @@ the straight one between two corners; and this is what the third surface has the
 :needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | $f_0+f_1=1$: else the
   curves of $P_1$ from $0w$ to $1w$ need not be straight
 :figure: boolean_sum
+
+In the text at hand the three sums have no signs.
 :::
 
 :::{claim} linear_interpolation_runs_along_straight_lines
@@ -312,6 +314,7 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 :confirmed-by: shifted_frame_shifts_the_patch_by_a_product
 :figure: boolean_sum
 
+In the text at hand the sums of products have no signs; with those shown here the patch has the borders.
 The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its frame.
 :::
 
@@ -373,7 +376,7 @@ CLAIM(coons_kernel_is_the_bordered_product)
 :data: u0 = 1; w = 1/2
 :instead: u0 = 0
 :result: P(0,w) = 1/2
-:given: $f_0=1-t$, $f_1=t$; the constant curve $u0$, the three other curves constant 0; the corners of $M$ are 0
+:given: $f_0=1-t$, $f_1=t$; the curve $u0$ is the given constant, the three other curves are constant 0; the corners of $M$ are 0; a place $w$
 :then: $P(0,w)=1-w$, not $0w=0$
 :method: The kernel at $u=0$.
 :control: $u0$ is 0 as well
@@ -397,7 +400,8 @@ CLAIM(open_corner_loses_the_border)
 :data: f_0(0) = 1/2; f_1(0) = 0; 00 = 1
 :instead: f_0(0) = 1
 :result: P(0,0) = 3/4
-:given: the curves $0w$ and $u0$, which have the corner $00$ at their ends $w=0$ and $u=0$; the three other corners are 0
+:given: the values of the blending functions at 0; the curves $0w$ and $u0$, which have the corner $00$ at their ends $w=0$ and $u=0$; the three other
+  corners are 0
 :then: $P(0,0)$ is not $00$
 :method: The kernel at $u=w=0$.
 :control: $f_0(0)$ is 1
@@ -420,7 +424,7 @@ CLAIM(blendings_without_end_values_lose_a_corner)
 :kind: counterexample
 :data: u = 1/2; w = 1/2; the frame = 1
 :result: P(u,w) = 3/4
-:given: $f_0=(1-t)^2$, $f_1=t^2$, which have the end values; all curves are one constant, the frame is one point
+:given: $f_0=(1-t)^2$, $f_1=t^2$, which have the end values; all curves and corners are one constant, the frame, which is one point of a line
 :then: inside, at $(u,w)$, the patch leaves that point
 :method: The kernel.
 :control: $f_0=1-t$, $f_1=t$
@@ -506,6 +510,8 @@ in more than the corners: from each of two borders the corner inherits a mixed d
 :hypothesis: two_twists_cannot_both_be_kept | at each corner the data agree: points, tangents, and the derivative of $0w_u$
   along its border with that of $u0_w$ along its own
 :figure: two_twists
+
+In the text at hand the sums of products have no signs; with those shown here the patch keeps its data.
 :::
 
 :::{statement} slides-ch4:3-corner-data

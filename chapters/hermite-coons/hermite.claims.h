@@ -132,7 +132,7 @@ CLAIM(one_more_datum_determines_one_more_coefficient)
 :instead: t = 0 1
 :result: the determinant = 0
 :given: two nodes $t$ that are equal, one value at each; lines $c_0+c_1t$
-:then: the determinant of the conditions is 0; with the values 0 and 1 they would be $c_0=0$ and $c_0=1$, which cannot both hold
+:then: the determinant of the conditions is 0: if the two values are equal, all lines through one point satisfy both, and if not, no line does
 :method: The determinant of the system with the rows $(1,t_i)$; that it is not 0 is refuted.
 :control: different nodes
 :::
@@ -187,6 +187,8 @@ simplest data of all, those of a constant.
   $f'(t_i)=3a_3t_i^2+2a_2t_i+a_1$ for $i=0,1$
 :holds-by: cubic_equations_are_the_conditions
 :figure: nodes_that_meet
+
+In the text at hand the equations have no signs and no primes; those shown here are the four conditions.
 :::
 
 :::{claim} cubic_equations_are_the_conditions
@@ -232,7 +234,7 @@ CLAIM(cubic_equations_are_the_conditions)
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
-The signs are lost, and have been put back.
+In the text at hand the three sums have no signs and no primes; those shown here satisfy the four conditions.
 :::
 */
 
@@ -349,7 +351,7 @@ CLAIM(cubic_coefficients_by_monomials)
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: square_without_its_prime
 
-The primes are lost in the text we have, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
+In the text at hand the sum has no signs and no primes, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
 $2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in $3f(t_0)t_1$.  With either sign of that term the formula is false, and with a prime it is true.
 :::
 */
@@ -401,8 +403,7 @@ slope right at its own.
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
-The signs are lost.  With $(t_0-t_1)^3$ under the first value and $(t_1-t_0)^3$ under the second, as they are printed, both linear factors
-begin with $-2t$.
+In the text at hand the sum has no signs and no primes; with those shown here it satisfies the four conditions.
 :::
 
 :::{claim} cubic_ordered_by_data
@@ -448,7 +449,7 @@ CLAIM(cubic_ordered_by_data)
   interval
 :figure: hermite_blending_functions
 
-The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that before 2 is a minus both times.
+In the text at hand the formulas have no signs and no primes; with those shown here the sum has the four data.
 :::
 
 :::{claim} hermite_kernel_blends_four_data
@@ -496,15 +497,19 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :holds-by: blending_functions_are_dual_to_the_data
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
+
+In the text at hand the table has no primes; with those shown here it is true.
 :::
 
 :::{statement} slides-ch4:3-blending-ends
-:title: The same for the functions over the unit interval, as they are used for surfaces
+:title: Values and derivatives at the ends of the functions over the unit interval
 :zh: 单位区间上四个混合函数的端点性质
 :printed: The functions $q_{00},q_{01},q_{10},q_{11}$ of section 2 are cubic polynomials, continuously differentiable, and satisfy $q_{00}(0)=1$, $q_{01}(0)=q_{10}(0)=q_{11}(0)=0$; $q_{01}(1)=1$, $q_{00}(1)=q_{10}(1)=q_{11}(1)=0$; $q_{10}'(0)=1$,
   $q_{00}'(0)=q_{01}'(0)=q_{11}'(0)=0$; $q_{11}'(1)=1$, $q_{00}'(1)=q_{01}'(1)=q_{10}'(1)=0$
 :holds-by: unit_functions_are_dual_to_the_data
 :figure: hermite_blending_functions
+
+In the text at hand the table has no primes; with those shown here it is true.
 :::
 
 :::{claim} blending_functions_are_dual_to_the_data
@@ -573,6 +578,8 @@ With values alone, at as many nodes, the same idea gives Lagrange's functions.
 :holds-by: lagrange_functions_keep_every_polynomial
 :needs: equal_nodes_have_no_interpolant | four nodes are given | the four points are different
 :figure: lagrange_blending_functions
+
+In the text at hand the formulas have no signs; with those shown here they give the values.
 :::
 
 :::{claim} lagrange_functions_keep_every_polynomial
@@ -631,6 +638,8 @@ follows, and the slides do not always keep the two apart.
 :holds-by: unit_blending_functions
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
+
+In the text at hand the formulas have no signs and no primes; those shown here are true.
 :::
 
 :::{statement} slides-ch4:2-unit-derivatives
@@ -641,6 +650,9 @@ follows, and the slides do not always keep the two apart.
 :holds-by: unit_blending_functions
 :needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
+
+The letter $\varphi$ stands for the polynomial as a function of $u$.  In the text at hand the formulas have no signs and no primes; those
+shown here are true.
 :::
 
 :::{claim} unit_blending_functions
@@ -691,7 +703,7 @@ CLAIM(unit_blending_functions)
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: hermite_blending_functions
 
-In the text at hand the signs of the matrix are lost; of all choices of them the one shown is the only true one.
+In the text at hand the matrix has no signs; of all choices of them the one shown is the only true one: `one_choice_of_signs_in_the_matrix`.
 :::
 */
 
@@ -772,7 +784,8 @@ data with their blending functions.
 :holds-by: worked_hermite_curve
 :figure: worked_hermite_curve
 
-The signs of the coefficients and the primes are lost; of all choices of signs one has the data.
+In the text at hand the coefficients have no signs, and the tangents no primes; of all choices of signs of the coefficients the one shown is the only one that has the
+data.
 :::
 
 :::{claim} worked_hermite_curve

@@ -28,7 +28,7 @@ after a turn it need not be one.
 :zh: 非参数方程依赖坐标轴
 :printed: $y=f(x)$ and $f(x,y)=0$ belong to the axes and are inconvenient when the coordinates are changed.
 :reading: turned_graph_is_no_graph | $y=f(x)$ belongs to the axes: a turn can take a graph to what is no graph
-:reading: what is inconvenient: an opinion, which no computation decides
+:reading: what it is that $f(x,y)=0$ belongs to the axes, and what is inconvenient: the slides do not say, so that nothing is there to be decided
 :figure: graphs_and_axes
 :::
 */
@@ -238,7 +238,7 @@ CLAIM(parametric_cubic_crosses_itself)
 :then: $(X-x)\,y'-(Y-y)\,x'=0$ for $(X,Y)=(x+\lambda x',y+\lambda y')$; where $x'\ne0$ it is $x'$ times $(X-x)\frac{y'}{x'}-(Y-y)$, which has the
   slope $\frac{y'}{x'}$; where $x'=0$ it is $(X-x)\,y'=0$, the upright line
 :method: Identities with everything a variable, and once more with $x'=0$; the equation is that of a line, since one of its two factors is not 0.
-:over: x0 y0: point; x1 y1: derivative; X Y: -; l: lambda
+:over: x0 y0: point; x1 y1: derivative; X Y: -; l: -
 :control: the two components of the derivative exchanged
 :::
 */
@@ -266,7 +266,7 @@ CLAIM(tangent_needs_no_slope)
 :kind: counterexample
 :data: R = (0,0) (0,0) (0,1/3) (1,1); t = 0; Q = (1,0)
 :instead: R = (0,0) (0,1/3) (0,2/3) (1,1)
-:given: the cubic with the points $R$, which has a cusp at $t$ and an upright tangent there, and a point $Q$ that is not on it
+:given: the cubic with the Bézier points $R$, which has a cusp at $t$ and an upright tangent there, and a point $Q$ that is not on it
 :then: the equation of the tangent, $(X-x)\,y'-(Y-y)\,x'=0$, is not satisfied at $Q$
 :result: derivative = (0,0); left side at Q = 0
 :method: The kernel's point and derivative, put into the equation.
@@ -684,10 +684,40 @@ CLAIM(another_coordinate_changes_no_other)
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:hypothesis: weights_of_both_signs_make_a_pole | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
+:hypothesis: quotient_with_a_pole_is_unbounded | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
 
 For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.
 :::
+*/
+
+#if RATIONAL
+/*
+:::{claim} quotient_with_a_pole_is_unbounded
+:title: A quotient of polynomials with a pole in the interval has no bound
+:zh: 区间内有极点的有理函数无界
+:kind: counterexample
+:data: d = 1 -2; t = 1/2
+:instead: d = 1 1
+:result: d_0 + d_1 t = 0
+:given: the coordinate $x(s)=\frac1{d_0+d_1s}$ for $0\le s\le1$, and a parameter $t$ of $(0,1)$
+:then: the denominator is $d_1(s-t)$, so that $|x(s)|=\frac1{|d_1||s-t|}$ is more than any bound near $t$, and $x$ has no value at $t$
+:method: The denominator at $t$, and $d_1$, exactly; that the first is not 0, or the second is, is refuted.
+:control: another denominator
+:::
+*/
+CLAIM(quotient_with_a_pole_is_unbounded)
+{
+    num d[2], t = given(T, "t");
+    given_points(T, "d", 2, 1, d);
+    num below = add(d[0], mul(d[1], t));
+    int inside_the_interval = sign_q(t) > 0 && compare_q(t, from_int(1)) < 0;
+    found(T, "d_0 + d_1 t", below);
+    about(T, "whether the denominator has no zero at t");
+    refute(T, inside_the_interval && is_zero_q(below) && !is_zero_q(d[1]));
+}
+#endif
+
+/*
 
 :::{statement} slides-ch4:1-part
 :title: A part of a curve or of a surface
@@ -700,7 +730,6 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :reading: range_of_parameters_marks_a_part | ranges mark off a part
 :reading: triangle_of_parameters_is_no_rectangle | every part can be marked off by ranges
 
-The part of a Bézier curve or surface is one of the same degree over $[0,1]$.
 :::
 
 :::{claim} range_of_parameters_marks_a_part

@@ -27,6 +27,8 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
 :needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
   interval $[t_i,t_{i+1}]$
 :figure: nodes_that_meet
+
+In the text at hand the formulas have no signs and no primes; with those shown here each piece has its four data.
 :::
 
 :::{statement} slides-ch4:2-base-functions
@@ -150,11 +152,10 @@ CLAIM(overlapping_intervals_miss_the_data)
   the other intervals.
 :meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
 :reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$
-:reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval: for other
-  lengths than 1 it is scaled twice
+:reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval
 :figure: piecewise_base_functions
 
-The bracket is lost; the one factor at the end belongs to both derivatives.
+In the text at hand the formula has no bracket; it is read so that the one factor at the end belongs to both derivatives.
 :::
 
 :::{claim} scaled_tangent_is_not_scaled_again
@@ -195,9 +196,9 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
 :meant: the data are values and first derivatives | With a continuous tangent, $C^1$.
-:reading: base_functions_interpolate_once_continuously | $C^1$: for all data
-:reading: pieces_need_not_have_one_curvature | $C^2$: not for all data
-:reading: second_derivatives_meet_on_a_condition | $C^2$: if and only if one linear condition holds at each inner node
+:reading: base_functions_interpolate_once_continuously | $C^1$, for all data
+:reading: pieces_need_not_have_one_curvature | $C^2$, for all data
+:reading: second_derivatives_meet_on_a_condition | $C^2$, if one linear condition holds at each inner node, and only then
 :figure: piecewise_is_not_c2
 :::
 
@@ -208,7 +209,7 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :data: t = 0 1 2; f = 0 1 1; f' = 0 0 0
 :instead: f = 0 1 0
 :result: P''(t_1-) = -6; P''(t_1+) = 0
-:given: the nodes $t$ with the values $f$ and the derivatives $f'$
+:given: three nodes $t$ with the values $f$ and the derivatives $f'$, and the curve $P$ of two pieces
 :then: the second derivative at the inner node is not the same from the left as from the right
 :method: The kernel on both intervals.
 :control: values that are symmetric about the inner node
@@ -278,6 +279,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
   interval
 :figure: one_tangent_two_lengths
+
+In the text at hand the formula has no signs and no primes; with those shown here it is true.
 :::
 
 :::{statement} slides-ch4:2-scaled-tangents
@@ -287,10 +290,10 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :holds-by: unit_blending_functions
 :meant: the word "where" (其中) below the formula of the piece $P_i(u)$ | The vectors $P_i'$ and $P_{i+1}'$ are those of the one piece over $[t_i,t_{i+1}]$.
 :reading: unit_blending_functions | the vectors of one piece
-:reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces at $t_i$: the speed jumps unless
-  the intervals have one length (or $f'(t_i)=0$)
+:reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces that meet at $t_i$
 :figure: one_tangent_two_lengths
 
+In the text at hand the formulas have no signs and no primes.
 The same letter is used for the tangent at the end of one piece, $f'(t_i)(t_i-t_{i-1})$, and at the start of the next, and before, in the sum
 over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 :::
