@@ -422,6 +422,14 @@ class Mistakes(Case):
         self.refuses(table(quadratic(5)), ["too few points", "5 in the plane give 7 equations", "10 unknowns", "at least 8", "--ends exact"],
                      "--degree", "3")
         self.refuses(table([[1.5, 2.5]] * 20), ["all points are equal"])
+        five = [[math.cos(2 * math.pi * k / 5), 2 * math.sin(2 * math.pi * k / 5)] for k in range(5)]
+        for rows in five, five + five[:1]:
+            self.refuses(table(rows), ["for a closed curve", "5 in the plane, expected at least 7", "an ellipse has 5 unknowns", "--open"])
+            self.refuses(table(rows), ["for a closed curve", "5 equations for 8 unknowns, expected at least 8 points", "--open"], "--degree", "2")
+        self.refuses(table(five[:4]), ["for a closed curve", "4 in the plane, expected at least 7"], "--closed")
+        self.refuses(table([row + [row[0] / 3] for row in five[:4]]), ["4 in space, expected at least 5", "an ellipse has 8 unknowns"],
+                     "--closed", "--dim", "3")
+        self.refuses(table(five[:3]), ["3 in the plane do not determine"], "--unordered", "--degree", "1")
 
     def test_nothing_free(self):
         self.refuses(self.GOOD, ["nothing is free", "--free"], "--degree", "1", "--ends", "exact")
@@ -1399,6 +1407,17 @@ class Fits(Case):
         d = self.fit(table(mixed), "--unordered", "--initial", self.start(rows))
         self.assertAlmostEqual(d["curve"]["weights"][1],
                                self.fit(table(rows), "--initial", self.start(rows))["curve"]["weights"][1], 8)
+
+    def test_a_straight_line_unordered(self):
+        r = random.Random(8)
+        rows = [[k, 2 * k + r.gauss(0, 0.3)] for k in range(12)]
+        mixed = rows[5:] + rows[:5]
+        for options in [], ["--degree", "1"]:
+            d, wanted = self.fit(table(mixed), "--unordered", *options), self.fit(table(rows), *options)
+            self.assertEqual((wanted["curve"]["degree"], d["curve"]["degree"]), (1, 1))
+            self.assertAlmostEqual(d["statistics"]["chi_squared"], wanted["statistics"]["chi_squared"], 12)
+        self.assertIn("points 7 and 8 are measurements of its ends", self.text(mixed, "--unordered"))
+        self.fit(table(quadratic(8)[:5]), "--unordered")
 
     def start(self, rows):
         return self.file(json.dumps({"kind": "rational-bezier", "points": [rows[0], [1, 2], rows[-1]],
