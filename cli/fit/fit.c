@@ -64,8 +64,20 @@ static void give_knots(const struct fit_arguments *a, cagd_fit_options *o)
     o->knots = knots;
 }
 
-/* How many unknowns the options ask for: the first weight is given, and the last one of a curve of one span. */
-static int unknowns_asked(const cagd_fit_options *o, int dim)
+/* Whether the curve is to be closed, by the options or because the points come back to their beginning; *repeated: whether their last one
+ * is the first one. */
+static int is_closed(const struct fit *f, int *repeated)
+{
+    const cagd_fit_options *o = &f->options;
+    const int may_close = f->choices.closed != 0 && o->initial == NULL && o->free != 0;
+    const enum cagd_fit_closing closing = may_close ? cagd_fit_closing_of(&f->data, o->unordered) : CAGD_FIT_OPEN;
+    *repeated = closing == CAGD_FIT_REPEATED;
+    return f->choices.closed == 1 || *repeated || closing == CAGD_FIT_AROUND;
+}
+
+/* How many unknowns the simplest open curve has that the options ask for: the first weight is given, and the last one of a curve of one
+ * span. */
+static int unknowns_of_open(const cagd_fit_options *o, int dim)
 {
     int n = o->initial != NULL ? o->initial->count : o->count != 0 ? o->count : o->degree + 1;
     int p = o->initial != NULL ? o->initial->degree : o->degree;
@@ -74,23 +86,51 @@ static int unknowns_asked(const cagd_fit_options *o, int dim)
            (o->free & CAGD_FIT_END_POINTS ? 2 * dim : 0);
 }
 
+/* The same of a closed curve: an ellipse, 5 in the plane and 8 in space, or a spline of p+2 points unless their number is given. */
+static int unknowns_of_closed(const struct fit *f)
+{
+    const cagd_fit_options *o = &f->options;
+    const int dim = f->data.dim, n = o->count != 0 ? o->count : o->degree + 2;
+    return f->choices.form ? 3 * dim - 1 : n * dim + (o->count != 0 && o->free & CAGD_FIT_WEIGHTS ? n - 1 : 0);
+}
+
 /* Whether two of the points are measurements of the ends, with an equation each along the curve. */
 static int has_measured_ends(const cagd_fit_options *o)
 {
     return o->free & CAGD_FIT_END_POINTS && o->ends == CAGD_FIT_ENDS_MEASURED;
 }
 
+/* Each point gives dim-1 equations; an ellipse is fitted to two more than it has unknowns. */
+static void refuse_too_few(const struct fit *f)
+{
+    int repeated;
+    const int dim = f->data.dim, closed = is_closed(f, &repeated), n = f->data.count - repeated,
+              asked = closed ? unknowns_of_closed(f) : unknowns_of_open(&f->options, dim),
+              more = !closed && has_measured_ends(&f->options) ? 2 : 0, equations = n * (dim - 1) + more,
+              needed = asked - more + (closed && f->choices.form ? 2 : 0),
+              least = needed <= 2 * (dim - 1) ? 2 : (needed + dim - 2) / (dim - 1);
+    const char *name = name_of_input(f->path), *where = dim == 2 ? "in the plane" : "in space",
+               *cure = closed && f->choices.closed < 0 ? "; they come back to their beginning: --open fits an open one"
+                       : more                          ? "; --ends exact takes the first and the last one for the ends"
+                                                       : "";
+    if (n >= least)
+        refuse_line("%s: too few points: %d %s do not determine the curve that is asked for", name, n, where);
+    else if (closed && f->choices.form)
+        refuse_line(
+            "%s: too few points for a closed curve: %d %s, expected at least %d, since an ellipse has %d unknowns%s",
+            name, n, where, least, asked, cure);
+    else
+        refuse_line("%s: too few points%s: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points%s",
+                    name, closed ? " for a closed curve" : "", n, where, n == 1 ? "s" : "", equations,
+                    equations == 1 ? "" : "s", asked, asked == 1 ? "" : "s", least, cure);
+}
+
 static int complain(const struct fit *f, cagd_status status, int where)
 {
     const char *name = name_of_input(f->path);
-    int n = f->data.count, dim = f->data.dim, asked = unknowns_asked(&f->options, dim);
-    int more = has_measured_ends(&f->options) ? 2 : 0, equations = n * (dim - 1) + more;
+    const int asked = unknowns_of_open(&f->options, f->data.dim);
     if (status == CAGD_TOO_FEW)
-        refuse_line("%s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points%s",
-                    name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", equations,
-                    equations == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
-                    asked - more <= 2 * (dim - 1) ? 2 : (asked - more + dim - 2) / (dim - 1),
-                    more ? "; --ends exact takes the first and the last one for the ends" : "");
+        refuse_too_few(f);
     else if (status == CAGD_BAD_OPTION && asked == 0 && f->options.free != 0)
         refuse_line("%s: nothing is free: of what --free names the curve has nothing that could move", name);
     else if (status == CAGD_BAD_DATA && where >= 0)

@@ -274,11 +274,11 @@ typedef struct cagd_fit_result {
                              /* chi_squared / degrees_of_freedom, of a robust loss the factor of an M-estimate   */
     int ends_are_exact;      /* 1: the ends are measured points whose errors no standard error knows of          */
     double chi_squared, reduced_chi_squared, aic, bic;
-    int end_points[2];      /* the points that are measurements of the ends of the curve; -1: none              */
-    int degrees_of_freedom; /* N (dim-1) - rank, and one more for each of the end points and for each shared foot  */
-    double quantile;        /* 95 % intervals are value +- quantile * standard error: normal with given standard */
-                            /* deviations, else Student's t                                                */
-    int invariants;         /* of a curve of one span, p-1: I_j = w_j^2/(w_{j-1} w_{j+1}), with standard errors */
+    int end_points[2]; /* the points that are measurements of the ends of the curve; -1: none              */
+    int degrees_of_freedom; /* N (dim-1) - rank, and one more for each of the end points and for each shared foot; N without given ends  */
+    double quantile; /* 95 % intervals are value +- quantile * standard error: normal with given standard */
+                     /* deviations, else Student's t                                                */
+    int invariants;  /* of a curve of one span, p-1: I_j = w_j^2/(w_{j-1} w_{j+1}), with standard errors */
     double *invariant, *invariant_error;
     cagd_fit_interval *interval_by; /* of the unknowns, and behind them of the invariants                    */
     double *

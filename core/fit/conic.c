@@ -106,7 +106,9 @@ cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result)
     struct height at = height_of(result);
     double error = fit_propagated_error(result, height_derivative, &at);
     cagd_conic_classify_weights(curve->weights != NULL ? curve->weights : equal, &conic.type);
-    if (isnan(conic.error) || isnan(error)) {
+    if (knowledge_of_type(result) == NOT_DETERMINED) {
+        judge(NOT_DETERMINED, result, &conic);
+    } else if (isnan(conic.error) || isnan(error)) {
         conic.kind = CAGD_FIT_CONIC_UNKNOWN;
         conic.text = "of a type whose uncertainty is unknown: there are no degrees of freedom";
     } else if (at.h <= result->quantile * error || at.h == 0) {

@@ -79,7 +79,8 @@ static cagd_status fit_once(const cagd_fit_data *data, const cagd_fit_options *o
 }
 
 /* Of points in any order those that measure the ends of the curve are not known.  Where no initial curve says which they
- * are, a first fit has two of the points as exact ends, and the second one begins with its curve. */
+ * are, a first fit has two of the points as exact ends, and the second one begins with its curve.  A straight line, whose points are its
+ * ends, slides in the first fit. */
 static cagd_status fit_in_any_order(const cagd_fit_data *data, const cagd_fit_options *options,
                                     const fit_strategy *strategy, cagd_fit_result **result, int *where)
 {
@@ -88,7 +89,10 @@ static cagd_status fit_in_any_order(const cagd_fit_data *data, const cagd_fit_op
     cagd_fit_result *first = NULL;
     cagd_spline curve;
     int ends[2];
-    exact.free &= ~CAGD_FIT_END_POINTS;
+    if (options->degree > 1)
+        exact.free &= ~CAGD_FIT_END_POINTS;
+    else
+        exact.ends = CAGD_FIT_ENDS_SLIDE;
     if (options->initial == NULL) {
         cagd_status status = exact.free == 0 ? CAGD_BAD_OPTION : fit_once(data, &exact, strategy, NULL, &first, where);
         REQUIRE(status == CAGD_OK, status);

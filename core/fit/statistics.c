@@ -3,19 +3,39 @@
 #include "core/fit/invariant.h"
 #include "core/fit/loss.h"
 #include "core/fit/quantile.h"
+#include "core/require.h"
 
 #include <math.h>
 #include <stddef.h>
 
-/* Residuals of point i: across the curve, and along it where it is one of an end. */
-static int directions_of(const cagd_fit_data *data, const cagd_fit_result *result, int i)
+/* Whether point i is an end of the curve that is given: its distance is 0 whatever the unknowns are. */
+static int is_given_end(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *result,
+                        int i)
 {
+    REQUIRE(!(options->free & CAGD_FIT_END_POINTS) && result->period == 0, 0);
+    int at[2] = {1, 1};
+    for (int c = 0; c < data->dim; c++) {
+        const double x = data->points[(size_t)i * (size_t)data->dim + (size_t)c] - result->origin[c];
+        at[0] &= x == result->relative[c];
+        at[1] &= x == result->relative[(result->curve.count - 1) * data->dim + c];
+    }
+    return at[0] || at[1];
+}
+
+/* Residuals of point i: across the curve, and along it where it is one of an end; none of a given end. */
+static int directions_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *result,
+                         int i)
+{
+    REQUIRE(!is_given_end(data, options, result, i), 0);
     return data->dim - 1 + (i == result->end_points[0]) + (i == result->end_points[1]);
 }
 
-static int equations(const cagd_fit_data *data, const cagd_fit_result *result)
+static int equations(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *result)
 {
-    return data->count * (data->dim - 1) + result->tied + (result->end_points[0] >= 0) + (result->end_points[1] >= 0);
+    int sum = result->tied;
+    for (int i = 0; i < data->count; i++)
+        sum += directions_of(data, options, result, i);
+    return sum;
 }
 
 static double scaled_square(const cagd_fit_data *data, const cagd_fit_result *result, int i)
@@ -32,12 +52,17 @@ static double scaled_square(const cagd_fit_data *data, const cagd_fit_result *re
 static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options *options,
                                const cagd_fit_result *result)
 {
-    double spread = 0, mean = 0, variance = 0, value[3], count = data->count;
+    double spread = 0, mean = 0, variance = 0, value[3], count = 0;
+    for (int i = 0; i < data->count; i++)
+        count += directions_of(data, options, result, i) > 0;
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < data->count; i++) {
+            const int directions = directions_of(data, options, result, i);
+            if (directions == 0)
+                continue;
             double s = scaled_square(data, result, i);
             fit_loss(options->loss, options->loss_scale, s, value);
-            double m = value[1] + 2 * s * value[2] / directions_of(data, result, i);
+            double m = value[1] + 2 * s * value[2] / directions;
             if (pass == 0) {
                 spread += value[1] * value[1] * s;
                 mean += m / count;
@@ -45,21 +70,21 @@ static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options
                 variance += (m - mean) * (m - mean) / count;
             }
         }
-    double K = 1 + result->rank / (double)equations(data, result) * variance / (mean * mean);
+    double K = 1 + result->rank / (double)equations(data, options, result) * variance / (mean * mean);
     return mean > 0 ? K * K * spread / result->degrees_of_freedom / (mean * mean) : NAN;
 }
 
 /* The sum of the losses, and what tells fits of the same points apart. */
 static void fill_criteria(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result *result)
 {
-    double n = equations(data, result), k = result->effective, value[3], sum = 0;
+    double n = equations(data, options, result), k = result->effective, value[3], sum = 0;
     int known = data->sigma != NULL;
     for (int i = 0; i < data->count; i++) {
         fit_loss(options->loss, options->loss_scale, scaled_square(data, result, i), value);
         sum += value[0];
     }
     int fitted = isfinite(k) ? (int)rint(k) : result->unknowns; /* without a number all count */
-    int d = result->degrees_of_freedom = equations(data, result) - fitted;
+    int d = result->degrees_of_freedom = equations(data, options, result) - fitted;
     result->chi_squared = sum;
     result->reduced_chi_squared = d > 0 ? sum / d : NAN;
     result->aic = known ? sum + 2 * k : n * log(sum / n) + 2 * (k + 1);

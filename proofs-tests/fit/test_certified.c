@@ -268,7 +268,8 @@ static int run(const char *folder, const char *name)
     }
     allow(&r, "the rms", fit->rms, rms, eps * real(at(it.certified, "largest_coordinate")) + DBL_EPSILON / 2 * speed);
     if (!exact) { /* by their formulas, from the certified cost and rank */
-        double n = it.data.count * (it.data.dim - 1), k = whole(at(it.certified, "rank")), chi = 2 * cost;
+        double k = whole(at(it.certified, "rank")), n = k + whole(at(it.certified, "degrees_of_freedom")),
+               chi = 2 * cost;
         double fits = it.data.sigma != NULL ? chi : n * log(chi / n), d = it.data.sigma != NULL ? 0 : 1;
         double blur = (it.data.sigma != NULL ? 2 : n / cost) * floor + 8 * DBL_EPSILON * fabs(fits);
         allow(&r, "AIC", fit->aic, fits + 2 * (k + d), blur);

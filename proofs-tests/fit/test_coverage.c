@@ -1,7 +1,7 @@
 /* test_coverage.c -- do the 95 % intervals of the fit cover the truth 95 times in a hundred (置信区间的覆盖率)?
  *
  * Where the points hardly determine the curve, the intervals are those by the profile of the cost, and where none is printed a draw
- * does not count.  Ends are given, or measured as the other points are.  For each of the settings below a known curve is measured DRAWS times, each time with other noise, and fitted.  For every
+ * does not count.  Ends are given, or measured as the other points are; points that are given ends count for nothing.  For each of the settings below a known curve is measured DRAWS times, each time with other noise, and fitted.  For every
  * unknown and every invariant two things are counted: how often its interval holds the truth, and the mean of z^2,
  * z = (estimate - truth)/standard error.
  *
@@ -28,25 +28,28 @@
 
 enum { DRAWS = 4096, HARD = 1024, FEW = 512, MOST_POINTS = 32, MOST_UNKNOWNS = 16, FAILURES = 0 };
 
+/* The points lie between the ends, begin and end there and are measured there as elsewhere, or are the given ends there, without noise. */
+enum { BETWEEN, MEASURED, EXACT };
+
 typedef struct setting {
     const char *name;
     int dim, degree, count, known_sigma;
     double sigma; /* of the first point; the others' go up to twice that where they are known */
     double points[12], weights[6];
-    int measured_ends; /* the points begin and end in the ends of the curve, which are measured as the others are */
-    int draws;         /* HARD, FEW: the cost is far from quadratic, and most intervals are by its profile */
+    int ends;
+    int draws; /* HARD, FEW: the cost is far from quadratic, and most intervals are by its profile */
 } setting;
 
 static const setting settings[] = {
-    {"plane, known", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 0.7, 1}, 0, DRAWS},
-    {"plane, unknown", 2, 2, 12, 0, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 0, DRAWS},
-    {"space, known", 3, 2, 10, 1, 0.001, {0, 0, 0, 1, 2, 1, 3, 0.5, -1}, {1, 1.3, 1}, 0, DRAWS},
-    {"space, unknown", 3, 3, 12, 0, 0.001, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, 0, DRAWS},
-    {"parabola, ends", 2, 2, 24, 0, 0.0005, {0, 0, 0.5, 0.5, 1, 0}, {1, 1, 1}, 1, DRAWS},
-    {"conic, ends", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 1, DRAWS},
-    {"cubic, ends", 2, 3, 20, 0, 0.0002, {0, 0, 1, 2, 2, -1, 3, 1}, {1, 1.5, 0.8, 1}, 1, HARD},
-    {"noisy, ends", 2, 2, 12, 0, 0.03, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, 1, HARD},
-    {"quartic, ends", 2, 4, 30, 0, 0.00002, {0, 0, 1, 2, 2, -1, 3, 1, 4, 3}, {1, 1.5, 0.8, 1.3, 1}, 1, FEW},
+    {"plane, known", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 0.7, 1}, BETWEEN, DRAWS},
+    {"plane, unknown", 2, 2, 12, 0, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, BETWEEN, DRAWS},
+    {"space, known", 3, 2, 10, 1, 0.001, {0, 0, 0, 1, 2, 1, 3, 0.5, -1}, {1, 1.3, 1}, BETWEEN, DRAWS},
+    {"space, unknown", 3, 3, 12, 0, 0.001, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, BETWEEN, DRAWS},
+    {"parabola, ends", 2, 2, 24, 0, 0.0005, {0, 0, 0.5, 0.5, 1, 0}, {1, 1, 1}, MEASURED, DRAWS},
+    {"conic, ends", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, MEASURED, DRAWS},
+    {"cubic, ends", 2, 3, 20, 0, 0.0002, {0, 0, 1, 2, 2, -1, 3, 1}, {1, 1.5, 0.8, 1}, MEASURED, HARD},
+    {"noisy, ends", 2, 2, 12, 0, 0.03, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, MEASURED, HARD},
+    {"quartic, ends", 2, 4, 30, 0, 0.00002, {0, 0, 1, 2, 2, -1, 3, 1, 4, 3}, {1, 1.5, 0.8, 1.3, 1}, MEASURED, FEW},
     {"quintic, ends",
      2,
      5,
@@ -55,11 +58,12 @@ static const setting settings[] = {
      0.000002,
      {0, 0, 1, 2, 2, -1, 3, 1, 4, 3, 5, -1},
      {1, 1.5, 0.8, 1.3, 0.7, 1},
-     1,
+     MEASURED,
      FEW},
-    {"space, ends", 3, 3, 16, 1, 0.0002, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, 1, DRAWS},
+    {"plane, exact ends", 2, 2, 10, 0, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}, EXACT, DRAWS},
+    {"space, exact ends", 3, 3, 9, 0, 0.0005, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, EXACT, DRAWS},
+    {"space, ends", 3, 3, 16, 1, 0.0002, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}, MEASURED, DRAWS},
 };
-
 
 typedef struct tally {
     int draws, covered, linear; /* linear: intervals that are value +- quantile * error */
@@ -105,7 +109,7 @@ static int run(const setting *s, double factor, double quantile)
 {
     double measured[3 * MOST_POINTS], sigma[MOST_POINTS], exact[3 * MOST_POINTS], start[12], knots[12];
     cagd_fit_data data = {s->count, s->dim, measured, s->known_sigma ? sigma : NULL};
-    cagd_fit_options options = s->measured_ends ? cagd_fit_defaults() : options_with_exact_ends();
+    cagd_fit_options options = s->ends == MEASURED ? cagd_fit_defaults() : options_with_exact_ends();
     int n = s->degree + 1, failures = 0, unknowns = 0, freedom = 0, bad = 0;
     tally unknown[MOST_UNKNOWNS], invariant[4];
     char names[MOST_UNKNOWNS][32];
@@ -118,12 +122,16 @@ static int run(const setting *s, double factor, double quantile)
     options.degree = s->degree, options.initial = &initial, options.max_iterations = 100;
     for (int i = 0; i < s->count; i++) {
         double t = (i + 0.5 + 0.3 * sin(3.0 * i)) / s->count; /* not even, and off the ends */
-        if (s->measured_ends)
-            t = i == 0 ? 0 : i == s->count - 1 ? 1 : t;
+        const int end = i == 0 || i == s->count - 1;
+        if (end && s->ends != BETWEEN)
+            t = i == 0 ? 0 : 1;
         cagd_rational_point(s->degree, s->dim, s->points, s->weights, t, exact + i * s->dim);
-        sigma[i] = s->sigma * (s->known_sigma ? 1 + (i * 7 % s->count) / (double)s->count : 1);
+        if (end && s->ends == EXACT)
+            memcpy(exact + i * s->dim, s->points + (i == 0 ? 0 : s->degree * s->dim), (size_t)s->dim * sizeof *exact);
+        sigma[i] =
+            (end && s->ends == EXACT ? 0 : s->sigma) * (s->known_sigma ? 1 + (i * 7 % s->count) / (double)s->count : 1);
     }
-    const int printed = s->measured_ends && factor == 1 && quantile == 0;
+    const int printed = s->ends == MEASURED && factor == 1 && quantile == 0;
     state = (uint64_t)s->name[0] * 1000003 + (uint64_t)s->name[strlen(s->name) - 3];
     for (int draw = 0; draw < s->draws; draw++) {
         cagd_fit_result *fit = NULL;

@@ -72,6 +72,7 @@ static void conic(double w)
     weights[0] = weights[2] = 1, weights[1] = w;
     for (int i = 0; i < N; i++) {
         sigma[i] = 0.5;
+        points[2 * i] = points[2 * i + 1] = 10 + i;
         residuals[2 * i] = 0.3 * (i + 1);
         residuals[2 * i + 1] = -0.4 * (i + 1); /* of length (i+1)/2 */
     }
@@ -81,6 +82,7 @@ static void conic(double w)
     options = (cagd_fit_options){.loss = CAGD_FIT_SQUARES, .loss_scale = 1};
     result = (cagd_fit_result){.end_points = {-1, -1},
                                .curve = {2, 3, 2, knots, control, weights},
+                               .relative = control,
                                .count = N,
                                .residuals = residuals,
                                .unknowns = 3,
@@ -115,6 +117,29 @@ static void unknown_standard_deviations(void **state)
     fit_statistics(&data, &options, &result);
     assert_true(isnan(result.scale_squared) && isnan(result.quantile) && isnan(invariant_error[0]));
     assert_int_equal(cagd_fit_conic_of(&result).kind, CAGD_FIT_CONIC_UNKNOWN);
+}
+
+/* Residuals are left where they cannot be, at the ends: what counts is how many equations there are. */
+static void given_ends_are_no_measurements(void **state)
+{
+    (void)state;
+    conic(0.5);
+    points[2] = points[3] = 0;      /* the first point of the curve */
+    points[14] = 3, points[15] = 0; /* the last one */
+    points[4] = 1, points[5] = 2;   /* an inner one, which is no end */
+    fit_statistics(&data, &options, &result);
+    assert_int_equal(result.degrees_of_freedom, 3);
+    assert_true(near(result.scale_squared, 51 / 3.0) && near(result.aic, 6 * log(51 / 6.0) + 8));
+    options.free = CAGD_FIT_END_POINTS;
+    fit_statistics(&data, &options, &result);
+    assert_int_equal(result.degrees_of_freedom, 5);
+    options.free = 0, result.origin[0] = 1, points[2] = 1, points[14] = 4;
+    fit_statistics(&data, &options, &result);
+    assert_int_equal(result.degrees_of_freedom, 3);
+    options.loss = CAGD_FIT_HUBER,
+    options.loss_scale = 100; /* nothing is beyond: squares of the points without the ends */
+    fit_statistics(&data, &options, &result);
+    assert_true(near(result.scale_squared, (51 - 1 - 16) / 3.0));
 }
 
 static void given_standard_deviations(void **state)
@@ -296,14 +321,11 @@ static void which_curves_turn_as_at_a_cusp(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(quantiles_to_the_last_digit),
-                                       cmocka_unit_test(losses_have_their_derivatives),
-                                       cmocka_unit_test(unknown_standard_deviations),
-                                       cmocka_unit_test(given_standard_deviations),
-                                       cmocka_unit_test(robust_covariance),
-                                       cmocka_unit_test(estimates_with_their_intervals),
-                                       cmocka_unit_test(which_conic),
-                                       cmocka_unit_test(a_weight_that_is_zero),
-                                       cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(quantiles_to_the_last_digit),    cmocka_unit_test(losses_have_their_derivatives),
+        cmocka_unit_test(unknown_standard_deviations),    cmocka_unit_test(given_ends_are_no_measurements),
+        cmocka_unit_test(given_standard_deviations),      cmocka_unit_test(robust_covariance),
+        cmocka_unit_test(estimates_with_their_intervals), cmocka_unit_test(which_conic),
+        cmocka_unit_test(a_weight_that_is_zero),          cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,7 +51,7 @@ static json_t *answer(int iterations, const struct statistics *s)
     int N = problem.N, dim = problem.dim, count = problem.count, n = problem.n;
     enum { DIGITS = 20, FEW = 4 };
     json_t *a = json_object(), *list, *row;
-    int dof = N * (dim - 1) - n + s->missing, ends = 0, slides = 0;
+    int dof = measurements() * (dim - 1) - n + s->missing, ends = 0, slides = 0;
     for (int k = 0; k < problem.m; k++)
         slides |= problem.held[k] && !problem.at_bound[k];
     for (int i = 0; i < N; i++)

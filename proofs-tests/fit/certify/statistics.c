@@ -16,11 +16,36 @@ void invariant_form(int j, int v[MOST])
 }
 int invariants(void) { return problem.count == problem.p + 1 && problem.p > 1 ? problem.p - 1 : 0; }
 
+/* Whether point i is an end of the curve that is not free, and hence no measurement. */
+static int is_given_end(int i)
+{
+    int first = 1, last = 1;
+    for (int k = 0; k < problem.m; k++)
+        if (!problem.unknown[k].is_weight && problem.unknown[k].index == 0)
+            return 0;
+    for (int c = 0; c < problem.dim; c++) {
+        double x = problem.Q[i * problem.dim + c];
+        first &= mpfr_cmp_d(problem.points[c], x) == 0;
+        last &= mpfr_cmp_d(problem.points[(problem.count - 1) * problem.dim + c], x) == 0;
+    }
+    return first || last;
+}
+
+int measurements(void)
+{
+    int N = problem.N;
+    for (int i = 0; i < problem.N; i++)
+        N -= is_given_end(i);
+    return N;
+}
+
 num scale_squared(void)
 {
-    int N = problem.N, dim = problem.dim, n = problem.n;
+    int N = measurements(), dim = problem.dim, n = problem.n;
     num d = real(N * (dim - 1) - n), sum = real(0), mean = real(0), squared = real(0), *b = several(problem.count);
-    for (int i = 0; i < N; i++) {
+    for (int i = 0; i < problem.N; i++) {
+        if (is_given_end(i))
+            continue;
         size_t mark = used;
         num rest[3], x = real(0), first, second, s = real(problem.sigma[i]);
         basis(found.foot[i], b);
@@ -117,7 +142,9 @@ struct statistics statistics_of_minimum(void)
     for (int k = 0; k < n; k++)
         set(s.spread[k], root(inverse[k * n + k]));
     num *b[3] = {several(count), several(count), several(count)};
-    for (int i = 0; i < N; i++) {
+    for (int i = 0; i < problem.N; i++) {
+        if (is_given_end(i))
+            continue;
         size_t mark = used;
         num rest[3], J[MOST][3], E[MOST], length = real(0), deviation = real(problem.sigma[i]);
         num unit = quo(problem.largest_coordinate, deviation);

@@ -24,6 +24,8 @@ struct statistics statistics_of_minimum(void);
 void invariant_form(int j, int v[MOST]);
 /* How many invariants the curve has. */
 int invariants(void);
+/* How many points are measured: the ends that are given are not. */
+int measurements(void);
 /* What the covariance (J^T J)^-1 is multiplied by: 1 or chi^2/d; for a robust loss Huber's factor, as
  * core/fit/statistics.h has it. */
 num scale_squared(void);
