@@ -4,6 +4,7 @@
 #include "exact/expression/cell.h"
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
+#include "exact/expression/implied.h"
 #include "exact/expression/irrational.h"
 #include "exact/expression/order.h"
 #include "exact/expression/positive.h"
@@ -213,14 +214,15 @@ static void give(cagd_finding *f, cagd_given one)
     f->example[place] = one;
 }
 
-/* All names of the page with their values; that of the name `root_of` is a root, if there is one. */
-static void give_all(cagd_finding *f, const cagd_context *c, const num_q value[], int root_of,
-                     const struct cagd_root *root)
+/* All names of the page with their values; a name with root[m] has that root instead, with no `root` none has. */
+static void give_all(cagd_finding *f, const cagd_context *c, const num_q value[], const struct cagd_root *const root[])
 {
     f->has_example = 1;
     for (int m = 0; m < c->count; m++) {
         const cagd_binding *b = &c->binding[m];
-        const struct cagd_root *r = m == root_of ? root : b->has_root && b->unknown ? &b->root : NULL;
+        const struct cagd_root *r = root != NULL && root[m] != NULL ? root[m]
+                                    : b->has_root && b->unknown     ? &b->root
+                                                                    : NULL;
         if (b->key[0] != '\0' && !b->hidden)
             give(f, (cagd_given){b->key, b->unknown || b->solved ? value[m] : b->value.q,
                                  r != NULL ? cagd_told_root(*r) : NULL});
@@ -233,8 +235,11 @@ static int refuted_at_root(cagd_finding *f, const cagd_context *c, const cagd_tr
     cagd_irrational_example *e = region_bytes(sizeof *e);
     if (e == NULL || !cagd_find_irrational_example(c, t, k, e))
         return 0;
+    const struct cagd_root *root[CAGD_MOST_UNKNOWNS] = {NULL};
+    if (e->of >= 0)
+        root[e->of] = &e->root;
     f->has_root = 1, f->order = e->order;
-    give_all(f, c, e->value, e->of, &e->root);
+    give_all(f, c, e->value, root);
     return 1;
 }
 
@@ -256,7 +261,7 @@ static cagd_answer refuted_at(struct run *r, cagd_context *c, const cagd_tree *t
         return CAGD_FAILS;
     if (!found)
         return undecided(r, c, "no numbers were found for which it is false, though it is no identity");
-    give_all(f, c, value, -1, NULL);
+    give_all(f, c, value, NULL);
     return CAGD_FAILS;
 }
 
@@ -423,8 +428,9 @@ static int is_positive_but_at_poles(num_f n, num_f m, int count, const cagd_side
             cagd_positive_in_box(neg_f(n), 1, count, side, point, &unused) == CAGD_HOLDS);
 }
 
-/* The relation number k of the chain t for two values. */
-static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
+/* The relation number k of the chain t for two values, in a box, or a cell. */
+static cagd_answer compared_in_box(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a,
+                                   cagd_value b)
 {
     cagd_relation relation = t->relation[k];
     cagd_value d = cagd_at_roots(c, relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL ? cagd_value_sub(b, a)
@@ -476,6 +482,41 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
             return refuted(r, c, t, k, rational ? point : NULL, of, count);
     }
     return answer == CAGD_HOLDS ? CAGD_HOLDS : undecided(r, c, "an inequality that was neither proved nor refuted");
+}
+
+/* The relation number k of the chain t from everything that is known (implied.h). */
+static cagd_answer implied(struct run *r, cagd_context *c, const cagd_tree *t, int k)
+{
+    cagd_implied_example *e = region_bytes(sizeof *e);
+    cagd_finding *f = r->out;
+    if (e == NULL || region_faults != 0)
+        return CAGD_UNDECIDED;
+    cagd_answer answer = cagd_implied_relation(c, t, k, r->until, e);
+    if (answer == CAGD_FAILS && e->rational)
+        return refuted_at(r, c, t, k, e->value);
+    if (answer == CAGD_FAILS && !f->has_example) {
+        f->relation = t->relation[k], f->of_left = t->at[k], f->of_right = t->at[k + 1];
+        f->has_root = 1, f->order = e->order;
+        give_all(f, c, e->value, e->root);
+    }
+    r->unnoted = 1;
+    return answer;
+}
+
+/* The relation number k of the chain t for two values. */
+static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
+{
+    const char *why = r->out->why;
+    const cagd_tree *where = r->out->where;
+    cagd_answer answer = compared_in_box(r, c, t, k, a, b);
+    if (answer != CAGD_UNDECIDED || r->into != NULL || region_faults != 0 || c->ties > 0)
+        return answer;
+    answer = implied(r, c, t, k);
+    if (answer != CAGD_UNDECIDED) {
+        r->out->why = why, r->out->where = where, r->out->bounded = 1;
+        weaken(r->out, CAGD_BY_DECISION);
+    }
+    return answer;
 }
 
 static cagd_answer decide_part(struct run *r, const struct part *p);
@@ -906,8 +947,7 @@ static int is_inequation(const cagd_tree *t)
 static int has_one_number(struct run *r, long *low)
 {
     for (int k = 0; k < r->scope->condition_count; k++)
-        if (!is_inequation(r->scope->conditions[k]) &&
-            speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+        if (!is_inequation(r->scope->conditions[k]) && speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
             return 0;
     if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, low))
         return 0;

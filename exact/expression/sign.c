@@ -12,20 +12,6 @@ enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12 };
 
 static num_q one(void) { return from_int_q(1); }
 
-num_q cagd_simplest_between(num_q a, num_q b)
-{
-    if (cagd_sign_q(a) < 0 && cagd_sign_q(b) > 0)
-        return from_int_q(0);
-    if (cagd_sign_q(a) < 0)
-        return neg_q(cagd_simplest_between(neg_q(b), neg_q(a)));
-    num_q whole = cagd_floor_q(a), next = add_q(whole, one()), above = sub_q(b, whole);
-    if (cagd_compare_q(next, b) < 0)
-        return next;
-    if (cagd_equal_q(a, whole)) /* whole + 1/n */
-        return add_q(whole, div_q(one(), add_q(cagd_floor_q(div_q(one(), above)), one())));
-    return add_q(whole, div_q(one(), cagd_simplest_between(div_q(one(), above), div_q(one(), sub_q(a, whole)))));
-}
-
 static int is_point(const cagd_side_of_box *s) { return s->has_low && s->has_high && cagd_equal_q(s->low, s->high); }
 
 num_q cagd_inside(const cagd_side_of_box *s)

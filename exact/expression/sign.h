@@ -31,8 +31,6 @@ cagd_num_f cagd_over_positive_numbers(cagd_num_f p, int count, const cagd_side_o
  * ones are asked. */
 int cagd_is_positive_by_coefficients(cagd_num_f p, int strict, int count, const cagd_side_of_box side[]);
 
-/* The simplest rational between a and b: a < x < b, the denominator being least, and then the numerator. */
-cagd_num_q cagd_simplest_between(cagd_num_q a, cagd_num_q b);
 /* A simple rational inside the side. */
 cagd_num_q cagd_inside(const cagd_side_of_box *s);
 int cagd_is_inside(const cagd_side_of_box *s, cagd_num_q x);

@@ -407,6 +407,28 @@ g(s,t) = s^2 t^3
                 let = "t \\in \\mathbb{R}\n"
                 self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
 
+    def test_what_touches_where_names_are_tied(self):
+        """Inequalities that are equalities at a place whose numbers are roots, with > in the place of >= or a bound left out: they are decided, or a
+        counterexample has roots."""
+        let = "a, b, c, r, s, z \\in \\mathbb{R}\n"
+        circle, mean = "x^2 + y^2 = 1", "r^2 = a b, r \\ge 0, a \\ge 0, b \\ge 0"
+        for printed, ranges, expected in (
+                ("x + y \\le \\sqrt{2}", circle, "holds"), ("x + y < \\sqrt{2}", circle, "fails"), ("x + y \\le \\frac{1414}{1000}", circle, "fails"), ("2 x y < 1", circle, "fails"),
+                ("x + y \\le r", circle + ", r^2 = 2, r > 0", "holds"), ("x + y \\le r", circle + ", r^2 = 2", "fails"), ("x^4 + y^4 \\ge 1/2", circle, "holds"), ("x^4 + y^4 > 1/2", circle, "fails"),
+                ("y^2 \\ge 3/4", circle + ", -1/2 \\le x \\le 1/2", "holds"), ("y^2 > 3/4", circle + ", -1/2 \\le x \\le 1/2", "fails"), ("y^2 \\ge 3/4", circle + ", x \\le 1/2", "fails"),
+                ("y \\ge \\frac{\\sqrt{3}}{2}", circle + ", 0 \\le x \\le 1/2, y \\ge 0", "holds"), ("\\frac{a+b}{2} \\ge r", mean, "holds"), ("\\frac{a+b}{2} > r", mean, "fails"), ("\\frac{a+b}{2} \\ge r", "r^2 = a b", "fails"),
+                ("r > x", "r^2 = x^2 + 1, r \\ge 0", "holds"), ("r \\ge 1", "r^2 = x^2 + 1, r \\ge 0", "holds"), ("r > 1", "r^2 = x^2 + 1, r \\ge 0", "fails"), ("r \\le x + 1", "r^2 = x^2 + 1, x \\ge 0", "holds"), ("r \\le x + 1", "r^2 = x^2 + 1", "fails"),
+                ("r + s \\ge 2", "r^2 = x^2 + 1, s^2 = y^2 + 1, r \\ge 0, s \\ge 0", "holds"), ("r + s > 2", "r^2 = x^2 + 1, s^2 = y^2 + 1, r \\ge 0, s \\ge 0", "fails"),
+                ("r s = z", "r^2 = 2, s^2 = 3, z^2 = 6, r > 0, s > 0, z > 0", "holds"), ("r s \\ge z", "r^2 = 2, s^2 = 3, z^2 = 6, r > 0, s > 0, z > 0", "holds"), ("r s > z", "r^2 = 2, s^2 = 3, z^2 = 6, r > 0, s > 0, z > 0", "fails"),
+                ("x + y \\ge 2", "x y = 1, x > 0", "holds"), ("x + y > 2", "x y = 1, x > 0", "fails"), ("x^2 \\ge 1", "x y = 1, y^2 \\le 1", "holds"), ("x > 0", "x^3 \\ge 1", "holds"), ("x > 0", "x^2 \\ge 1", "fails"),
+                ("x^2 + y^2 \\le 1 \\Rightarrow x + y \\le \\sqrt{2}", "n = 1", "holds"), ("x^2 + y^2 \\le 1 \\Rightarrow x + y \\le \\frac75", "n = 1", "fails"), ("x^2 - 2 \\sqrt{2} x + 2 > 0", "n = 1", "fails"),
+                ("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1", "holds"), ("\\frac{(x^2-2)^3}{x^2-2} > 0", "x \\ge 0, y^2 = 2", "holds"), ("\\sin z + \\cos z \\le \\sqrt{2}", "n = 1", "holds"), ("\\sin z + \\cos z < \\sqrt{2}", "n = 1", "fails")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+        s = verdict("x + y < \\sqrt{2}", circle, let)
+        self.assertEqual([v["root"]["of"] for v in s["counterexample"]["values"]], ["x^2 - 1/2", "x^2 - 1/2"])
+        self.assertIn("wherever both sides are defined", check(document("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1", let)).stdout)
+
     def test_what_is_false_for_a_root_alone(self):
         """A counterexample of which one number is no rational one: it is a root of what is printed, between the numbers that are."""
         for printed, ranges, of, at in (("x^2 \\ne 2", "n = 1", "x^2 - 2", -2 ** .5), ("x^2 \\ne 2", "x \\ge 0", "x^2 - 2", 2 ** .5), ("(x^3 - 2)^2 > 0", "n = 1", "x^3 - 2", 2 ** (1 / 3)),
@@ -447,7 +469,7 @@ g(s,t) = s^2 t^3
                                           ("W(t) \\ge \\frac{2+\\sqrt{2}}{4}", unit, "holds"), ("W(t) > \\frac78", unit, "fails"), ("\\sqrt{8} = 2 \\sqrt{2}", "n = 1", "holds"), ("\\sqrt{8} = 3 \\sqrt{2}", "n = 1", "fails"),
                                           ("\\sqrt{\\frac12} = \\frac{\\sqrt{2}}{2}", "n = 1", "holds"), ("\\sqrt{n} \\le \\frac{n+1}{2}", "n = 0..9", "holds"), ("\\sqrt{n} < \\frac{n+1}{2}", "n = 0..9", "fails"), ("\\sqrt{2} > \\frac32", "n = 1", "fails"),
                                           ("\\sqrt{2} < \\frac32", "n = 1", "holds"), ("|\\sqrt{2} - 2| = 2 - \\sqrt{2}", "n = 1", "holds"), ("\\sqrt{2} \\le \\sqrt{3}", "n = 1", "holds"), ("\\frac{1}{\\sqrt{2}-1} = \\sqrt{2} + 1", "n = 1", "holds"),
-                                          ("x \\sqrt{2} = y", "n = 1", "fails"), ("x \\le \\sqrt{2} \\Rightarrow x \\le \\frac32", "n = 1", "holds"), ("\\sqrt{2} \\sqrt{3} = \\sqrt{6}", "n = 1", "undecided"), ("\\sqrt{2} \\sqrt{3} = 2", "n = 1", "fails"), ("\\frac{\\sqrt{2}^2-2}{\\sqrt{2}^2-2} = 1", "n = 1", "undecided"), ("x^{-1} (x^2 - 2) = 0", "x^2 = 2, x > 0", "holds"), ("\\frac{x^2-2}{x^2-2} = 1", "x^2 = 2", "undecided"),
+                                          ("x \\sqrt{2} = y", "n = 1", "fails"), ("x \\le \\sqrt{2} \\Rightarrow x \\le \\frac32", "n = 1", "holds"), ("\\sqrt{2} \\sqrt{3} = \\sqrt{6}", "n = 1", "holds"), ("\\sqrt{2} \\sqrt{3} = 2", "n = 1", "fails"), ("\\frac{\\sqrt{2}^2-2}{\\sqrt{2}^2-2} = 1", "n = 1", "undecided"), ("x^{-1} (x^2 - 2) = 0", "x^2 = 2, x > 0", "holds"), ("\\frac{x^2-2}{x^2-2} = 1", "x^2 = 2", "undecided"),
                                           ("\\sqrt{-1} = 1", "n = 1", "undecided"), ("\\sqrt{2} = 1", "n = 1", "fails"), ("\\frac{1}{\\sqrt{2}^2 - 2} = 1", "n = 1", "undecided"), ("\\|(1, 1)\\| = \\sqrt{2}", "n = 1", "holds")):
             with self.subTest(printed=printed):
                 s = verdict(printed, ranges, let)
@@ -511,14 +533,15 @@ g(s,t) = s^2 t^3
     def test_every_relation_and_every_part_counts(self):
         """Relations that turn around what they say of, denominators of either sign, parts of which one is open, and poles that a case has."""
         choi_lam = "x^4 y^2 + y^4 u^2 + u^4 x^2 - 3 x^2 y^2 u^2"  # it is nonnegative, and no sum of squares
+        of_five = f"{choi_lam} + (v - \\omega_1)^2"
         for printed, ranges, expected in (
                 ("0 < x^2", "n = 1", "fails"), ("x^2 > 0", "n = 1", "fails"), ("0 \\le x^2", "n = 1", "holds"), ("x^2 \\ge 0", "n = 1", "holds"),
                 ("x^2 + 1 \\ne 0", "n = 1", "holds"), ("x^2 \\ne 0", "n = 1", "fails"), ("x^2 < y^2 + 1", "0 \\le x \\le 1", "fails"),
                 ("x^2 < y^2 + 1", "0 \\le x < 1", "holds"), ("\\frac{1}{x-2} < 0", "0 \\le x \\le 1", "holds"), ("\\frac{1}{x-2} > 0", "0 \\le x \\le 1", "fails"),
                 ("\\frac{1}{x} > 0", "-1 \\le x \\le 1", "fails"), ("\\frac{x}{x^2+1} \\le \\frac12", "n = 1", "holds"),
-                ("\\frac{|x|}{x} \\le 1", "n = 1", "holds"), ("\\frac{|x|}{x} \\le 0", "n = 1", "fails"), (f"{choi_lam} \\ge -1", "n = 1", "undecided"),
-                (f"{choi_lam} \\ge -1 \\ge -2", "n = 1", "undecided"), (f"-2 \\le -1 \\le {choi_lam}", "n = 1", "undecided"),
-                (f"{choi_lam} \\ge -1, x = x", "n = 1", "undecided"), (f"x = x, {choi_lam} \\ge -1", "n = 1", "undecided")):
+                ("\\frac{|x|}{x} \\le 1", "n = 1", "holds"), ("\\frac{|x|}{x} \\le 0", "n = 1", "fails"), (f"{choi_lam} \\ge 0", "n = 1", "holds"), (f"{choi_lam} > 0", "n = 1", "fails"),
+                (f"{of_five} \\ge -1", "n = 1", "undecided"), (f"{of_five} \\ge -1 \\ge -2", "n = 1", "undecided"), (f"-2 \\le -1 \\le {of_five}", "n = 1", "undecided"),
+                (f"{of_five} \\ge -1, x = x", "n = 1", "undecided"), (f"x = x, {of_five} \\ge -1", "n = 1", "undecided")):
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, ranges)["verdict"], expected)
 
