@@ -8,6 +8,7 @@
 #include "exact/expression/irrational.h"
 #include "exact/expression/order.h"
 #include "exact/expression/positive.h"
+#include "exact/expression/radical.h"
 #include "exact/expression/suppose.h"
 #include "exact/expression/tie.h"
 #include "exact/number/recorder.h"
@@ -43,6 +44,7 @@ struct run {
     int unnoted;
     int undefined;           /* in some part a side was not defined */
     int untied, ties;        /* equalities of higher degree are not used (tie.h); how many were                 */
+    int decomposes;          /* where they are, what is not decided is decomposed, too (implied.h)              */
     struct collection *into; /* NULL, or where constraints of a parameter are collected and nothing is decided */
     const cagd_variable *whole[MOST_WHOLE];
     int wholes;
@@ -373,17 +375,6 @@ static cagd_answer compared_in_cell(struct run *r, cagd_context *c, const cagd_t
     return answer == CAGD_HOLDS ? CAGD_HOLDS : undecided(r, c, "an inequality that was neither proved nor refuted");
 }
 
-/* p with x^2 = q: even and odd powers of x, A + B x. */
-static num_f with_square(num_f p, num_f x, num_f q)
-{
-    num_f part[2] = {from_int_f(0), from_int_f(0)}, power = from_int_f(1);
-    for (int e = 0; e <= cagd_degree_f(p, x); e++) {
-        part[e % 2] = add_f(part[e % 2], mul_f(cagd_coefficient_f(p, x, e), power));
-        power = e % 2 == 1 ? mul_f(power, q) : power;
-    }
-    return add_f(part[0], mul_f(part[1], x));
-}
-
 /* Uses a condition such as r^2 = 2, or c^2 + s^2 = 1: a name whose square it tells. */
 static void use_square(cagd_context *c, const cagd_tree *t, num_f *p)
 {
@@ -400,7 +391,8 @@ static void use_square(cagd_context *c, const cagd_tree *t, num_f *p)
         if (!b->unknown || b->value.rational || cagd_degree_f(n, x) != 2 ||
             !cagd_is_zero_f(cagd_coefficient_f(n, x, 1)) || !cagd_is_constant_f(cagd_coefficient_f(n, x, 2), NULL))
             continue;
-        *p = with_square(*p, x, neg_f(div_f(cagd_coefficient_f(n, x, 0), cagd_coefficient_f(n, x, 2))));
+        cagd_square_root r = {x, neg_f(div_f(cagd_coefficient_f(n, x, 0), cagd_coefficient_f(n, x, 2)))};
+        *p = cagd_without_powers(*p, 1, &r);
         return;
     }
 }
@@ -509,7 +501,7 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
     const char *why = r->out->why;
     const cagd_tree *where = r->out->where;
     cagd_answer answer = compared_in_box(r, c, t, k, a, b);
-    if (answer != CAGD_UNDECIDED || r->into != NULL || region_faults != 0 || c->ties > 0)
+    if (answer != CAGD_UNDECIDED || r->into != NULL || region_faults != 0 || (c->ties > 0 && !r->decomposes))
         return answer;
     answer = implied(r, c, t, k);
     if (answer != CAGD_UNDECIDED) {
@@ -966,13 +958,16 @@ static int proved_for_every(struct run *r)
     return r->out->for_every;
 }
 
+/* What becomes of equalities of higher degree: they make names functions of others (tie.h), or they are left for a decomposition (implied.h), or both. */
+enum use_of_ties { TIED, UNTIED, TIED_AND_DECOMPOSED };
+
 /* How many equalities of higher degree were used; 0 where some side was not defined. */
-static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, int untied,
-                      cagd_finding *out)
+static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick,
+                      enum use_of_ties use, cagd_finding *out)
 {
     struct run r = {
         .scope = scope, .statement = statement, .out = out, .until = cagd_seconds() + seconds, .quick = quick};
-    r.untied = untied;
+    r.untied = use == UNTIED, r.decomposes = use == TIED_AND_DECOMPOSED;
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     for (int room = FIELD_ROOM;; room = CAGD_FIELD_MAX_VARIABLES) {
         *out = (cagd_finding){.answer = CAGD_UNDECIDED};
@@ -1005,17 +1000,19 @@ static int check_once(const cagd_scope *scope, const cagd_tree *statement, doubl
     return r.undefined ? 0 : r.ties;
 }
 
-/* Bounds of names that are functions of others may be lost: then what is supposed is left out, as it may be. */
+/* Bounds of names that are functions of others may be lost: then what is supposed is left out, as it may be, or decomposed. */
 static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
 {
     double until = cagd_seconds() + seconds;
-    int ties = check_once(scope, statement, seconds, quick, 0, out);
+    int ties = check_once(scope, statement, seconds, quick, TIED, out);
     cagd_finding *again = out->answer == CAGD_UNDECIDED && ties > 0 ? region_bytes(sizeof *again) : NULL;
-    if (again == NULL || cagd_seconds() > until)
-        return;
-    check_once(scope, statement, until - cagd_seconds(), quick, 1, again);
-    if (again->answer != CAGD_UNDECIDED)
+    for (enum use_of_ties use = UNTIED; again != NULL && use <= TIED_AND_DECOMPOSED && cagd_seconds() < until; use++) {
+        check_once(scope, statement, until - cagd_seconds(), quick, use, again);
+        if (again->answer == CAGD_UNDECIDED)
+            continue;
         *out = *again;
+        return;
+    }
 }
 
 /* Names without meaning and numbers alone: a condition, if it is no statement. */

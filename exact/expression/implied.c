@@ -1,6 +1,7 @@
 #include "exact/expression/implied.h"
 
 #include "exact/decide/cylinders.h"
+#include "exact/expression/radical.h"
 #include "exact/words.h"
 
 enum { MOST_GIVEN = 50, MOST_NAMES = 4 };
@@ -37,14 +38,17 @@ static void know(struct known *k, num_f p, unsigned signs)
         k->given[k->count++] = (cagd_sign_condition){p, signs};
 }
 
-/* a relation b, of two values of which neither has a divisor. */
+/* a relation b of two values, as a sign of numerator times denominator; where the latter is 0 the relation is not true, which is left out. */
 static void know_relation(struct known *k, cagd_value a, cagd_relation relation, cagd_value b)
 {
     num_f d = region_faults == 0 ? sub_f(cagd_in_field(a), cagd_in_field(b)) : a.f;
-    if (region_faults == 0 && is_constant_f(cagd_denominator_f(d), NULL))
-        know(k, d, signs_of(relation));
-    else
+    if (region_faults == 0) {
+        num_f m = cagd_denominator_f(d);
+        know(k, mul_f(cagd_numerator_f(d), m), signs_of(relation));
+        k->complete &= is_constant_f(m, NULL);
+    } else {
         k->complete = 0;
+    }
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
 }
 
@@ -201,6 +205,52 @@ static num_f difference(const cagd_context *c, const cagd_tree *t, int k, struct
     return f;
 }
 
+/* Whether the condition is x^2 = square for a name that is at least 0. */
+static int is_square_root(const cagd_context *c, const cagd_sign_condition *condition, cagd_square_root *out)
+{
+    num_f p = condition->p;
+    for (int i = 0; i < c->count && condition->signs == CAGD_IS_ZERO; i++) {
+        const cagd_binding *b = &c->binding[i];
+        if (!b->unknown || !b->has_low || cagd_sign_q(b->low) < 0 || degree_f(p, b->value.f) != 2)
+            continue;
+        num_f lead = coefficient_f(p, b->value.f, 2);
+        if (!is_constant_f(lead, NULL) || !cagd_is_zero_f(coefficient_f(p, b->value.f, 1)))
+            continue;
+        *out = (cagd_square_root){b->value.f, neg_f(div_f(coefficient_f(p, b->value.f, 0), lead))};
+        return 1;
+    }
+    return 0;
+}
+
+/* Whether p >= 0 for the names with all that is known, by their bounds and the square roots among them. */
+static int is_shown_by_squares(const cagd_context *c, const struct known *k, num_f p)
+{
+    cagd_square_root root[MOST_GIVEN];
+    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
+    int roots = 0, sides = 0;
+    for (int m = 0; m < k->count; m++) {
+        int known = !is_square_root(c, &k->given[m], &root[roots]);
+        for (int i = 0; i < roots && !known; i++) /* one of each name */
+            known = equal_f(root[i].x, root[roots].x) || degree_f(root[roots].square, root[i].x) > 0;
+        roots += !known;
+    }
+    for (int i = 0; i < c->count; i++) {
+        const cagd_binding *b = &c->binding[i];
+        if (b->unknown)
+            side[sides++] =
+                (cagd_side_of_box){b->value.f, b->has_low, b->has_high, b->low_open, b->high_open, b->low, b->high};
+    }
+    return cagd_is_nonnegative_with_roots(p, roots, root, sides, side);
+}
+
+/* The same of a relation that is no strict one. */
+static int holds_by_squares(const cagd_context *c, const struct known *k, num_f p, cagd_relation relation)
+{
+    return relation == CAGD_GREATER_OR_EQUAL ? is_shown_by_squares(c, k, p)
+           : relation == CAGD_LESS_OR_EQUAL  ? is_shown_by_squares(c, k, neg_f(p))
+                                             : 0;
+}
+
 cagd_answer cagd_implied_relation(const cagd_context *c, const cagd_tree *t, int k, double until,
                                   cagd_implied_example *out)
 {
@@ -211,6 +261,8 @@ cagd_answer cagd_implied_relation(const cagd_context *c, const cagd_tree *t, int
     if (known == NULL || region_faults != 0 || c->scope->zero_over_zero)
         return CAGD_UNDECIDED;
     num_f f = difference(c, t, k, known), p = mul_f(cagd_numerator_f(f), cagd_denominator_f(f));
+    if (region_faults == 0 && holds_by_squares(c, known, p, relation))
+        return CAGD_HOLDS;
     int of[MOST_NAMES], names = region_faults == 0 ? names_of(c, p, known, of) : -1;
     if (names < 1 || region_faults != 0) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;

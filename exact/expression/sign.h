@@ -3,7 +3,8 @@
  * In one variable roots are counted.  In two, the values of the second are isolated between which the order of the roots of the
  * first does not change (discriminants, resultants, leading coefficients, values at the ends), and one number between any two
  * of them decides.  In more, x = (a + b u)/(1 + u) maps the positive numbers to a < x < b, and a numerator whose coefficients are
- * all positive is a proof; bounds are halved until that is so, or a point refutes. */
+ * all positive is a proof; bounds are halved until that is so, or a point refutes; even powers of factors are left out, and A x^2 + B x + C >= 0
+ * where A, C, 4 A C - B^2 >= 0. */
 #ifndef CAGD_EXPRESSION_SIGN_H
 #define CAGD_EXPRESSION_SIGN_H
 

@@ -425,6 +425,17 @@ g(s,t) = s^2 t^3
                 ("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1", "holds"), ("\\frac{(x^2-2)^3}{x^2-2} > 0", "x \\ge 0, y^2 = 2", "holds"), ("\\sin z + \\cos z \\le \\sqrt{2}", "n = 1", "holds"), ("\\sin z + \\cos z < \\sqrt{2}", "n = 1", "fails")):
             with self.subTest(printed=printed, ranges=ranges):
                 self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+        let = "\\mathbf{a}, \\mathbf{b} \\in \\mathbb{R}^3\nc, s, p, q \\in \\mathbb{R}\n" + let.replace("a, b, c, r, s", "r")
+        lengths = "p^2 = x^2 + y^2, q^2 = u^2 + v^2, p \\ge 0, q \\ge 0"
+        for printed, ranges, expected in (
+                ("x u + y v \\le p q", lengths, "holds"), ("x u + y v \\ge -p q", lengths, "holds"), ("x u + y v < p q", lengths, "fails"), ("x u + y v \\le p q", lengths.replace(", q \\ge 0", ""), "fails"),
+                ("x c + y s \\le r", "c^2 + s^2 = 1, r^2 = x^2 + y^2, r \\ge 0", "holds"), ("x c + y s \\le r", "c^2 + s^2 = 1, r^2 = x^2 + y^2", "fails"),
+                ("x \\ge 2 r", "r^2 = 3 x^2 + 3, r \\ge 0", "fails"), ("x \\le 2 r", "r^2 = 3 x^2 + 3, r \\ge 0", "holds"),
+                ("(\\mathbf{a} \\cdot \\mathbf{b})^2 \\le (\\mathbf{a} \\cdot \\mathbf{a})(\\mathbf{b} \\cdot \\mathbf{b})", "n = 1", "holds"),
+                ("(\\mathbf{a} \\cdot \\mathbf{b})^2 < (\\mathbf{a} \\cdot \\mathbf{a})(\\mathbf{b} \\cdot \\mathbf{b})", "n = 1", "fails"),
+                ("x^2 + y^2 + u^2 + v^2 \\ge x (y + u + v)", "n = 1", "holds"), ("2 x^2 + 3 y^2 + 3 u^2 + 3 v^2 \\ge 5 x (y + u + v)", "n = 1", "fails"), ("x^2 y^2 + y^2 u^2 + u^2 x^2 + v^2 \\ge x y u (x + y + u)", "n = 1", "holds")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
         s = verdict("x + y < \\sqrt{2}", circle, let)
         self.assertEqual([v["root"]["of"] for v in s["counterexample"]["values"]], ["x^2 - 1/2", "x^2 - 1/2"])
         self.assertIn("wherever both sides are defined", check(document("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1", let)).stdout)
