@@ -281,23 +281,47 @@ static void print_head(const struct document *d, const struct formula *s)
     heading("Verdict");
 }
 
-/* Sums over nothing, and ranges that were given for this statement and of which nothing depends. */
-static void print_oddities(const struct document *d, const struct formula *s, const cagd_finding *f)
+/* The next range that was given for this statement and of which nothing depends, behind v; from the first one for NULL. */
+static const cagd_variable *unused_range(const struct document *d, const struct formula *s, const cagd_variable *v)
 {
-    for (int k = 0; k < f->sums.count; k++)
-        if (!f->sums.had_terms[k])
-            paragraph(append("", "$%s$ goes over nothing.", source(d, f->sums.sum[k])), 1);
     const cagd_variable *used[16];
     int count = cagd_whole_numbers(&s->scope, s->tree, used, 16);
-    for (const cagd_variable *v = s->scope.variables; v != d->scope.variables && v != NULL; v = v->next) {
+    for (v = v == NULL ? s->scope.variables : v->next; v != d->scope.variables && v != NULL; v = v->next) {
         int is_used = !v->whole || cagd_declared(&s->scope, v->head) != v;
         for (int k = 0; k < count; k++)
             is_used |= used[k] == v;
         for (const cagd_variable *other = d->scope.variables; other != NULL; other = other->next)
             is_used |= other == v;
         if (!is_used)
-            paragraph(append("", "Nothing depends on $%s$, for which a range is given.", v->head), 1);
+            return v;
     }
+    return NULL;
+}
+
+/* Sums over nothing, and ranges without use. */
+static void print_oddities(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    for (int k = 0; k < f->sums.count; k++)
+        if (!f->sums.had_terms[k])
+            paragraph(append("", "$%s$ goes over nothing.", source(d, f->sums.sum[k])), 1);
+    for (const cagd_variable *v = unused_range(d, s, NULL); v != NULL; v = unused_range(d, s, v))
+        paragraph(append("", "Nothing depends on $%s$, for which a range is given.", v->head), 1);
+}
+
+static void add_oddities(json_t *j, const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    json_t *sums = json_array(), *ranges = json_array();
+    for (int k = 0; k < f->sums.count; k++)
+        if (!f->sums.had_terms[k])
+            json_array_append_new(sums, json_string(source(d, f->sums.sum[k])));
+    for (const cagd_variable *v = unused_range(d, s, NULL); v != NULL; v = unused_range(d, s, v))
+        json_array_append_new(ranges, json_string(v->head));
+    if (json_array_size(sums) > 0)
+        json_object_set(j, "over_nothing", sums);
+    if (json_array_size(ranges) > 0)
+        json_object_set(j, "unused_ranges", ranges);
+    json_decref(sums);
+    json_decref(ranges);
 }
 
 void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
@@ -321,7 +345,9 @@ void print_finding_page(const struct document *d, const struct formula *s, const
     }
     paragraph(words, 1);
     if (f->says_nothing)
-        paragraph("But it says nothing: it holds however it is changed, or both sides are one formula.", 1);
+        paragraph(
+            "But it says nothing: it holds however it is changed, or both sides are one formula, or it is supposed.",
+            1);
     else if (f->changes > 0)
         paragraph(append("", "Changed in one number, sign, index, range or relation it fails in %d of %d ways.",
                          f->noticed, f->changes),
@@ -374,7 +400,8 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_object_set_new(j, "reason", json_string(reason_of(d, f)));
     if (f->one_sided)
         json_object_set_new(j, "one_sided_derivatives", json_true());
-    if (f->changes > 0) {
+    add_oddities(j, d, s, f);
+    if (f->changes > 0 || f->says_nothing) {
         json_object_set_new(j, "changes", json_integer(f->changes));
         json_object_set_new(j, "changes_noticed", json_integer(f->noticed));
         json_object_set_new(j, "says_nothing", json_boolean(f->says_nothing));

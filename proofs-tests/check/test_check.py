@@ -1181,6 +1181,32 @@ class Verdicts(unittest.TestCase):
         s = verdict("0 F(t) + x_1 = x_1")
         self.assertLess(s["changes_noticed"], s["changes"])
 
+    def test_what_says_nothing_is_told(self):
+        """By its form alone, where every change of it fails; and its neighbours, which say something."""
+        for printed, ranges, nothing in (
+                ("x = x", "n = 1", True), ("x = y", "n = 1, y = x", True), ("F(t) = F(t)", "n = 1", True), ("F(t) = t^2", "n = 1", True), ("F(t) = t t", "n = 1", False), ("x_n = x_n", "n = 1..3", True), ("x + y = y + x", "n = 1", False),
+                ("x \\ge 0", "x \\ge 0", True), ("0 \\le x", "x \\ge 0", True), ("x \\ge 0", "x > 0", True), ("x > 0", "x \\ge 1", False), ("x y \\ge 1", "x y \\ge 1", True), ("y x \\ge 1", "x y \\ge 1", False),
+                ("x = 1 \\Rightarrow x = 1", "n = 1", True), ("x = 1 \\Rightarrow x \\ge 1", "n = 1", True), ("x = 1 \\Rightarrow x^2 = 1", "n = 1", False), ("x = 1, y = 2 \\Rightarrow y = 2", "n = 1", True), ("x = 1 \\iff x = 1", "n = 1", True), ("x = 1 \\iff x - 1 = 0", "n = 1", False),
+                ("x = x, x + y = y + x", "n = 1", False), ("x = x, y = y", "n = 1", True), ("\\max(x, x) = x", "n = 1", False), ("x \\cdot 1 = x", "n = 1", False)):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges)
+                self.assertEqual((s["verdict"], s.get("says_nothing", False)), ("holds", nothing))
+        for printed, ranges, over in (("\\forall i \\in \\{1, \\dots, 0\\}: x_i = 3", "n = 1", ["\\forall i \\in \\{1, \\dots, 0\\}: x_i = 3"]), ("\\sum_{i=n+1}^n x_i = 0", "n = 1..3", ["\\sum_{i=n+1}^n x_i"]),
+                                      ("\\sum_{i=2}^n x_i = 0", "n = 1", ["\\sum_{i=2}^n x_i"]), ("\\forall i \\in \\{0, \\dots, n\\}: i \\ge 0", "n = 0..2", None), ("\\sum_{i=0}^n 1 = n + 1", "n = 0..3", None)):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, ranges).get("over_nothing"), over)
+        self.assertEqual(verdict("x + y = y + x", "n = 1..2, k = 1..3")["unused_ranges"], ["k", "n"])
+
+    def test_cases_behind_the_first_ones_refute(self):
+        """What is false from some number on, and what only seems to be so."""
+        for printed, least, expected in (("\\lfloor n/12 \\rfloor = 0", 12, "fails"), ("\\binom{n}{20} = 0", 20, "fails"), ("|n-15| = 15 - n", 16, "fails"), ("n^2 \\le 100", 11, "fails"),
+                                         ("\\sum_{k=0}^n \\binom{n}{k} = 2^n + \\prod_{j=0}^{9} (n-j)", 10, "fails"), ("n \\le 32", None, "undecided"), ("\\sum_{k=0}^n \\frac{k-12}{k-12} = n + 1", None, "undecided")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 1..")
+                self.assertEqual(s["verdict"], expected)
+                if least is not None:
+                    self.assertEqual(s["counterexample"]["values"][0], {"name": "n", "value": str(least)})
+
     def test_sums_over_nothing_and_ranges_without_use_are_told(self):
         for printed, ranges, told in (("\\sum_{i=3}^{1} x_i = 0", "n = 1", "∑ᵢ₌₃¹ xᵢ goes over nothing"), ("\\prod_{i=5}^{n} x_i = 1", "n = 1..4", "∏ᵢ₌₅ⁿ xᵢ goes over nothing"), ("\\prod_{i=5}^{n} x_i = x_5^{n-4}", "n = 4..5", None),
                                       ("\\sum_{i=0}^n x_i = \\sum_{i=0}^{n-1} x_i + x_n", "n = 0..2", None), ("x + y = y + x", "n = 3..1", "Nothing depends on n"), ("x_m = x_m + m - m", "n = 1..2, m = 0..n", None), ("x = y", "n = 1..2", "Nothing depends on n")):
