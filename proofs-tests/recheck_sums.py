@@ -7,7 +7,7 @@ A term F(n,k) is given by F(n+1,k)/F(n,k) = by_n and F(n,k+1)/F(n,k) = by_k, num
 S(n+1)/S(n) = ratio and S(from) = right[0] it is shown that sum F(n,k) over k = 0, ..., n is S(n) for every whole n >= from:
 
     a_0 F(n,k) + ... + a_J F(n+J,k) = G(n,k+1) - G(n,k),  G = R F           divided by F(n,k), an identity of rational functions
-    R(n,0) = 0, by_k(n,n) = 0, and what the terms beyond k = n - 1 and G(n,n) leave is 0                         identities in n
+    R(n,0) = 0, and what the terms beyond k = n - 1 and G(n,n) leave is 0                                        identities in n
     a_0 S(n) + ... + a_J S(n+J) = 0                                           divided by S(n), an identity in n
     the sums and S agree for n = from, ..., from+J+1, and are left[i] and right[i], which the statement is, computed from its names
     the denominators of the four fractions and a_J are not 0 for n >= from, 0 <= k <= n: each is "rest", free of n and k, times so many
@@ -101,7 +101,7 @@ def check(f, _, program, require, fraction_text, quotient):
             return math.prod([ratio_of("by_n", n=m + i, k=k) for i in range(j)])
         left = sum(at(f["a"][j]) * steps(N, K, j) for j in range(J + 1))
         require((left - ratio_of("R", k=K + 1) * ratio_of("by_k") + ratio_of("R")) % PRIME == 0, "what does not telescope")
-        require(ratio_of("R", k=0) % PRIME == 0 and ratio_of("by_k", k=N) % PRIME == 0, "what is left at the ends of a sum")
+        require(ratio_of("R", k=0) % PRIME == 0, "what is left at the lower end of a sum")
         rest = ratio_of("R", k=N)
         for j in range(J + 1):
             term = at(f["a"][j]) * steps(N, N, j)

@@ -236,11 +236,39 @@ static void print_example(const struct document *d, const cagd_finding *f)
         labelled(sides[1], width, to_string_q(f->right));
 }
 
+/* What the variable of a difference stands for. */
+static const char *meaning_of(const struct document *d, const struct cagd_variable_text *v, const char *n)
+{
+    const char *by = v->by > 1 ? append("", "%d%s", v->by, n) : n;
+    return v->of != NULL         ? append("", "$%s$ taken up to $%s$", source(d, v->of), by)
+           : v->power_of != NULL ? append("", "(%s)^%s", v->power_of, n)
+                                 : append("", "(%s)!", by);
+}
+
+/* A difference that is 0 for the first number, and from one number to the next. */
+static void print_induction(const struct document *d, const cagd_every *e)
+{
+    paragraph(append("", "By induction over $%s$. The difference of both sides is a fraction with the numerator", e->n),
+              1);
+    paragraph(append("E(", "%s) = %s", e->n, e->E), 0);
+    for (int i = 0; i < e->variables; i++) {
+        const struct cagd_variable_text *v = &e->variable[i];
+        int same = strcmp(v->times, "1") == 0, alone = strcmp(v->plus, "0") == 0;
+        const char *text = append("where ", "%s(%s) is %s, ", v->name, e->n, meaning_of(d, v, e->n));
+        text = append(text, "%s(%s+1) = %s%s%s%s", v->name, e->n, same ? "" : "(", same ? "" : v->times,
+                      same ? "" : ") ", v->name);
+        paragraph(append(text, "%s%s.", alone ? "" : " + ", alone ? "" : v->plus), 1);
+    }
+    paragraph(append("So E(", "%s+1) = r E(%s), r = %s.", e->n, e->n, e->ratio), 1);
+}
+
 /* What everybody can check: the identity of rational functions that telescopes. */
-static void print_every(const cagd_every *e)
+static void print_every(const struct document *d, const cagd_every *e)
 {
     heading("Proof");
-    if (e->closed) {
+    if (e->E != NULL)
+        print_induction(d, e);
+    if (e->closed && (e->E == NULL || e->sums > 0)) {
         paragraph(append("",
                          "Both sides have closed forms, in which $%s$ and what has it as exponent or in a factorial "
                          "are variables.",
@@ -253,8 +281,9 @@ static void print_every(const cagd_every *e)
                        e->sum[i].k, strcmp(e->sum[i].a, "1") == 0 ? "" : e->sum[i].a, e->sum[i].k, e->sum[i].k,
                        e->sum[i].k, e->sum[i].R),
                 1);
-        return;
     }
+    if (e->closed)
+        return;
     paragraph(append("", "By creative telescoping, for $F(%s,%s)$ the terms of the sum and $G = R F$:", e->n, e->k), 1);
     const char *sum = "";
     for (int j = 0; j <= e->order; j++)
@@ -281,23 +310,47 @@ static void print_head(const struct document *d, const struct formula *s)
     heading("Verdict");
 }
 
-/* Sums over nothing, and ranges that were given for this statement and of which nothing depends. */
-static void print_oddities(const struct document *d, const struct formula *s, const cagd_finding *f)
+/* The next range that was given for this statement and of which nothing depends, behind v; from the first one for NULL. */
+static const cagd_variable *unused_range(const struct document *d, const struct formula *s, const cagd_variable *v)
 {
-    for (int k = 0; k < f->sums.count; k++)
-        if (!f->sums.had_terms[k])
-            paragraph(append("", "$%s$ goes over nothing.", source(d, f->sums.sum[k])), 1);
     const cagd_variable *used[16];
     int count = cagd_whole_numbers(&s->scope, s->tree, used, 16);
-    for (const cagd_variable *v = s->scope.variables; v != d->scope.variables && v != NULL; v = v->next) {
+    for (v = v == NULL ? s->scope.variables : v->next; v != d->scope.variables && v != NULL; v = v->next) {
         int is_used = !v->whole || cagd_declared(&s->scope, v->head) != v;
         for (int k = 0; k < count; k++)
             is_used |= used[k] == v;
         for (const cagd_variable *other = d->scope.variables; other != NULL; other = other->next)
             is_used |= other == v;
         if (!is_used)
-            paragraph(append("", "Nothing depends on $%s$, for which a range is given.", v->head), 1);
+            return v;
     }
+    return NULL;
+}
+
+/* Sums over nothing, and ranges without use. */
+static void print_oddities(const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    for (int k = 0; k < f->sums.count; k++)
+        if (!f->sums.had_terms[k])
+            paragraph(append("", "$%s$ goes over nothing.", source(d, f->sums.sum[k])), 1);
+    for (const cagd_variable *v = unused_range(d, s, NULL); v != NULL; v = unused_range(d, s, v))
+        paragraph(append("", "Nothing depends on $%s$, for which a range is given.", v->head), 1);
+}
+
+static void add_oddities(json_t *j, const struct document *d, const struct formula *s, const cagd_finding *f)
+{
+    json_t *sums = json_array(), *ranges = json_array();
+    for (int k = 0; k < f->sums.count; k++)
+        if (!f->sums.had_terms[k])
+            json_array_append_new(sums, json_string(source(d, f->sums.sum[k])));
+    for (const cagd_variable *v = unused_range(d, s, NULL); v != NULL; v = unused_range(d, s, v))
+        json_array_append_new(ranges, json_string(v->head));
+    if (json_array_size(sums) > 0)
+        json_object_set(j, "over_nothing", sums);
+    if (json_array_size(ranges) > 0)
+        json_object_set(j, "unused_ranges", ranges);
+    json_decref(sums);
+    json_decref(ranges);
 }
 
 void print_finding_page(const struct document *d, const struct formula *s, const cagd_finding *f)
@@ -321,7 +374,9 @@ void print_finding_page(const struct document *d, const struct formula *s, const
     }
     paragraph(words, 1);
     if (f->says_nothing)
-        paragraph("But it says nothing: it holds however it is changed, or both sides are one formula.", 1);
+        paragraph(
+            "But it says nothing: it holds however it is changed, or both sides are one formula, or it is supposed.",
+            1);
     else if (f->changes > 0)
         paragraph(append("", "Changed in one number, sign, index, range or relation it fails in %d of %d ways.",
                          f->noticed, f->changes),
@@ -332,7 +387,7 @@ void print_finding_page(const struct document *d, const struct formula *s, const
     if (f->has_example)
         print_example(d, f);
     if (f->for_every)
-        print_every(&f->every);
+        print_every(d, &f->every);
     if (s->expected != EXPECT_NOTHING && (int)s->expected != (int)f->answer)
         printf("\n%*sThe file expects that it %s.\n", INDENT, "",
                s->expected == EXPECT_UNDECIDED ? "is undecided" : expected_name[s->expected]);
@@ -348,6 +403,16 @@ static json_t *given_json(const cagd_given *g)
                                       to_string_q(g->root->lo), to_string_q(g->root->hi)));
     free(digits);
     return j;
+}
+
+static json_t *induction_json(const struct document *d, const cagd_every *e)
+{
+    json_t *variables = json_array();
+    for (int i = 0; i < e->variables; i++)
+        json_array_append_new(variables, json_pack("{s:s, s:s, s:s, s:s}", "name", e->variable[i].name, "is",
+                                                   meaning_of(d, &e->variable[i], e->n), "times", e->variable[i].times,
+                                                   "plus", e->variable[i].plus));
+    return json_pack("{s:s, s:s, s:o}", "difference", e->E, "ratio", e->ratio, "variables", variables);
 }
 
 json_t *finding_json(const struct document *d, const struct formula *s, const cagd_finding *f)
@@ -374,7 +439,8 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_object_set_new(j, "reason", json_string(reason_of(d, f)));
     if (f->one_sided)
         json_object_set_new(j, "one_sided_derivatives", json_true());
-    if (f->changes > 0) {
+    add_oddities(j, d, s, f);
+    if (f->changes > 0 || f->says_nothing) {
         json_object_set_new(j, "changes", json_integer(f->changes));
         json_object_set_new(j, "changes_noticed", json_integer(f->noticed));
         json_object_set_new(j, "says_nothing", json_boolean(f->says_nothing));
@@ -387,6 +453,8 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_object_set_new(
             j, "closed_form",
             json_pack("{s:s, s:I, s:o}", "n", f->every.n, "from", (json_int_t)f->every.from, "sums", sums));
+        if (f->every.E != NULL)
+            json_object_set_new(j, "induction", induction_json(d, &f->every));
     } else if (f->for_every) {
         json_t *a = json_array();
         for (int k = 0; k <= f->every.order; k++)

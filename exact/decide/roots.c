@@ -332,3 +332,18 @@ struct cagd_root cagd_refine_root(struct cagd_root r, num_q width)
     }
     return r;
 }
+
+num_q cagd_simplest_between(num_q a, num_q b)
+{
+    if (cagd_sign_q(a) < 0 && cagd_sign_q(b) > 0)
+        return from_int_q(0);
+    if (cagd_sign_q(a) < 0)
+        return neg_q(cagd_simplest_between(neg_q(b), neg_q(a)));
+    num_q whole = cagd_floor_q(a), next = add_q(whole, from_int_q(1)), above = sub_q(b, whole);
+    if (cagd_compare_q(next, b) < 0)
+        return next;
+    if (cagd_equal_q(a, whole)) /* whole + 1/n */
+        return add_q(whole, div_q(from_int_q(1), add_q(cagd_floor_q(div_q(from_int_q(1), above)), from_int_q(1))));
+    return add_q(whole, div_q(from_int_q(1), cagd_simplest_between(div_q(from_int_q(1), above),
+                                                                   div_q(from_int_q(1), sub_q(a, whole)))));
+}

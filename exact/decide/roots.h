@@ -46,4 +46,7 @@ int cagd_isolate_roots(cagd_poly p, cagd_num_q a, cagd_num_q b, struct cagd_root
 
 /* The same root with hi - lo <= width, by bisection.  UNDEFINED unless width > 0. */
 struct cagd_root cagd_refine_root(struct cagd_root r, cagd_num_q width);
+
+/* The simplest rational between a and b: a < x < b, the denominator being least, and then the numerator. */
+cagd_num_q cagd_simplest_between(cagd_num_q a, cagd_num_q b);
 #endif

@@ -47,10 +47,13 @@ int cagd_telescoper_holds(cagd_term F, cagd_num_f n, cagd_num_f k, const cagd_te
  * where that cannot be told. */
 int cagd_is_never_zero(cagd_num_f p, cagd_num_f n, cagd_num_f k, int from);
 
-/* A sum over k = 0, ..., n of a term that is 0 for other k: F(n,n+1)/F(n,n) = 0 and F(n,-1)/F(n,0) = 0.  It is S(n) with
- * S(n+1)/S(n) = ratio for every n >= from when both satisfy one recurrence of the telescoper and agree for n = from, ..., from+J-1.
- * Steps that cannot be decided make the answer UNDECIDED; so does a factor that vanishes somewhere for 0 <= k <= n.  Variables
- * besides n and k stand for positive values wherever a sign is needed. */
+/* A sum over k = 0, ..., n.  With G(n,k) = R F the telescoped identity, summed over k = 0, ..., n - 1, is
+ *
+ *     sum_j a_j S(n+j) = G(n,n) - G(n,0) + sum_j a_j (F(n+j,n) + ... + F(n+j,n+j)),
+ *
+ * whose right side has to be 0.  It is S(n) with S(n+1)/S(n) = ratio for every n >= from when both satisfy the recurrence and agree for
+ * n = from, ..., from+J-1.  Steps that cannot be decided make the answer UNDECIDED; so does a factor that vanishes somewhere for
+ * 0 <= k <= n.  Variables besides n and k stand for positive values wherever a sign is needed. */
 enum cagd_sum_answer { CAGD_SUM_PROVED, CAGD_SUM_REFUTED, CAGD_SUM_UNDECIDED };
 typedef struct cagd_sum {
     cagd_term F;

@@ -100,4 +100,22 @@ static const cagd_tree *changed(const cagd_tree *t, int *which)
     return NULL;
 }
 
-const cagd_tree *cagd_changed(const cagd_tree *t, int which) { return changed(t, &which); }
+/* A name at t or below it, not in an index, with 1 added. */
+static const cagd_tree *with_changed_name(const cagd_tree *t, int *which)
+{
+    if (t->kind == CAGD_NAME && (*which)-- == 0)
+        return one_more(t);
+    for (int k = t->kind == CAGD_NAME ? t->count : 0; k < t->count; k++) {
+        const cagd_tree *inside = with_changed_name(t->at[k], which);
+        if (inside != NULL)
+            return with_child(t, k, inside);
+    }
+    return NULL;
+}
+
+const cagd_tree *cagd_changed(const cagd_tree *t, int which)
+{
+    int first = 0, number = which;
+    const cagd_tree *one = changed(t, &number);
+    return one != NULL || changed(t, &first) != NULL ? one : with_changed_name(t, &which);
+}

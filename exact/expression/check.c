@@ -4,11 +4,14 @@
 #include "exact/expression/cell.h"
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
+#include "exact/expression/implied.h"
 #include "exact/expression/irrational.h"
 #include "exact/expression/order.h"
 #include "exact/expression/positive.h"
+#include "exact/expression/radical.h"
 #include "exact/expression/suppose.h"
 #include "exact/expression/tie.h"
+#include "exact/expression/vacuous.h"
 #include "exact/number/recorder.h"
 #include "exact/record/trace.h"
 #include "exact/words.h"
@@ -20,6 +23,7 @@
 enum {
     MOST_WHOLE = 8,
     FIRST_CASES = 8,
+    FURTHER_CASES = 24,
     QUICK_CASES = 16,
     MOST_CHANGES = 60,
     MOST_CONSTRAINTS = 200,
@@ -42,10 +46,12 @@ struct run {
     int unnoted;
     int undefined;           /* in some part a side was not defined */
     int untied, ties;        /* equalities of higher degree are not used (tie.h); how many were                 */
+    int decomposes;          /* where they are, what is not decided is decomposed, too (implied.h)              */
     struct collection *into; /* NULL, or where constraints of a parameter are collected and nothing is decided */
     const cagd_variable *whole[MOST_WHOLE];
     int wholes;
     cagd_given chosen[MOST_WHOLE]; /* values of the whole numbers */
+    long skipped, taken;           /* of a range without end so many are left out, and so many are looked at */
 };
 
 /* What the cases ask of a parameter. */
@@ -213,14 +219,15 @@ static void give(cagd_finding *f, cagd_given one)
     f->example[place] = one;
 }
 
-/* All names of the page with their values; that of the name `root_of` is a root, if there is one. */
-static void give_all(cagd_finding *f, const cagd_context *c, const num_q value[], int root_of,
-                     const struct cagd_root *root)
+/* All names of the page with their values; a name with root[m] has that root instead, with no `root` none has. */
+static void give_all(cagd_finding *f, const cagd_context *c, const num_q value[], const struct cagd_root *const root[])
 {
     f->has_example = 1;
     for (int m = 0; m < c->count; m++) {
         const cagd_binding *b = &c->binding[m];
-        const struct cagd_root *r = m == root_of ? root : b->has_root && b->unknown ? &b->root : NULL;
+        const struct cagd_root *r = root != NULL && root[m] != NULL ? root[m]
+                                    : b->has_root && b->unknown     ? &b->root
+                                                                    : NULL;
         if (b->key[0] != '\0' && !b->hidden)
             give(f, (cagd_given){b->key, b->unknown || b->solved ? value[m] : b->value.q,
                                  r != NULL ? cagd_told_root(*r) : NULL});
@@ -233,8 +240,11 @@ static int refuted_at_root(cagd_finding *f, const cagd_context *c, const cagd_tr
     cagd_irrational_example *e = region_bytes(sizeof *e);
     if (e == NULL || !cagd_find_irrational_example(c, t, k, e))
         return 0;
+    const struct cagd_root *root[CAGD_MOST_UNKNOWNS] = {NULL};
+    if (e->of >= 0)
+        root[e->of] = &e->root;
     f->has_root = 1, f->order = e->order;
-    give_all(f, c, e->value, e->of, &e->root);
+    give_all(f, c, e->value, root);
     return 1;
 }
 
@@ -256,7 +266,7 @@ static cagd_answer refuted_at(struct run *r, cagd_context *c, const cagd_tree *t
         return CAGD_FAILS;
     if (!found)
         return undecided(r, c, "no numbers were found for which it is false, though it is no identity");
-    give_all(f, c, value, -1, NULL);
+    give_all(f, c, value, NULL);
     return CAGD_FAILS;
 }
 
@@ -368,17 +378,6 @@ static cagd_answer compared_in_cell(struct run *r, cagd_context *c, const cagd_t
     return answer == CAGD_HOLDS ? CAGD_HOLDS : undecided(r, c, "an inequality that was neither proved nor refuted");
 }
 
-/* p with x^2 = q: even and odd powers of x, A + B x. */
-static num_f with_square(num_f p, num_f x, num_f q)
-{
-    num_f part[2] = {from_int_f(0), from_int_f(0)}, power = from_int_f(1);
-    for (int e = 0; e <= cagd_degree_f(p, x); e++) {
-        part[e % 2] = add_f(part[e % 2], mul_f(cagd_coefficient_f(p, x, e), power));
-        power = e % 2 == 1 ? mul_f(power, q) : power;
-    }
-    return add_f(part[0], mul_f(part[1], x));
-}
-
 /* Uses a condition such as r^2 = 2, or c^2 + s^2 = 1: a name whose square it tells. */
 static void use_square(cagd_context *c, const cagd_tree *t, num_f *p)
 {
@@ -395,7 +394,8 @@ static void use_square(cagd_context *c, const cagd_tree *t, num_f *p)
         if (!b->unknown || b->value.rational || cagd_degree_f(n, x) != 2 ||
             !cagd_is_zero_f(cagd_coefficient_f(n, x, 1)) || !cagd_is_constant_f(cagd_coefficient_f(n, x, 2), NULL))
             continue;
-        *p = with_square(*p, x, neg_f(div_f(cagd_coefficient_f(n, x, 0), cagd_coefficient_f(n, x, 2))));
+        cagd_square_root r = {x, neg_f(div_f(cagd_coefficient_f(n, x, 0), cagd_coefficient_f(n, x, 2)))};
+        *p = cagd_without_powers(*p, 1, &r);
         return;
     }
 }
@@ -423,8 +423,9 @@ static int is_positive_but_at_poles(num_f n, num_f m, int count, const cagd_side
             cagd_positive_in_box(neg_f(n), 1, count, side, point, &unused) == CAGD_HOLDS);
 }
 
-/* The relation number k of the chain t for two values. */
-static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
+/* The relation number k of the chain t for two values, in a box, or a cell. */
+static cagd_answer compared_in_box(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a,
+                                   cagd_value b)
 {
     cagd_relation relation = t->relation[k];
     cagd_value d = cagd_at_roots(c, relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL ? cagd_value_sub(b, a)
@@ -476,6 +477,41 @@ static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, 
             return refuted(r, c, t, k, rational ? point : NULL, of, count);
     }
     return answer == CAGD_HOLDS ? CAGD_HOLDS : undecided(r, c, "an inequality that was neither proved nor refuted");
+}
+
+/* The relation number k of the chain t from everything that is known (implied.h). */
+static cagd_answer implied(struct run *r, cagd_context *c, const cagd_tree *t, int k)
+{
+    cagd_implied_example *e = region_bytes(sizeof *e);
+    cagd_finding *f = r->out;
+    if (e == NULL || region_faults != 0)
+        return CAGD_UNDECIDED;
+    cagd_answer answer = cagd_implied_relation(c, t, k, r->until, e);
+    if (answer == CAGD_FAILS && e->rational)
+        return refuted_at(r, c, t, k, e->value);
+    if (answer == CAGD_FAILS && !f->has_example) {
+        f->relation = t->relation[k], f->of_left = t->at[k], f->of_right = t->at[k + 1];
+        f->has_root = 1, f->order = e->order;
+        give_all(f, c, e->value, e->root);
+    }
+    r->unnoted = 1;
+    return answer;
+}
+
+/* The relation number k of the chain t for two values. */
+static cagd_answer compared(struct run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
+{
+    const char *why = r->out->why;
+    const cagd_tree *where = r->out->where;
+    cagd_answer answer = compared_in_box(r, c, t, k, a, b);
+    if (answer != CAGD_UNDECIDED || r->into != NULL || region_faults != 0 || (c->ties > 0 && !r->decomposes))
+        return answer;
+    answer = implied(r, c, t, k);
+    if (answer != CAGD_UNDECIDED) {
+        r->out->why = why, r->out->where = where, r->out->bounded = 1;
+        weaken(r->out, CAGD_BY_DECISION);
+    }
+    return answer;
 }
 
 static cagd_answer decide_part(struct run *r, const struct part *p);
@@ -857,8 +893,8 @@ static void decide_cases(struct run *r, int level)
         r->out->undecided++;
         return;
     }
-    low += v->low_open;
-    high = v->high != NULL ? high - v->high_open : low + FIRST_CASES - 1;
+    low += v->low_open + (v->high == NULL ? r->skipped : 0);
+    high = v->high != NULL ? high - v->high_open : low + r->taken - 1;
     for (long m = low; m <= high; m++) {
         region_mark mark = region_open();
         int kept = r->out->has_example, why = r->out->why != NULL, names = r->out->names;
@@ -906,8 +942,7 @@ static int is_inequation(const cagd_tree *t)
 static int has_one_number(struct run *r, long *low)
 {
     for (int k = 0; k < r->scope->condition_count; k++)
-        if (!is_inequation(r->scope->conditions[k]) &&
-            speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
+        if (!is_inequation(r->scope->conditions[k]) && speaks_of(r->scope, r->scope->conditions[k], NULL, r->statement))
             return 0;
     if (r->wholes != 1 || !end_of_range(r, 0, r->whole[0]->low, low))
         return 0;
@@ -926,13 +961,34 @@ static int proved_for_every(struct run *r)
     return r->out->for_every;
 }
 
-/* How many equalities of higher degree were used; 0 where some side was not defined. */
-static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, int untied,
-                      cagd_finding *out)
+/* The cases behind the first ones, of which none fails, in a quarter of the time that is left: whether one fails there. */
+static int fails_further(struct run *r)
 {
-    struct run r = {
-        .scope = scope, .statement = statement, .out = out, .until = cagd_seconds() + seconds, .quick = quick};
-    r.untied = untied;
+    cagd_finding before = *r->out;
+    double now = cagd_seconds(), until = r->until;
+    r->skipped = FIRST_CASES, r->taken = FURTHER_CASES, r->until = now + (until - now) / 4;
+    decide_cases(r, 0);
+    r->skipped = 0, r->taken = FIRST_CASES, r->until = until;
+    if (r->out->has_example)
+        return 1;
+    *r->out = before;
+    return 0;
+}
+
+/* What becomes of equalities of higher degree: they make names functions of others (tie.h), or they are left for a decomposition (implied.h), or both. */
+enum use_of_ties { TIED, UNTIED, TIED_AND_DECOMPOSED };
+
+/* How many equalities of higher degree were used; 0 where some side was not defined. */
+static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick,
+                      enum use_of_ties use, cagd_finding *out)
+{
+    struct run r = {.scope = scope,
+                    .statement = statement,
+                    .out = out,
+                    .until = cagd_seconds() + seconds,
+                    .quick = quick,
+                    .taken = FIRST_CASES};
+    r.untied = use == UNTIED, r.decomposes = use == TIED_AND_DECOMPOSED;
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     for (int room = FIELD_ROOM;; room = CAGD_FIELD_MAX_VARIABLES) {
         *out = (cagd_finding){.answer = CAGD_UNDECIDED};
@@ -951,7 +1007,7 @@ static int check_once(const cagd_scope *scope, const cagd_tree *statement, doubl
         }
     }
     if (out->undecided == 0 && !out->has_example && !out->out_of_time && !quick && has_no_end(&r) &&
-        !proved_for_every(&r)) {
+        !proved_for_every(&r) && !fails_further(&r)) {
         out->first_alone = 1;
         out->why = "the first cases hold, and for every number it is not proved";
     }
@@ -965,17 +1021,19 @@ static int check_once(const cagd_scope *scope, const cagd_tree *statement, doubl
     return r.undefined ? 0 : r.ties;
 }
 
-/* Bounds of names that are functions of others may be lost: then what is supposed is left out, as it may be. */
+/* Bounds of names that are functions of others may be lost: then what is supposed is left out, as it may be, or decomposed. */
 static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
 {
     double until = cagd_seconds() + seconds;
-    int ties = check_once(scope, statement, seconds, quick, 0, out);
+    int ties = check_once(scope, statement, seconds, quick, TIED, out);
     cagd_finding *again = out->answer == CAGD_UNDECIDED && ties > 0 ? region_bytes(sizeof *again) : NULL;
-    if (again == NULL || cagd_seconds() > until)
-        return;
-    check_once(scope, statement, until - cagd_seconds(), quick, 1, again);
-    if (again->answer != CAGD_UNDECIDED)
+    for (enum use_of_ties use = UNTIED; again != NULL && use <= TIED_AND_DECOMPOSED && cagd_seconds() < until; use++) {
+        check_once(scope, statement, until - cagd_seconds(), quick, use, again);
+        if (again->answer == CAGD_UNDECIDED)
+            continue;
         *out = *again;
+        return;
+    }
 }
 
 /* Names without meaning and numbers alone: a condition, if it is no statement. */
@@ -1054,7 +1112,8 @@ static int certify_cases(const cagd_scope *scope, const cagd_tree *statement, do
                          void *data)
 {
     cagd_finding *f = region_bytes(sizeof *f);
-    struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds};
+    struct run r = {
+        .scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds, .taken = FIRST_CASES};
     r.take = take, r.data = data;
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     long low;
@@ -1123,8 +1182,6 @@ int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd
 void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
     double until = cagd_seconds() + seconds;
-    int same = statement->kind == CAGD_RELATION && statement->count == 2 &&
-               cagd_tree_equal(statement->at[0], statement->at[1]);
     for (int k = 0; k < MOST_CHANGES && cagd_seconds() < until; k++) {
         region_mark mark = region_open();
         cagd_finding *f = region_bytes(sizeof *f);
@@ -1138,7 +1195,8 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
         if (changed == NULL)
             break;
     }
-    out->says_nothing = same || (out->changes > 0 && out->noticed == 0 && cagd_seconds() < until);
+    out->says_nothing =
+        cagd_is_vacuous(scope, statement) || (out->changes > 0 && out->noticed == 0 && cagd_seconds() < until);
 }
 
 void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, int poles, double seconds,
@@ -1151,7 +1209,12 @@ void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *
         return;
     *f = (cagd_finding){0};
     *into = (struct collection){.parameter = parameter, .poles = poles};
-    struct run r = {.scope = scope, .statement = statement, .out = f, .until = cagd_seconds() + seconds, .into = into};
+    struct run r = {.scope = scope,
+                    .statement = statement,
+                    .out = f,
+                    .until = cagd_seconds() + seconds,
+                    .taken = FIRST_CASES,
+                    .into = into};
     r.wholes = cagd_whole_numbers(scope, statement, r.whole, MOST_WHOLE);
     field_open(FIELD_ROOM);
     if (r.wholes >= 0)

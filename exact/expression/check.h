@@ -46,7 +46,7 @@ typedef struct cagd_finding {
     int for_every; /* it was proved for every number of a range without end: the first ones, and by `every`  */
     cagd_every every;
     int changes, noticed; /* ways in which the statement was changed (change.h), and how many of them fail      */
-    int says_nothing;     /* it holds however it is changed, or both sides are one formula                     */
+    int says_nothing;     /* it holds however it is changed, or by its form alone (vacuous.h)                  */
     int leaves_out_poles; /* said of where both sides are defined: there are values where one is not     */
     cagd_sums_met sums;   /* those without terms are over nothing in every case                             */
     int one_sided;        /* derivatives were taken at the end of where a function is defined, from inside */

@@ -1,5 +1,6 @@
 #include "exact/expression/closed.h"
 
+#include "exact/expression/induction.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -11,25 +12,38 @@ static num_f plus(num_f a, long m) { return add_f(a, from_int_f(m)); }
 
 /* ---- b^n and (p n)! -------------------------------------------------------------------------------------- */
 
-/* The variable for it; 0 where there is no room. */
-static int growth_of(cagd_search *s, int factorial, num_f base, num_f *w)
+static int is_same(const cagd_growth *a, const cagd_growth *b)
+{
+    return a->kind == b->kind && a->by == b->by && a->low == b->low && cagd_equal_f(a->base, b->base) &&
+           cagd_equal_f(a->times, b->times) && cagd_equal_f(a->plus, b->plus);
+}
+
+int cagd_growth_variable(cagd_search *s, cagd_growth growth, num_f *w)
 {
     char name[16];
     for (int i = 0; i < s->growths; i++)
-        if (s->growth[i].factorial == factorial && (factorial > 0 || cagd_equal_f(s->growth[i].base, base))) {
+        if (is_same(&s->growth[i], &growth)) {
             *w = s->growth[i].w;
             return 1;
         }
     if (s->growths == CAGD_MOST_GROWTHS)
         return 0;
     snprintf(name, sizeof name, "w%d", s->growths);
-    *w = variable_f(name);
-    s->growth[s->growths++] = (cagd_growth){factorial, base, *w};
+    growth.w = *w = variable_f(name);
+    s->growth[s->growths++] = growth;
     return region_faults == 0;
 }
 
-/* v = p n + c with whole p and c. */
-static int with_n(cagd_search *s, num_f v, int *p, int *c)
+/* (p n)!, (p n + p)! = (p n)! (p n + 1) ... (p n + p). */
+static int factorial_variable(cagd_search *s, int p, num_f *w)
+{
+    cagd_growth g = {CAGD_OF_FACTORIAL, p, from_int_f(1), 0, NULL, {0}, from_int_f(1), from_int_f(0)};
+    for (int i = 1; i <= p; i++)
+        g.times = mul_f(g.times, plus(mul_f(from_int_f(p), s->n), i));
+    return cagd_growth_variable(s, g, w);
+}
+
+int cagd_linear_with_n(cagd_search *s, num_f v, int *p, int *c)
 {
     int q;
     num_f rest;
@@ -45,7 +59,7 @@ static int with_n(cagd_search *s, num_f v, int *p, int *c)
 static int factorial(cagd_search *s, num_f v, num_f *out)
 {
     int p, c;
-    if (!with_n(s, v, &p, &c) || p <= 0 || !growth_of(s, p, from_int_f(1), out))
+    if (!cagd_linear_with_n(s, v, &p, &c) || p <= 0 || !factorial_variable(s, p, out))
         return 0;
     num_f pn = mul_f(from_int_f(p), s->n);
     for (int i = 1; i <= c; i++)
@@ -59,7 +73,7 @@ static int factorial(cagd_search *s, num_f v, num_f *out)
 static int is_never_negative(cagd_search *s, num_f a)
 {
     int p, c;
-    return with_n(s, a, &p, &c) && p >= 0 && p * s->from + c >= 0;
+    return cagd_linear_with_n(s, a, &p, &c) && p >= 0 && p * s->from + c >= 0;
 }
 
 /* C(a,b) for a whole number b, or a - b where a is not negative, which makes it C(a,a-b); otherwise of factorials. */
@@ -86,7 +100,8 @@ static int binomial(cagd_search *s, num_f a, num_f b, num_f *out)
 static int power_of(cagd_search *s, num_f b, int p, int c, num_f *out)
 {
     num_f w;
-    if (cagd_is_zero_f(b) || degree_f(b, s->n) > 0 || denominator_degree_f(b, s->n) > 0 || !growth_of(s, 0, b, &w))
+    if (cagd_is_zero_f(b) || degree_f(b, s->n) > 0 || denominator_degree_f(b, s->n) > 0 ||
+        !cagd_growth_variable(s, (cagd_growth){CAGD_OF_POWER, 1, b, 0, NULL, {0}, b, from_int_f(0)}, &w))
         return 0;
     *out = mul_f(*out, mul_f(cagd_power_f(w, p), cagd_power_f(b, c)));
     return 1;
@@ -129,15 +144,14 @@ static int power(cagd_search *s, const cagd_tree *base, const cagd_frame *f, int
 
 /* ---- where it is defined ----------------------------------------------------------------------------------- */
 
-/* Whether the denominator is not 0, as a function of the other variables, for any whole n >= s->from. */
-static int is_defined_for_every(const cagd_search *s, num_f value)
+int cagd_is_defined_for_every(const cagd_search *s, num_f value)
 {
     num_f p = cagd_denominator_f(value), factor[MOST_FACTORS];
     int exponent[MOST_FACTORS];
-    for (int i = 0; i < s->growths; i++) { /* the w alone are not 0 */
+    for (int i = 0; i < s->growths; i++) { /* powers and factorials alone are not 0 */
         int count = cagd_factors_f(p, s->growth[i].w, MOST_FACTORS, factor, exponent);
         for (int m = 0; m < count; m++) {
-            if (!is_constant_f(div_f(factor[m], s->growth[i].w), NULL))
+            if (s->growth[i].kind > CAGD_OF_FACTORIAL || !is_constant_f(div_f(factor[m], s->growth[i].w), NULL))
                 return 0;
             p = div_f(p, cagd_power_f(factor[m], exponent[m]));
         }
@@ -211,7 +225,7 @@ static int of_parts(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num
     *out = from_int_f(t->kind == CAGD_SUM || t->kind == CAGD_NEGATIVE ? 0 : 1);
     for (int i = 0; i < t->count; i++) {
         if (!cagd_closed(s, t->at[i], f, &a) ||
-            (t->kind == CAGD_QUOTIENT && i == 1 && !is_defined_for_every(s, div_f(from_int_f(1), a))))
+            (t->kind == CAGD_QUOTIENT && i == 1 && !cagd_is_defined_for_every(s, div_f(from_int_f(1), a))))
             return 0;
         *out = t->kind == CAGD_SUM                  ? add_f(*out, a)
                : t->kind == CAGD_NEGATIVE           ? sub_f(*out, a)
@@ -228,7 +242,7 @@ int cagd_closed(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *
     if (s->depth == MOST_DEPTH)
         return 0;
     if (cagd_value_in(s, t, f, out))
-        return cagd_divisors_are_not_zero(s, 0, 0) && is_defined_for_every(s, *out);
+        return cagd_divisors_are_not_zero(s, 0, 0) && cagd_is_defined_for_every(s, *out);
     int good = 0;
     s->depth++;
     switch (t->kind) {
@@ -240,7 +254,7 @@ int cagd_closed(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *
         break;
     case CAGD_POWER:
         *out = from_int_f(1);
-        if (!cagd_value_in(s, t->at[1], f, &a) || !with_n(s, a, &p, &c))
+        if (!cagd_value_in(s, t->at[1], f, &a) || !cagd_linear_with_n(s, a, &p, &c))
             break;
         good = p != 0 ? power(s, t->at[0], f, p, c, out) : cagd_closed(s, t->at[0], f, &b);
         *out = p == 0 && good ? cagd_power_f(b, c) : *out;
@@ -252,7 +266,10 @@ int cagd_closed(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *
         good = cagd_value_in(s, t->at[0], f, &a) && cagd_value_in(s, t->at[1], f, &b) && binomial(s, a, b, out);
         break;
     case CAGD_SUM_OVER:
-        good = of_sum(s, t, f, out);
+        good = of_sum(s, t, f, out) || cagd_sum_to_n(s, t, f, out);
+        break;
+    case CAGD_PRODUCT_OVER:
+        good = cagd_sum_to_n(s, t, f, out);
         break;
     case CAGD_NAME:
         good = of_name(s, t, f, out);
@@ -261,7 +278,7 @@ int cagd_closed(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *
         break;
     }
     s->depth--;
-    good = good && region_faults == 0 && is_defined_for_every(s, *out);
+    good = good && region_faults == 0 && cagd_is_defined_for_every(s, *out);
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
     return good;
 }
@@ -270,7 +287,7 @@ int cagd_equal_closed(const cagd_search *s, num_f a, num_f b)
 {
     num_f difference = sub_f(a, b);
     for (int i = 0; i < s->growths; i++)
-        if (s->growth[i].factorial == 0 && cagd_equal_f(s->growth[i].base, from_int_f(-1)))
+        if (s->growth[i].kind == CAGD_OF_POWER && cagd_equal_f(s->growth[i].base, from_int_f(-1)))
             return cagd_is_zero_f(substitute_f(difference, s->growth[i].w, from_int_f(1))) &&
                    cagd_is_zero_f(substitute_f(difference, s->growth[i].w, from_int_f(-1)));
     return cagd_is_zero_f(difference);

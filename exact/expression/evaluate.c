@@ -599,6 +599,7 @@ static int quantified(cagd_context *c, const cagd_tree *t, int any, const frame 
         int one = truth(c, t->at[2], &inner);
         result = one == any ? any : one < 0 ? -1 : result;
     }
+    cagd_note_sum(&c->sums, t, high >= low);
     return result;
 }
 

@@ -70,7 +70,7 @@ typedef struct cagd_apart {
 } cagd_apart;
 enum { CAGD_MOST_APART = 8, CAGD_MOST_ROOTS = 16 };
 
-/* Sums and products of the formula, and whether they had a term. */
+/* Sums, products, and "for all" of the formula, and whether they had a term. */
 enum { CAGD_MOST_SUMS = 16 };
 typedef struct cagd_sums_met {
     const cagd_tree *sum[CAGD_MOST_SUMS];

@@ -1,6 +1,7 @@
 #include "exact/expression/every.h"
 
 #include "exact/expression/closed.h"
+#include "exact/expression/induction.h"
 #include "exact/record/trace.h"
 #include "exact/words.h"
 
@@ -159,19 +160,37 @@ static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *
     return 0;
 }
 
-/* Both sides, and all of a chain, have closed forms that are equal. */
+/* The variable w that stands for b^n, (p n)!, a sum or a product, in the letters of the statement. */
+static struct cagd_variable_text told_growth(const cagd_search *s, const cagd_growth *g, const char *n)
+{
+    struct cagd_variable_text out = {.name = cagd_to_string_f(g->w), .of = g->of, .by = g->by};
+    out.times = spelled(s, g->times, n, ""), out.plus = spelled(s, g->plus, n, "");
+    if (g->kind == CAGD_OF_POWER)
+        out.power_of = spelled(s, g->base, n, "");
+    return out;
+}
+
+/* Both sides, and all of a chain, have closed forms that are equal, or differ by what is 0 by induction. */
 static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd_tree *statement,
                              const cagd_variable *n, long low, cagd_every *out)
 {
     if (statement->kind != CAGD_RELATION || low > FURTHEST || low < -FURTHEST)
         return 0;
     cagd_search_begin(s, scope, n->head, (int)low);
-    num_f before, value;
-    for (int i = 0; i < statement->count; i++, before = value)
-        if (!cagd_closed(s, statement->at[i], NULL, &value) ||
-            (i > 0 && (statement->relation[i - 1] != CAGD_EQUAL || !cagd_equal_closed(s, before, value))))
+    *out = (cagd_every){.closed = 1, .from = low, .n = n->head, .k = "", .R = ""};
+    num_f before, value, N, r;
+    for (int i = 0; i < statement->count; i++, before = value) {
+        if (!cagd_closed(s, statement->at[i], NULL, &value) || (i > 0 && statement->relation[i - 1] != CAGD_EQUAL))
             return 0;
-    *out = (cagd_every){.closed = 1, .from = low, .n = n->head, .k = "", .R = "", .sums = s->closed_sums};
+        if (i == 0 || cagd_equal_closed(s, before, value))
+            continue;
+        if (out->E != NULL || !cagd_vanishes_by_induction(s, sub_f(before, value), &N, &r))
+            return 0;
+        out->E = spelled(s, N, n->head, ""), out->ratio = spelled(s, r, n->head, "");
+    }
+    for (int i = 0; out->E != NULL && i < s->growths; i++)
+        out->variable[out->variables++] = told_growth(s, &s->growth[i], n->head);
+    out->sums = s->closed_sums;
     for (int i = 0; i < out->sums; i++) {
         const cagd_closed_sum *sum = &s->closed[i];
         out->sum[i].k = sum->k;

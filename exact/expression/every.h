@@ -16,6 +16,16 @@ typedef struct cagd_every {
     struct cagd_closed_text {
         const char *k, *a, *R;
     } sum[CAGD_MOST_CLOSED];
+
+    /* Where the closed forms differ by what has the numerator E, E(n+1) = ratio E(n), induction.h; NULL otherwise.  Its variables, and what is known of each:
+     * name(n+1) = times name(n) + plus; it stands for power_of^n, for the sum or product `of` up to `by` n, or for (by n)!. */
+    const char *E, *ratio;
+    int variables;
+    struct cagd_variable_text {
+        const char *name, *power_of, *times, *plus;
+        const cagd_tree *of;
+        int by;
+    } variable[CAGD_MOST_GROWTHS];
 } cagd_every;
 
 /* Whether it holds for every n >= the lower end of the range of n, the first `checked` of them being known; 1 and *out, or 0. */

@@ -12,20 +12,6 @@ enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12 };
 
 static num_q one(void) { return from_int_q(1); }
 
-num_q cagd_simplest_between(num_q a, num_q b)
-{
-    if (cagd_sign_q(a) < 0 && cagd_sign_q(b) > 0)
-        return from_int_q(0);
-    if (cagd_sign_q(a) < 0)
-        return neg_q(cagd_simplest_between(neg_q(b), neg_q(a)));
-    num_q whole = cagd_floor_q(a), next = add_q(whole, one()), above = sub_q(b, whole);
-    if (cagd_compare_q(next, b) < 0)
-        return next;
-    if (cagd_equal_q(a, whole)) /* whole + 1/n */
-        return add_q(whole, div_q(one(), add_q(cagd_floor_q(div_q(one(), above)), one())));
-    return add_q(whole, div_q(one(), cagd_simplest_between(div_q(one(), above), div_q(one(), sub_q(a, whole)))));
-}
-
 static int is_point(const cagd_side_of_box *s) { return s->has_low && s->has_high && cagd_equal_q(s->low, s->high); }
 
 num_q cagd_inside(const cagd_side_of_box *s)
@@ -545,6 +531,53 @@ static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd
     return answer;
 }
 
+/* p over the even powers of its irreducible factors, which are positive wherever they are not 0. */
+static num_f without_squares(num_f p, int count, const cagd_side_of_box side[])
+{
+    num_f rest = p, factor[MOST_FACTORS];
+    int power[MOST_FACTORS];
+    for (int k = 0; k < count; k++) {
+        int factors = cagd_factors_f(rest, side[k].variable, MOST_FACTORS, factor, power);
+        for (int i = 0; i < factors; i++)
+            for (int e = 0; e + 1 < power[i]; e += 2)
+                rest = div_f(rest, mul_f(factor[i], factor[i]));
+    }
+    return rest;
+}
+
+static int variables_in(num_f p, int count, const cagd_side_of_box side[])
+{
+    int n = 0;
+    for (int k = 0; k < count; k++)
+        n += degree_f(p, side[k].variable) > 0;
+    return n;
+}
+
+/* Whether p >= 0 without cutting the box: by its coefficients, or, for some x of degree 2, p = A x^2 + B x + C because A, C and
+ * 4 A C - B^2 are at least 0, which have one variable less. */
+static int is_nonnegative_by_squares(num_f p, int count, const cagd_side_of_box side[])
+{
+    num_q unused[MOST_SIDES];
+    int rational;
+    if (variables_in(p, count, side) <= 2)
+        return cagd_positive_in_box(p, 0, count, side, unused, &rational) == CAGD_HOLDS;
+    p = without_squares(p, count, side);
+    if (cagd_is_positive_by_coefficients(p, 0, count, side))
+        return 1;
+    for (int k = 0; k < count && region_faults == 0; k++) {
+        num_f x = side[k].variable;
+        if (degree_f(p, x) != 2)
+            continue;
+        num_f A = coefficient_f(p, x, 2), B = coefficient_f(p, x, 1), C = coefficient_f(p, x, 0);
+        num_f part[] = {A, C, sub_f(mul_f(from_int_f(4), mul_f(A, C)), mul_f(B, B))};
+        int good = 1;
+        for (int i = 0; i < 3 && good; i++)
+            good = is_nonnegative_by_squares(part[i], count, side);
+        return good; /* the first of its kind: with all of them it would take long */
+    }
+    return 0;
+}
+
 cagd_answer cagd_positive_in_box(num_f p, int strict, int count, const cagd_side_of_box side[], num_q point[],
                                  int *rational)
 {
@@ -569,7 +602,8 @@ cagd_answer cagd_positive_in_box(num_f p, int strict, int count, const cagd_side
         int swap = degree_f(p, used[0].variable) < degree_f(p, used[1].variable); /* the other way is shorter */
         answer = positive_in_rectangle(p, strict, &used[swap], &used[!swap], &at[swap], &at[!swap], rational);
     } else {
-        answer = positive_by_halves(p, strict, n, used, MOST_HALVINGS, at);
+        int is = !strict && is_nonnegative_by_squares(p, n, used);
+        answer = is && region_faults == 0 ? CAGD_HOLDS : positive_by_halves(p, strict, n, used, MOST_HALVINGS, at);
     }
     for (int k = 0; k < n; k++)
         point[which[k]] = at[k];

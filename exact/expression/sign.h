@@ -3,7 +3,8 @@
  * In one variable roots are counted.  In two, the values of the second are isolated between which the order of the roots of the
  * first does not change (discriminants, resultants, leading coefficients, values at the ends), and one number between any two
  * of them decides.  In more, x = (a + b u)/(1 + u) maps the positive numbers to a < x < b, and a numerator whose coefficients are
- * all positive is a proof; bounds are halved until that is so, or a point refutes. */
+ * all positive is a proof; bounds are halved until that is so, or a point refutes; even powers of factors are left out, and A x^2 + B x + C >= 0
+ * where A, C, 4 A C - B^2 >= 0. */
 #ifndef CAGD_EXPRESSION_SIGN_H
 #define CAGD_EXPRESSION_SIGN_H
 
@@ -31,8 +32,6 @@ cagd_num_f cagd_over_positive_numbers(cagd_num_f p, int count, const cagd_side_o
  * ones are asked. */
 int cagd_is_positive_by_coefficients(cagd_num_f p, int strict, int count, const cagd_side_of_box side[]);
 
-/* The simplest rational between a and b: a < x < b, the denominator being least, and then the numerator. */
-cagd_num_q cagd_simplest_between(cagd_num_q a, cagd_num_q b);
 /* A simple rational inside the side. */
 cagd_num_q cagd_inside(const cagd_side_of_box *s);
 int cagd_is_inside(const cagd_side_of_box *s, cagd_num_q x);

@@ -17,7 +17,7 @@ static void variable_of(cagd_context *c, const char *key, num_f x)
 void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, int from)
 {
     *s = (cagd_search){.c = {.scope = scope, .in_field = 1, .steps = 100 * CAGD_USUAL_STEPS}, .from = from};
-    s->n = variable_f("vn"), s->k = variable_f("vk");
+    s->n = variable_f("vn"), s->k = variable_f("vk"), s->j = variable_f("vj");
     s->c.divisor = s->divisor, s->c.most_divisors = CAGD_MOST_DIVISORS;
     variable_of(&s->c, n, s->n);
     variable_of(&s->c, "", s->k);
@@ -121,6 +121,67 @@ static int take_power(cagd_search *s, const cagd_tree *t, const cagd_frame *f, i
     return 1;
 }
 
+/* ---- products over a range ------------------------------------------------------------------------------ */
+
+enum { MOST_FACTORS = 24 };
+
+/* Whether the linear form in n and k is at least 0 for all n and k that are looked at. */
+static int is_never_negative(cagd_search *s, num_f a)
+{
+    unsigned signs = cagd_signs_of_form(&s->c, a);
+    s->c.split = NULL, s->c.has_cut = 0;
+    return region_faults == 0 && (signs & CAGD_CAN_BE_NEGATIVE) == 0;
+}
+
+/* The factor f^e of the terms of a product over j = low, ..., high: with f = c j + r and r/c = p n + q k + d, it is the e-th power of
+ * c^(high - low + 1) (high + r/c)!/(low - 1 + r/c)!. */
+static int take_factor(cagd_search *s, num_f f, int e, num_f low, num_f high, cagd_product *out)
+{
+    num_f j = s->j, c = coefficient_f(f, j, 1), shift, d;
+    num_q whole;
+    int p, q;
+    if (degree_f(f, j) != 1 || degree_f(c, s->n) > 0 || degree_f(c, s->k) > 0)
+        return 0;
+    shift = div_f(coefficient_f(f, j, 0), c);
+    const num_f end[] = {add_f(high, shift), plus(add_f(low, shift), -1)};
+    for (int i = 0; i < 2; i++) {
+        if (!cagd_linear_in(s, end[i], &p, &q, &d))
+            return 0;
+        out->ratio = cagd_term_times_factorial(out->ratio, s->n, s->k, p, q, d, i == 0 ? e : -e);
+    }
+    if (!cagd_linear_in(s, plus(sub_f(high, low), 1), &p, &q, &d) || !is_constant_f(d, &whole) ||
+        !cagd_is_whole_q(whole))
+        return 0;
+    out->ratio = cagd_term_times_power(out->ratio, cagd_power_f(c, e), p, q);
+    return region_faults == 0;
+}
+
+/* prod_{j=low}^{high} f(j), a polynomial in j with factors of degree 1; the range is not less than empty, where it would be no ratio of
+ * factorials. */
+static int take_product(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out)
+{
+    num_f low, high, body, factor[MOST_FACTORS];
+    num_q whole;
+    int power[MOST_FACTORS], p, q, divisors = s->c.divisors;
+    cagd_frame inner = {t->head, {.f = s->j}, f};
+    if (t->count != 3 || !cagd_value_in(s, t->at[0], f, &low) || !cagd_value_in(s, t->at[1], f, &high) ||
+        !cagd_value_in(s, t->at[2], &inner, &body) || s->c.divisors > divisors ||
+        !is_constant_f(cagd_denominator_f(body), NULL) || !is_never_negative(s, plus(sub_f(high, low), 1)))
+        return 0;
+    int count = cagd_factors_f(body, s->j, MOST_FACTORS, factor, power);
+    for (int i = 0; i < count; i++) {
+        if (!take_factor(s, factor[i], e * power[i], low, high, out))
+            return 0;
+        body = div_f(body, cagd_power_f(factor[i], power[i]));
+    }
+    num_f length = plus(sub_f(high, low), 1), d; /* what is left is free of j */
+    if (count < 0 || cagd_is_zero_f(body) || degree_f(body, s->n) > 0 || degree_f(body, s->k) > 0 ||
+        !cagd_linear_in(s, length, &p, &q, &d) || !is_constant_f(d, &whole) || !cagd_is_whole_q(whole))
+        return 0;
+    out->ratio = cagd_term_times_power(out->ratio, cagd_power_f(body, e), p, q);
+    return region_faults == 0;
+}
+
 const cagd_tree *cagd_called_body(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_frame room[],
                                   const cagd_frame **inner)
 {
@@ -182,6 +243,9 @@ int cagd_take(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, ca
     case CAGD_BINOMIAL:
         good = cagd_value_in(s, t->at[0], f, &a) && cagd_value_in(s, t->at[1], f, &b) && take_factorial(s, a, e, out) &&
                take_factorial(s, b, -e, out) && take_factorial(s, sub_f(a, b), -e, out);
+        break;
+    case CAGD_PRODUCT_OVER:
+        good = take_product(s, t, f, e, out);
         break;
     case CAGD_NAME:
         good = take_name(s, t, f, e, out);

@@ -13,10 +13,17 @@ typedef struct cagd_product {
     cagd_num_f rational;
 } cagd_product;
 
-/* What stands for b^n or (p n)!, being transcendental over the rational functions of n: a variable w of the field. */
+/* What stands for b^n, (p n)!, or a sum or product of f(k) over k = low, ..., p n: a variable w of the field, which satisfies
+ * w(n+1) = times w(n) + plus, both free of w, in n and earlier variables.  Powers and factorials are transcendental over the rational
+ * functions of n. */
+typedef enum cagd_growth_kind { CAGD_OF_POWER, CAGD_OF_FACTORIAL, CAGD_OF_SUM, CAGD_OF_PRODUCT } cagd_growth_kind;
 typedef struct cagd_growth {
-    int factorial; /* p, or 0: of a power           */
-    cagd_num_f base, w;
+    cagd_growth_kind kind;
+    int by;          /* p, of a power 1         */
+    cagd_num_f base; /* b, of a power           */
+    long low;        /* of a sum, of a product  */
+    const cagd_tree *of;
+    cagd_num_f w, times, plus;
 } cagd_growth;
 enum { CAGD_MOST_GROWTHS = 12, CAGD_MOST_CLOSED = 4, CAGD_MOST_DIVISORS = 64 };
 
@@ -29,7 +36,7 @@ typedef struct cagd_closed_sum {
 /* Made by cagd_search_begin.  n and k are variables of the field; the name of n is bound in the context, where it is at least `from`. */
 typedef struct cagd_search {
     cagd_context c;
-    cagd_num_f n, k;
+    cagd_num_f n, k, j; /* j: the letter of a product over a range */
     int depth;
     int from; /* a value is asked for whole n >= from */
     cagd_growth growth[CAGD_MOST_GROWTHS];

@@ -56,6 +56,9 @@ static void test_known_sums(void **state)
     /* sum (-1)^k (n choose k) 2^(n-k) = 1 */
     cagd_term F = cagd_term_times_power(cagd_term_times_power(binomials(1), neg_f(one), 0, 1), two, 1, -1);
     proved(F, one, one, one, 1);
+    /* sum (n+k choose k) 2^(-k) = 2^n, of which the terms do not end at k = n */
+    F = cagd_term_times_binomial(cagd_term_one(), n, k, 1, 1, whole(0), 0, 1, whole(0));
+    proved(cagd_term_times_power(F, two, 0, -1), one, one, two, 1);
     /* Vandermonde: sum (n choose k) (m choose k) = (n+m choose n), of ratio (n+m+1)/(n+1) */
     num_f m = variable_f("m");
     F = cagd_term_times_binomial(binomials(1), n, k, 0, 0, m, 0, 1, whole(0));
