@@ -787,12 +787,25 @@ static void set_apart(cagd_context *c, const char *cosine)
             (cagd_apart){{cagd_text_of(cosine, (int)strlen(cosine))}, {NULL}, {cagd_from_int_q(-1)}, 1};
 }
 
+/* Whether the letter is the argument of a definition, or an index: its value is what stands in its place. */
+static int is_in_place_of_another(const cagd_tree *t, const frame *f)
+{
+    for (; f != NULL && t->count == 0; f = f->next)
+        if (strcmp(f->head, t->head) == 0)
+            return 1;
+    return 0;
+}
+
 /* Half of the angle of that name: its cosine and sine are rational functions of the tangent of the quarter. */
 static struct turn half_of(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     struct turn none = {cagd_value_int(1), cagd_value_int(0)};
     char key[96], quarter[120], cosine[120];
     const cagd_variable *v = cagd_declared(c->scope, t->head);
+    if (is_in_place_of_another(t, f)) {
+        fail(c, t, FAULT_UNABLE, "an angle that is the argument of a definition");
+        return none;
+    }
     if (!key_of(c, t, f, key, sizeof key) || !key_of_quarter(key, quarter, sizeof quarter))
         return none;
     if (v == NULL || v->low != NULL || v->high != NULL || cagd_binding_of(c, key) != NULL) {

@@ -240,6 +240,12 @@ g(s,t) = s^2 t^3
             self.assertEqual(r.returncode, 2)
             self.assertIn("part of the angle, or a factor?", r.stderr)
 
+    def test_the_angle_of_an_argument_is_not_that_of_its_letter(self):
+        """The sine of what stands in the place of a letter, not of the name that is called so."""
+        let = "h(s) = \\sin s\ns \\in \\mathbb{R}\n"
+        for printed in ("h(0) = 0", "h(0) = 1", "h(1) = \\sin s"):
+            self.assertEqual(verdict(printed, "n = 1", let)["verdict"], "undecided", printed)
+
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
         for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3",
