@@ -170,9 +170,10 @@ static struct cagd_variable_text told_growth(const cagd_search *s, const cagd_gr
     return out;
 }
 
-/* Both sides, and all of a chain, have closed forms that are equal, or differ by what is 0 by induction. */
+/* Both sides, and all of a chain, have closed forms that are equal, or differ by what is 0 by induction, which begins with a number that is
+ * known. */
 static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd_tree *statement,
-                             const cagd_variable *n, long low, cagd_every *out)
+                             const cagd_variable *n, long low, int checked, cagd_every *out)
 {
     if (statement->kind != CAGD_RELATION || low > FURTHEST || low < -FURTHEST)
         return 0;
@@ -184,7 +185,7 @@ static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd
             return 0;
         if (i == 0 || cagd_equal_closed(s, before, value))
             continue;
-        if (out->E != NULL || !cagd_vanishes_by_induction(s, sub_f(before, value), &N, &r))
+        if (checked < 1 || out->E != NULL || !cagd_vanishes_by_induction(s, sub_f(before, value), &N, &r))
             return 0;
         out->E = spelled(s, N, n->head, ""), out->ratio = spelled(s, r, n->head, "");
     }
@@ -229,10 +230,10 @@ int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, co
     if (s == NULL)
         return 0;
     if (statement->kind == CAGD_RELATION && statement->count > 2)
-        return have_closed_forms(s, scope, statement, n, low, out) ||
+        return have_closed_forms(s, scope, statement, n, low, checked, out) ||
                links_hold(scope, statement, n, low, checked, out);
     if (!find_proof(s, scope, statement, n, low, checked, &p))
-        return have_closed_forms(s, scope, statement, n, low, out);
+        return have_closed_forms(s, scope, statement, n, low, checked, out);
     *out = (cagd_every){.order = p.T.order, .from = p.from, .n = n->head, .k = p.sum->head};
     for (int j = 0; j <= p.T.order; j++) /* the n and k of the statement again */
         out->a[j] = spelled(s, shifted(p.T.a[j], s->n, -p.by_n), n->head, p.sum->head);
