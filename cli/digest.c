@@ -46,16 +46,17 @@ static void compress(uint32_t h[WORDS], const unsigned char block[BLOCK])
         h[k] += s[k];
 }
 
-/* Behind the text stand a bit 1, zeros, and its length in bits, in the last block or in one more. */
-void digest_of_text(const char *text, char digest[DIGEST])
+/* Behind the bytes stand a bit 1, zeros, and its length in bits, in the last block or in one more. */
+void digest_of_bytes(const void *bytes, size_t length, char digest[DIGEST])
 {
+    const unsigned char *text = bytes;
     /* The first 32 bits of the fractional parts of the square roots of the first eight primes. */
     uint32_t h[WORDS] = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                          0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     unsigned char block[BLOCK];
-    size_t length = strlen(text), left = length;
+    size_t left = length;
     for (; left >= BLOCK; left -= BLOCK, text += BLOCK)
-        compress(h, (const unsigned char *)text);
+        compress(h, text);
     memset(block, 0, sizeof block);
     memcpy(block, text, left);
     block[left] = 0x80;
@@ -69,3 +70,5 @@ void digest_of_text(const char *text, char digest[DIGEST])
     for (int k = 0; k < WORDS; k++)
         snprintf(digest + 8 * k, 9, "%08x", (unsigned)h[k]);
 }
+
+void digest_of_text(const char *text, char digest[DIGEST]) { digest_of_bytes(text, strlen(text), digest); }

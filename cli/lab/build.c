@@ -60,8 +60,7 @@ static const char *tool(const char *name, char path[LAB_MOST_PATH])
     return path;
 }
 
-/* A program that is installed with this one. */
-static const char *beside(const char *name, char path[LAB_MOST_PATH])
+const char *lab_program(const char *name, char path[LAB_MOST_PATH])
 {
     ssize_t length = readlink("/proc/self/exe", path, LAB_MOST_PATH - 32);
     path[length > 0 ? length : 0] = 0;
@@ -71,7 +70,7 @@ static const char *beside(const char *name, char path[LAB_MOST_PATH])
     return path;
 }
 
-static const char *compiler(char path[LAB_MOST_PATH]) { return beside("cagd-compile-exactly", path); }
+static const char *compiler(char path[LAB_MOST_PATH]) { return lab_program("cagd-compile-exactly", path); }
 
 /* A file of one place, in another; what was there is no more. */
 static int copy_file(const struct lab_place *from, const struct lab_place *to, const char *name)
@@ -176,6 +175,8 @@ char *lab_build_driver(const struct lab *lab, const struct lab_place *place)
     snprintf(path, sizeof path, "%s/driver.c", place->folder);
     if (lab_write_driver(lab, path) != 0)
         return copied("the driver cannot be written");
+    char *text = lab_file(path);
+    int kept = text != NULL && lab_take_kept(place, "driver.bc", text);
     char *const word[] = {(char *)(uintptr_t)compiler(program),
                           (char *)(uintptr_t) "-o",
                           (char *)(uintptr_t) "driver.bc",
@@ -183,7 +184,28 @@ char *lab_build_driver(const struct lab *lab, const struct lab_place *place)
                           (char *)(uintptr_t) "--",
                           (char *)(uintptr_t) "-w",
                           NULL};
-    return compiled(place, word, "");
+    char *cause = kept ? NULL : compiled(place, word, "");
+    if (cause == NULL && text != NULL && !kept)
+        lab_keep(place, "driver.bc", text);
+    free(text);
+    return cause;
+}
+
+/* The driver and a source of the lab itself, of which an object is made. */
+static char *with_driver(const struct lab_place *place, const char *source)
+{
+    char path[LAB_MOST_PATH + 32], *text = NULL;
+    size_t size;
+    snprintf(path, sizeof path, "%s/driver.c", place->folder);
+    char *driver = lab_file(path);
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        abort();
+    fprintf(out, "%s\n%s", driver != NULL ? driver : "", source);
+    if (fclose(out) != 0)
+        abort();
+    free(driver);
+    return text;
 }
 
 char *lab_build(const struct lab *lab, const struct lab_place *place, const struct lab_place *ready, const char *source,
@@ -221,7 +243,13 @@ char *lab_build(const struct lab *lab, const struct lab_place *place, const stru
                           (char *)(uintptr_t) "--",
                           (char *)(uintptr_t) "-w",
                           NULL};
-    return compiled(place, word, source);
+    char *made_of = reason == NULL ? with_driver(place, source) : NULL;
+    int kept = made_of != NULL && lab_take_kept(place, object, made_of);
+    char *cause = kept ? NULL : compiled(place, word, source);
+    if (cause == NULL && made_of != NULL && !kept)
+        lab_keep(place, object, made_of);
+    free(made_of);
+    return cause;
 }
 
 /* ---- what is seen in the source --------------------------------------------------------------------------- */
@@ -586,7 +614,14 @@ static int take_driver(const struct lab_place *place, const struct sanitizer *s,
     char path[LAB_MOST_PATH + 32];
     snprintf(path, sizeof path, "%s/%s", ready->folder, s->driver);
     if (access(path, R_OK) != 0) {
-        int code = compile_native(ready, s, "driver.c", s->driver, "-DLAB_NATIVE");
+        char *made_of = with_driver(ready, "");
+        int code = 0;
+        if (!lab_take_kept(ready, s->driver, made_of)) {
+            code = compile_native(ready, s, "driver.c", s->driver, "-DLAB_NATIVE");
+            if (code == 0)
+                lab_keep(ready, s->driver, made_of);
+        }
+        free(made_of);
         if (code != 0)
             return code;
     }
@@ -624,7 +659,7 @@ static json_t *build_native(const struct lab *lab, const struct lab_place *place
 static int has_sanitizer(const struct lab *lab, const struct sanitizer *s)
 {
     char program[LAB_MOST_PATH];
-    return strcmp(lab->language, "c") == 0 && access(beside(s->program, program), X_OK) == 0;
+    return strcmp(lab->language, "c") == 0 && access(lab_program(s->program, program), X_OK) == 0;
 }
 
 /* What is said while the jobs are run; the exit code. */
@@ -632,7 +667,7 @@ static int run_native(const struct lab_place *place, const struct sanitizer *s, 
                       char **said)
 {
     char program[LAB_MOST_PATH], object[LAB_MOST_PATH + 32];
-    beside(s->program, program);
+    lab_program(s->program, program);
     snprintf(object, sizeof object, "%s/%s", place->folder, s->object);
     char *const run[] = {program, object, (char *)(uintptr_t) "native.in", (char *)(uintptr_t)end, NULL};
     write_jobs(place, jobs);

@@ -264,7 +264,7 @@ static int work(const struct class *c, struct board *board, int lock)
 {
     char cause[LAB_CAUSE], student[300];
     struct lab_bench *bench = calloc(1, sizeof *bench);
-    if (bench == NULL || lab_bench_open(bench, c->lab, cause) != 0)
+    if (bench == NULL || lab_bench_open(bench, c->lab, 0, cause) != 0)
         return 1;
     bench->draws = 1;
     for (int k; !board->stopped && (k = atomic_fetch_add(&board->next, 1)) < c->count;) {

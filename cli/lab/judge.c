@@ -1013,7 +1013,7 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
     return result;
 }
 
-int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE])
+int lab_bench_open(struct lab_bench *b, const struct lab *lab, int keeps, char cause[LAB_CAUSE])
 {
     char path[LAB_MOST_PATH + 32];
     *b = (struct lab_bench){.lab = lab, .points = 24, .known = json_object()};
@@ -1024,6 +1024,8 @@ int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CA
         free(source);
         return -1;
     }
+    if (keeps)
+        lab_keep_for(&b->own, lab);
     char *with_levels = NULL, *errors = lab_build_driver(lab, &b->own);
     size_t size;
     FILE *out = open_memstream(&with_levels, &size);

@@ -235,7 +235,7 @@ static int check(const struct arguments *a, const char *folder)
         return EXIT_USAGE;
     }
     int code = EXIT_USAGE;
-    if (lab_bench_open(bench, lab, cause) != 0) {
+    if (lab_bench_open(bench, lab, 1, cause) != 0) {
         refuse_line("%s: %s", lab->name, cause);
     } else {
         bench->draws = a->svg != NULL;

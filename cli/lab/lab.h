@@ -112,6 +112,7 @@ int lab_tell_reached(const struct lab_case *c, const struct lab_reached *r, cons
 struct lab_place {
     char folder[LAB_MOST_PATH];
     int shut;
+    char store[LAB_MOST_PATH]; /* where what is compiled there is kept, see keep.c; "": nothing is */
 };
 int lab_place_open(struct lab_place *p, int shut); /* 0, or -1 and errno */
 void lab_place_close(const struct lab_place *p);
@@ -139,10 +140,21 @@ void lab_player_close(struct lab_player *p);
 void lab_ask(struct lab_player *p, const json_t *job);
 json_t *lab_answer(struct lab_player *p); /* NULL when there is none */
 
+/* ---- keep.c: objects of the lab itself, from one check to the next --------------------------------------------- */
+
+/* From then on what is made in the place is kept for this user, where there is a folder for that. */
+void lab_keep_for(struct lab_place *p, const struct lab *lab);
+/* Whether the file of that name, made of the text, was kept; it is in the place then. */
+int lab_take_kept(const struct lab_place *p, const char *name, const char *text);
+/* The file of that name in the place, made of the text, is kept where that can be done. */
+void lab_keep(const struct lab_place *p, const char *name, const char *text);
+
 /* ---- build.c ------------------------------------------------------------------------------------------- */
 
 /* Why nothing became of a source: it has no place in an assignment, or it is no C. */
 enum lab_reason { LAB_NO_REASON, LAB_REFUSED, LAB_NOT_EXPANDED };
+/* A program that is installed with this one. */
+const char *lab_program(const char *name, char path[LAB_MOST_PATH]);
 /* The driver of the lab in its place, compiled once: all answers are linked with it.  NULL, or the cause, which the caller frees. */
 char *lab_build_driver(const struct lab *lab, const struct lab_place *place);
 /* The source becomes an object in the place, of that name, with the driver of the place `ready`; NULL, or the cause, which the caller
@@ -239,7 +251,8 @@ struct lab_bench {
     int points; /* how many at least are tried */
     int draws;  /* whether results have what a picture needs */
 };
-int lab_bench_open(struct lab_bench *b, const struct lab *lab, char cause[LAB_CAUSE]);
+/* keeps: whether what is compiled of the lab is kept for the next time. */
+int lab_bench_open(struct lab_bench *b, const struct lab *lab, int keeps, char cause[LAB_CAUSE]);
 void lab_bench_close(struct lab_bench *b);
 /* The result for the source text: see cli/schemas/cagd-lab-1.schema.json.  shut: as in lab_place. */
 json_t *lab_judge(struct lab_bench *b, const char *source, int shut);

@@ -25,6 +25,7 @@ int lab_place_open(struct lab_place *p, int shut)
 {
     char folder[SCRATCH];
     p->shut = shut;
+    p->store[0] = 0;
     if (make_scratch(folder, "cagd-lab") != 0)
         return -1;
     snprintf(p->folder, sizeof p->folder, "%s", folder);

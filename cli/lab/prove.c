@@ -181,7 +181,7 @@ int lab_test(const char *folder, int as_json)
     char cause[LAB_CAUSE] = "";
     struct proof p = {.bench = calloc(1, sizeof *p.bench), .rows = json_array()};
     struct lab *lab = lab_read(folder, "0", cause);
-    if (lab == NULL || p.bench == NULL || lab_bench_open(p.bench, lab, cause) != 0) {
+    if (lab == NULL || p.bench == NULL || lab_bench_open(p.bench, lab, 0, cause) != 0) {
         refuse_line("%s: %s", folder, cause);
         lab_free(lab);
         free(p.bench);

@@ -19,6 +19,8 @@ import xml.dom.minidom
 ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 LABS = ROOT / "chapters/labs"
+CACHE = tempfile.TemporaryDirectory()
+os.environ["XDG_CACHE_HOME"] = CACHE.name
 
 
 def run(*args, **options):
@@ -457,6 +459,75 @@ class Branches(InFolder):
         (place / "de-casteljau.c").write_text(RIGHT.replace(*self.returning(NOBODY)[:2], 1))
         row = json.loads(run("check", place, "--lab", self.folder / "mine", "--json").stdout)["requirements"][0]
         self.assertEqual((row["verdict"], row["points"]), ("sampled", 4), row)
+
+
+class Kept(InFolder):
+    """What is compiled of a lab is kept from one check to the next: it changes nothing that is said."""
+
+    def setUp(self):
+        super().setUp()
+        self.cache = self.folder / "cache"
+        self.mine = self.folder / "mine"
+        self.mine.mkdir()
+        (self.mine / "de-casteljau.c").write_text(RIGHT.replace("(1 - t) * b[i] + t * b[i + 1]", "t * b[i] + (1 - t) * b[i + 1]"))
+
+    def said(self):
+        ran = run("check", self.mine, env=os.environ | {"XDG_CACHE_HOME": str(self.cache)})
+        self.assertEqual((ran.returncode, ran.stderr), (1, ""))
+        return ran.stdout
+
+    def kept(self):
+        return {p.name: p for p in (self.cache / "cagd/labs/de-casteljau").glob("*")}
+
+    def test_nothing_but_the_time_changes(self):
+        first = self.said()
+        self.assertIn("exchanged", first)
+        kept = self.kept()
+        self.assertLessEqual({"driver.bc", "reference.so"}, set(kept))
+        self.assertTrue(any(name.startswith("wrong-") for name in kept), kept)
+        self.assertEqual((self.cache / "cagd").stat().st_mode & 0o777, 0o700)
+        seen = {name: p.stat().st_ino for name, p in kept.items()}
+        self.assertEqual(self.said(), first)
+        self.assertEqual({name: p.stat().st_ino for name, p in self.kept().items()}, seen)
+
+    def test_what_is_damaged_or_old_is_made_again(self):
+        first = self.said()
+        whole = {name: p.read_bytes() for name, p in self.kept().items()}
+        for spoil in (lambda b: b[:-100], lambda b: b[:200] + bytes([b[200] ^ 1]) + b[201:], lambda b: b"", lambda b: b"g" + b[1:],
+                      lambda b: b[:1000] + b[900:]):
+            for name, p in self.kept().items():
+                p.write_bytes(spoil(whole[name]))
+            self.assertEqual(self.said(), first)
+            for name, p in self.kept().items():
+                self.assertTrue(p.read_bytes() != spoil(whole[name]), name)
+        kept = self.kept()
+        kept["driver.bc"].write_bytes(whole["reference.so"])  # one for another
+        kept["reference.so"].write_bytes(whole["driver.bc"])
+        self.assertEqual(self.said(), first)
+
+    def test_what_others_may_write_is_not_read(self):
+        first = self.said()
+        store = self.cache / "cagd/labs/de-casteljau"
+        for p in store.glob("*"):
+            p.write_text("not read")
+        store.chmod(0o777)
+        self.assertEqual(self.said(), first)
+        self.assertEqual({p.read_text() for p in store.glob("*")}, {"not read"})
+        shutil.rmtree(self.cache)
+        self.cache.write_text("no folder")
+        self.assertEqual(self.said(), first)
+        self.assertEqual(self.cache.read_text(), "no folder")
+
+    def test_another_reference_is_another_object(self):
+        own = self.folder / "own"
+        shutil.copytree(LABS / "de-casteljau", own)
+        place = {"env": os.environ | {"XDG_CACHE_HOME": str(self.cache)}}
+        (self.mine / "de-casteljau.c").write_text(RIGHT)
+        self.assertEqual(run("check", self.mine, "--lab", own, **place).returncode, 0)
+        reference = (own / "reference.c").read_text()
+        self.assertEqual(reference.count("return "), reference.count("return"))
+        (own / "reference.c").write_text(reference.replace("return ", "return 1 + "))
+        self.assertEqual(run("check", self.mine, "--lab", own, **place).returncode, 1)
 
 
 class Lecturer(InFolder):
