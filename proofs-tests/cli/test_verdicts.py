@@ -169,7 +169,7 @@ class Lemmas(unittest.TestCase):
                     tried += 1
                     with self.subTest(s["id"]):
                         self.assertIn(name, own)
-        self.assertGreater(tried, 200)
+        self.assertGreater(tried, 150)  # the more of such sentences are left out, the fewer lean
 
 
 class Readings(unittest.TestCase):
