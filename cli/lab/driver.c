@@ -22,10 +22,9 @@ void lab_write_body(const struct cagd_code_harness *h, const char *name, const c
     free(text);
 }
 
-/* The driver of one case; behind the call the inputs are told once more: they stay what they were. */
-static void write_case(const struct lab_case *c, FILE *out)
+void lab_write_case(const struct lab_case *c, const struct cagd_code_harness *h, const char *name, FILE *out)
 {
-    char name[40], *tail = NULL;
+    char *tail = NULL;
     size_t size;
     FILE *inputs = open_memstream(&tail, &size);
     for (int k = 0; k < c->h->inputs; k++) {
@@ -34,9 +33,7 @@ static void write_case(const struct lab_case *c, FILE *out)
             fprintf(inputs, "    cagd_code_output(\"%s\", %d, %s);\n", in->name, in->count, in->name);
     }
     fclose(inputs);
-    snprintf(name, sizeof name, "lab_body_%d", c->number);
-    fprintf(out, "static void %s(void);\n", name);
-    lab_write_body(c->h, name, tail, out);
+    lab_write_body(h, name, tail, out);
     free(tail);
 }
 
@@ -45,8 +42,12 @@ int lab_write_driver(const struct lab *lab, const char *path)
     FILE *out = fopen(path, "w");
     if (out == NULL)
         return -1;
-    for (int k = 0; k < lab->cases; k++)
-        write_case(&lab->at[k], out);
+    for (int k = 0; k < lab->cases; k++) {
+        char name[40];
+        snprintf(name, sizeof name, "lab_body_%d", k);
+        fprintf(out, "static void %s(void);\n", name);
+        lab_write_case(&lab->at[k], lab->at[k].h, name, out);
+    }
     for (int k = 0; k < lab->cases; k++)
         fprintf(out,
                 "void lab_entry_%d(void);\nvoid lab_entry_%d(void) { lab_body_%d(); }\nvoid lab_again_%d(void);\n"

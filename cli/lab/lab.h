@@ -38,6 +38,7 @@ struct lab_case {
     int earlier;    /* another case of the requirement, which is run before it where state is looked for */
     char *python;   /* the call in Python, where that is the language; else NULL */
     struct cagd_code_harness *h;
+    char *formula;  /* in C: what puts the results of the formulas, in the place of the call; NULL: the reference's count */
     json_t *points; /* of triangles, in their order: {"triangle", "level", "name", "value": [formulas in C]} */
 };
 
@@ -80,6 +81,18 @@ int lab_write_driver(const struct lab *lab, const char *path);
 
 /* The driver of a harness as a function of that name, whose last lines are these. */
 void lab_write_body(const struct cagd_code_harness *h, const char *name, const char *tail, FILE *out);
+
+/* The function of that name: the harness h of the case, behind whose calls the inputs are told once more: they stay what they were. */
+void lab_write_case(const struct lab_case *c, const struct cagd_code_harness *h, const char *name, FILE *out);
+
+/* ---- formula.c: results that are told by formulas --------------------------------------------------------------- */
+
+/* The formulas of the requirement, for these numbers, become part of the case; there may be none. */
+int lab_read_formula(struct lab_case *c, const struct lab_letters *l, char cause[LAB_CAUSE]);
+/* In C, behind the reference: for case K with formulas the function lab_formula_K, whose results are theirs. */
+void lab_write_formulas(const struct lab *lab, FILE *out);
+/* A rational function as the field writes it, in C.  NULL, or why it is none. */
+const char *lab_put_function(const char *text, FILE *out);
 
 /* ---- levels.c: what a triangle's levels are, and which an answer computes ---------------------------------- */
 

@@ -118,7 +118,7 @@ int lab_new(const char *name)
         ":::{lab} %s\n:title: The sum of two numbers\n:zh: 两数之和\n:chapter: mine\n:learn: what a lab is made of\n"
         ":declare: double sum(double a, double b);\n:::\n\n"
         ":::{requirement} sum\n:title: a + b\n:zh: a + b\n:points: 4\n:input: a; b\n:call: double S = sum(a, b);\n"
-        ":output: S\n:::\n\n"
+        ":output: S\n:printed: S = a + b\n:::\n\n"
         ":::{requirement} manners\n:title: nothing outside arrays, nothing kept, nothing printed, arguments unchanged\n"
         ":zh: 不越界、不留状态、不打印、不改参数\n:points: 1\n:::\n\n"
         ":::{wrong} difference\n:of: right/plain.c\n:replace: a + b\n:by: a - b\n:fails: sum manners\n"

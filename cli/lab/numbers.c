@@ -96,42 +96,6 @@ static int put_numbers(struct line *l, FILE *out)
     return *l->at == 0 ? 0 : wrong(l, "numbers with commas between were expected");
 }
 
-/* A rational function as the field writes it, in C: "3*t^2" is 3.0*(t*t). */
-static int put_function(struct line *l, const char *text, FILE *out)
-{
-    while (*text != 0) {
-        size_t digits = strspn(text, "0123456789"), name = 0;
-        while (digits == 0 && (isalnum((unsigned char)text[name]) || text[name] == '_'))
-            name++;
-        if (digits > MOST_DIGITS)
-            return wrong(l, "the formula has coefficients of more than 15 digits");
-        if (digits > 0) {
-            fprintf(out, "%.*s.0", (int)digits, text);
-            text += digits;
-        } else if (name > 0) {
-            const char *base = text;
-            long power = 1;
-            text += name;
-            if (*text == '^') {
-                char *end;
-                power = strtol(text + 1, &end, 10);
-                text = end;
-            }
-            if (power < 1 || power > 100)
-                return wrong(l, "a power of at most 100 was expected");
-            fputs("(1", out);
-            for (long k = 0; k < power; k++)
-                fprintf(out, "*%.*s", (int)name, base);
-            fputs(")", out);
-        } else if (strchr("+-*/() ", *text) != NULL) {
-            fputc(*text++, out);
-        } else {
-            return wrong(l, "a rational function was expected");
-        }
-    }
-    return 0;
-}
-
 /* The formula in these letters, "t, s". */
 static int put_formula(struct line *l, const char *letters, FILE *out)
 {
@@ -162,8 +126,13 @@ static int put_formula(struct line *l, const char *letters, FILE *out)
             if (c->binding[k].unknown)
                 fprintf(out, "    double v%d = %s;\n", c->binding[k].number, c->binding[k].key);
         fputs("    return ", out);
+        const char *why = NULL;
         if (cagd_region_faults == 0)
-            status = put_function(l, cagd_to_string_f(cagd_in_field(value)), out);
+            why = lab_put_function(cagd_to_string_f(cagd_in_field(value)), out);
+        if (why != NULL)
+            wrong(l, why);
+        else if (cagd_region_faults == 0)
+            status = 0;
         cagd_region_faults = 0;
     }
     free(c);

@@ -297,7 +297,7 @@ static int add_case(struct lab *lab, const json_t *requirement, const struct lab
         return -1;
     }
     c->requirement = requirement;
-    if (lab_read_levels(lab, c, l, cause) != 0)
+    if (lab_read_formula(c, l, cause) != 0 || lab_read_levels(lab, c, l, cause) != 0)
         return -1;
     c->number = lab->cases++;
     c->earlier = c->number > 0 && c[-1].requirement == requirement ? c->number - 1 : c->number;
@@ -388,6 +388,7 @@ void lab_free(struct lab *lab)
         cagd_code_harness_free(lab->at[k].h);
         json_decref(lab->at[k].points);
         free(lab->at[k].python);
+        free(lab->at[k].formula);
     }
     json_decref(lab->blocks);
     free(lab);

@@ -48,8 +48,7 @@ static struct part part_of(const char *text)
     return p;
 }
 
-/* The letter that a name of C is in a formula; NULL where it is none. */
-static const char *head_of(const char *name, int has_index)
+const char *cagd_code_formula_head(const char *name, long count)
 {
     enum { MOST = 80 };
     char head[MOST];
@@ -62,13 +61,13 @@ static const char *head_of(const char *name, int has_index)
         length = snprintf(head, sizeof head, "\\mathrm{%s}", name);
     if (letters == 0 || length >= MOST - 1)
         return NULL;
-    strcpy(head + length, has_index ? "_" : "");
-    return cagd_text_of(head, length + has_index);
+    strcpy(head + length, count > 0 ? "_" : "");
+    return cagd_text_of(head, length + (count > 0));
 }
 
 void cagd_code_formula_name(struct cagd_code_formulas *f, const char *name, long count)
 {
-    const char *head = head_of(name, count > 0);
+    const char *head = cagd_code_formula_head(name, count);
     if (head != NULL && cagd_declared(&f->scope, head) == NULL)
         cagd_declare(&f->scope, (cagd_variable){.head = head, .lower = count > 0});
 }
@@ -154,7 +153,7 @@ const cagd_tree *cagd_code_formula_read(struct cagd_code_formulas *f, const char
 
 int cagd_code_formula_has(const struct cagd_code_formulas *f, const cagd_tree *t, const char *name, long count)
 {
-    const char *head = head_of(name, count > 0);
+    const char *head = cagd_code_formula_head(name, count);
     return head != NULL && cagd_depends_on(&f->scope, t, head);
 }
 
@@ -184,7 +183,7 @@ void cagd_code_formulas(void)
 /* The numbers that it has now: the code may change its arguments. */
 void cagd_code_name(const char *name, long count, const double *x)
 {
-    const char *head = head_of(name, count > 0);
+    const char *head = cagd_code_formula_head(name, count);
     long numbers = count > 0 ? count : 1;
     if (head == NULL)
         return;

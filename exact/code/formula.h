@@ -15,6 +15,8 @@ struct cagd_code_formulas {
     char message[CAGD_CODE_MESSAGE]; /* of what is refused */
 };
 
+/* What stands for a name of the harness, "p_" or "t", in the region; NULL where it has not letters alone. */
+const char *cagd_code_formula_head(const char *name, long count);
 /* A name of the harness becomes known, count = 0: a number alone.  One that has no letters alone stays unknown. */
 void cagd_code_formula_name(struct cagd_code_formulas *f, const char *name, long count);
 /* A line that says what other names mean: "B_i^n(t) = ...", or ":use: bernstein B_i^n(t)".  0, or -1 and the message. */

@@ -567,6 +567,52 @@ class Lecturer(InFolder):
         self.assertEqual(ran.returncode, 1)
         self.assertIn("twice: no wrong solution fails this requirement", ran.stdout)
 
+    PRINTED = ((":call: double R = point($n, p, t);\n:output: R\n", ":use: bernstein B_i^n(t)\n:printed: R = \\sum_{i=0}^{$n} B_i^{$n}(t) p_i\n"),
+               (":output: left[$(n+1)]\n", ":let: C_i^m(t) = \\binom{m}{i} t^i (1-t)^{m-i}\n:printed: \\mathrm{left}_k = \\sum_{i=0}^k C_i^k(t) p_i\n:index: k = 0..$n\n"))
+
+    def with_formulas(self, *changes):
+        """A lab of which two requirements have formulas, with changes."""
+        own = self.folder / "own"
+        shutil.rmtree(own, ignore_errors=True)
+        shutil.copytree(LABS / "de-casteljau", own)
+        page = own / "lab.md"
+        text = page.read_text()
+        for place, lines in self.PRINTED:
+            self.assertEqual(text.count(place), 1)
+            text = text.replace(place, place + lines)
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        page.write_text(text)
+        return own
+
+    def test_what_is_right_may_be_a_formula(self):
+        """It stands in for the reference, which is judged by it."""
+        ran = run("test", self.with_formulas())
+        self.assertEqual(ran.returncode, 0, ran.stdout)
+        self.assertRegex(ran.stdout, r"reference.c +right .* as it should be")
+        own = self.with_formulas()
+        reference = own / "reference.c"
+        reference.write_text(reference.read_text().replace("s += factorial", "s += 2 * factorial"))
+        ran = run("test", own)
+        self.assertEqual(ran.returncode, 1)
+        self.assertRegex(ran.stdout, r"reference.c +right .* a right solution fails: point left( manners)?\n")
+        self.assertRegex(ran.stdout, r"right/iterative.c +right .* a right solution fails: right( manners)?\n")
+        (self.folder / "de-casteljau.c").write_text(RIGHT)
+        for change in (("(t) p_i", "(t) p_i + t(1-t)"), ("\\sum_{i=0}^k", "\\sum_{i=1}^k"), ("_k = ", "_{$n-k} = ")):
+            result = json.loads(run("check", self.folder, "--lab", self.with_formulas(change), "--json").stdout)
+            self.assertEqual([r["verdict"] for r in result["requirements"]][1:3], ["wrong", "proved"], change)
+
+    def test_formulas_that_are_none(self):
+        for change, words in (((":index: k = 0..$n\n", ""), "k is not defined"), ((":index: k = 0..$n", ":index: k = 0..$(n-1)"), "every result of :output: needs its formula"),
+                              ((":index: k = 0..$n", ":index: k = 0..$(n+1)"), "an index of a result that it has not"), ((":index: k = 0..$n", ":index: k = 1.."), "an index runs between whole numbers"),
+                              (("(t) p_i", "(t) p_{i+1}"), "a name that is no input, or an index that it has not"), (("_k = ", "_0 = "), "two equations for one result"),
+                              (("R = \\sum", "p_0 = \\sum"), "on the left of an equation stands a result of :output:"), (("(t) p_i", "(t) q_i"), "q_i is not defined"),
+                              (("R = \\sum", "R = \\sqrt{t} + \\sum"), "a root that is no rational function"), (("R = \\sum", "R = |t| + \\sum"), "depends on variables"), (("R = \\sum", "R \\ge \\sum"), "an equation was expected")):
+            ran = run("test", self.with_formulas(change))
+            self.assertEqual((ran.returncode, len(ran.stderr.splitlines())), (2, 1), change)
+            self.assertIn(words, ran.stderr, change)
+
     def test_the_rubric(self):
         ran = run("list", "de-casteljau")
         self.assertIn("  left                  2        the control points of the part from 0 to t\n", ran.stdout)
