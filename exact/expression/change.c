@@ -88,7 +88,8 @@ static const cagd_tree *changed(const cagd_tree *t, int *which)
             return other_direction(t, k);
     for (int k = 0; k < t->count; k++) {
         const cagd_tree *child = t->at[k];
-        int sign = t->kind == CAGD_SUM, index = is_index(t, k) && child->kind != CAGD_NUMBER;
+        int sign = t->kind == CAGD_SUM || (t->kind == CAGD_RELATION && child->kind == CAGD_NEGATIVE),
+            index = is_index(t, k) && child->kind != CAGD_NUMBER;
         if (sign && (*which)-- == 0)
             return with_child(t, k, negative(child));
         if (index && (*which)-- == 0)

@@ -1,6 +1,7 @@
 #include "exact/expression/check.h"
 
 #include "core/clock.h"
+#include "exact/expression/angle.h"
 #include "exact/expression/cell.h"
 #include "exact/expression/change.h"
 #include "exact/expression/example.h"
@@ -144,6 +145,7 @@ static void begin(const struct run *r, const struct part *p, cagd_context *c)
 {
     *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     c->untied = r->untied, c->has_roots = 1;
+    c->whole_angles = !cagd_has_half_angles(r->scope, r->statement);
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
     memcpy(c->piece, p->piece, sizeof p->piece);
@@ -1135,13 +1137,15 @@ static int certify_cases(const cagd_scope *scope, const cagd_tree *statement, do
 }
 
 /* The two sides at the example, and that their order is not the one that is printed. */
-static int certify_example(const cagd_scope *scope, const cagd_finding *found, cagd_take_case *take, void *data)
+static int certify_example(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found,
+                           cagd_take_case *take, void *data)
 {
     static const char *const printed[] = {NULL, "!=", "<", "<=", ">", ">="};
     cagd_context *c = region_bytes(sizeof *c);
     if (c == NULL || !found->has_example || found->has_root || found->of_left == NULL)
         return 0;
     *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
+    c->whole_angles = !cagd_has_half_angles(scope, statement);
     field_open(FIELD_ROOM);
     cagd_trace_open(MOST_NOTED);
     for (int k = 0; k < found->given; k++) {
@@ -1174,7 +1178,7 @@ static int certify_example(const cagd_scope *scope, const cagd_finding *found, c
 int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found, double seconds,
                  cagd_take_case *take, void *data)
 {
-    return found->answer == CAGD_FAILS   ? certify_example(scope, found, take, data)
+    return found->answer == CAGD_FAILS   ? certify_example(scope, statement, found, take, data)
            : found->answer == CAGD_HOLDS ? certify_cases(scope, statement, seconds, take, data)
                                          : 0;
 }
@@ -1182,6 +1186,7 @@ int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd
 void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
     double until = cagd_seconds() + seconds;
+    int held = 0;
     for (int k = 0; k < MOST_CHANGES && cagd_seconds() < until; k++) {
         region_mark mark = region_open();
         cagd_finding *f = region_bytes(sizeof *f);
@@ -1190,13 +1195,14 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
             check(scope, changed, until - cagd_seconds(), 1, f);
             out->changes++;
             out->noticed += f->answer == CAGD_FAILS;
+            held += f->answer == CAGD_HOLDS;
         }
         region_drop(mark);
         if (changed == NULL)
             break;
     }
     out->says_nothing =
-        cagd_is_vacuous(scope, statement) || (out->changes > 0 && out->noticed == 0 && cagd_seconds() < until);
+        cagd_is_vacuous(scope, statement) || (held > 0 && held == out->changes && cagd_seconds() < until);
 }
 
 void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, int poles, double seconds,

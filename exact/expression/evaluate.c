@@ -1,5 +1,6 @@
 #include "exact/expression/evaluate.h"
 
+#include "exact/expression/angle.h"
 #include "exact/expression/cell.h"
 #include "exact/expression/tie.h"
 #include "exact/words.h"
@@ -14,7 +15,7 @@ typedef cagd_frame frame;
 static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f);
 static int truth(cagd_context *c, const cagd_tree *t, const frame *f);
 
-static cagd_value fail(cagd_context *c, const cagd_tree *t, unsigned fault, const char *why)
+cagd_value cagd_fail(cagd_context *c, const cagd_tree *t, unsigned fault, const char *why)
 {
     if (c->trouble == NULL && region_faults == 0)
         c->trouble = why, c->where = t;
@@ -27,6 +28,7 @@ static cagd_value fail(cagd_context *c, const cagd_tree *t, unsigned fault, cons
 /* 0 where there is no room for it.  A variable that is near a place is no name of anybody's: what is divided by is meant there. */
 static int note_divisor(cagd_context *c, cagd_value b)
 {
+    c->divided_beside |= !b.rational && cagd_is_beside(c, b);
     if (c->way != NULL || c->tells_poles)
         b = cagd_at_places(c, b);
     if (c->divisor == NULL || b.rational)
@@ -109,13 +111,13 @@ static cagd_value unknown(cagd_context *c, const cagd_tree *t, const char *key, 
     if (c->way != NULL && c->way->name(key, &of_way))
         return of_way;
     if (!c->in_field)
-        return fail(c, t, FAULT_UNABLE, "a name without a value");
+        return cagd_fail(c, t, FAULT_UNABLE, "a name without a value");
     char name[16];
     snprintf(name, sizeof name, "v%d", c->count);
     key = cagd_text_of(key, (int)strlen(key));
     cagd_binding *b = key != NULL ? cagd_bind(c, key, cagd_value_int(0)) : NULL;
     if (b == NULL)
-        return fail(c, t, FAULT_UNABLE, "too many variables");
+        return cagd_fail(c, t, FAULT_UNABLE, "too many variables");
     num_f x = variable_f(name);
     b->value = (cagd_value){.f = x};
     b->unknown = 1, b->number = cagd_field_variable_f(x);
@@ -132,14 +134,14 @@ cagd_value cagd_value_of_key(cagd_context *c, const char *key, const cagd_variab
 }
 
 /* "\omega_3^{2}": the name with the values of its indices. */
-static int key_of(cagd_context *c, const cagd_tree *t, const frame *f, char key[], int room)
+int cagd_key_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room)
 {
     int used = snprintf(key, (size_t)room, "%s", t->head);
     for (int k = 0; k < t->lower + t->upper && used < room; k++) {
         long m;
         cagd_value index = evaluate(c, t->at[k], f);
         if (region_faults != 0 || !cagd_value_is_whole(index, &m)) {
-            fail(c, t->at[k], FAULT_UNABLE, "an index that is no whole number");
+            cagd_fail(c, t->at[k], FAULT_UNABLE, "an index that is no whole number");
             return 0;
         }
         int group = k < t->lower ? t->lower : t->upper, first = k == 0 || k == t->lower,
@@ -152,14 +154,8 @@ static int key_of(cagd_context *c, const cagd_tree *t, const frame *f, char key[
                          first && braces ? "{" : "", m, last && braces ? "}" : "");
     }
     if (used >= room)
-        fail(c, t, FAULT_UNABLE, "a name that is too long");
+        cagd_fail(c, t, FAULT_UNABLE, "a name that is too long");
     return used < room;
-}
-
-/* What stands for an angle: the tangent of its quarter. */
-static int key_of_quarter(const char *key, char quarter[], int room)
-{
-    return snprintf(quarter, (size_t)room, "\\tan(%s/4)", key) < room;
 }
 
 /* "(\mathbf{a}_1)_x": of a vector the component that is asked for. */
@@ -170,7 +166,7 @@ static int key_of_component(cagd_context *c, const cagd_tree *t, char key[], int
     if (v == NULL || v->dimension == 0)
         return 1;
     if (c->component == 0)
-        return fail(c, t, FAULT_UNABLE, "a vector where a number is expected"), 0;
+        return cagd_fail(c, t, FAULT_UNABLE, "a vector where a number is expected"), 0;
     char whole[96];
     int k = c->component, used, columns = cagd_columns(v->dimension);
     if (columns > 1)
@@ -179,23 +175,35 @@ static int key_of_component(cagd_context *c, const cagd_tree *t, char key[], int
         used = v->dimension <= 3 ? snprintf(whole, sizeof whole, "(%s)_%s", key, of_space[k - 1])
                                  : snprintf(whole, sizeof whole, "(%s)_%d", key, k);
     if (used >= room)
-        return fail(c, t, FAULT_UNABLE, "a name that is too long"), 0;
+        return cagd_fail(c, t, FAULT_UNABLE, "a name that is too long"), 0;
     memcpy(key, whole, (size_t)used + 1);
     return 1;
+}
+
+/* The value of a letter; that of an argument that is an angle is asked for as a number here. */
+static cagd_value of_letter(cagd_context *c, const cagd_tree *t, cagd_value value)
+{
+    if (value.angle == NULL)
+        return value;
+    if (!value.angle->tangent.rational)
+        return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
+    return evaluate(c, value.angle->tree, value.angle->frame);
 }
 
 /* A name that no definition fits, or that has none. */
 static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     char key[96];
-    if (!key_of(c, t, f, key, sizeof key) || !key_of_component(c, t, key, sizeof key))
+    if (!cagd_key_of(c, t, f, key, sizeof key) || !key_of_component(c, t, key, sizeof key))
         return cagd_value_int(0);
     const cagd_binding *b = cagd_binding_of(c, key);
     if (b != NULL)
-        return b->value;
-    char quarter[120];
-    if (c->angles > 0 && key_of_quarter(key, quarter, sizeof quarter) && cagd_binding_of(c, quarter) != NULL)
-        return fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
+        return of_letter(c, t, b->value);
+    char tangent[120];
+    if (c->angles > 0 && cagd_key_of_tangent(c, key, tangent, sizeof tangent) && cagd_binding_of(c, tangent) != NULL)
+        return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
+    if (strcmp(key, "\\pi") == 0 && cagd_declared(c->scope, t->head) == NULL)
+        return cagd_fail(c, t, FAULT_UNABLE, "\\pi is no rational number: it stands in angles, and in their bounds");
     return unknown(c, t, key, cagd_declared(c->scope, t->head));
 }
 
@@ -237,7 +245,7 @@ const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_va
             continue;
         int fits = match(c, d, value, room, inner);
         if (region_faults == 0 && fits < 0)
-            fail(c, t, FAULT_UNABLE, "which definition fits depends on variables");
+            cagd_fail(c, t, FAULT_UNABLE, "which definition fits depends on variables");
         if (region_faults != 0)
             return NULL;
         if (fits)
@@ -258,10 +266,10 @@ static cagd_value apply(cagd_context *c, const cagd_tree *t, const cagd_value va
         return variable(c, t, caller);
     if (body == NULL) {
         c->fits_none = 1;
-        return fail(c, t, FAULT_UNDEFINED, "no definition fits");
+        return cagd_fail(c, t, FAULT_UNDEFINED, "no definition fits");
     }
     if (c->depth == MOST_CALLS)
-        return fail(c, t, FAULT_UNABLE, "definitions that use one another without end");
+        return cagd_fail(c, t, FAULT_UNABLE, "definitions that use one another without end");
     c->depth++;
     cagd_value result = evaluate(c, body, f);
     c->depth--;
@@ -310,13 +318,13 @@ static cagd_value derived(cagd_context *c, const cagd_tree *t, cagd_value F, num
 {
     num_f g = cagd_in_field(F);
     if (k < 0 || k > MOST_POWER)
-        return fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number, at least 0");
+        return cagd_fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number, at least 0");
     for (; k > 0 && region_faults == 0; k--)
         g = derivative_f(g, x);
     if (region_faults == 0)
         g = substitute_f(g, x, cagd_in_field(a));
     if (region_faults != 0)
-        return fail(c, t, FAULT_UNDEFINED, "a division by 0");
+        return cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0");
     return cagd_value_f(g);
 }
 
@@ -325,18 +333,72 @@ static long order_of(cagd_context *c, const cagd_tree *t, const cagd_tree *order
     long k = -1;
     cagd_value n = evaluate(c, order, f);
     if (!cagd_value_is_whole(n, &k) && region_faults == 0)
-        fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number");
+        cagd_fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number");
     return k;
+}
+
+static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, cagd_value x, const frame *f);
+
+/* The argument as an angle, which lives in the region. */
+static cagd_value as_angle(const cagd_tree *t, const frame *f)
+{
+    struct cagd_angle *a = region_bytes(sizeof *a);
+    cagd_value v = cagd_value_int(0);
+    if (a != NULL)
+        *a = (struct cagd_angle){t, f, cagd_value_int(0)};
+    v.angle = a;
+    return v;
 }
 
 void cagd_arguments_of(cagd_context *c, const cagd_tree *t, const cagd_definition *d, const cagd_frame *f,
                        cagd_value value[])
 {
-    for (int k = 0; k < d->left->count; k++) /* arguments that are left out are the letters of the definition */
-        value[k] = evaluate(c, k < t->count ? t->at[k] : d->left->at[k], f);
+    for (int k = 0; k < d->left->count; k++) { /* arguments that are left out are the letters of the definition */
+        const cagd_tree *argument = k < t->count ? t->at[k] : d->left->at[k];
+        value[k] = cagd_is_angle_argument(c, d, k) ? as_angle(argument, f) : evaluate(c, argument, f);
+    }
 }
 
-static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *letter, cagd_value x, const frame *f);
+/* The value at a of the name t with those arguments but the first, or of the body as a function of the letter of t. */
+static cagd_value value_at(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[], cagd_value a,
+                           const frame *f)
+{
+    if (body != NULL)
+        return with_letter(c, body, t->head, a, f);
+    value[t->lower + t->upper] = a;
+    return apply(c, t, value, f);
+}
+
+/* The k-th derivative of the name t by its first argument, or of the body by the letter of t, an angle: it is moved by another, which
+ * is 0 then. */
+static cagd_value derivative_by_angle(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[],
+                                      long k, const struct cagd_angle *at, const frame *f)
+{
+    cagd_value zero = cagd_value_int(0), here = zero, moved = zero;
+    if (k < 0 || k > MOST_POWER)
+        return cagd_fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number, at least 0");
+    int known = c->count, before = c->met_joint;
+    c->met_joint = 0;
+    num_f x = fresh(c, zero, 1);
+    struct cagd_angle by = {at->tree, at->frame, {.f = x}};
+    if (!at->tangent.rational && region_faults == 0) /* a derivative within another */
+        return cagd_fail(c, t, FAULT_UNABLE, "derivatives by angles within one another");
+    moved.angle = &by, here.angle = at;
+    num_f g = cagd_in_field(region_faults == 0 ? value_at(c, t, body, value, moved, f) : zero);
+    forget(c, known);
+    if (c->met_joint && region_faults == 0)
+        return cagd_fail(c, t, FAULT_UNABLE, "a derivative by an angle at a joint");
+    c->met_joint = before;
+    for (; k > 0 && region_faults == 0; k--)
+        g = cagd_by_angle_f(c, g, x);
+    if (region_faults == 0)
+        g = substitute_f(g, x, from_int_f(0));
+    if (region_faults == 0 && body != NULL) /* where there is no value there is no derivative */
+        evaluate(c, body, f);
+    else if (region_faults == 0)
+        value_at(c, t, NULL, value, here, f);
+    return region_faults != 0 ? cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_f(g);
+}
 
 /* The k-th derivative at a, from one side: of the name t by its first argument, value[] being all of them, or of the body by the letter of
  * t.  lower[j], j <= k, are those of lower order, and 0 is the value. */
@@ -345,13 +407,7 @@ static cagd_value derivative_from(cagd_context *c, const cagd_tree *t, const cag
 {
     int known = c->count;
     num_f x = fresh(c, a, side);
-    cagd_value F = a;
-    if (region_faults == 0 && body != NULL)
-        F = with_letter(c, body, t->head, (cagd_value){.f = x}, f);
-    else if (region_faults == 0) {
-        value[t->lower + t->upper] = (cagd_value){.f = x};
-        F = apply(c, t, value, f);
-    }
+    cagd_value F = region_faults == 0 ? value_at(c, t, body, value, (cagd_value){.f = x}, f) : a;
     forget(c, known);
     for (long j = 0; lower != NULL && j <= k && region_faults == 0; j++)
         lower[j] = derived(c, t, F, x, j, a);
@@ -372,13 +428,7 @@ static int ends_here(cagd_context *c)
 static int is_value_at(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[], cagd_value a,
                        cagd_value limit, const frame *f)
 {
-    cagd_value there;
-    if (body != NULL) {
-        there = with_letter(c, body, t->head, a, f);
-    } else {
-        value[t->lower + t->upper] = a;
-        there = apply(c, t, value, f);
-    }
+    cagd_value there = value_at(c, t, body, value, a, f);
     return region_faults == 0 && cagd_equal_here(c, there, limit);
 }
 
@@ -389,29 +439,32 @@ static cagd_value derivative_at(cagd_context *c, const cagd_tree *t, const cagd_
 {
     enum { MOST_AT_JOINTS = 20 };
     cagd_value above[MOST_AT_JOINTS + 1], below[MOST_AT_JOINTS + 1];
-    int before = c->met_joint, fitted = c->fits_none, is_listed = k >= 0 && k <= MOST_AT_JOINTS;
-    c->met_joint = c->fits_none = 0;
+    int before = c->met_joint, fitted = c->fits_none, divided = c->divided_beside,
+        is_listed = k >= 0 && k <= MOST_AT_JOINTS;
+    c->met_joint = c->fits_none = c->divided_beside = 0;
     cagd_value r = derivative_from(c, t, body, value, k, a, 1, is_listed ? above : NULL, f);
     int ends_above = is_listed && ends_here(c), ends_below = 0;
     if (c->met_joint && region_faults == 0) {
         if (k > MOST_AT_JOINTS)
-            return fail(c, t, FAULT_UNABLE, "a derivative of high order at a joint");
+            return cagd_fail(c, t, FAULT_UNABLE, "a derivative of high order at a joint");
         c->fits_none = 0;
         cagd_value other = derivative_from(c, t, body, value, k, a, -1, below, f);
         ends_below = !ends_above && ends_here(c);
         r = ends_above ? other : r;
         for (long j = 0; j <= k && region_faults == 0 && !ends_above && !ends_below; j++)
             if (!cagd_equal_here(c, above[j], below[j]))
-                fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
+                cagd_fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
         if (region_faults == 0 && !ends_above && !ends_below && !is_value_at(c, t, body, value, a, above[0], f))
-            fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
+            cagd_fail(c, t, FAULT_UNDEFINED, "no derivative at a joint");
     }
     if (region_faults == 0 && (ends_above || ends_below)) {
         if (!is_value_at(c, t, body, value, a, ends_above ? below[0] : above[0], f))
-            fail(c, t, FAULT_UNDEFINED, "no derivative where the definitions end");
+            cagd_fail(c, t, FAULT_UNDEFINED, "no derivative where the definitions end");
         c->one_sided = 1;
+    } else if (region_faults == 0 && !c->met_joint && c->divided_beside) {
+        value_at(c, t, body, value, a, f); /* where there is no value there is no derivative */
     }
-    c->met_joint |= before, c->fits_none |= fitted;
+    c->met_joint |= before, c->fits_none |= fitted, c->divided_beside |= divided;
     return r;
 }
 
@@ -420,7 +473,7 @@ static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
     if (t->count == 0)
         for (const frame *g = f; g != NULL; g = g->next)
             if (strcmp(g->head, t->head) == 0)
-                return g->value;
+                return of_letter(c, t, g->value);
     const cagd_definition *d = cagd_defined(c->scope, t->head);
     if (d == NULL)
         return variable(c, t, f);
@@ -433,6 +486,8 @@ static cagd_value name(cagd_context *c, const cagd_tree *t, const frame *f)
         return cagd_value_int(0);
     if (order == 0)
         return apply(c, t, value, f);
+    if (value[t->lower + t->upper].angle != NULL)
+        return derivative_by_angle(c, t, NULL, value, order, value[t->lower + t->upper].angle, f);
     return derivative_at(c, t, NULL, value, order, value[t->lower + t->upper], f);
 }
 
@@ -445,7 +500,7 @@ static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *l
             return evaluate(c, t, &inner);
     int known = c->count;
     if (known == CAGD_MOST_UNKNOWNS)
-        return fail(c, t, FAULT_UNABLE, "too many variables");
+        return cagd_fail(c, t, FAULT_UNABLE, "too many variables");
     c->binding[c->count++] = (cagd_binding){.key = letter, .value = inner.value};
     cagd_value F = evaluate(c, t, &inner);
     if (known + 1 == c->count)
@@ -460,16 +515,22 @@ static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f
 {
     cagd_tree letter = {.kind = CAGD_NAME, .head = t->head, .from = t->from, .to = t->to};
     long order = order_of(c, t, t->at[1], f);
+    if (region_faults == 0 && cagd_is_angle_in(c, t->at[0], t->head)) {
+        struct cagd_angle here = {&letter, f, cagd_value_int(0)};
+        return derivative_by_angle(c, &letter, t->at[0], NULL, order, &here, f);
+    }
     cagd_value at = name(c, &letter, f);
     if (region_faults != 0)
         return at;
     if (cagd_defined(c->scope, t->head) != NULL)
-        return fail(c, t, FAULT_UNABLE, "a derivative by what was given a value");
+        return cagd_fail(c, t, FAULT_UNABLE, "a derivative by what was given a value");
     return derivative_at(c, t, t->at[0], NULL, order, at, f);
 }
 
 static cagd_value at_a_place(cagd_context *c, const cagd_tree *t, const frame *f)
 {
+    if (cagd_is_angle_in(c, t->at[0], t->head))
+        return with_letter(c, t->at[0], t->head, as_angle(t->at[1], f), f);
     cagd_value place = evaluate(c, t->at[1], f);
     int known = c->count;
     num_f x = fresh(c, place, 0);
@@ -492,7 +553,7 @@ static cagd_value integral(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return sum;
     if (cagd_denominator_degree_f(F, x) > 0)
-        return fail(c, t, FAULT_UNABLE, "only polynomials are integrated");
+        return cagd_fail(c, t, FAULT_UNABLE, "only polynomials are integrated");
     cagd_value of_low = low, of_high = high;
     for (int k = 0; k <= cagd_degree_f(F, x); k++) {
         cagd_value part = cagd_value_mul(cagd_value_f(cagd_coefficient_f(F, x, k)), cagd_value_sub(of_high, of_low));
@@ -593,7 +654,7 @@ static int quantified(cagd_context *c, const cagd_tree *t, int any, const frame 
     int result = !any;
     if (region_faults != 0 || !cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high) ||
         high - low > MOST_TERMS)
-        return fail(c, t, FAULT_UNABLE, "a range that does not end at whole numbers"), -1;
+        return cagd_fail(c, t, FAULT_UNABLE, "a range that does not end at whole numbers"), -1;
     for (long k = low; k <= high && region_faults == 0 && result != any; k++) {
         frame inner = {t->head, cagd_value_int(k), f};
         int one = truth(c, t->at[2], &inner);
@@ -644,7 +705,7 @@ static int truth(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return -1;
     if (result < 0)
-        fail(c, t, 0, "a condition that depends on variables");
+        cagd_fail(c, t, 0, "a condition that depends on variables");
     else if (is_first) /* what a part of it depends on does not matter */
         c->split = NULL, c->has_cut = 0, c->trouble = NULL;
     return result;
@@ -692,7 +753,7 @@ static cagd_value mixed(cagd_context *c, const cagd_tree *t, const frame *f)
 static cagd_value of_component(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     if (c->component == 0)
-        return fail(c, t, FAULT_UNABLE, "a vector where a number is expected");
+        return cagd_fail(c, t, FAULT_UNABLE, "a vector where a number is expected");
     return t->kind == CAGD_POINT ? evaluate(c, t->at[c->component - 1], f)
                                  : cross(c, t->at[0], t->at[1], c->component - 1, f);
 }
@@ -736,9 +797,9 @@ static cagd_value inverse(cagd_context *c, const cagd_tree *t, int row, int colu
             rest[count++] = entry[k];
     cagd_value whole = minor(entry, n, 0, 0), part = minor(rest, n - 1, 0, 0);
     if (is_zero(c, whole))
-        return fail(c, t, FAULT_UNDEFINED, "the inverse of a matrix whose determinant is 0");
+        return cagd_fail(c, t, FAULT_UNDEFINED, "the inverse of a matrix whose determinant is 0");
     if (!note_divisor(c, whole))
-        return fail(c, t, FAULT_UNABLE, "too many divisors");
+        return cagd_fail(c, t, FAULT_UNABLE, "too many divisors");
     if ((row + column) % 2 != 0)
         part = cagd_value_sub(cagd_value_int(0), part);
     return cagd_value_div(part, whole);
@@ -748,7 +809,7 @@ static cagd_value inverse(cagd_context *c, const cagd_tree *t, int row, int colu
 static cagd_value of_matrix(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     if (c->component == 0 && t->dimension > 0)
-        return fail(c, t, FAULT_UNABLE, "a matrix where a number is expected");
+        return cagd_fail(c, t, FAULT_UNABLE, "a matrix where a number is expected");
     int k = t->dimension > 0 ? c->component - 1 : 0, columns = cagd_columns(t->dimension);
     int row = k / columns, column = k % columns;
     if (t->kind == CAGD_TRANSPOSED)
@@ -762,110 +823,6 @@ static cagd_value of_matrix(cagd_context *c, const cagd_tree *t, const frame *f)
             sum, cagd_value_mul(component(c, t->at[0], row * t->order + m, f), component(c, t->at[1], behind, f)));
     }
     return sum;
-}
-
-/* ---- angles -------------------------------------------------------------------------------------------- */
-
-/* The cosine and the sine of an angle. */
-struct turn {
-    cagd_value cosine, sine;
-};
-
-static struct turn turned(struct turn a, struct turn b)
-{
-    return (struct turn){cagd_value_sub(cagd_value_mul(a.cosine, b.cosine), cagd_value_mul(a.sine, b.sine)),
-                         cagd_value_add(cagd_value_mul(a.sine, b.cosine), cagd_value_mul(a.cosine, b.sine))};
-}
-
-/* The angle whose half has that name of its cosine, -1, is looked at apart. */
-static void set_apart(cagd_context *c, const char *cosine)
-{
-    if (c->aparts == CAGD_MOST_APART)
-        region_faults |= FAULT_UNABLE;
-    else
-        c->apart[c->aparts++] =
-            (cagd_apart){{cagd_text_of(cosine, (int)strlen(cosine))}, {NULL}, {cagd_from_int_q(-1)}, 1};
-}
-
-/* Whether the letter is the argument of a definition, or an index: its value is what stands in its place. */
-static int is_in_place_of_another(const cagd_tree *t, const frame *f)
-{
-    for (; f != NULL && t->count == 0; f = f->next)
-        if (strcmp(f->head, t->head) == 0)
-            return 1;
-    return 0;
-}
-
-/* Half of the angle of that name: its cosine and sine are rational functions of the tangent of the quarter. */
-static struct turn half_of(cagd_context *c, const cagd_tree *t, const frame *f)
-{
-    struct turn none = {cagd_value_int(1), cagd_value_int(0)};
-    char key[96], quarter[120], cosine[120];
-    const cagd_variable *v = cagd_declared(c->scope, t->head);
-    if (is_in_place_of_another(t, f)) {
-        fail(c, t, FAULT_UNABLE, "an angle that is the argument of a definition");
-        return none;
-    }
-    if (!key_of(c, t, f, key, sizeof key) || !key_of_quarter(key, quarter, sizeof quarter))
-        return none;
-    if (v == NULL || v->low != NULL || v->high != NULL || cagd_binding_of(c, key) != NULL) {
-        fail(c, t, FAULT_UNABLE, "an angle that has bounds, or is a number, too");
-        return none;
-    }
-    snprintf(cosine, sizeof cosine, "\\cos(%s/2)", key);
-    c->angles++;
-    if (cagd_binding_of(c, cosine) != NULL) /* half a turn, which no tangent reaches */
-        return (struct turn){cagd_value_int(-1), cagd_value_int(0)};
-    cagd_value x = cagd_value_of_key(c, quarter, NULL);
-    cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, quarter) : NULL;
-    if (b != NULL && b->unknown && b->angle == NULL) {
-        b->angle = cagd_text_of(key, (int)strlen(key));
-        set_apart(c, cosine);
-    }
-    cagd_value square = cagd_value_mul(x, x), one = cagd_value_int(1), below = cagd_value_add(one, square);
-    return (struct turn){cagd_value_div(cagd_value_sub(one, square), below),
-                         cagd_value_div(cagd_value_add(x, x), below)};
-}
-
-/* The angle t, so many times, is added to *sum. */
-static void add_angle(cagd_context *c, const cagd_tree *t, num_q times, const frame *f, struct turn *sum)
-{
-    if (region_faults != 0)
-        return;
-    if (t->kind == CAGD_SUM) {
-        for (int k = 0; k < t->count; k++)
-            add_angle(c, t->at[k], times, f, sum);
-    } else if (t->kind == CAGD_NEGATIVE) {
-        add_angle(c, t->at[0], neg_q(times), f, sum);
-    } else if (t->kind == CAGD_QUOTIENT || (t->kind == CAGD_PRODUCT && t->count == 2)) {
-        int by = t->kind == CAGD_QUOTIENT;
-        cagd_value factor = evaluate(c, t->at[by], f);
-        if (region_faults == 0 && (!factor.rational || (by && cagd_sign_q(factor.q) == 0)))
-            fail(c, t, FAULT_UNABLE, "an angle is a sum of names and of halves of names");
-        else if (region_faults == 0)
-            add_angle(c, t->at[!by], by ? div_q(times, factor.q) : mul_q(times, factor.q), f, sum);
-    } else if (t->kind == CAGD_NAME && cagd_defined(c->scope, t->head) == NULL) {
-        long halves;
-        struct turn half = half_of(c, t, f);
-        if (!cagd_value_is_whole(cagd_value_q(mul_q(times, from_int_q(2))), &halves) || halves > MOST_POWER ||
-            halves < -MOST_POWER) {
-            fail(c, t, FAULT_UNABLE, "an angle is a sum of names and of halves of names");
-            return;
-        }
-        if (halves < 0)
-            half.sine = cagd_value_sub(cagd_value_int(0), half.sine);
-        for (long k = 0; k < (halves < 0 ? -halves : halves); k++)
-            *sum = turned(*sum, half);
-    } else {
-        fail(c, t, FAULT_UNABLE, "an angle is a sum of names and of halves of names");
-    }
-}
-
-static cagd_value circular(cagd_context *c, const cagd_tree *t, const frame *f)
-{
-    struct turn sum = {cagd_value_int(1), cagd_value_int(0)};
-    add_angle(c, t->at[0], from_int_q(1), f, &sum);
-    return t->kind == CAGD_COSINE ? sum.cosine : sum.sine;
 }
 
 /* ---- powers and the like ------------------------------------------------------------------------------- */
@@ -883,11 +840,11 @@ static cagd_value power(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(exponent, &e) || e > MOST_POWER || e < -MOST_POWER)
-        return fail(c, t->at[1], FAULT_UNABLE, "an exponent is a whole number, at most 1000");
+        return cagd_fail(c, t->at[1], FAULT_UNABLE, "an exponent is a whole number, at most 1000");
     if (e < 0 && is_zero(c, base))
-        return fail(c, t, FAULT_UNDEFINED, "a division by 0");
+        return cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0");
     if (e < 0 && !note_divisor(c, base))
-        return fail(c, t, FAULT_UNABLE, "too many divisors");
+        return cagd_fail(c, t, FAULT_UNABLE, "too many divisors");
     for (long m = e < 0 ? -e : e; m > 0; m /= 2) {
         if (m % 2 == 1)
             r = cagd_value_mul(r, base);
@@ -904,9 +861,9 @@ static cagd_value factorial(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(a, &m) || m > MOST_FACTORIAL)
-        return fail(c, t, FAULT_UNABLE, "a factorial is of a whole number, at most 1000");
+        return cagd_fail(c, t, FAULT_UNABLE, "a factorial is of a whole number, at most 1000");
     if (m < 0)
-        return fail(c, t, FAULT_UNDEFINED, "the factorial of a negative number");
+        return cagd_fail(c, t, FAULT_UNDEFINED, "the factorial of a negative number");
     for (long k = 2; k <= m; k++)
         r = cagd_value_mul(r, cagd_value_int(k));
     return r;
@@ -919,7 +876,7 @@ static cagd_value binomial(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(below, &b) || b > MOST_FACTORIAL)
-        return fail(c, t, FAULT_UNABLE, "below in a binomial coefficient stands a whole number, at most 1000");
+        return cagd_fail(c, t, FAULT_UNABLE, "below in a binomial coefficient stands a whole number, at most 1000");
     if (b < 0)
         return cagd_value_int(0);
     for (long k = 0; k < b && !cagd_value_is_zero(r); k++)
@@ -935,7 +892,7 @@ static long count_of(cagd_context *c, const cagd_tree *t, int k, const frame *f)
     long n = -1;
     cagd_value v = evaluate(c, t->at[k], f);
     if (region_faults == 0 && (!cagd_value_is_whole(v, &n) || n > MOST_Q || n < -MOST_Q))
-        fail(c, t->at[k], FAULT_UNABLE, "q-numbers are of whole numbers, at most 100");
+        cagd_fail(c, t->at[k], FAULT_UNABLE, "q-numbers are of whole numbers, at most 100");
     return n;
 }
 
@@ -956,7 +913,7 @@ static cagd_value of_q(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return q;
     if (n < 0)
-        return fail(c, t, FAULT_UNABLE, "a q-number of a negative number");
+        return cagd_fail(c, t, FAULT_UNABLE, "a q-number of a negative number");
     if (t->kind == CAGD_Q_NUMBER)
         return q_number(n, q);
     for (long k = 2; k <= n; k++)
@@ -972,7 +929,7 @@ static cagd_value q_binomial(cagd_context *c, const cagd_tree *t, const frame *f
     if (region_faults != 0)
         return q;
     if (n < 0)
-        return fail(c, t, FAULT_UNABLE, "a q-binomial coefficient of a negative number");
+        return cagd_fail(c, t, FAULT_UNABLE, "a q-binomial coefficient of a negative number");
     if (k < 0 || k > n)
         return cagd_value_int(0);
     for (long j = 0; j <= k; j++)
@@ -1019,7 +976,7 @@ static cagd_value root_of_number(cagd_context *c, const cagd_tree *t, num_q a)
     num_q times, m = without_squares(a, &times), c0[3] = {neg_q(m), cagd_from_int_q(0), cagd_from_int_q(1)};
     char key[120];
     if (snprintf(key, sizeof key, "\\sqrt{%s}", to_string_q(m)) >= (int)sizeof key)
-        return fail(c, t, FAULT_UNABLE, "a root of a number that is too long");
+        return cagd_fail(c, t, FAULT_UNABLE, "a root of a number that is too long");
     cagd_value x = cagd_value_of_key(c, key, NULL);
     cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, key) : NULL;
     if (b == NULL)
@@ -1039,14 +996,14 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
         if (region_faults == 0 && n == 2 && a.rational && cagd_sign_q(a.q) > 0 && c->has_roots)
             return root_of_number(c, t, a.q);
-        return fail(c, t, FAULT_UNABLE,
-                    n % 2 == 0 && a.rational && cagd_sign_q(a.q) < 0
-                        ? "the root of a negative number"
-                        : "a root that is no rational function: write a name, r^2 = ..., r \\ge 0 in :for:");
+        return cagd_fail(c, t, FAULT_UNABLE,
+                         n % 2 == 0 && a.rational && cagd_sign_q(a.q) < 0
+                             ? "the root of a negative number"
+                             : "a root that is no rational function: write a name, r^2 = ..., r \\ge 0 in :for:");
     }
     int positive = a.rational || n % 2 == 1 ? 1 : cagd_compare_values(c, r, CAGD_GREATER_OR_EQUAL, cagd_value_int(0));
     if (positive < 0)
-        return fail(c, t, FAULT_UNABLE, "a root whose sign depends on variables");
+        return cagd_fail(c, t, FAULT_UNABLE, "a root whose sign depends on variables");
     return positive ? r : cagd_value_sub(cagd_value_int(0), r);
 }
 
@@ -1057,7 +1014,7 @@ static cagd_value root(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return a;
     if (!cagd_value_is_whole(index, &n) || n < 1 || n > MOST_POWER)
-        return fail(c, t, FAULT_UNABLE, "a root is the n-th for a whole number n");
+        return cagd_fail(c, t, FAULT_UNABLE, "a root is the n-th for a whole number n");
     return root_of(c, t, a, n);
 }
 
@@ -1070,7 +1027,7 @@ static cagd_value extremum(cagd_context *c, const cagd_tree *t, const frame *f, 
         cagd_value next = amount ? cagd_value_sub(cagd_value_int(0), best) : evaluate(c, t->at[k], f);
         int is = region_faults == 0 ? cagd_compare_values(c, next, better, best) : 0;
         if (is < 0)
-            return fail(c, t, FAULT_UNABLE, "which is larger depends on variables");
+            return cagd_fail(c, t, FAULT_UNABLE, "which is larger depends on variables");
         best = is ? next : best;
     }
     return best;
@@ -1082,7 +1039,7 @@ static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return a;
     if (!a.rational)
-        return fail(c, t, FAULT_UNABLE, "a rounded number that depends on variables");
+        return cagd_fail(c, t, FAULT_UNABLE, "a rounded number that depends on variables");
     return cagd_value_constant(t->kind == CAGD_FLOOR ? cagd_floor_q(a.q) : neg_q(cagd_floor_q(neg_q(a.q))));
 }
 
@@ -1092,7 +1049,7 @@ static cagd_value better_of(cagd_context *c, const cagd_tree *t, cagd_value befo
     if (region_faults != 0 || count == 1)
         return next;
     int is = cagd_compare_values(c, next, t->kind == CAGD_MAXIMUM_OVER ? CAGD_GREATER : CAGD_LESS, before);
-    return is < 0 ? fail(c, t, FAULT_UNABLE, "which is larger depends on variables") : is ? next : before;
+    return is < 0 ? cagd_fail(c, t, FAULT_UNABLE, "which is larger depends on variables") : is ? next : before;
 }
 
 void cagd_note_sum(cagd_sums_met *met, const cagd_tree *sum, int has_terms)
@@ -1115,18 +1072,18 @@ static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high))
-        return fail(
+        return cagd_fail(
             c, t, FAULT_UNABLE,
             "a sum runs between whole numbers: n \\ge 1 says nothing of that, n = 1.. or n \\in \\mathbb{N} does");
     if (high - low > MOST_TERMS)
-        return fail(c, t, FAULT_UNABLE, "a sum of too many terms");
+        return cagd_fail(c, t, FAULT_UNABLE, "a sum of too many terms");
     for (long k = low; k <= high && region_faults == 0; k++) {
         frame inner = {t->head, cagd_value_int(k), f};
         int counted = 1;
         for (int m = 3; m < t->count && counted == 1; m++)
             counted = truth(c, t->at[m], &inner);
         if (counted < 0)
-            return fail(c, t, FAULT_UNABLE, "a condition that depends on variables");
+            return cagd_fail(c, t, FAULT_UNABLE, "a condition that depends on variables");
         if (!counted)
             continue;
         cagd_value term = evaluate(c, t->at[2], &inner);
@@ -1136,7 +1093,7 @@ static cagd_value over(cagd_context *c, const cagd_tree *t, const frame *f)
                                        : cagd_value_mul(r, term);
     }
     if (is_extremum && count == 0 && region_faults == 0)
-        return fail(c, t, FAULT_UNDEFINED, "the greatest or smallest of nothing");
+        return cagd_fail(c, t, FAULT_UNDEFINED, "the greatest or smallest of nothing");
     cagd_note_sum(&c->sums, t, count > 0);
     return r;
 }
@@ -1148,12 +1105,12 @@ static cagd_value cases(cagd_context *c, const cagd_tree *t, const frame *f)
         if (region_faults != 0)
             return cagd_value_int(0);
         if (is < 0)
-            return fail(c, t, FAULT_UNABLE, "a condition that depends on variables");
+            return cagd_fail(c, t, FAULT_UNABLE, "a condition that depends on variables");
         if (is)
             return evaluate(c, t->at[k], f);
     }
     c->fits_none = 1;
-    return fail(c, t, FAULT_UNDEFINED, "none of the cases");
+    return cagd_fail(c, t, FAULT_UNDEFINED, "none of the cases");
 }
 
 static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
@@ -1166,10 +1123,10 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
     if (c->scope->zero_over_zero && is_zero(c, b) && (is_zero(c, a) || cagd_equal_here(c, a, cagd_value_int(0))))
         return cagd_value_int(0);
     if (c->scope->zero_over_zero && c->way == NULL && !b.rational && !cagd_divides(c, b))
-        return fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
+        return cagd_fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
     if (!note_divisor(c, b))
-        return fail(c, t, FAULT_UNABLE, "too many divisors");
-    return is_zero(c, b) ? fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
+        return cagd_fail(c, t, FAULT_UNABLE, "too many divisors");
+    return is_zero(c, b) ? cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
 }
 
 /* With 0/0 = 0 said, a factor that is divided by 0 is not asked for beside another that is 0. */
@@ -1201,7 +1158,7 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
     if (region_faults != 0)
         return cagd_value_int(0);
     if (--c->steps < 0)
-        return fail(c, t, FAULT_UNABLE, "more steps than are given to one case");
+        return cagd_fail(c, t, FAULT_UNABLE, "more steps than are given to one case");
     cagd_value r;
     switch (t->kind) {
     case CAGD_NUMBER:
@@ -1270,11 +1227,11 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return determinant(c, t, f);
     case CAGD_COSINE:
     case CAGD_SINE:
-        return circular(c, t, f);
+        return cagd_circular(c, t, f);
     case CAGD_NORM:
         return root_of(c, t, dot(c, t->at[0], t->at[0], f), 2);
     default:
-        return fail(c, t, FAULT_UNABLE, "a relation is no value");
+        return cagd_fail(c, t, FAULT_UNABLE, "a relation is no value");
     }
 }
 

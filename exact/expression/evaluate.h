@@ -29,7 +29,7 @@ typedef struct cagd_binding {
     struct cagd_root root;
     int is_number;     /* and no name of the page                                                    */
     int hidden;        /* other names are functions of it that the page does not know (tie.h)            */
-    const char *angle; /* the name of the angle whose quarter has this tangent, or NULL                */
+    const char *angle; /* the name of the angle of whose part this is the tangent, or NULL             */
 } cagd_binding;
 
 /* A variable is looked at below a number, or above it, only. */
@@ -105,9 +105,11 @@ typedef struct cagd_context {
     int has_roots;   /* the square root of a number that is no square is a variable, too (tie.h)     */
     long steps;      /* what may still be done; UNABLE when it is used up                                        */
     int depth, fresh;
-    int angles;             /* how often the tangent of the quarter of an angle was asked for                        */
-    int component;          /* of vectors this one is asked for, from 1; 0: none is                            */
-    const char *trouble;    /* why there is no value, in words; NULL while nothing went wrong                 */
+    int angles;          /* how often an angle was asked for (angle.h)                                              */
+    int whole_angles;    /* no halves of angles come up                                                             */
+    int knows_angles;    /* whether definitions have angles: not known yet, no, yes                                 */
+    int component;       /* of vectors this one is asked for, from 1; 0: none is                            */
+    const char *trouble; /* why there is no value, in words; NULL while nothing went wrong                 */
     const cagd_tree *where; /* and at which part of the formula                                              */
     const char *split;      /* a condition changes where this name has the value split_at                    */
     cagd_num_q split_at;
@@ -131,6 +133,7 @@ typedef struct cagd_context {
     cagd_memo memo[CAGD_MOST_MEMOS];
     int memos;
     int met_joint;       /* a condition changed where a derivative was taken                                  */
+    int divided_beside;  /* where a derivative was taken something was divided by that depends on the variable */
     int omits_poles;     /* a divisor can be 0, and nothing is said of that                               */
     int fits_none;       /* no definition of a name fitted                                                */
     cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
@@ -146,6 +149,14 @@ typedef struct cagd_frame {
     cagd_value value;
     const struct cagd_frame *next;
 } cagd_frame;
+
+/* An argument that is an angle, of which only sines and cosines have values: a tree and what its letters stand for, and, where it is moved
+ * by one more, the x of that (angle.h), otherwise 0. */
+struct cagd_angle {
+    const cagd_tree *tree;
+    const cagd_frame *frame;
+    cagd_value tangent;
+};
 
 enum { CAGD_USUAL_STEPS = 400000 };
 
@@ -168,6 +179,11 @@ int cagd_equal_here(cagd_context *c, cagd_value a, cagd_value b);
 int cagd_relation_holds(int sign, cagd_relation relation);
 /* a relation b for two values, likewise. */
 int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, cagd_value b);
+
+/* Notes the first trouble, at that part of the formula; the value means nothing. */
+cagd_value cagd_fail(cagd_context *c, const cagd_tree *t, unsigned fault, const char *why);
+/* "\omega_3^{2}": the name with the values of its indices; 0 where there is none. */
+int cagd_key_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room);
 
 /* Notes that the sum was met. */
 void cagd_note_sum(cagd_sums_met *met, const cagd_tree *sum, int has_terms);

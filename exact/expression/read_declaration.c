@@ -408,9 +408,10 @@ static int piece(cagd_reader *r, struct piece *p)
     if (name != NULL && name->arguments == 0 &&
         (cagd_relation_next(r, &relation) || cagd_next_is(r, ",") || r->token->kind == CAGD_TOKEN_END)) {
         const cagd_variable *v = cagd_declared(r->scope, name->head);
-        if (v == NULL && strcmp(name->head, "\\pi") == 0 && cagd_defined(r->scope, name->head) == NULL)
-            return cagd_refuse_pi(r, name->from), 0;
-        *p = (struct piece){name, cagd_defined(r->scope, name->head) != NULL ? 0 : v != NULL && v->whole ? -1 : 1};
+        int is_pi = v == NULL && strcmp(name->head, "\\pi") == 0;
+        *p = (struct piece){name, is_pi || cagd_defined(r->scope, name->head) != NULL ? 0
+                                  : v != NULL && v->whole                             ? -1
+                                                                                      : 1};
         return 1;
     }
     back(r, start);

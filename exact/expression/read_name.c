@@ -400,18 +400,9 @@ static int primed(cagd_reader *r, struct parts *p)
                              cagd_spelled(p->head), cagd_spelled(p->head)) != NULL;
 }
 
-void cagd_refuse_pi(cagd_reader *r, int from)
-{
-    cagd_refuse_reading(r->error, from, r->token[-1].to,
-                        "\\pi is no rational number, and an angle has no bounds: name its cosine and sine, "
-                        "c^2 + s^2 = 1, c \\ge 0, s \\ge 0 in :for: for a quarter");
-}
-
 static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
 {
     const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head);
-    if (strcmp(p->head, "\\pi") == 0)
-        return cagd_refuse_pi(r, from), NULL;
     cagd_refuse_reading(r->error, from, r->token[-1].to,
                         "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
                         "block makes it a variable",
@@ -436,6 +427,16 @@ static int fits(cagd_reader *r, const struct parts *p, int from)
     return 1;
 }
 
+/* The number, which has its place in angles. */
+static const cagd_tree *pi(cagd_reader *r, int from, const cagd_tree *power)
+{
+    cagd_tree *t = cagd_new(r, CAGD_NAME, from, 0);
+    if (t == NULL)
+        return NULL;
+    t->head = "\\pi";
+    return power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
 const cagd_tree *cagd_read_name(cagd_reader *r)
 {
     struct parts p = {0};
@@ -449,6 +450,8 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     if (p.head == NULL || !indices(r, &p) || !primed(r, &p))
         return NULL;
     int is_known = r->declaring || cagd_is_known(r, p.head);
+    if (!is_known && strcmp(p.head, "\\pi") == 0 && p.lower + p.upper + p.primes == 0)
+        return pi(r, from, p.power);
     if (!is_known && (!cagd_may_be_unknown(r) || p.lower + p.upper > 0))
         return complain_of_unknown(r, from, &p);
     int most = !is_known ? 0 : r->declaring ? -1 : known_arguments(r, p.head);

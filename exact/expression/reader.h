@@ -93,7 +93,6 @@ const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tre
 const cagd_tree *cagd_read_sum(cagd_reader *r);
 const cagd_tree *cagd_read_product(cagd_reader *r);
 /* The number \pi, which was not declared, up to the last token. */
-void cagd_refuse_pi(cagd_reader *r, int from);
 const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script);
 /* One factor; a product, or, behind the sign of one over that index, what it goes over. */
 const cagd_tree *cagd_read_factor(cagd_reader *r);

@@ -8,6 +8,7 @@ typedef struct cagd_value {
     int rational; /* then q is the value, otherwise f, which is no constant */
     cagd_num_q q;
     cagd_num_f f;
+    const struct cagd_angle *angle; /* NULL, or what a letter stands for that has no value as a number (angle.h) */
 } cagd_value;
 
 cagd_value cagd_value_q(cagd_num_q q);

@@ -240,11 +240,49 @@ g(s,t) = s^2 t^3
             self.assertEqual(r.returncode, 2)
             self.assertIn("part of the angle, or a factor?", r.stderr)
 
-    def test_the_angle_of_an_argument_is_not_that_of_its_letter(self):
+    ANGLES = ("f(s) = \\cos s\ng(s) = (1 - \\sin s)^2\nr(s) = \\cos \\frac{s}{2}\nu(s) = \\frac{\\sin s}{\\sin s}\nv(x) = \\frac{x}{x}\n"
+              "w(s) = |\\sin s|\nm(s) = s \\cos s\nC(s) = (\\cos s, \\sin s)\ns, q \\in \\mathbb{R}\n")
+
+    def all_angles(self, rows):
+        for printed, ranges, expected in rows:
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges, self.ANGLES)
+                self.assertEqual(s["verdict"], expected, s)
+                self.assertNotIn("tan", s["scope"])
+                self.assertNotIn("d'", s["scope"])
+
+    def test_arguments_that_are_angles(self):
         """The sine of what stands in the place of a letter, not of the name that is called so."""
-        let = "h(s) = \\sin s\ns \\in \\mathbb{R}\n"
-        for printed in ("h(0) = 0", "h(0) = 1", "h(1) = \\sin s"):
-            self.assertEqual(verdict(printed, "n = 1", let)["verdict"], "undecided", printed)
+        self.all_angles([(printed, "n = 1", expected) for printed, expected in (
+            ("f(0) = 1", "holds"), ("f(0) = 0", "fails"), ("f(1) = \\cos s", "undecided"), ("f(q) = \\cos q", "holds"), ("f(q) = \\cos s", "fails"), ("f(q+s) = f(q) f(s) - \\sin q \\sin s", "holds"),
+            ("f(q+s) = f(q) f(s) + \\sin q \\sin s", "fails"), ("f(-s) = f(s)", "holds"), ("f(s + \\pi) = -f(s)", "holds"), ("f(s + \\frac{2\\pi}{3}) + f(s + \\frac{4\\pi}{3}) + f(s) = 0", "holds"),
+            ("f(\\frac{\\pi}{12}) = \\frac{\\sqrt 6 + \\sqrt 2}{4}", "holds"), ("f(\\frac{\\pi}{12}) = \\frac{\\sqrt 6 - \\sqrt 2}{4}", "fails"), ("f(\\frac{\\pi}{5}) = \\frac{1 + \\sqrt 5}{4}", "undecided"),
+            ("r(s)^2 = \\frac{1 + \\cos s}{2}", "holds"), ("r(2s) = f(s)", "holds"), ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "fails"), ("m(0) = 0", "holds"), ("m(s) = s \\cos s", "undecided"),
+            ("u(0) = 1", "undecided"), ("u(s) = 1", "holds"), ("C(q) \\cdot C(s) = \\cos(q - s)", "holds"), ("|C(q) - C(s)|^2 = 4 \\sin^2 \\frac{q-s}{2}", "holds"), ("\\pi > 3", "undecided"))])
+        for k in range(25):  # multiples of pi/12 beside their sines in floating point
+            value = verdict(f"\\cos \\frac{{{k} \\pi}}{{12}} > {math.cos(math.pi * k / 12):.9f} - \\frac{{1}}{{10^6}}", "n = 1")["verdict"], verdict(f"\\sin \\frac{{{k} \\pi}}{{12}} < {math.sin(math.pi * k / 12):.9f} + \\frac{{1}}{{10^6}}", "n = 1")["verdict"]
+            self.assertEqual(value, ("holds", "holds"), k)
+
+    def test_derivatives_by_angles(self):
+        """Where the function has no value it has none."""
+        self.all_angles([(printed, "n = 1", expected) for printed, expected in (
+            ("f'(s) = -\\sin s", "holds"), ("f'(s) = \\sin s", "fails"), ("f''(s) = -f(s)", "holds"), ("f'(\\frac{\\pi}{2}) = -1", "holds"), ("f'(\\frac{\\pi}{2}) = 1", "fails"), ("f'(\\pi) = 1", "fails"),
+            ("f'(2q) = -\\sin 2q", "holds"), ("f'(2q) = -2\\sin 2q", "fails"), ("\\frac{d}{ds} f(2s) = -2\\sin 2s", "holds"), ("\\frac{d}{ds} \\sin s = \\cos s", "holds"), ("\\frac{d^2}{ds^2} g(s) = 0", "fails"),
+            ("g'(\\frac{\\pi}{4}) = 1 - \\sqrt 2", "holds"), ("g'(\\frac{\\pi}{4}) = \\frac12", "fails"), ("r'(\\pi) = -\\frac12", "holds"), ("\\det(C'(s), C''(s)) = 1", "holds"), ("C'(s) \\cdot C(s) = 0", "holds"),
+            ("u'(0) = 0", "undecided"), ("v'(0) = 0", "undecided"), ("v'(1) = 0", "holds"), ("w'(0) = 0", "undecided"))])
+
+    def test_bounds_of_angles(self):
+        """Multiples of a quarter turn, of half of one where angles are halved; what no tangent reaches belongs to them where it does."""
+        self.all_angles((
+            ("\\cos s \\ge 0", "0 \\le s \\le \\frac{\\pi}{2}", "holds"), ("\\cos s > 0", "0 \\le s \\le \\frac{\\pi}{2}", "fails"), ("\\cos s > 0", "0 \\le s < \\frac{\\pi}{2}", "holds"),
+            ("\\cos s \\ge 0", "-\\frac{\\pi}{2} \\le s \\le \\frac{\\pi}{2}", "holds"), ("\\cos s \\ge 0", "-\\frac{\\pi}{2} \\le s \\le \\pi", "fails"), ("\\sin s \\ge 0", "0 \\le s \\le \\pi", "holds"),
+            ("\\sin s \\ge 0", "0 \\le s \\le 2\\pi", "fails"), ("\\sin s \\le 0", "\\pi \\le s \\le 2\\pi", "holds"), ("\\sin s \\ge 0", "2\\pi \\le s \\le 3\\pi", "holds"), ("\\sin s \\ge 0", "3\\pi \\le s \\le 4\\pi", "fails"),
+            ("\\cos s + 1 > 0", "0 \\le s < \\pi", "holds"), ("\\cos s + 1 > 0", "0 \\le s \\le \\pi", "fails"), ("\\cos s + 1 > 0", "-\\pi < s < \\pi", "holds"), ("\\cos s + 1 > 0", "-\\pi \\le s < \\pi", "fails"),
+            ("\\cos s \\ge \\frac12", "0 \\le s \\le \\frac{\\pi}{3}", "undecided"), ("\\sin s \\le s", "0 \\le s", "undecided"), ("\\cos s = 2", "\\pi \\le s \\le 0", "undecided"),
+            ("\\sin(s + q) \\ge 0", "0 \\le s \\le \\frac{\\pi}{2}, 0 \\le q \\le \\frac{\\pi}{2}", "holds"), ("\\sin(s + q) \\ge 0", "0 \\le s \\le \\pi, 0 \\le q \\le \\pi", "fails"),
+            ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "0 \\le s \\le \\pi", "holds"), ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "0 \\le s \\le 2\\pi", "fails"), ("\\cos \\frac{s}{2} > 0", "-\\pi < s < \\pi", "holds"),
+            ("\\cos \\frac{s}{2} \\ge 0", "-\\pi \\le s \\le \\pi", "holds"), ("\\cos \\frac{s}{2} > 0", "-\\pi < s \\le \\pi", "fails"), ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\frac{\\pi}{2}", "holds"),
+            ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\pi", "fails")))
 
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
@@ -591,10 +629,12 @@ g(s,t) = s^2 t^3
         self.assertEqual(check(document("P + P = 2 P", "n = 1", let)).returncode, 0)
 
     def test_the_sign_of_a_sine(self):
-        """No identity tells x from -x: the value at the counterexample does, sin x for u = tan(x/4) being 4u(1-u^2)/(1+u^2)^2."""
-        s = verdict("\\sin x = 0", "n = 1")["counterexample"]
-        u = fractions.Fraction(s["values"][0]["value"])
-        self.assertEqual(fractions.Fraction(s["left"]), 4 * u * (1 - u * u) / (1 + u * u) ** 2)
+        """No identity tells x from -x: the value at the counterexample does, sin x for u = tan(x/2) being 2u/(1+u^2), for u = tan(x/4)
+        4u(1-u^2)/(1+u^2)^2."""
+        for printed, name, sine in (("\\sin x = 0", "\\tan(x/2)", lambda u: 2 * u / (1 + u * u)), ("\\sin x = 2 \\sin \\frac{x}{2}", "\\tan(x/4)", lambda u: 4 * u * (1 - u * u) / (1 + u * u) ** 2)):
+            s = verdict(printed, "n = 1")["counterexample"]
+            self.assertEqual(s["values"][0]["name"], name)
+            self.assertEqual(fractions.Fraction(s["left"]), sine(fractions.Fraction(s["values"][0]["value"])))
 
     def test_a_division_by_zero_beside_another_factor(self):
         """With 0/0 = 0 a factor that is divided by 0 is not asked for beside a factor 0, and beside another one it is."""
@@ -763,7 +803,8 @@ class Certificates(unittest.TestCase):
 
     def test_sums_for_every_number(self):
         statements = (("\\sum_{i=0}^n \\frac{i}{n} B_i^n(t) = t", "n = 1.."), ("\\sum_{i=0}^n \\binom{n}{i}^2 = \\binom{2n}{n}", "n = 0.."),
-                      ("\\sum_{i=0}^n i (i-1) B_i^n(t) = n (n-1) t^2", "n = 0.."))
+                      ("\\sum_{i=0}^n i (i-1) B_i^n(t) = n (n-1) t^2", "n = 0.."), ("\\sum_{i=0}^n \\binom{n+i}{i} 2^{-i} = 2^n", "n = 0.."),
+                      ("\\sum_{i=0}^n \\binom{n}{i} \\prod_{j=0}^{i-1} (x+j) \\prod_{j=0}^{n-i-1} (y+j) = \\prod_{j=0}^{n-1} (x+y+j)", "n = 0.."))
 
         def text(field, change, place=None):
             """What a node of the fact is, changed, as another node."""
@@ -783,7 +824,7 @@ class Certificates(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             lets = document("x = x").partition(":::{statement}")[0]
             r = check(lets + "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {ranges}\n:::\n" for k, (printed, ranges) in enumerate(statements)), "--certificates", folder)
-            self.assertIn("Certificates of 3 of 3", r.stdout)
+            self.assertIn("Certificates of 5 of 5", r.stdout)
             code, out = self.recheck(folder)
             self.assertEqual(code, 0, out)
             self.refuse_all(pathlib.Path(folder), -1, changes)

@@ -1,0 +1,28 @@
+/* angle.h -- sines and cosines of angles (角).
+ *
+ * An angle is a name; with phi half of it, or a quarter where halves of angles come up, all its sines and cosines are rational functions
+ * of x = tan phi, and so are those of sums of angles and of multiples of pi/12.  The angle for which there is no x is looked at apart.
+ * An argument of a definition in which its letter stands in angles is one itself: what it is, is asked for where it is used.
+ * Bounds of angles are multiples of pi for which x is a rational number.  The derivative by the angle is
+ * (1 + x^2) d/dx times phi's share in it. */
+#ifndef CAGD_ANGLE_H
+#define CAGD_ANGLE_H
+
+#include "exact/expression/evaluate.h"
+
+/* \sin a, \cos a. */
+cagd_value cagd_circular(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
+
+/* Whether halves of angles are in the statement, or in any definition: then x is the tangent of a quarter. */
+int cagd_has_half_angles(const cagd_scope *scope, const cagd_tree *statement);
+/* The name of x for that angle, "\tan(\theta/2)"; whether there was room. */
+int cagd_key_of_tangent(const cagd_context *c, const char *angle, char key[], int room);
+
+/* Whether argument k of the name that d and others define is an angle: in some of them its letter stands in a sine or cosine. */
+int cagd_is_angle_argument(cagd_context *c, const cagd_definition *d, int k);
+/* Whether the letter stands in a sine or cosine of the tree, or of what it calls. */
+int cagd_is_angle_in(cagd_context *c, const cagd_tree *t, const char *letter);
+
+/* The derivative by the angle whose x is a variable. */
+cagd_num_f cagd_by_angle_f(const cagd_context *c, cagd_num_f g, cagd_num_f x);
+#endif
