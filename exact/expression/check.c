@@ -707,20 +707,28 @@ static cagd_answer decide_truth(struct run *r, cagd_context *c, const cagd_tree 
     return is == 1 ? CAGD_HOLDS : refuted_at(r, c, t, -1, NULL);
 }
 
-/* What the angles and circles of the part leave out, with the numbers that it has there.  Of equalities and of weak inequalities
- * between functions without cases nothing is left out by an angle: both sides are continuous. */
-static cagd_answer decide_apart(struct run *r, const struct part *p, const cagd_context *c)
+/* Whether both sides of every relation are continuous, as functions without cases are, and it is one that limits keep. */
+static int keeps_limits(const struct run *r, const cagd_context *c)
 {
-    int is_continuous = r->premise == NULL && r->scope->condition_count == 0 && !c->used_bounds;
+    int keeps = r->premise == NULL && r->scope->condition_count == 0 && !c->used_bounds;
     for (int m = 0; m < (r->claim->kind == CAGD_ALL ? r->claim->count : 1); m++) {
         const cagd_tree *t = r->claim->kind == CAGD_ALL ? r->claim->at[m] : r->claim;
-        is_continuous = is_continuous && t->kind == CAGD_RELATION;
-        for (int k = 0; is_continuous && k + 1 < t->count; k++)
-            is_continuous = t->relation[k] == CAGD_EQUAL || t->relation[k] == CAGD_LESS_OR_EQUAL ||
-                            t->relation[k] == CAGD_GREATER_OR_EQUAL;
+        keeps = keeps && t->kind == CAGD_RELATION;
+        for (int k = 0; keeps && k + 1 < t->count; k++)
+            keeps = t->relation[k] == CAGD_EQUAL || t->relation[k] == CAGD_LESS_OR_EQUAL ||
+                    t->relation[k] == CAGD_GREATER_OR_EQUAL;
     }
+    return keeps;
+}
+
+/* What the angles and circles of the part leave out, with the numbers that it has there.  Where limits are kept it is looked at for values
+ * that are not there, and is no weaker evidence. */
+static cagd_answer decide_apart(struct run *r, const struct part *p, const cagd_context *c)
+{
+    cagd_strength strength = r->out->strength;
+    int kept = keeps_limits(r, c);
     cagd_answer answer = CAGD_HOLDS;
-    for (int k = 0; k < c->aparts && !is_continuous && answer != CAGD_FAILS; k++) {
+    for (int k = 0; k < c->aparts && answer != CAGD_FAILS; k++) {
         struct part *q = region_bytes(sizeof *q);
         if (q == NULL || p->numbers + 2 > CAGD_MOST_PIECES || cagd_seconds() > r->until)
             return CAGD_UNDECIDED;
@@ -731,6 +739,8 @@ static cagd_answer decide_apart(struct run *r, const struct part *p, const cagd_
         q->apart += c->apart[k].count;
         answer = worse(answer, decide_part(r, q));
     }
+    if (kept && c->aparts > 0 && answer == CAGD_HOLDS)
+        r->out->strength = strength;
     return answer;
 }
 

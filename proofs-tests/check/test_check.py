@@ -271,6 +271,14 @@ g(s,t) = s^2 t^3
             ("g'(\\frac{\\pi}{4}) = 1 - \\sqrt 2", "holds"), ("g'(\\frac{\\pi}{4}) = \\frac12", "fails"), ("r'(\\pi) = -\\frac12", "holds"), ("\\det(C'(s), C''(s)) = 1", "holds"), ("C'(s) \\cdot C(s) = 0", "holds"),
             ("u'(0) = 0", "undecided"), ("v'(0) = 0", "undecided"), ("v'(1) = 0", "holds"), ("w'(0) = 0", "undecided"))])
 
+    def test_where_no_tangent_reaches_there_may_be_no_value(self):
+        """At half a turn."""
+        for printed, is_everywhere in (("\\cos(s + 2\\pi) = \\cos s", True), ("\\frac{\\sin(s + 2\\pi)}{1 + \\cos s} = \\frac{\\sin s}{1 + \\cos s}", False), ("\\frac{1}{2 + \\cos s} = \\frac{1}{2 + \\cos(-s)}", True),
+                                       ("\\frac{1}{1 + \\cos s} > 0", False)):
+            page = check(document(printed, "n = 1", "s \\in \\mathbb{R}\n")).stdout
+            self.assertIn("holds as printed", page)
+            self.assertEqual("wherever both sides are defined" not in " ".join(page.split()), is_everywhere, page)
+
     def test_bounds_of_angles(self):
         """Multiples of a quarter turn, of half of one where angles are halved; what no tangent reaches belongs to them where it does."""
         self.all_angles((
