@@ -4,6 +4,7 @@
 #include "core/number/limits.h"
 #include "exact/words.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -14,10 +15,23 @@ struct graph {
     num_f f; /* a function of t alone */
 };
 
+/* The variable of the functions where the argument is t: itself, or of an angle the tangent of its part. */
+static num_q variable_at(const cagd_basis *b, num_q t)
+{
+    return b->angle ? from_double_q(tan(to_double_q(t) / b->angle)) : t;
+}
+
+/* The ends of the argument. */
+static num_q end_of(const cagd_basis *b, int high)
+{
+    num_q x = high ? b->t.high : b->t.low;
+    return b->angle ? from_double_q(b->angle * atan(to_double_q(x))) : x;
+}
+
 static num_q value_at(const struct graph *g, num_q t)
 {
     num_q y = from_int_q(0);
-    is_constant_f(substitute_f(g->f, g->basis->t.variable, from_rational_f(t)), &y);
+    is_constant_f(substitute_f(g->f, g->basis->t.variable, from_rational_f(variable_at(g->basis, t))), &y);
     return y;
 }
 
@@ -33,7 +47,8 @@ static struct graph graph_of(const cagd_basis *b, int i, const num_q *parameter)
 
 static num_q sample(const cagd_basis *b, int k)
 {
-    return add_q(b->t.low, mul_q(sub_q(b->t.high, b->t.low), from_ratio_q(k, SAMPLES)));
+    num_q low = end_of(b, 0);
+    return add_q(low, mul_q(sub_q(end_of(b, 1), low), from_ratio_q(k, SAMPLES)));
 }
 
 /* A polynomial is the Bezier curve of the points (a + (b-a) j/d, c_j). */
@@ -41,7 +56,7 @@ static void draw_graph(svg *s, const cagd_basis *b, int i, const num_q *paramete
 {
     struct graph g = graph_of(b, i, parameter);
     if (b->degree < 1 || b->degree > MAX_DEGREE) {
-        svg_plot(s, point_at, &g, b->t.low, b->t.high, PIECES, role);
+        svg_plot(s, point_at, &g, end_of(b, 0), end_of(b, 1), PIECES, role);
         return;
     }
     num_q P[2 * (MAX_DEGREE + 1)];
@@ -94,9 +109,9 @@ static void label(svg *s, const struct sheet *sheet, const cagd_basis *b, int i,
              head - sheet->index_to, sheet->functions + sheet->index_to);
     char *text = tex_to_text(tex, 0);
     svg_point top = top_of(b, i, parameter);
-    enum svg_direction towards = cagd_equal_q(top.x, b->t.low)    ? SVG_NE
-                                 : cagd_equal_q(top.x, b->t.high) ? SVG_NW
-                                                                  : SVG_N;
+    enum svg_direction towards = cagd_equal_q(top.x, end_of(b, 0))   ? SVG_NE
+                                 : cagd_equal_q(top.x, end_of(b, 1)) ? SVG_NW
+                                                                     : SVG_N;
     svg_mark(s, top, role, SVG_USUAL);
     svg_note(s, top, towards, role, text);
     free(text);
@@ -104,9 +119,9 @@ static void label(svg *s, const struct sheet *sheet, const cagd_basis *b, int i,
 
 void draw_basis(svg *s, const struct sheet *sheet, const cagd_basis *b, int count, const num_q value[])
 {
-    num_q low, high, length = sub_q(b->t.high, b->t.low);
+    num_q low, high, length = sub_q(end_of(b, 1), end_of(b, 0));
     extent_of(b, count, value, &low, &high);
-    svg_window window = {b->t.low, low, b->t.high, high};
+    svg_window window = {end_of(b, 0), low, end_of(b, 1), high};
     svg_row(s);
     for (int v = 0; v < (count > 0 ? count : 1); v++) {
         const num_q *parameter = count > 0 ? &value[v] : NULL;
@@ -116,7 +131,7 @@ void draw_basis(svg *s, const struct sheet *sheet, const cagd_basis *b, int coun
                  parameter != NULL ? to_string_q(*parameter) : "");
         free(name);
         svg_panel(s, window, PANEL_WIDTH, PANEL_HEIGHT, caption);
-        svg_axes(s, div_q(length, from_int_q(2)), from_ratio_q(1, 2), NULL, NULL);
+        svg_axes(s, b->angle ? from_ratio_q(1, 2) : div_q(length, from_int_q(2)), from_ratio_q(1, 2), NULL, NULL);
         for (int i = 0; i < b->count; i++) {
             enum svg_role role = i % 2 == 0 ? SVG_CURVE : SVG_CURVE_2;
             draw_graph(s, b, i, parameter, role);

@@ -30,6 +30,7 @@ struct answer {
     cagd_found found;
     cagd_finding finding;
     int was_checked; /* without a parameter: the finding is the answer */
+    int is_left_out; /* it is not asked of functions of an angle */
     int of_limits;   /* decided of the limits at the ends, as the formulas have no values there */
     cagd_negative_minor minor;
 };
@@ -46,9 +47,6 @@ static const char *function_with(const struct sheet *s, const char *index, const
     const char *kept = n < LONGEST ? cagd_text_of(text, n) : NULL;
     return kept != NULL ? kept : "";
 }
-
-static const char *low_of(const cagd_basis *b) { return to_string_q(b->t.low); }
-static const char *high_of(const cagd_basis *b) { return to_string_q(b->t.high); }
 
 /* The index of the sum is a letter that means nothing else. */
 static void sum_is_one(char *text, const struct sheet *s, const cagd_basis *b)
@@ -75,7 +73,7 @@ static void is_symmetric(char *text, const struct sheet *s, const cagd_basis *b)
 {
     char index[128], argument[128];
     snprintf(index, sizeof index, "%ld-%s", s->first + s->last, s->index);
-    snprintf(argument, sizeof argument, "%s-%s", to_string_q(add_q(b->t.low, b->t.high)), s->argument);
+    snprintf(argument, sizeof argument, "%s-%s", b->sum, s->argument);
     snprintf(text, LONGEST, "%s = %s", function_with(s, s->index, argument), function_with(s, index, s->argument));
 }
 
@@ -86,8 +84,8 @@ static void interpolates_ends(char *text, const struct sheet *s, const cagd_basi
     char left[128], right[128];
     snprintf(left, sizeof left, cases, s->index, s->first);
     snprintf(right, sizeof right, cases, s->index, s->last);
-    snprintf(text, LONGEST, "%s = %s, \\quad %s = %s", function_with(s, s->index, low_of(b)), left,
-             function_with(s, s->index, high_of(b)), right);
+    snprintf(text, LONGEST, "%s = %s, \\quad %s = %s", function_with(s, s->index, b->end[0]), left,
+             function_with(s, s->index, b->end[1]), right);
 }
 
 /* An element of the field in TeX, with the letters of the file: v1 is \beta. */
@@ -132,7 +130,7 @@ static void limits_at_ends(char *text, const struct sheet *s, const cagd_basis *
 /* ((t-a)/(b-a))^i ((b-t)/(b-a))^{n-i} times C(n,i). */
 static void is_bernstein(char *text, const struct sheet *s, const cagd_basis *b)
 {
-    const char *low = low_of(b), *high = high_of(b), *length = to_string_q(sub_q(b->t.high, b->t.low));
+    const char *low = b->end[0], *high = b->end[1], *length = to_string_q(sub_q(b->t.high, b->t.low));
     snprintf(text, LONGEST,
              "%s = \\binom{%ld}{%s-(%ld)} \\left(\\frac{%s-(%s)}{%s}\\right)^{%s-(%ld)} "
              "\\left(\\frac{%s-%s}{%s}\\right)^{%ld-%s}",
@@ -150,7 +148,7 @@ static const struct property properties[] = {
     {"bernstein", "the Bernstein basis", is_bernstein, NULL, 1},
     {"totally_positive", "totally positive", NULL, NULL, 0},
 };
-enum { DEFINED = 0, NONNEGATIVE = 3, ENDS = 5, PROPERTIES = sizeof properties / sizeof *properties };
+enum { DEFINED = 0, NONNEGATIVE = 3, ENDS = 5, BERNSTEIN = 6, PROPERTIES = sizeof properties / sizeof *properties };
 
 /* ---- deciding ------------------------------------------------------------------------------------------ */
 
@@ -258,7 +256,7 @@ static void print_properties(const struct answer answer[])
     for (int k = 0; k < PROPERTIES; k++) {
         const struct answer *a = &answer[k];
         const char *evidence = evidence_text(a);
-        if (k == DEFINED && extent_of(a) == FOR_ALL)
+        if (a->is_left_out || (k == DEFINED && extent_of(a) == FOR_ALL))
             continue;
         row(a->property->title, evidence[0] != '\0'
                                     ? joined(is_open(a)     ? "%s (%s; for other values it may be undecided)"
@@ -283,7 +281,7 @@ static const char *name_of_function(const struct sheet *s, int i, int order)
     return cagd_text_of(text, (int)strlen(text));
 }
 
-static const char *minor_text(const struct answer *a, const struct sheet *s)
+static const char *minor_text(const struct answer *a, const struct sheet *s, const cagd_basis *b)
 {
     const cagd_negative_minor *m = &a->minor;
     const char *text = "";
@@ -295,17 +293,20 @@ static const char *minor_text(const struct answer *a, const struct sheet *s)
                                      : "%s$%s$",
                       text, name_of_function(s, m->first + k, 0));
     for (int k = 0; k < m->order; k++)
-        text = joined(k > 0 ? "%s, %s" : "%s at $%s", text, to_string_q(m->t[k]));
+        text = joined(k > 0      ? "%s, %s"
+                      : b->angle ? joined("%%s at $\\tan(%s/%s) = %%s", s->argument, b->angle == 2 ? "2" : "4")
+                                 : "%s at $%s",
+                      text, to_string_q(m->t[k]));
     return joined("%s$ is $%s$", text, to_string_q(m->value));
 }
 
 /* Numbers for which it is not so; "" where there are none. */
-static const char *example_text(const struct answer *a, const struct sheet *s)
+static const char *example_text(const struct answer *a, const struct sheet *s, const cagd_basis *b)
 {
     const char *text = "";
     int cell = a->found.known ? cagd_telling_failure(&a->found.cells) : -1;
     if (a->minor.order > 0)
-        return minor_text(a, s);
+        return minor_text(a, s, b);
     for (int k = 0; a->was_checked && a->finding.has_example && k < a->finding.given; k++)
         text = joined(k > 0 ? "%s, $%s" : "%s$%s", text,
                       joined("%s = %s$", a->finding.example[k].name, value_text(&a->finding.example[k])));
@@ -315,11 +316,11 @@ static const char *example_text(const struct answer *a, const struct sheet *s)
     return a->was_checked || s->find == NULL || cell < 0 ? text : breaking_text(&a->formula, &a->found, cell);
 }
 
-static void print_examples(const struct sheet *s, const struct answer answer[])
+static void print_examples(const struct sheet *s, const cagd_basis *b, const struct answer answer[])
 {
     int first = 1;
     for (int k = 0; k < PROPERTIES; k++) {
-        const char *text = example_text(&answer[k], s);
+        const char *text = example_text(&answer[k], s, b);
         if (text[0] == '\0')
             continue;
         if (first)
@@ -341,8 +342,9 @@ static void print_ends(const struct sheet *s, const cagd_basis *b)
                     text = joined(
                         text[0] != '\0' ? "%s, $%s$" : "%s$%s$", text,
                         joined("%s = %s", name_of_function(s, i, order), element_text(b, b->at_end[k][order][i])));
-            char label[64];
-            snprintf(label, sizeof label, "%s at %s", title[order], to_string_q(k == 0 ? b->t.low : b->t.high));
+            char label[96], *end = tex_to_text(b->end[k], 0);
+            snprintf(label, sizeof label, "%s at %s", title[order], end);
+            free(end);
             row(label, text[0] != '\0' ? text : "none");
         }
 }
@@ -395,14 +397,13 @@ static void print_page(const struct document *d, const struct sheet *s, const ca
     printf("%s%s%s  (%s:%d)\n", style(stdout, BOLD), s->name, style(stdout, PLAIN), name_of_input(d->path), s->line);
     heading("Functions");
     snprintf(range, sizeof range, ", $%s = %ld$ to $%ld$, $%s %s %s %s %s$%s%s%s", s->index, s->first, s->last,
-             to_string_q(b->t.low), b->t.low_open ? "<" : "\\le", s->argument, b->t.high_open ? "<" : "\\le",
-             to_string_q(b->t.high), s->find != NULL ? "; the parameter is $" : "", s->find != NULL ? s->find : "",
-             s->find != NULL ? "$" : "");
+             b->end[0], b->t.low_open ? "<" : "\\le", s->argument, b->t.high_open ? "<" : "\\le", b->end[1],
+             s->find != NULL ? "; the parameter is $" : "", s->find != NULL ? s->find : "", s->find != NULL ? "$" : "");
     char *plain = tex_to_text(joined("$%s$%s", s->functions, range), 1);
     put_paragraph(stdout, plain, INDENT, WIDTH);
     free(plain);
     print_properties(answer);
-    print_examples(s, answer);
+    print_examples(s, b, answer);
     print_monotony(s, b);
     print_ends(s, b);
     print_coefficients(s, b);
@@ -418,7 +419,7 @@ static json_t *plain_json(const char *tex, int mixed)
     return j;
 }
 
-static json_t *property_json(const struct answer *a, const struct sheet *s)
+static json_t *property_json(const struct answer *a, const struct sheet *s, const cagd_basis *b)
 {
     static const char *const words[] = {"holds", "fails", "holds for some values", "undecided"};
     enum extent extent = extent_of(a);
@@ -430,7 +431,7 @@ static json_t *property_json(const struct answer *a, const struct sheet *s)
         json_object_set_new(j, "reason", plain_json(values_text(a), 1));
     else if (s->find != NULL)
         json_object_set_new(j, "values", plain_json(values_text(a), 1));
-    const char *example = example_text(a, s);
+    const char *example = example_text(a, s, b);
     if (example[0] != '\0')
         json_object_set_new(j, "fails_for", plain_json(example, 1));
     json_object_set_new(j, "complete", json_boolean(!is_open(a)));
@@ -451,19 +452,20 @@ static json_t *sheet_json(const struct sheet *s, const cagd_basis *b, const stru
     static const char *const monotony[] = {"constant", "increasing", "decreasing", "neither", "undecided"};
     json_t *properties_list = json_array(), *ends = json_array();
     for (int k = 0; k < PROPERTIES; k++)
-        json_array_append_new(properties_list, property_json(&answer[k], s));
+        if (!answer[k].is_left_out)
+            json_array_append_new(properties_list, property_json(&answer[k], s, b));
     for (int k = 0; k < 2; k++)
         for (int order = 0; order < CAGD_END_ORDERS; order++) {
             json_t *values = json_array();
             for (int i = 0; i < b->count; i++)
                 json_array_append_new(values, plain_json(element_text(b, b->at_end[k][order][i]), 0));
-            json_array_append_new(ends, json_pack("{s:s, s:i, s:o}", "at", to_string_q(k == 0 ? b->t.low : b->t.high),
-                                                  "order", order, "values", values));
+            json_array_append_new(
+                ends, json_pack("{s:o, s:i, s:o}", "at", plain_json(b->end[k], 0), "order", order, "values", values));
         }
     json_t *j =
-        json_pack("{s:s, s:i, s:s, s:I, s:I, s:[s,s], s:o, s:o}", "name", s->name, "line", s->line, "functions_tex",
+        json_pack("{s:s, s:i, s:s, s:I, s:I, s:[o,o], s:o, s:o}", "name", s->name, "line", s->line, "functions_tex",
                   s->functions, "first", (json_int_t)s->first, "last", (json_int_t)s->last, "interval",
-                  to_string_q(b->t.low), to_string_q(b->t.high), "properties", properties_list, "ends", ends);
+                  plain_json(b->end[0], 0), plain_json(b->end[1], 0), "properties", properties_list, "ends", ends);
     if (s->find != NULL) {
         json_t *list = json_array();
         for (int i = 0; i < b->count; i++)
@@ -537,6 +539,9 @@ int check_sheet(const struct document *d, const struct sheet *s, json_t *list, s
         *a = (struct answer){.property = &properties[k], .formula = {.find = s->find}};
         why = cagd_basis_read(&s->scope, s->tree, s->index, s->first, s->last, s->find, b);
         double left = until - cagd_seconds();
+        a->is_left_out = why == NULL && b->angle && k == BERNSTEIN;
+        if (a->is_left_out)
+            continue;
         if (why != NULL)
             a->found.why = why;
         else if (a->property->write != NULL)

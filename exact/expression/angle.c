@@ -86,8 +86,7 @@ static struct turn turned_by_pi(cagd_context *c, const cagd_tree *t, num_q times
                   m == 1 ? turned(third, several(eighth, -1)) : turned(eighth, turned(quarter, several(third, -1))));
 }
 
-/* A rational multiple of pi, with no other name in it: the number of times, or 0 for what is none. */
-static int multiple_of_pi(const cagd_scope *scope, const cagd_tree *t, num_q *times)
+int cagd_multiple_of_pi(const cagd_scope *scope, const cagd_tree *t, num_q *times)
 {
     num_q one;
     if (is_pi(scope, t)) {
@@ -99,14 +98,14 @@ static int multiple_of_pi(const cagd_scope *scope, const cagd_tree *t, num_q *ti
         *times = t->number;
         return cagd_is_zero_q(t->number);
     case CAGD_NEGATIVE:
-        if (!multiple_of_pi(scope, t->at[0], times))
+        if (!cagd_multiple_of_pi(scope, t->at[0], times))
             return 0;
         *times = neg_q(*times);
         return 1;
     case CAGD_SUM:
         *times = from_int_q(0);
         for (int k = 0; k < t->count; k++) {
-            if (!multiple_of_pi(scope, t->at[k], &one))
+            if (!cagd_multiple_of_pi(scope, t->at[k], &one))
                 return 0;
             *times = add_q(*times, one);
         }
@@ -114,7 +113,7 @@ static int multiple_of_pi(const cagd_scope *scope, const cagd_tree *t, num_q *ti
     case CAGD_PRODUCT:
     case CAGD_QUOTIENT: {
         int by = t->kind == CAGD_QUOTIENT;
-        if (t->count != 2 || t->at[by]->kind != CAGD_NUMBER || !multiple_of_pi(scope, t->at[!by], times) ||
+        if (t->count != 2 || t->at[by]->kind != CAGD_NUMBER || !cagd_multiple_of_pi(scope, t->at[!by], times) ||
             (by && cagd_is_zero_q(t->at[1]->number)))
             return 0;
         *times = by ? div_q(*times, t->at[1]->number) : mul_q(*times, t->at[0]->number);
@@ -162,7 +161,7 @@ static int bound_angle(cagd_context *c, const cagd_variable *v, cagd_binding *b,
     if (v->low == NULL && v->high == NULL)
         return 1;
     for (int k = 0; k < 2; k++)
-        if (bound[k] == NULL || !multiple_of_pi(c->scope, bound[k], &end[k]))
+        if (bound[k] == NULL || !cagd_multiple_of_pi(c->scope, bound[k], &end[k]))
             return 0;
     c->used_bounds = 1;
     num_q length = sub_q(end[1], end[0]), full = from_int_q(share(c));
@@ -363,7 +362,7 @@ static int is_circular(const cagd_tree *t) { return t->kind == CAGD_SINE || t->k
 static int has_quotient(const cagd_scope *scope, const cagd_tree *t)
 {
     num_q times;
-    if (multiple_of_pi(scope, t, &times))
+    if (cagd_multiple_of_pi(scope, t, &times))
         return 0;
     if (t->kind == CAGD_QUOTIENT || (t->kind == CAGD_NUMBER && !cagd_is_whole_q(t->number)))
         return 1;

@@ -15,6 +15,8 @@ cagd_value cagd_circular(cagd_context *c, const cagd_tree *t, const cagd_frame *
 
 /* Whether halves of angles are in the statement, or in any definition: then x is the tangent of a quarter. */
 int cagd_has_half_angles(const cagd_scope *scope, const cagd_tree *statement);
+/* Whether the tree is a multiple of \pi by a rational number, 0 for instance, and which. */
+int cagd_multiple_of_pi(const cagd_scope *scope, const cagd_tree *t, cagd_num_q *times);
 /* The name of x for that angle, "\tan(\theta/2)"; whether there was room. */
 int cagd_key_of_tangent(const cagd_context *c, const char *angle, char key[], int room);
 

@@ -2,6 +2,7 @@
 
 #include "core/clock.h"
 #include "exact/decide/resultant.h"
+#include "exact/expression/angle.h"
 #include "exact/words.h"
 
 #include <stdio.h>
@@ -43,7 +44,9 @@ static num_f choose(int n, int k)
 static void bernstein_coefficients(cagd_basis *b)
 {
     num_f t = b->t.variable;
-    b->degree = 0;
+    b->degree = b->angle ? -1 : 0;
+    if (b->angle)
+        return;
     for (int i = 0; i < b->count; i++) {
         int degree = degree_f(b->function[i], t);
         if (cagd_denominator_degree_f(b->function[i], t) > 0 || degree > MOST_DEGREE) {
@@ -62,12 +65,13 @@ static void bernstein_coefficients(cagd_basis *b)
     b->coefficient = c;
 }
 
-static void values_at_ends(cagd_basis *b)
+static void values_at_ends(const cagd_context *c, cagd_basis *b)
 {
     num_f t = b->t.variable, end[2] = {from_rational_f(b->t.low), from_rational_f(b->t.high)};
     for (int i = 0; i < b->count; i++) {
         num_f f = b->function[i];
-        for (int order = 0; order < CAGD_END_ORDERS; order++, f = derivative_f(f, t))
+        for (int order = 0; order < CAGD_END_ORDERS;
+             order++, f = b->angle ? cagd_by_angle_f(c, f, t) : derivative_f(f, t))
             for (int k = 0; k < 2; k++)
                 b->at_end[k][order][i] = substitute_f(f, t, end[k]);
     }
@@ -80,6 +84,52 @@ static const char *reason_of(const cagd_context *c)
     return c->trouble != NULL ? c->trouble : "a value that is not computed";
 }
 
+/* "0", "2", "\\frac{3\\pi}{4}": the number, or so many times pi. */
+static const char *in_tex(num_q x, int times_pi)
+{
+    char text[80];
+    const char *number = cagd_to_string_q(x), *bar = strchr(number, '/');
+    int whole = bar != NULL ? (int)(bar - number) : (int)strlen(number),
+        unit = (whole == 1 && number[0] == '1') || strncmp(number, "-1", (size_t)whole) == 0;
+    if (!times_pi || cagd_is_zero_q(x))
+        return number;
+    int n = bar != NULL ? snprintf(text, sizeof text, "\\frac{%.*s\\pi}{%s}", unit ? whole - 1 : whole, number, bar + 1)
+                        : snprintf(text, sizeof text, "%.*s\\pi", unit ? whole - 1 : whole, number);
+    return cagd_text_of(text, n < (int)sizeof text ? n : (int)sizeof text - 1);
+}
+
+/* The ends as they are printed. */
+static int name_ends(const cagd_scope *scope, const char *argument, cagd_basis *b)
+{
+    num_q end[2] = {b->t.low, b->t.high};
+    const cagd_variable *v = cagd_declared(scope, argument);
+    if (b->angle && (v == NULL || v->low == NULL || v->high == NULL || !cagd_multiple_of_pi(scope, v->low, &end[0]) ||
+                     !cagd_multiple_of_pi(scope, v->high, &end[1])))
+        return 0;
+    for (int k = 0; k < 2; k++)
+        b->end[k] = in_tex(end[k], b->angle);
+    b->sum = in_tex(add_q(end[0], end[1]), b->angle);
+    return 1;
+}
+
+/* The variable of the argument is the tangent of a half, or of a quarter where that reaches an end. */
+static int is_angle(cagd_context *c, const cagd_tree *function)
+{
+    const cagd_definition *d = cagd_defined(c->scope, function->head);
+    num_q end[2];
+    int k = function->lower + function->upper;
+    if (d == NULL || !cagd_is_angle_argument(c, d, k))
+        return 0;
+    const cagd_variable *v = cagd_declared(c->scope, function->at[k]->head);
+    c->whole_angles = !cagd_has_half_angles(c->scope, function);
+    for (int m = 0; v != NULL && m < 2; m++) {
+        const cagd_tree *t = m == 0 ? v->low : v->high;
+        if (t != NULL && cagd_multiple_of_pi(c->scope, t, &end[m]))
+            c->whole_angles &= cagd_compare_q(end[m], from_int_q(1)) < 0 && cagd_compare_q(end[m], from_int_q(-1)) > 0;
+    }
+    return c->whole_angles ? 2 : 4;
+}
+
 static const char *read_basis(const cagd_scope *scope, const cagd_tree *function, const char *index, long first,
                               long last, const char *parameter, cagd_basis *out)
 {
@@ -90,7 +140,9 @@ static const char *read_basis(const cagd_scope *scope, const cagd_tree *function
     *out = (cagd_basis){.count = (int)(last - first + 1), .has_parameter = parameter != NULL};
     field_open(FIELD_ROOM);
     const char *argument = function->at[function->lower + function->upper]->head;
-    for (int k = 0; k < 2; k++) {
+    char tangent[120];
+    out->angle = is_angle(c, function);
+    for (int k = out->angle != 0; k < 2; k++) {
         cagd_tree name = {.kind = CAGD_NAME, .head = k == 0 ? argument : parameter};
         if (name.head != NULL)
             cagd_evaluate(c, &name);
@@ -99,13 +151,17 @@ static const char *read_basis(const cagd_scope *scope, const cagd_tree *function
         cagd_bind(c, index, cagd_value_int(first + i));
         out->function[i] = cagd_in_field(cagd_evaluate(c, function));
     }
-    const cagd_binding *t = cagd_binding_of(c, argument), *p = parameter != NULL ? cagd_binding_of(c, parameter) : NULL;
+    const char *variable = argument;
+    if (out->angle && cagd_key_of_tangent(c, argument, tangent, sizeof tangent))
+        variable = tangent;
+    const cagd_binding *t = cagd_binding_of(c, variable), *p = parameter != NULL ? cagd_binding_of(c, parameter) : NULL;
     if (region_faults != 0 || t == NULL)
         return reason_of(c);
     out->t = side_of(t);
     if (p != NULL)
         out->range = side_of(p);
-    if (!out->t.has_low || !out->t.has_high || cagd_compare_q(out->t.low, out->t.high) >= 0)
+    if (!out->t.has_low || !out->t.has_high || cagd_compare_q(out->t.low, out->t.high) >= 0 ||
+        !name_ends(scope, argument, out))
         return "the interval of the argument is not known: say, for instance, 0 \\le t \\le 1";
     for (int k = 0; k < c->count; k++) {
         if (!c->binding[k].unknown || c->binding[k].key[0] == '\0')
@@ -114,7 +170,7 @@ static const char *read_basis(const cagd_scope *scope, const cagd_tree *function
         out->letter[out->names] = c->binding[k].key;
         out->name[out->names++] = cagd_to_string_f(c->binding[k].value.f);
     }
-    values_at_ends(out);
+    values_at_ends(c, out);
     if (region_faults != 0)
         return "a function that has no value, or no derivative, at an end";
     bernstein_coefficients(out);

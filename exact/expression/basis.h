@@ -12,10 +12,12 @@ enum { CAGD_MOST_FUNCTIONS = 33, CAGD_END_ORDERS = 3 };
 typedef struct cagd_basis {
     int count;                 /* of functions                                                                   */
     cagd_side_of_box t, range; /* the interval; the parameter, where has_parameter                               */
+    int angle;                 /* 0; or the argument is an angle, and t the tangent of one so-manyth of it (angle.h) */
+    const char *end[2], *sum;  /* a, b and a + b in TeX                                                           */
     int has_parameter, others; /* others: how many more variables there are                                     */
     cagd_num_f function[CAGD_MOST_FUNCTIONS];
     cagd_num_f at_end[2][CAGD_END_ORDERS][CAGD_MOST_FUNCTIONS]; /* derivatives 0, 1, 2 at a and b, by t           */
-    int degree; /* of polynomials; -1 where one of them is none                                     */
+    int degree; /* of polynomials in the argument; -1 where one of them is none                                     */
     const cagd_num_f *coefficient; /* b_i(t) = sum_j coefficient[i (degree+1) + j] B_j^degree((t-a)/(b-a))         */
     const char *name[CAGD_MOST_UNKNOWNS], *letter[CAGD_MOST_UNKNOWNS]; /* what variables of the field stand for  */
     int names;

@@ -40,6 +40,19 @@ static int fits_always(const cagd_definition *d)
     return d->when == NULL;
 }
 
+/* Whether it fits wherever a definition of `left` would, which is then never taken: Q_0(t) and Q_0(s). */
+static int takes_all_of(const cagd_definition *d, const cagd_tree *left)
+{
+    if (d->when != NULL || d->left->count != left->count || d->left->lower != left->lower)
+        return 0;
+    for (int k = 0; k < left->count; k++) {
+        const cagd_tree *a = d->left->at[k], *b = left->at[k];
+        if (cagd_same_index(d->left, k) >= 0 || (a->kind == CAGD_NUMBER && !cagd_tree_equal(a, b)))
+            return 0;
+    }
+    return 1;
+}
+
 /* Letters and numbers; a letter stands there twice where indices are equal, as in b_{n,n}(t), if `may_repeat`, and else once.  Arguments are
  * letters.  As often as the same name was defined with. */
 static int is_left_side(cagd_reader *r, const cagd_tree *left, int may_repeat)
@@ -63,6 +76,8 @@ static int is_left_side(cagd_reader *r, const cagd_tree *left, int may_repeat)
         if (strcmp(d->left->head, left->head) == 0 && fits_always(d))
             return cagd_refuse_tree(r, left, "%s was defined already, for all indices and arguments",
                                     cagd_spelled(left->head)) != NULL;
+        else if (strcmp(d->left->head, left->head) == 0 && takes_all_of(d, left))
+            return cagd_refuse_tree(r, left, "it was defined already, so that this line would mean nothing") != NULL;
     const cagd_definition *d = cagd_defined(r->scope, left->head);
     if (d != NULL &&
         (d->left->lower != left->lower || d->left->upper != left->upper || d->left->arguments != left->arguments))

@@ -1068,6 +1068,15 @@ class Mistakes(unittest.TestCase):
                 self.assertEqual(caret.strip()[0], "^")
                 self.assertEqual(caret.index("^") - 2, int(place.split(":")[1]) - 1)
 
+    def test_a_definition_that_is_never_taken(self):
+        """An earlier one fits wherever it does; one with a condition, or for some indices alone, does not."""
+        for lines, is_refused in (("q_0 = 1\nq_0 = 2", True), ("g_0(s) = s\ng_0(u) = 2 u", True), ("q_{0,j} = 1\nq_{0,1} = 2", True), ("q_{0,1} = 1\nq_{0,j} = 2", False), ("q_0 = 1\nq_1 = 2", False),
+                                  ("q_{j,j} = 1\nq_{0,0} = 2", False), ("q_j = 1, \\quad j > 2\nq_j = 2", False)):
+            r = check(document("x = x + 1", "n = 1", lines + "\n"))
+            self.assertEqual(r.returncode == 2, is_refused, lines + r.stderr)
+            if is_refused:
+                self.assertIn("it was defined already, so that this line would mean nothing", r.stderr)
+
     def test_files_of_other_systems(self):
         """Lines that end with a carriage return, a mark of UTF-8 at the beginning, tabs."""
         text = document("\tx + y = y + x")
