@@ -101,11 +101,12 @@ $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the val
 :::{claim} parameter_change_and_its_inverse
 :title: The two formulas are inverse to each other and map the ranges as stated
 :zh: 两式互逆且区间对应
-:given: $b=a+l$, $l>0$, $u>0$
+:given: $b=a+l$, $l>0$, $u\ge0$
 :then: $t-a=\frac{b-a}{u+1}\ge0$, $b-t=\frac{u(b-a)}{u+1}\ge0$, $\frac{b-t}{t-a}=u$; and for $a<t\le b$, $t=b-ls$,
   the number $u=\frac{b-t}{t-a}\ge0$ is mapped back to $t$
-:method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $(0,1)$.
-:over: a; l0: b - a; u0: u; s: -
+:method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $[0,1)$.
+:scope: u ≥ 0 and a < t ≤ b
+:over: a; l0: b - a; u0: -; s: -
 :control: $t=(bu+a)/(u+1)$
 :::
 */
@@ -231,7 +232,7 @@ Equivalent to (3.4.4), for the same $u$: the sums are its denominator, which is 
 :method: Horner's scheme: the step of an induction on the number of terms, which begins with $c(x_0-x)=cx_0-xc$.  So for every $n$ the sum $\sum a_iu^{n-i}$ is the
   denominator of (3.4.4) times the difference of the first coordinate and $x$; for $b_i$ and $y$ it is the same.
 :degrees: all
-:over: W c#: weights; A x#: points; x; u
+:over: W# c#: weights; A# x#: points; x; u
 :control: $x_i+x$ in the new term
 :::
 */
@@ -303,7 +304,8 @@ With positive weights the denominator never vanishes for $u\ge0$:
 :method: Horner's scheme: the step of an induction on the number of terms, which begins with $W=c>0$ and $c(x_0-x)=cx_0-xc$.  So for every $n$ and every $u\ge0$ the
   sum $\sum a_iu^{n-i}$ is a positive number times the difference of the first coordinate of (3.4.4) and $x$, and 0 only if the two are equal; for $b_i$ and $y$ it is the same.
 :degrees: all
-:over: W c#: weights; A x#: points; x; u0: u
+:scope: u ≥ 0
+:over: W# c#: weights; A# x#: points; x; u0: -
 :control: $x_i+x$ in the new term
 :::
 */

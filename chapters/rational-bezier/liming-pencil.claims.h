@@ -257,7 +257,7 @@ CLAIM(limings_pencil_misses_one_conic)
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings every_scaling_takes_the_normal_form
 :meant: the text that refers to the figure, where $l_3$ joins the points of contact on $l_1$ and $l_2$ | One of the lines is the chord, the
   two others are tangents.
-:reading: limings_conics_touch_the_lines | The lines have these parts: then the pencil is determined by them, whatever factors
+:reading: every_scaling_takes_the_normal_form | The lines have these parts: then the pencil is determined by them, whatever factors
   their equations have.
 :reading: three_lines_have_three_pencils | Three lines without parts: each of them may be the chord, and with another chord the pencil is
   another one.
@@ -548,7 +548,7 @@ $\lambda=-\frac13$ with the plus sign.
   $xy-\kappa\bigl(xy-\sigma(x+y-1)^2\bigr)$, so no other $\kappa$ fits, and a point of the curve with
   $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$; at $R$ the two signs have the two $\lambda$ that are listed
 :method: Identities in $x$, $y$, $\kappa$, for both signs; and the same at $R$.
-:over: k: κ
+:over: k: -
 :control: $\sigma$ of the other sign in $\lambda$
 :::
 */
@@ -582,29 +582,33 @@ CLAIM(one_point_fixes_lambda)
 :title: The points R0 and R2 lie on every member
 :zh: 端点不能确定 λ
 :kind: counterexample
-:data: R = (1,0); λ = 1/5 1/2
-:instead: R = (1/4,1/4)
-:result: S(R) = 0 0
-:given: the point $R=R_0$ by its coordinates in the frame, the minus sign, and two values of $\lambda$
-:then: both $\lambda$ satisfy (3.1.4)
-:method: The two values $S(R)$ are computed.
-:control: a point inside the triangle
+:data: R = (1,0) (0,1); λ = 1/5 1/2
+:instead: R = (1/4,1/4) (1/3,1/3)
+:result: S(R) = 0 0 0 0
+:given: the points $R=R_0$ and $R=R_2$ by their coordinates in the frame, the minus sign, and two values of $\lambda$
+:then: for each point both $\lambda$ satisfy (3.1.4)
+:method: The values $S(R)$ are computed, for $R_0$ with both $\lambda$, then for $R_2$.
+:control: two points inside the triangle
 :::
 */
 CLAIM(end_points_leave_lambda_free)
 {
-    num R[2], lambda[2], value[2], S[6];
-    int fitting = 0;
-    given_points(T, "R", 1, 2, R);
+    num R[4], lambda[2], value[4], S[6];
+    int determined = 0;
+    given_points(T, "R", 2, 2, R);
     given_points(T, "λ", 2, 1, lambda);
-    for (int k = 0; k < 2; k++) {
-        G(frame_conic)(lambda[k], -1, S);
-        value[k] = G(form)(S, R[0], R[1]);
-        fitting += is_zero_q(value[k]);
+    for (int point = 0; point < 2; point++) {
+        int fitting = 0;
+        for (int k = 0; k < 2; k++) {
+            G(frame_conic)(lambda[k], -1, S);
+            value[2 * point + k] = G(form)(S, R[2 * point], R[2 * point + 1]);
+            fitting += is_zero_q(value[2 * point + k]);
+        }
+        determined += fitting == 1;
     }
-    found_points(T, "S(R)", 2, 1, value);
-    about(T, "whether only one of the two λ fits");
-    agree(T, fitting == 1);
+    found_points(T, "S(R)", 4, 1, value);
+    about(T, "whether one of the two points has only one of the two λ");
+    agree(T, determined > 0);
 }
 #endif
 

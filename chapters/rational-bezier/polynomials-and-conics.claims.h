@@ -178,7 +178,7 @@ CLAIM(highest_powers_along_a_conic)
 :then: the Bézier curve with the points $(a,a^2),(\frac{a+b}2,ab),(b,b^2)$ runs through it: $x=(1-t)a+tb$, $y=x^2$
 :method: An identity in $a$, $b$ and $t$; every parabola is an affine image of $y=x^2$, and Bézier curves go along
   with affine maps.
-:over: a; b
+:over: a b: -
 :control: the middle point at the middle of the chord
 :::
 */

@@ -128,7 +128,7 @@ static void G(ratios_at)(const num w[], num t, int without_weight, num g[])
 :let: $c=\frac{\omega_0\omega_2}{\omega_1^2}$ and $t_g=\frac{\omega_0}{\omega_0+\omega_1g}$
 :then: $g_1g_2=c$; $0<t_g<1$, and at $t_g$ the ratios are $g$ and $c/g$; from $g=g_1(t)$ follows $t_g=t$
 :method: Identities in the weights, $t$ and $g$; $t_g$ and $1-t_g$ have positive coefficients.
-:over: g; t: -
+:over: g t: -
 :control: $\omega_1$ left out of $g_2$
 :::
 */
@@ -157,22 +157,29 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
 :title: At t = 0 and t = 1 one of the ratios does not exist
 :zh: t=0,1 处的比不存在
 :kind: counterexample
-:data: ω_1 = 1; t = 0
-:instead: t = 1/2
-:result: denominator of g_1 = 0; denominator of g_2 = 1
-:given: a weight $\omega_1$ and the first parameter
-:then: the denominator $\omega_1t$ of $g_1$ is 0; so is that of $g_2$, $\omega_1(1-t)$, at the last parameter
-:method: The denominators are computed.
+:data: ω_1 = 1; t = 0 1
+:instead: t = 1/2 1/2
+:result: denominators of g_1 = 0 1; denominators of g_2 = 1 0
+:given: a weight $\omega_1$, and the first and the last parameter
+:then: the denominator $\omega_1t$ of $g_1$ is 0 at the first, and that of $g_2$, $\omega_1(1-t)$, at the last parameter
+:method: The denominators are computed at both parameters.
 :control: the parameter in the middle
 :::
 */
 CLAIM(ratios_do_not_exist_at_the_ends)
 {
-    num w = given(T, "ω_1"), t = given(T, "t"), first = mul(w, t), second = mul(w, sub(from_int(1), t));
-    found(T, "denominator of g_1", first);
-    found(T, "denominator of g_2", second);
-    about(T, "whether both denominators are different from 0");
-    refute(T, is_zero_q(first) || is_zero_q(second));
+    num w = given(T, "ω_1"), t[2], first[2], second[2];
+    int missing = 0;
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++) {
+        first[k] = mul(w, t[k]);
+        second[k] = mul(w, sub(from_int(1), t[k]));
+        missing += is_zero_q(first[k]) || is_zero_q(second[k]);
+    }
+    found_points(T, "denominators of g_1", 2, 1, first);
+    found_points(T, "denominators of g_2", 2, 1, second);
+    about(T, "whether both ratios exist at one of the two parameters");
+    refute(T, missing == 2);
 }
 
 /*
@@ -441,7 +448,7 @@ CLAIM(weights_with_one_constant_give_one_curve)
 :title: Every point of the curve between its ends tells the constant
 :zh: 由曲线上任一点读出常量
 :given: a triangle, weights, and the point $R(t)$, $0<t<1$
-:where: $0<t<1$
+:harmless: $0<t<1$ | one point between the ends tells the constant of the curve
 :let: $x$ and $y$ be its coordinates in the frame, found from areas
 :then: $\frac{4xy}{(x+y-1)^2}=\frac{\omega_0\omega_2}{\omega_1^2}$, so one curve cannot have two constants
 :method: An identity in the six coordinates, the weights and $t$; at the ends numerator and denominator of

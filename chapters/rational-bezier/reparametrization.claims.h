@@ -689,7 +689,7 @@ CLAIM(invariants_survive_fractional_change)
 :title: The invariants belong to the curve
 :zh: 不变量是曲线的内在几何量
 :printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2).
-:meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points, and not only to the points and weights that
+:meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points run through in one direction, and not only to the points and weights that
   describe it; this asks for the two hypotheses.
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
   fractional_change_term_by_term
@@ -700,7 +700,7 @@ CLAIM(invariants_survive_fractional_change)
   parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
   $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
-:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set, without the two hypotheses; the example is
+:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the two hypotheses; the example is
   a regular arc of a parabola written as a cubic
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for two parametrizations of degree $n$ of one arc.
