@@ -165,26 +165,29 @@ static num G(printed_cut)(num lambda, num x, num y, num z, int other)
 :::{claim} tangent_cuts_the_sides
 :title: Where the tangent cuts the two sides
 :zh: 切线截两边的点
-:given: a point $R=(x,y)$ with $xy\ne0$ and the conic $S$ of the family through it, with the minus sign
+:given: a point $R=(x,y)$ with $xy\ne0$ and the conic $S$ of the family through it, with the minus sign, and with the plus sign
 :where: $xy\ne0$
 :let: $s=x+y-1$
-:then: the tangent at $R$ meets $Y=0$ where $X=\frac{-2\lambda s}{(1-\lambda)y-2\lambda s}$, and $X=0$ where
-  $Y=\frac{-2\lambda s}{(1-\lambda)x-2\lambda s}$
-:method: The common points are $X=x+yS_y/S_x$ and $Y=y+xS_x/S_y$; with $\lambda=\frac{xy}{xy+s^2}$ both sides are
+:then: with the minus sign the tangent at $R$ meets $Y=0$ where $X=\frac{-2\lambda s}{(1-\lambda)y-2\lambda s}$, and $X=0$ where
+  $Y=\frac{-2\lambda s}{(1-\lambda)x-2\lambda s}$; with the plus sign $2\lambda s$ stands for $-2\lambda s$
+:method: The common points are $X=x+yS_y/S_x$ and $Y=y+xS_x/S_y$; with $\lambda=\frac{xy}{xy\pm s^2}$ both sides are
   rational functions of $x$ and $y$.
-:control: the plus sign
+:control: $2\lambda s$ with the minus sign, $-2\lambda s$ with the plus sign
 :::
 */
 CLAIM(tangent_cuts_the_sides)
 {
-    int sign = fault(T, -1, 1);
-    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = G(lambda_at)(x, y, sign), S[6], X, Y;
-    G(frame_conic)(lambda, sign, S);
-    G(tangent_cuts)(S, x, y, &X, &Y);
-    about(T, "the cut with the first side");
-    same(T, X, G(printed_cut)(lambda, x, y, y, 0));
-    about(T, "the cut with the second side");
-    same(T, Y, G(printed_cut)(lambda, x, y, x, 0));
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), S[6], X, Y;
+    for (int sign = -1; sign < 2; sign += 2) {
+        num lambda = G(lambda_at)(x, y, sign);
+        int plus = fault(T, sign > 0, sign < 0);
+        G(frame_conic)(lambda, sign, S);
+        G(tangent_cuts)(S, x, y, &X, &Y);
+        about(T, "the cut with the first side");
+        same(T, X, G(printed_cut)(lambda, x, y, y, plus));
+        about(T, "the cut with the second side");
+        same(T, Y, G(printed_cut)(lambda, x, y, x, plus));
+    }
 }
 
 #if RATIONAL
@@ -528,13 +531,13 @@ while the sentence is about every curve of the family.
 :zh: g_1 g_2 为正常数
 :printed: $g_1g_2=\frac{4\lambda}{1-\lambda}$, which shows that on every curve of the family (3.1.4) $g_1g_2=\mathrm{const}>0$
 :class: missing-hypothesis
-:refuted-by: product_of_ratios_can_be_negative
+:refuted-by: product_of_lengths_is_not_printed product_of_ratios_can_be_negative
 :corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and
   $0<\lambda<1$, in the triangle and outside, at every point where both ratios exist: all but $R_0$, $R_2$ and those with
   a tangent parallel to a side
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
-:reading: product_of_ratios_is_positive_inside | only the curves of points of the triangle are spoken of, with the minus sign, as two sentences before: then
+:reading: product_of_ratios_is_positive_inside | only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
   it is right
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
