@@ -374,7 +374,7 @@ static void found_census(trial *T, struct census c)
 /*
 :::{claim} smooth_cubic_has_two_separate_parts
 :title: The cubic y² = x³ - x has no singular point, and its real points form two parts
-:zh: 光滑三次曲线不是有理的
+:zh: 三次曲线 y²=x³-x 无奇点, 实点分为两支
 :kind: decision
 :types: field
 :data: α, i, j = (1,0,2) (-1,3,0) (1,1,0); x = -1 0 1
@@ -623,7 +623,7 @@ CLAIM(rational_quartic_with_a_higher_cusp)
 :types: field
 :data: α, i, j = (1,0,1) (-1,3,0); P = (0,1,0); R = (0,0) (1/3,0) (2/3,0) (1,1); ω = 1 1 1 1
 :result: finite singular points = 0; n = 3; F = "-x^3+y"; nodes, cusps, others = 0 1 0; g = 1; rational = "yes"
-:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ at infinity, and the points $R$ of the curve
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ at infinity in homogeneous coordinates, and the points $R$ of the curve
   $(t,t^3)$ with equal weights
 :then: no finite point is singular, so the finite points give $g=1$; yet it is a polynomial Bézier curve
 :method: The only singular point is $P$, a cusp.  Compared is: $g=0$ exactly if the curve is rational.
@@ -673,7 +673,7 @@ CLAIM(cusp_counted_twice)
 
 /*
 :::{claim} printed_degree_spoils_the_genus
-:title: x²y + xy² + 1 = 0 has the printed sum for degree 2, and has genus 1
+:title: x²y + xy² + 1 = 0 has the printed sum for degree 2, and is not rational
 :zh: 按所印定义的次数使判据失效
 :kind: counterexample
 :types: field

@@ -256,7 +256,7 @@ CLAIM(sums_are_the_denominator_times_a_difference)
 
 /*
 :::{claim} equations_of_a_point
-:title: The two sums are the denominator times the distance from the point of the curve
+:title: The two sums are the denominator times the difference from the point of the curve
 :zh: 两方程等价于点在曲线上
 :given: weights and points, $n\ge1$, any $x$, $u\ge0$
 :then: $\sum a_iu^{n-i}=W(u)\,(X(u)-x)$ with the point $X(u)$ of the curve, and $W(u)\ge\omega_n>0$
@@ -321,8 +321,8 @@ CLAIM(positive_denominator_times_a_difference)
 #if RATIONAL
 /*
 :::{claim} start_is_the_point_of_no_number
-:title: The point of t = a can satisfy the two equations for no number u
-:zh: 始点不对应任何有限的 u
+:title: The point of t = a need not satisfy the two equations for any number u
+:zh: 始点未必对应有限的 u
 :kind: counterexample
 :data: R = (0,0) (1,0); ω = 1 1; t = 0
 :instead: t = 1/2
@@ -355,7 +355,7 @@ CLAIM(start_is_the_point_of_no_number)
 :data: R = (0,0) (0,0); ω = 1 -1; P = (5,7); u = 1
 :instead: ω = 1 1
 :result: a_0, a_1 = -5 5; b_0, b_1 = -7 7; the sums = 0 0
-:given: $n=1$, a polygon $R$ of one point, two weights whose sum is 0, so that $A$, $B$ and $W$ vanish at the parameter $u$;
+:given: $n=1$, a polygon $R$ of one point, two weights whose sum is 0, so that numerators and denominator of (3.4.4) vanish at the parameter $u$;
   and another point $P$
 :then: $\sum a_iu^{1-i}=\sum b_iu^{1-i}=0$ although $P$ is not on the curve, which is the point $R_0$
 :method: Both sums are computed; that one of them differs from 0 is what is compared.
@@ -542,7 +542,7 @@ static void compare_with_the_arc(trial *T, int n)
 :data: R = (0,0) (1,0); ω = 1 1; P = (2,0)
 :result: common factor = "u+1/2"; F(P) = 0; P is on the arc = "no"
 :given: $n=1$, the ends $R$ of a segment with equal weights, and a point $P$ of its line beyond $R_1$
-:then: the two polynomials have a common root $u<0$, and $F$ is 0 at $P$; the point is not on the segment
+:then: the two polynomials (3.4.5) in $u$ have a common root $u<0$, and $F$ is 0 at $P$; the point is not on the segment
 :method: The common root by the greatest common divisor in $u$; membership in the arc by the roots in $[0,1]$ of the
   greatest common divisor in $t$.
 :control: roots $u\ge0$ only
@@ -558,7 +558,7 @@ CLAIM(common_root_of_a_point_off_the_arc) { compare_with_the_arc(T, 1); }
 :data: R = (0,0) (0,1/3) (1/3,2/3) (1,2); ω = 1 1 1 1; P = (-1,0)
 :result: common factor = "u^2 + 2*u + 2"; F(P) = 0; P is on the arc = "no"
 :given: the points $R$ of the cubic $(t^2,t^3+t)$, equal weights, and the point $P$ of the parameters $t=\pm\mathrm i$
-:then: the polynomials have a common factor of degree 2 with complex roots; $F$ is 0 at $P$, and no parameter
+:then: the polynomials (3.4.5) in $u$ have a common factor of degree 2 with complex roots; $F$ is 0 at $P$, and no parameter
   in $[0,1]$ gives this point
 :method: The common root by the greatest common divisor in $u$; membership in the arc by the roots in $[0,1]$ of that in $t$.
 :control: roots $u\ge0$ only
@@ -806,7 +806,7 @@ CLAIM(end_weight_zero_gives_no_equation)
 #if RATIONAL
 /*
 :::{claim} space_curve_and_its_shadow
-:title: For a curve of space F = 0 also holds beside the curve
+:title: For a curve of space F = 0 can also hold beside the curve
 :zh: 空间曲线的 F=0 只是投影柱面
 :kind: counterexample
 :data: R = (0,0,0) (1/3,0,1/3) (2/3,1/3,2/3) (1,1,2); ω = 1 1 1 1; t = 1/2; P = (1/2,0,5/8)

@@ -182,7 +182,7 @@ The factor $(1-\lambda)l_2(R_0)$ also shows when nothing is touched: for $\lambd
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); λ = 1
 :instead: λ = 1/2
 :result: gradient at R_0 = (0,0)
-:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero, so the conic has no tangent there
 :method: The gradient is computed.
 :control: a $\lambda$ between 0 and 1
@@ -198,7 +198,7 @@ CLAIM(double_line_has_no_tangent) { G(refute_tangent)(T); }
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 -1 0; R_0 = (0,0); λ = 1/2
 :instead: l_3 = 1 1 -1; R_0 = (1,0)
 :result: gradient at R_0 = (0,0)
-:given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and a $\lambda$ between 0 and 1
+:given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and a $\lambda$ between 0 and 1; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero (the conic $x^2-xy+y^2=0$ is this one point)
 :method: The gradient is computed.
 :control: a line $l_3$ that meets the axes in two points
@@ -214,7 +214,8 @@ CLAIM(flat_frame_has_no_tangent) { G(refute_tangent)(T); }
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); R_2 = (0,1); κ = -1
 :instead: κ = -2
 :result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); number of the λ that give S = 0
-:given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$; a line is given by the coefficients $a,b,c$ of $ax+by+c$,
+  a conic by the $A,\dots,F$ of (3.1.1)
 :then: $S$ is an ellipse, $AC-B^2>0$, which touches $l_1$ in $R_0$ and $l_2$ in $R_2$; for no $\lambda$ is
   $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
 :method: The real zeros in $\lambda$ of a determinant of coefficients are counted.  That the conic is an ellipse through
@@ -275,7 +276,7 @@ The figure itself is not in the text at hand.
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; P = (0,0)
 :instead: λ = 0
 :result: l_1(P), l_2(P) = 0 0; S(P) = 1/2
-:given: three lines, the conic $S=(1-\lambda)l_1l_2+\lambda l_3^2$ of the pencil with the chord $l_3$, and the point $P$ where $l_1$ and $l_2$ meet
+:given: three lines, each by the coefficients $a,b,c$ of $ax+by+c$, the conic $S=(1-\lambda)l_1l_2+\lambda l_3^2$ of the pencil with the chord $l_3$, and the point $P$ where $l_1$ and $l_2$ meet
 :then: every conic of the pencil with the chord $l_2$, $(1-\mu)l_1l_3+\mu l_2^2=0$, passes through $P$, and $S$ does not
 :method: At $P$ both $l_1$ and $l_2$ are 0, and so is every combination of $l_1l_3$ and $l_2^2$; $S(P)$ is computed.
 :control: the member of $\lambda=0$, the pair of the tangents
@@ -466,13 +467,13 @@ CLAIM(every_scaling_takes_the_normal_form)
 /*
 :::{claim} scaled_lines_change_lambda
 :title: A factor of a line's equation can change lambda
-:zh: 直线方程乘以因子即改变 λ
+:zh: 直线方程乘以因子可改变 λ
 :kind: counterexample
 :data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4) with +, with - = 1/2 1/2
 :instead: λ of (3.1.4) with +, with - = 1/3 -1
 :result: A : B of (3.1.3) = 1/2; A : B of (3.1.4) with +, with - = 2/3 2
-:given: the three lines, the equation of $l_1$ multiplied by a factor, and the same $\lambda$ for (3.1.3) and for (3.1.4)
-  with either sign
+:given: the three lines in the frame, each by the coefficients $a,b,c$ of $ax+by+c$, the equation of $l_1$ multiplied by a factor, and the same $\lambda$ for (3.1.3) and for (3.1.4)
+  with either sign; $A$ and $B$ the coefficients of $x^2$ and $2xy$
 :then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4)
 :method: The coefficients of $x^2$ and $2xy$ of both conics are compared as a ratio.
 :control: the $\lambda'$ of `every_scaling_takes_the_normal_form`
@@ -507,7 +508,7 @@ CLAIM(scaled_lines_change_lambda)
 :instead: l_2 = 0 1 -1
 :result: A, …, F = 1/2 0 1/2 0 0 -1/2; determinant of l_1 and l_2 = 0
 :given: the tangents $l_1$ and $l_2$ of the unit circle at the ends of a diameter, the line $l_3$ of the diameter, and the
-  $\lambda$ for which (3.1.3) is this circle
+  $\lambda$ for which (3.1.3) is this circle, with the coefficients $A,\dots,F$ of (3.1.1); a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: $l_1$ and $l_2$ have no common point $R_1$
 :method: The determinant $a_1b_2-a_2b_1$ of the two lines is computed.
 :control: the tangent at another point for $l_2$
@@ -585,7 +586,7 @@ CLAIM(one_point_fixes_lambda)
 :data: R = (1,0) (0,1); λ = 1/5 1/2
 :instead: R = (1/4,1/4) (1/3,1/3)
 :result: S(R) = 0 0 0 0
-:given: the points $R=R_0$ and $R=R_2$ by their coordinates in the frame, the minus sign, and two values of $\lambda$
+:given: the points $R=R_0$ and $R=R_2$ by their coordinates in the frame, the conic $S$ of (3.1.4) with the minus sign, and two values of $\lambda$
 :then: for each point both $\lambda$ satisfy (3.1.4)
 :method: The values $S(R)$ are computed, for $R_0$ with both $\lambda$, then for $R_2$.
 :control: two points inside the triangle
@@ -657,12 +658,12 @@ CLAIM(lambda_inside_the_triangle)
 /*
 :::{claim} lambda_on_the_border
 :title: On the border of the triangle lambda can be 0 or 1
-:zh: 三角形边界上 λ 为 0 或 1
+:zh: 三角形边界上 λ 可为 0 或 1
 :kind: counterexample
 :data: R = (1/2,0) (1/2,1/2)
 :instead: R = (1/2,1/4) (1/4,1/4)
 :result: λ at R = 0 1
-:given: the minus sign, and two points $R$ of the border, the middle of $R_1R_0$ and that of $R_0R_2$
+:given: the minus sign in (3.1.4), and two points $R=(x,y)$ of the border, the middle of $R_1R_0$ and that of $R_0R_2$
 :then: $\lambda$ is one end of the interval for the first, the other for the second
 :method: $\lambda=\frac{xy}{xy+(x+y-1)^2}$ is computed.
 :control: two points inside the triangle

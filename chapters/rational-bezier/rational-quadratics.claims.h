@@ -67,7 +67,7 @@ CLAIM(signed_ratios_give_the_point)
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
 :result: (g_1, g_2) = (2,2); x as printed = 1/3
-:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve outside the triangle, with its ratios of lengths
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve (3.1.4) with the minus sign, outside the triangle, with its ratios of lengths
   $(g_1,g_2)$
 :then: the printed $x$ is not that of the point
 :method: The tangent is intersected with the sides, and the lengths are taken along these.
@@ -184,13 +184,13 @@ CLAIM(ratios_do_not_exist_at_the_ends)
 
 /*
 :::{claim} ratios_of_lengths_need_weights_of_one_sign
-:title: Weights of both signs give negative ratios
-:zh: 权异号时 g_1,g_2 为负
+:title: Weights of both signs can give negative ratios
+:zh: 权异号时 g_1,g_2 可为负
 :kind: counterexample
 :data: ω = 1 -1 1; t = 1/2
 :instead: ω = 1 1 1
 :result: (g_1, g_2) = (-1,-1); g_1 g_2 = 1
-:given: weights of which the middle one is negative, and the parameter in the middle
+:given: weights $\omega$ of which the middle one is negative, and the parameter $t$ in the middle
 :then: $g_1<0$ is no ratio of lengths, although $g_1g_2>0$
 :method: The ratios are computed.
 :control: positive weights
@@ -324,13 +324,13 @@ CLAIM(every_point_of_the_arc_is_reached)
 #if RATIONAL
 /*
 :::{claim} complementary_arc_leaves_the_triangle
-:title: With a negative middle weight a point of the curve is outside the triangle
-:zh: 中间权为负时曲线在三角形外
+:title: With a negative middle weight a point of the curve can be outside the triangle
+:zh: 中间权为负时曲线可在三角形外
 :kind: counterexample
 :data: R = (1,0) (0,0) (0,1); ω = 2 -1 2; t = 1/2
 :instead: ω = 2 1 2
 :result: R(t) = (1,1)
-:given: the triangle of the frame, weights of which the middle one is negative, and the parameter in the middle
+:given: the points $R$ of the triangle in its frame, weights $\omega$ of which the middle one is negative, and the parameter in the middle
 :then: $R(t)$ is outside the triangle
 :method: The point is computed.
 :control: the middle weight made positive
@@ -357,7 +357,7 @@ CLAIM(complementary_arc_leaves_the_triangle)
 :data: R = (1,0) (0,0) (0,1); ω = 1 1 1; ω* = 1 2 1; t = 1/2
 :instead: ω* = 2 2 2
 :result: constants = 1 1/4; R(t) = (1/4,1/4); R*(t) = (1/6,1/6)
-:given: the triangle of the frame, and positive weights of two curves
+:given: the points $R$ of the triangle in its frame, positive weights $\omega$ and $\omega^*$ of two curves, and the parameter $t$ in the middle
 :then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ differ, and so do the points of the two curves with $x=y$, of which each has one
 :method: On either curve $x:y=\omega_0(1-t)^2:\omega_2t^2$, which is 1 in the middle, $\omega_0$ and $\omega_2$ being equal.
 :control: weights of the same constant
@@ -482,7 +482,7 @@ CLAIM(constant_is_read_off_the_curve)
 :data: R = (1,0) (0,0) (0,1); ω = 2 1 2; ω* = 2 -1 2; t = 1/2; t* = 1/2
 :instead: ω* = 1 1 4; t* = 1/3
 :result: constants = 4 4; R(t) = (1/3,1/3); R*(t*) = (1,1)
-:given: the triangle of the frame, weights of two curves that differ in the sign of the middle one, and a parameter of
+:given: the points $R$ of the triangle in its frame, weights $\omega$ and $\omega^*$ of two curves that differ in the sign of the middle one, and a parameter of
   either curve
 :then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ are equal, and the points of the two curves with $x=y$, $R(t)$
   and $R^*(t^*)$, are not
@@ -517,7 +517,7 @@ CLAIM(sign_of_the_middle_weight_changes_the_arc)
 :data: R = 0 1 2; ω = 1 1 1; ω* = 1 2 1
 :instead: ω* = 1 2 4
 :result: constants = 1 1/4
-:given: three points in order on a line, and weights of two curves
+:given: three points $R$ in order on a line, and weights $\omega$ and $\omega^*$ of two curves
 :then: both curves run through the segment from $R_0$ to $R_2$, each point once, with different constants
 :method: Both derivatives are positive on $[0,1]$: with $R=N/\omega$ the sign of $N'\omega-N\omega'$ is decided.
 :control: weights of the same constant

@@ -363,7 +363,7 @@ way, hence degree $6$.
 
 :::{claim} space_palindromes_beyond_degree_five
 :title: In higher degrees the point set need not determine the invariants
-:zh: 六次起点集不能确定不变量
+:zh: 六次起点集未必能确定不变量
 :kind: decision
 :data: e = (0,0,0) (1,0,0) (0,1,0) (0,0,1); ω_1 = 2
 :result: I_1, I_(n-1) = 4 1; I*_1, I*_(n-1) = 1 4

@@ -113,7 +113,8 @@ static void found_gradient(trial *T, struct member_at_point m)
 :data: λ = 1/2; R = (4/3,1/3)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (-1/2,0)
-:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
+  sign, outside the triangle
 :then: $S_y=0$, so the printed quotient does not exist
 :method: The value and the gradient of $S$ at $R$ are computed.
 :control: a point of the curve inside the triangle
@@ -197,11 +198,11 @@ tangent may be parallel to the side.  And at the ends of the curve the tangent i
 
 :::{claim} plus_sign_moves_the_cut
 :title: With the plus sign the printed point need not be on the tangent
-:zh: 取正号时所印 A 有误
+:zh: 取正号时所印 A 可不在切线上
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
 :result: S(R) = 0; X_A from the tangent = 2; X_A as printed = 2/3
-:given: the plus sign, a $\lambda$ between 0 and 1, and a point $R$ of the curve
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the plus sign
 :then: the tangent at $R$ meets the first side elsewhere than the printed quotient says
 :method: The tangent is intersected with $Y=0$.
 :control: $+2\lambda(x+y-1)$ for $-2\lambda(x+y-1)$ in numerator and denominator
@@ -228,7 +229,8 @@ CLAIM(plus_sign_moves_the_cut)
 :data: λ = 1/2; R = (1/3,4/3)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (0,-1/2); denominator of X_A = 0
-:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
+  sign, outside the triangle
 :then: $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$
 :method: The value and the gradient of $S$ at $R$ are computed.
 :control: a point of the curve inside the triangle
@@ -254,7 +256,7 @@ CLAIM(tangent_parallel_to_the_first_side)
 :data: λ = 1/2; R = (1,0) (0,1)
 :instead: R = (1/3,1/3) (1/3,1/3)
 :result: S(R) = 0 0; gradients at R = (0,1/2) (1/2,0); numerators of g_1 and g_2 = 0 0; denominators of g_1 and g_2 = 0 0
-:given: a $\lambda$ between 0 and 1, and the points $R_0$ and $R_2$ of every curve of (3.1.4)
+:given: a $\lambda$ between 0 and 1, and the points $R_0$ and $R_2$, which are on the curve $S=0$ of (3.1.4) with the minus sign
 :then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0 in $R_0$: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
   without a point $A$; so it is with $g_2$, $(1-\lambda)x$ and $l_2$ in $R_2$
 :method: The values and the gradients of $S$ at the two points; the numerator and the denominator of $g_1$ at the first, of $g_2$ at the second.
@@ -366,7 +368,7 @@ With their signs the ratios do tell all points apart, by `signed_ratios_give_the
 :kind: counterexample
 :data: λ = 1/2; P = (1/3,1/3); Q = (1,1)
 :result: (g_1, g_2) at P = (2,2); (g_1, g_2) at Q = (2,2)
-:given: a $\lambda$ between 0 and 1, and two points of the curve, $P$ inside the triangle and $Q$ outside
+:given: a $\lambda$ between 0 and 1, and two points of the curve (3.1.4) with the minus sign, $P$ inside the triangle and $Q$ outside
 :then: both have the same ratios of lengths
 :method: The tangents are intersected with the sides, and the lengths are taken along the sides.
 :control: the ratios with their signs, which are positive at $P$ and negative at $Q$
@@ -468,12 +470,13 @@ static num printed_ratio(struct member_at_point m, int factor)
 /*
 :::{claim} outside_the_triangle_lengths_lose_the_sign
 :title: Outside the triangle the ratio of lengths need not be the printed quotient
-:zh: 三角形外长度之比与所印公式不符
+:zh: 三角形外长度之比可与所印公式不符
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; ‖R_1A‖/‖R_0A‖ = 2; g_1 as printed = -2
-:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
+  sign, outside the triangle
 :then: the ratio $\|R_1A\|/\|R_0A\|$ is the printed quotient without its sign
 :method: The tangent is intersected with the side, and the lengths are taken along it.
 :control: a point of the curve inside the triangle
@@ -499,7 +502,7 @@ CLAIM(outside_the_triangle_lengths_lose_the_sign)
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
 :result: S(R) = 0; X_A/(1-X_A) = -2; g_1 as printed = 2
-:given: the plus sign, a $\lambda$ between 0 and 1, and a point $R$ of the curve
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the plus sign
 :then: $\frac{X_A}{1-X_A}$ is the negative of the printed quotient
 :method: The tangent is intersected with the side.
 :control: $+2\lambda(x+y-1)$ in place of $-2\lambda(x+y-1)$
@@ -638,7 +641,7 @@ printed number.
 :data: λ = 4/3; R = (2,-2)
 :instead: λ = 1/2; R = (1/3,1/3)
 :result: AC-B² = -17/36; S(R) = 0; (g_1, g_2) = (4,-4); g_1 g_2 = -16; 4λ/(1-λ) = -16
-:given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
+:given: a $\lambda$ greater than 1, whose curve $S=0$ of (3.1.4) with the minus sign is a hyperbola, $AC-B^2<0$ for the coefficients of (3.1.1), and a point $R=(x,y)$ of it
 :then: $g_1g_2=\frac{4\lambda}{1-\lambda}$ is negative
 :method: The tangent at $R$ is intersected with the sides.
 :control: a $\lambda$ between 0 and 1, and a point of its curve inside the triangle
@@ -667,7 +670,7 @@ CLAIM(product_of_ratios_can_be_negative)
 :data: λ = 4/3; R = (2,-2)
 :instead: λ = 1/2; R = (1/3,1/3)
 :result: S(R) = 0; product of the ratios of lengths = 16; 4λ/(1-λ) = -16
-:given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
+:given: a $\lambda$ greater than 1, whose curve $S=0$ of (3.1.4) with the minus sign is a hyperbola, $AC-B^2<0$ for the coefficients of (3.1.1), and a point $R=(x,y)$ of it
 :then: the product of the ratios of lengths is positive, and the printed product is its negative
 :method: The tangent at $R$ is intersected with the sides, and the lengths are taken along these.
 :control: a $\lambda$ between 0 and 1, and a point of its curve inside the triangle

@@ -117,7 +117,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
 /*
 :::{claim} curve_changes_sides_at_a_pole
 :title: At a pole a curve can change sides without a root
-:zh: 极点处变号而无根
+:zh: 极点处可变号而无根
 :kind: counterexample
 :data: y = 1 -1; ω = 1 -1; t = 1/4 3/4
 :instead: ω = 1 1
@@ -335,7 +335,7 @@ What the letter would mean, if it were one, is seen at a line that the curve cro
 
 :::{claim} roots_must_be_counted_up_to_one
 :title: With an l below 1 the first step can be false
-:zh: 若 l<1 则第一步不成立
+:zh: 若 l<1 则第一步可不成立
 :kind: counterexample
 :data: y = -2 1; ω = 1 1; l = 1/2
 :instead: l = 1
