@@ -758,7 +758,7 @@ CLAIM(isolated_point_is_on_no_arc)
 :confirmed-by: large_point_takes_all_double_points
 :figure: genus_zero
 
-The genus of a rational curve is 0, and the two quartics are rational.  Where it is only a name for the count, nothing is said that could fail.
+The genus of a rational curve is 0, and the two quartics are rational.  The sentence is read as one about the genus, and not as a name for the count.
 
 The imaginary points count, as the source says, and so do those at infinity: the lemniscate
 has only one finite double point.

@@ -211,7 +211,7 @@ CLAIM(curve_in_the_new_parameter)
 :::{statement} wang-ch3:3.4.5
 :title: The two polynomial equations of a point of the curve
 :zh: 曲线上点所满足的两个方程
-:printed: That is, for a point $(x,y)$ of the curve: $\sum_{i=0}^na_iu^{n-i}=0$, $\sum_{i=0}^nb_iu^{n-i}=0$.
+:printed: (3.4.4) says that $\sum_{i=0}^na_iu^{n-i}=0$, $\sum_{i=0}^nb_iu^{n-i}=0$.
 :holds-by: positive_denominator_times_a_difference
 :confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
@@ -654,8 +654,8 @@ determinant is identically 0.
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
   space $F=0$ may hold beside the curve
 :meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation: $F$ is not the zero polynomial.
-:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs no hypothesis | A square matrix that takes a
-  vector that is not 0 to 0 has the determinant 0.
+:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At such a
+  point the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve and no others; but a point of a parameter outside of the interval may
   be one
 :figure: implicit_elevation

@@ -352,7 +352,7 @@ CLAIM(affine_coordinates_exist)
 :instead: R = (0,0) (1,0) (2,1)
 :result: determinant of the frame = 0; R(x,y) = (1,0) (1,0)
 :given: three points $R_0$, $R_1$, $R_2$ on a line, and two pairs $(x,y)$
-:then: $(R_0-R_1)\times(R_2-R_1)=0$, and both pairs have the same point $R(x,y)$: it has no coordinates in the frame
+:then: $(R_0-R_1)\times(R_2-R_1)=0$, and both pairs have the same point $R(x,y)$, which so has more than one pair
 :method: The determinant of the frame and the two points are computed; that different pairs have different points is refuted.
 :control: $R_2$ moved off the line
 :::
@@ -543,11 +543,12 @@ $\lambda=-\frac13$ with the plus sign.
 :title: The lambda of the conic through a given point
 :zh: 过定点的曲线的 λ
 :data: R = (1/4,1/4); λ at R with -, with + = 1/5 -1/3
-:given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$; and the point $R$
+:given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$; and the point $R=(\frac14,\frac14)$
 :let: $\lambda=\frac{xy}{xy-\sigma(x+y-1)^2}$
 :then: $(1-\lambda)xy+\sigma\lambda(x+y-1)^2=0$; and the value of (3.1.4) with $\kappa$ is
   $xy-\kappa\bigl(xy-\sigma(x+y-1)^2\bigr)$, so no other $\kappa$ fits, and a point of the curve with
-  $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$; at $R$ the two signs have the two $\lambda$ that are listed
+  $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$; at $R$ the minus sign has $\lambda=\frac15$, the plus sign
+  $\lambda=-\frac13$
 :method: Identities in $x$, $y$, $\kappa$, for both signs; and the same at $R$.
 :over: k: -
 :control: $\sigma$ of the other sign in $\lambda$

@@ -701,7 +701,7 @@ CLAIM(invariants_survive_fractional_change)
   $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the two hypotheses; the example is
-  a regular arc of a parabola written as a cubic
+  an arc of a parabola written as a cubic
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for two parametrizations of degree $n$ of one arc.
 :argued: | With the two hypotheses two parametrizations of degree $n$ of the same arc, in the same direction, differ by a

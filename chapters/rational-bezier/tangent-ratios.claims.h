@@ -572,10 +572,10 @@ ratios is $-4\lambda/(1-\lambda)$.
 :given: a point $R=(x,y)$ with $xy\ne0$, $x+y\ne1$, and the conic of the family through it, with either sign $\sigma$
 :where: $xy\ne0$ and $x+y\ne1$
 :then: $g_1g_2=\frac{-4\sigma\lambda}{1-\lambda}$, and so is the product of the ratios of lengths up to its sign; and
-  $\frac{4\lambda}{1-\lambda}>0$ for $0<\lambda<1$
-:method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.  For the sign
-  $\frac\lambda{1-\lambda}$ is a positive variable.
-:over: k: -
+  $\frac{4\lambda}{1-\lambda}>0$ for $0<\lambda<1$, and less than 0 for $\lambda>1$ and for $\lambda<0$
+:method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.  For the signs
+  $\frac\lambda{1-\lambda}$, $\lambda-1$ and $-\lambda$ are positive variables.
+:over: k p: -
 :control: the factor 2 for 4
 :::
 */
@@ -590,9 +590,13 @@ CLAIM(product_of_ratios_is_constant)
         /* g_1 g_2 = -4σλ/(1-λ) */
         same(T, product, div(mul(from_int(fault(T, -4, -2) * sign), lambda), sub(one, lambda)));
     }
-    num between = inside(T, "k");
+    num between = inside(T, "k"), p = positive(T, "p", 0), outer[2] = {add(one, p), neg(p)};
     about(T, "4λ/(1-λ) for 0 < λ < 1");
     nonnegative(T, div(mul(from_int(4), between), sub(one, between)));
+    for (int k = 0; k < 2; k++) {
+        about(T, k == 0 ? "-4λ/(1-λ) for λ > 1" : "-4λ/(1-λ) for λ < 0");
+        nonnegative(T, neg(div(mul(from_int(4), outer[k]), sub(one, outer[k]))));
+    }
 }
 
 /*
