@@ -433,7 +433,60 @@ CLAIM(variables_stay_in_the_first_columns)
 }
 
 /*
-Where a base point is, $F$ has no degree at all; every elevated curve has one.
+Where a base point is, $F$ has no degree at all. Its parameter is a common root of the two polynomials for every
+$x$ and $y$, so the same vector of powers is mapped to 0 everywhere.  Elevation makes such a parameter, $u=-1$,
+without anybody noticing, as it lies outside the half line.
+
+:::{claim} common_zero_makes_the_equation_vanish
+:title: A common zero of numerators and denominator makes F identically 0
+:zh: 有公共零点时 F 恒为零
+:given: $A$, $B$, $W$ with a common zero $\rho$, or $\omega_0=0$; any $x,y$
+:then: the matrix of (3.4.1) maps $(\rho^{2n-1},\dots,\rho,1)$ to 0, or has a first column of zeros
+:method: The three polynomials are multiplied out from $u-\rho$ and three free cofactors; everything is a variable.
+:degrees: 1..6 sampled 10
+:over: a# b# c#: coefficients; rho; x; y
+:control: the zero of $B$ moved to $\rho+1$
+:::
+*/
+CLAIM(common_zero_makes_the_equation_vanish)
+{
+    int n = T->degree;
+    num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
+    num M[MAX_ORDER * MAX_ORDER], rho = parameter(T, "rho"), x = parameter(T, "x"), y = parameter(T, "y");
+    for (int k = 0; k < 3; k++) { /* (u - rho) times a polynomial of degree n-1 */
+        num zero = fault(T, rho, k == 1 ? add(rho, from_int(1)) : rho), before = from_int(0);
+        for (int i = 0; i <= n; i++) {
+            num c = i < n ? positive(T, k == 0 ? "a" : k == 1 ? "b" : "c", i) : from_int(0);
+            p[k][i] = sub(c, mul(zero, before));
+            before = c;
+        }
+    }
+    for (int i = 0; i <= n; i++) {
+        w[i] = div(p[2][i], from_int(binomial(n, i)));
+        R[2 * i] = div(p[0][i], p[2][i]);
+        R[2 * i + 1] = div(p[1][i], p[2][i]);
+    }
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    G(sylvester)(n, a, n, b, M);
+    about(T, "the rows of the matrix times the powers of the common zero");
+    for (int i = 0; i < 2 * n; i++) {
+        num row = from_int(0);
+        for (int j = 0; j < 2 * n; j++)
+            row = add(mul(row, rho), M[i * 2 * n + j]);
+        vanishes(T, row);
+    }
+    w[0] = from_int(0);
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    G(sylvester)(n, a, n, b, M);
+    about(T, "the first column for ω_0 = 0");
+    for (int i = 0; i < 2 * n; i++)
+        vanishes(T, M[i * 2 * n]);
+}
+
+/*
+Every elevated curve has one.
 
 :::{claim} elevation_multiplies_by_one_plus_u
 :title: Degree elevation multiplies numerators and denominator by 1 + u

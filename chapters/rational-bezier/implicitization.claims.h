@@ -242,17 +242,13 @@ static num G(one_more_term)(trial *T, num u, num c)
     num W = positive(T, "W", 0), A = unknown(T, "A", 0), xi = unknown(T, "x", 0), x = parameter(T, "x");
     num E = sub(A, mul(x, W)), next = add(mul(u, W), c);
     about(T, "one more term");
-    same(T, add(mul(u, E), mul(c, fault(T, sub(xi, x), add(xi, x)))),
-         sub(add(mul(u, A), mul(c, xi)), mul(x, next)));
+    same(T, add(mul(u, E), mul(c, fault(T, sub(xi, x), add(xi, x)))), sub(add(mul(u, A), mul(c, xi)), mul(x, next)));
     about(T, "the difference of the coordinates");
     same(T, E, mul(W, sub(div(A, W), x)));
     return next;
 }
 
-CLAIM(sums_are_the_denominator_times_a_difference)
-{
-    G(one_more_term)(T, parameter(T, "u"), unknown(T, "c", 0));
-}
+CLAIM(sums_are_the_denominator_times_a_difference) { G(one_more_term)(T, parameter(T, "u"), unknown(T, "c", 0)); }
 
 /*
 :::{claim} equations_of_a_point
@@ -296,9 +292,6 @@ With positive weights the denominator never vanishes for $u\ge0$:
 :zh: 正权时 u≥0 处两和为零当且仅当为曲线上的点(任意次数)
 :given: $u\ge0$; the first terms of the sums in (3.4.4): $W>0$ of the denominator, $A$ of the numerator of the first coordinate, $E=A-xW$ of
   $\sum a_iu^{n-i}$; one term more, $c=\binom ni\omega_i>0$, with the coordinate $x_i$
-:harmless: $W>0$ | the induction keeps it
-:harmless: $c=\binom ni\omega_i>0$ | the scope says that the weights are positive
-:harmless: $u\ge0$ | it is the range of (3.4.4)
 :then: $W'=uW+c$, $A'=uA+cx_i$ and $E'=uE+c(x_i-x)$ again have $E'=A'-xW'$, $W'\ge c>0$; and $A-xW=W\,(\frac AW-x)$
 :where: the weights are positive
 :method: Horner's scheme: the step of an induction on the number of terms, which begins with $W=c>0$ and $c(x_0-x)=cx_0-xc$.  So for every $n$ and every $u\ge0$ the
@@ -760,7 +753,7 @@ static void is_an_equation(trial *T, int n, const num_f R[], const num_f w[])
 :types: field
 :data: R = (0,0) (1/2,0) (1,1); ω = 1 1 1
 :result: elevated R = (0,0) (1/3,0) (2/3,1/3) (1,1); F(x, y) = "0"
-:given: the points $R$ of the parabola $(t,t^2)$, equal weights, and the points of the same curve elevated to degree 3
+:given: the points $R$ of the parabola $(t,t^2)$, equal weights, and the points of the same curve elevated by one degree
 :then: for the elevated points $F(x,y)=0$ for all $x$ and $y$
 :method: The determinant with $x$ and $y$ variables; that it is not the zero polynomial is what is compared.
 :control: the same curve as it is given
@@ -872,57 +865,6 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::
-
-It remains to see why a base point spoils everything: its parameter is a common root of the two polynomials for every
-$x$ and $y$, so the same vector of powers is mapped to 0 everywhere.  Elevation makes such a parameter, $u=-1$,
-without anybody noticing, as it lies outside the half line.
-
-:::{claim} common_zero_makes_the_equation_vanish
-:title: A common zero of numerators and denominator makes F identically 0
-:zh: 有公共零点时 F 恒为零
-:given: $A$, $B$, $W$ with a common zero $\rho$, or $\omega_0=0$; any $x,y$
-:then: the matrix of (3.4.1) maps $(\rho^{2n-1},\dots,\rho,1)$ to 0, or has a first column of zeros
-:method: The three polynomials are multiplied out from $u-\rho$ and three free cofactors; everything is a variable.
-:degrees: 1..6 sampled 10
-:over: a# b# c#: coefficients; rho; x; y
-:control: the zero of $B$ moved to $\rho+1$
-:::
 */
-CLAIM(common_zero_makes_the_equation_vanish)
-{
-    int n = T->degree;
-    num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
-    num M[MAX_ORDER * MAX_ORDER], rho = parameter(T, "rho"), x = parameter(T, "x"), y = parameter(T, "y");
-    for (int k = 0; k < 3; k++) { /* (u - rho) times a polynomial of degree n-1 */
-        num zero = fault(T, rho, k == 1 ? add(rho, from_int(1)) : rho), before = from_int(0);
-        for (int i = 0; i <= n; i++) {
-            num c = i < n ? positive(T, k == 0 ? "a" : k == 1 ? "b" : "c", i) : from_int(0);
-            p[k][i] = sub(c, mul(zero, before));
-            before = c;
-        }
-    }
-    for (int i = 0; i <= n; i++) {
-        w[i] = div(p[2][i], from_int(binomial(n, i)));
-        R[2 * i] = div(p[0][i], p[2][i]);
-        R[2 * i + 1] = div(p[1][i], p[2][i]);
-    }
-    G(implicit_coefficients)(n, R, w, 0, x, a);
-    G(implicit_coefficients)(n, R, w, 1, y, b);
-    G(sylvester)(n, a, n, b, M);
-    about(T, "the rows of the matrix times the powers of the common zero");
-    for (int i = 0; i < 2 * n; i++) {
-        num row = from_int(0);
-        for (int j = 0; j < 2 * n; j++)
-            row = add(mul(row, rho), M[i * 2 * n + j]);
-        vanishes(T, row);
-    }
-    w[0] = from_int(0);
-    G(implicit_coefficients)(n, R, w, 0, x, a);
-    G(implicit_coefficients)(n, R, w, 1, y, b);
-    G(sylvester)(n, a, n, b, M);
-    about(T, "the first column for ω_0 = 0");
-    for (int i = 0; i < 2 * n; i++)
-        vanishes(T, M[i * 2 * n]);
-}
 
 #include "chapters/judge/claims_off.h"
