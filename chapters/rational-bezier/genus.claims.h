@@ -708,7 +708,7 @@ CLAIM(printed_degree_spoils_the_genus)
 :result: n = 3; F = "-x^3-2*x^2-x+y^2"; nodes, cusps, others = 1 0 0; g = 0; real parameters of P = 0
 :given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and the points $R$ of the
   curve $(t^2,t^3+t)$ with equal weights
-:then: the only singular point is $P$, a node with imaginary tangents, and $g=0$; but no real parameter gives this real point
+:then: the only singular point is $P$, a node, and $g=0$; but no real parameter gives this real point
 :method: The singular points are counted by elimination; $F$ is the determinant (3.4.1) of the points $R$; the parameters of $P$ are the common zeros
   of two polynomials.  Compared is: $g=0$ exactly if $P$ is a point of the real curve.
 :control: imaginary parameters counted

@@ -638,22 +638,43 @@ The two factors are those of $n=5$:
 :control: $\|a_1\times a_3\|^2$ in the torsion, as printed
 :::
 */
-CLAIM(quintic_starts_with_these_factors)
+/* Curvature and torsion of a quintic at t = end, 0 or 1, with its three edges and four weights from that end on. */
+static void G(compare_the_end_of_a_quintic)(trial *T, int end)
 {
     enum { n = 5 };
-    num w[n + 1], R[3 * (n + 1)], a[3][3], zero = from_int(0);
+    num w[n + 1], v[4], R[3 * (n + 1)], a[3][3], t = from_int(end);
     G(free_curve)(T, n, 3, R, w);
+    for (int k = 0; k < 4; k++)
+        v[k] = w[end ? n - k : k];
     for (int k = 0; k < 3; k++)
-        G(edge)(3, R, k + 1, a[k]);
-    num g = G(norm_squared)(3, a[0]), area = G(gram)(3, a[0], a[1]);
-    num factor = mul(from_ratio(4, 5), div(mul(w[0], w[2]), mul(w[1], w[1])));
+        G(edge)(3, R, end ? n - k : k + 1, a[k]);
+    num g = G(norm_squared)(3, a[0]), area = G(gram)(3, a[0], a[1]), volume = G(det3)(a[0], a[1], a[2]);
+    num factor = mul(from_ratio(4, 5), div(mul(v[0], v[2]), mul(v[1], v[1])));
     about(T, "curvature squared");
-    same(T, mul(G(rational_curvature_squared)(n, 3, R, w, zero), mul(g, mul(g, g))), mul(mul(factor, factor), area));
+    same(T, mul(G(rational_curvature_squared)(n, 3, R, w, t), mul(g, mul(g, g))), mul(mul(factor, factor), area));
     about(T, "torsion");
-    num other = mul(from_ratio(3, 5), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    num other = mul(from_ratio(3, 5), div(mul(v[0], v[3]), mul(v[1], v[2])));
     num below = fault(T, area, G(gram)(3, a[0], a[2]));
-    same(T, mul(G(rational_torsion)(n, R, w, zero), below), mul(other, G(det3)(a[0], a[1], a[2])));
+    same(T, mul(G(rational_torsion)(n, R, w, t), below), mul(other, end ? neg(volume) : volume));
 }
+
+CLAIM(quintic_starts_with_these_factors) { G(compare_the_end_of_a_quintic)(T, 0); }
+
+/*
+:::{claim} quintic_ends_with_these_factors
+:title: Curvature and torsion at the end of a quintic
+:zh: 五次曲线末端的曲率与挠率
+:given: $n=5$, weights $\omega_0,\dots,\omega_5$ and points $R_0,\dots,R_5$ of space, $a_4\times a_5\ne0$
+:where: $\mathbf a_4\times\mathbf a_5\ne\mathbf 0$
+:then: $\kappa(1)^2=\left(\frac45\frac{\omega_5\omega_3}{\omega_4^2}\right)^2\frac{\|a_4\times a_5\|^2}{\|a_5\|^6}$ and
+  $\tau(1)=\frac35\frac{\omega_5\omega_2}{\omega_4\omega_3}\frac{(a_3,a_4,a_5)}{\|a_4\times a_5\|^2}$
+:method: From the derivatives of the curve, with all weights and coordinates variables.  The difference of two curves over the same points is that of their weights' factors times
+  the geometric ones.
+:degrees: 5..5
+:control: $\|a_3\times a_5\|^2$ in the torsion
+:::
+*/
+CLAIM(quintic_ends_with_these_factors) { G(compare_the_end_of_a_quintic)(T, 1); }
 
 #if RATIONAL
 /*
@@ -769,9 +790,8 @@ CLAIM(product_is_the_inverse_second_invariant)
 :title: The other end gives the other two invariants
 :zh: 由对称性得另两个不变量
 :printed: By the symmetry of the curve also $I_4=I_4^*$, $I_3=I_3^*$
-:holds-by: reversal_exchanges_invariants quintic_starts_with_these_factors factor_of_the_curvature_is_positive
-  end_factors_are_reciprocals_of_invariants
-:confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+:holds-by: quintic_ends_with_these_factors factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+:confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so their points are not on a line; in a plane
   one and the same quintic can have several $I_3$
 
