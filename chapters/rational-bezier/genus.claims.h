@@ -45,9 +45,9 @@ order on its line decide whether it is an ordinary cusp.
   against it
 :reading: printed_degree_spoils_the_genus | $n$ is the range of the sum printed in definition 3.4.1; $x^2y+xy^2+1=0$ is
   against it
-:reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve; but an
+:reading: isolated_point_is_on_no_arc | all real points of the curve are on the Bézier curve; but an
   isolated point is on no arc
-:corrected: let a real plane curve of degree $n$ be irreducible over $\mathbb C$ and have a simple real point. For
+:corrected: let a real plane curve of degree $n\ge2$ be irreducible over $\mathbb C$ and have a simple real point. For
   $n\le3$ its short regular arcs are rational Bézier curves of degree $n$ if and only if it has $\frac{(n-1)(n-2)}2$
   singular points in the complex projective plane; for $n\ge4$ they are if it has a point of multiplicity $n-1$, and
   for $n=4$ also if it has three double points
@@ -55,7 +55,7 @@ order on its line decide whether it is an ordinary cusp.
   quartic_with_three_double_points_is_rational
 :confirmed-by: curve_with_a_large_point_is_rational curves_that_fit_the_theorem
 :argued: | From the identities to the statement on arcs the methods of the claims argue: a map brings the singular
-  points to their places, a conic has a quadratic parametrization, a line and a conic have no singular point.
+  points to their places, a conic has a quadratic parametrization and no singular point.
 :figure: genus_extra
 :striking: 5
 
@@ -72,10 +72,10 @@ makes a conic of it.  For cubics the other direction is within reach as well.
 :title: The lines through a point of multiplicity n-1 parametrize a curve of degree n, for every n
 :zh: 过 n-1 重点的直线束给出 n 次曲线的有理参数化(任意次数)
 :given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$; $a=f_{n-1}(1,t)$, $b=f_n(1,t)\ne0$; a term $cx^{m-k}y^k$ of a form of degree $m$, with $V=x^k$ and $x^{m-k}=U/V$
-:where: $f_n(1,t)\ne0$
+:harmless: $b=f_n(1,t)\ne0$ | where $b=0$ a point with $x\ne0$ on the line $y=tx$ has $a=0$, too, and $F$ contains the line
 :then: at $y=tx$ the term is $Uct^k$ with $U=x^m$; so $F(x,tx)=x^{n-1}(a+xb)$, which is 0 for $x=-\frac ab$
 :method: Identities in $x$, $t^k$, $V$, $U$, $c$, $a$ and $b$, in every degree.  Where $F$ is irreducible neither form is 0 and all its points but those at the origin
-  and on the line $x=0$ have such a $t=y/x$.  With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a double point.
+  and on the line $x=0$ have such a $t=y/x$; there $b\ne0$, for with $b=0$ also $a=0$, and $F$ would contain the line $y=tx$.  With $n=2$ it is every conic with a simple real point, with $n=3$ every cubic with a double point.
 :degrees: all from 2
 :over: U V P x: -; a# b# c#: coefficients
 :control: the sign of $x$
@@ -98,12 +98,13 @@ The same by the coefficients of forms of low degree:
 :::{claim} curve_with_a_large_point_is_rational
 :title: A curve of degree n with a point of multiplicity n-1 is rational
 :zh: 含 n-1 重点的 n 次曲线是有理的
-:given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$: a curve with a point of multiplicity
-  $n-1$ in the origin
+:given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$, a curve with a point of multiplicity
+  $n-1$ in the origin; $f_n(1,t)\ne0$
+:harmless: $f_n(1,t)\ne0$ | where it is 0 a point with $x\ne0$ on the line $y=tx$ has $f_{n-1}(1,t)=0$, too, and $F$ contains the line
 :then: $x=-f_{n-1}(1,t)/f_n(1,t)$, $y=tx$ satisfies $F=0$
 :method: Every coefficient and $t$ are variables; the forms are added up term by term at $(x,y)$.  Where $F$ is
   irreducible neither form is 0 and all its points but those at the origin and on the line $x=0$ have such a $t=y/x$.
-  With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a double point.
+  With $n=2$ it is every conic with a simple real point, with $n=3$ every cubic with a double point.
 :degrees: 2..6 sampled 12
 :argued: every n | $F(x,tx)=x^{n-1}(f_{n-1}(1,t)+xf_n(1,t))$, in every degree.
 :over: a# b#: coefficients
@@ -181,10 +182,11 @@ CLAIM(quartic_with_three_double_points_is_rational)
 :zh: 有理三次曲线恰有一个二重点
 :given: a cubic $(1+at^3:t+bt^3:t^2+ct^3)$, to which a projective map and a change of the parameter bring every curve
   $(A:B:W)$ with independent $A,B,W$
-:let: $q(t)=(ac-b^2)t^2+(a+bc)t-(b+c^2)$, $s$ and $s'$ its zeros
+:let: $q(t)=(ac-b^2)t^2+(a+bc)t-(b+c^2)$, $s$ and $s'$ its zeros, $\infty$ among them where a leading coefficient of $q$ is 0
 :then: the points of the parameters $s$ and $s'$ are one
 :method: The three minors of the two points, divided by $s-s'$, are symmetric; written in $\sigma=s+s'$ and
-  $\pi=ss'$, the coefficients of $q$ inserted, they vanish identically in $a,b,c$.  There is no other pair: a
+  $\pi=ss'$, the coefficients of $q$ inserted, they vanish identically in $a,b,c$; multiplied by the square of the
+  leading coefficient of $q$ they are polynomials, so $\infty$ is included.  There is no other pair: a
   relation $\lambda P(s)+\mu P(s')=0$ is a linear form on cubic polynomials that kills $A,B,W$, so it is a multiple
   of the one with the values $a,b,c,-1$ at $1,t,t^2,t^3$; its products with $q$ and $tq$ vanish, and $q$ is up to a
   factor the only such polynomial when the vectors $(a,b,c)$ and $(b,c,-1)$ are independent.  They are dependent
@@ -372,7 +374,7 @@ static void found_census(trial *T, struct census c)
 /*
 :::{claim} smooth_cubic_has_two_separate_parts
 :title: The cubic y² = x³ - x has no singular point, and its real points form two parts
-:zh: 光滑三次曲线不是有理的
+:zh: 三次曲线 y²=x³-x 无奇点, 实点分为两支
 :kind: decision
 :types: field
 :data: α, i, j = (1,0,2) (-1,3,0) (1,1,0); x = -1 0 1
@@ -453,7 +455,7 @@ the list of singular points is found by elimination and not taken on trust.
 :instead: line = (1,0,0)
 :result: parts over x = 2; n = 4; F = "-x^3*y+x*y+y^3"; nodes, cusps, others = 3 0 0; g = 0; rational = "no"
 :given: a smooth cubic and a line by their terms $(\alpha,i,j)$, $\alpha x^iy^j$, and $F$, the product of the two;
-  three points $P$ in homogeneous coordinates, and an abscissa $x$
+  three points $P$ in homogeneous coordinates, and an abscissa $x$; parts over $x$ are the factors with points there
 :then: the singular points are exactly the three nodes $P$, so $g=0$; but a rational curve lies on one of the two factors
 :method: The singular points are counted by elimination.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
   one factor vanishes on it; the other has points of its own, such as those over $x$, which are looked at.  Compared
@@ -621,7 +623,7 @@ CLAIM(rational_quartic_with_a_higher_cusp)
 :types: field
 :data: α, i, j = (1,0,1) (-1,3,0); P = (0,1,0); R = (0,0) (1/3,0) (2/3,0) (1,1); ω = 1 1 1 1
 :result: finite singular points = 0; n = 3; F = "-x^3+y"; nodes, cusps, others = 0 1 0; g = 1; rational = "yes"
-:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ at infinity, and the points $R$ of the curve
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ at infinity in homogeneous coordinates, and the points $R$ of the curve
   $(t,t^3)$ with equal weights
 :then: no finite point is singular, so the finite points give $g=1$; yet it is a polynomial Bézier curve
 :method: The only singular point is $P$, a cusp.  Compared is: $g=0$ exactly if the curve is rational.
@@ -671,7 +673,7 @@ CLAIM(cusp_counted_twice)
 
 /*
 :::{claim} printed_degree_spoils_the_genus
-:title: x²y + xy² + 1 = 0 has the printed sum for degree 2, and has genus 1
+:title: x²y + xy² + 1 = 0 has the printed sum for degree 2, and is not rational
 :zh: 按所印定义的次数使判据失效
 :kind: counterexample
 :types: field
@@ -680,7 +682,7 @@ CLAIM(cusp_counted_twice)
 :given: the cubic $F=0$ by its terms $\alpha x^iy^j$, whose exponents are at most 2
 :then: with the largest exponent for $n$ the count is 0; but it is a cubic without singular points, and not rational
 :method: The singular points are counted by elimination.  Whether the cubic is rational is read off their number, as
-  `rational_cubic_has_one_double_point` allows; without any it is irreducible, because two parts would have a common
+  `rational_cubic_has_one_double_point` allows, as by Lüroth's theorem, which is cited, a rational cubic has a parametrisation of degree 3; without any it is irreducible, because two parts would have a common
   point.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the total degree for $n$
 :::
@@ -694,6 +696,50 @@ CLAIM(printed_degree_spoils_the_genus)
     found_whole(T, "largest exponent", largest);
     if (s.n == 3 && c.nodes >= 0)
         count_against(T, &s, c, genus_count(fault(T, s.n, largest), c.nodes + c.cusps), is_rational_cubic(c));
+}
+
+/*
+:::{claim} isolated_point_is_on_no_arc
+:title: The double point of the rational cubic y² = x(x + 1)² is isolated and on no real arc
+:zh: 有理三次曲线的孤立二重点不在实弧上
+:kind: counterexample
+:types: field
+:data: α, i, j = (1,0,2) (-1,3,0) (-2,2,0) (-1,1,0); P = (-1,0,1); R = (0,0) (0,1/3) (1/3,2/3) (1,2); ω = 1 1 1 1
+:result: n = 3; F = "-x^3-2*x^2-x+y^2"; nodes, cusps, others = 1 0 0; g = 0; real parameters of P = 0
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and the points $R$ of the
+  curve $(t^2,t^3+t)$ with equal weights
+:then: the only singular point is $P$, a node, and $g=0$; but no real parameter gives this real point
+:method: The singular points are counted by elimination; $F$ is the determinant (3.4.1) of the points $R$; the parameters of $P$ are the common zeros
+  of two polynomials.  Compared is: $g=0$ exactly if $P$ is a point of the real curve.
+:control: imaginary parameters counted
+:::
+*/
+CLAIM(isolated_point_is_on_no_arc)
+{
+    enum { n = 3 };
+    num_f F = given_polynomial(T, "α, i, j", 4), P[3], R[2 * n + 2], w[n + 1];
+    given_points(T, "P", 1, 3, P);
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    struct singular_list s = curve_of(F);
+    list_points(&s, 1, P);
+    struct census c = census_of(&s);
+    poly common = poly_constant(from_int_q(0)); /* of X - P_x W and Y - P_y W */
+    for (int axis = 0; axis < 2; axis++) {
+        num_q b[n + 1];
+        for (int i = 0; i <= n; i++)
+            is_constant_f(mul(w[i], sub(R[2 * i + axis], P[axis])), &b[i]);
+        common = poly_gcd(common, poly_from_bernstein(n, b));
+    }
+    int real = count_roots_line(common).distinct, g = genus_count(s.n, c.nodes);
+    found_whole(T, "n", s.n);
+    found_text(T, "F", to_string_f(F));
+    found_census(T, c);
+    found_whole(T, "g", g);
+    found_whole(T, "real parameters of P", real);
+    about(T, "g = 0 exactly if P is a point of the real curve");
+    if (c.nodes == 1 && c.cusps + c.others == 0 && is_the_curve(n, R, w, F))
+        agree(T, (g == 0) == (fault(T, different_zeros(common), real) > 0));
 }
 
 /*
@@ -712,7 +758,7 @@ CLAIM(printed_degree_spoils_the_genus)
 :confirmed-by: large_point_takes_all_double_points
 :figure: genus_zero
 
-The genus of a rational curve is 0, and the two quartics are rational.  Where it is only a name for the count, nothing is said that could fail.
+The genus of a rational curve is 0, and the two quartics are rational.  The sentence is read as one about the genus, and not as a name for the count.
 
 The imaginary points count, as the source says, and so do those at infinity: the lemniscate
 has only one finite double point.

@@ -23,7 +23,7 @@ entries of degree one; the source takes another way, by operations on columns, a
 :figure: implicit_degree
 
 The claim is the proof of the source, with the recursion corrected: after its column operations $x$ and $y$ stand in $n$ columns only, in degree one, and a product of one
-entry from every column has degree at most $n$.  It divides by $\omega_0$; for $\omega_0=0$ the first column and the polynomial are 0.
+entry from every column has degree at most $n$.  It divides by $\omega_0$.
 :::
 
 :::{claim} bezout_entries_are_linear
@@ -142,10 +142,10 @@ A row of the matrix is best read as a polynomial in a letter $z$ that marks the 
 :given: $n\ge1$, $\omega_0\ne0$; row $k$ of the $a$ as the polynomial $z^{k-1}f(z)$, where $z^{j-1}$ marks column $j$ and $f(z)=\sum a_iz^i=X(z)-x\,\omega_0\Omega(z)$ with
   $X(z)=\sum\binom ni\omega_ix_iz^i$, $\Omega(z)=1+\Omega_1z+\dots+\Omega_nz^n$; step $r$ takes a row $g(z)$ to $g(z)-g_rz^{r-1}(\Omega(z)-1)$, $g_r$ being its entry in column $r$
 :where: $\omega_0\ne0$
-:then: (1) step $r=k$ takes $f$ to $a_0+X(z)-x_0\omega_0\Omega(z)$, in which $x$ is only in $a_0$; (2) where the entry $g_r$ and the others do not contain $x$, neither do the new
-  ones; (3) in row $k$, with $\rho=r-k+1$, column $r+i$ has the entry with the index $j=r+i-k$, and $j-\rho+1=i$, so that step $r$ is
+:then: (1) step $r=k$ takes $f$ to $a_0+X(z)-x_0\omega_0\Omega(z)$, in which $x$ is only in $a_0$; (2) in row $k$, with $\rho=r-k+1$, column $r+i$ has the entry with the index $j=r+i-k$, and $j-\rho+1=i$, so that step $r$ is
   $f_j^{[\rho]}=f_j^{[\rho-1]}-\Omega_{j-\rho+1}f_{\rho-1}^{[\rho-1]}$
-:method: $z^{r-1}\Omega_iz^i$ marks column $r+i$, so that these are the operations in the words of the source; the steps $r<k$ do not change row $k$, as its entry in column $r$ is 0.
+:method: $z^{r-1}\Omega_iz^i$ marks column $r+i$, so that these are the operations in the words of the source; the steps $r<k$ do not change row $k$, as its entry in column $r$ is 0,
+  and the steps $r>k$ change its entries by products of numbers that do not contain $x$.
   $X$, $\Omega$, $\omega_0$, $x_0$, $x$ and another value $x'$ are variables, and so are the indices.  So after the $n$ steps $x$ stands in the entries $(k,k)$, and $y$, by the same for the $b$, in
   the entries $(n+k,k)$, $k=1,\dots,n$: in $n$ columns, as $a_0$ and $b_0$.  An operation of this kind does not change a determinant.
 :degrees: all
@@ -252,7 +252,7 @@ CLAIM(column_operations_give_the_corrected_recursion)
 :class: misprint
 :refuted-by: printed_recursion_is_not_the_operations
 :corrected: f_i^{[r]}=f_i^{[r-1]}-\Omega_{i-r+1}\,f_{r-1}^{[r-1]},\ i=r,\dots,r+n-1;\qquad f_i^{[r]}=f_i^{[r-1]},\
-  i\ge r+n
+  i\ge r+n;\qquad r=1,2,\dots,n
 :corrected-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: column_operations_give_the_corrected_recursion
 :figure: implicit_recursion
@@ -272,8 +272,8 @@ $\Omega_i=0$ there, the determinant of the example changes.
 :data: R = (0,0) (1,0) (1,1); ω = 1 1 1
 :result: determinant by the recursion = "x^2-y^2-4*y"; F(x, y) = "x^2+2*x*y+y^2-4*y"; determinant at R_2 = -4; F(R_2) = 0
 :given: $n=2$, the points $R$ of a parabola and equal weights; in the printed recursion $\Omega_3=0$
-:then: the determinant of the staircase is another polynomial than $F$: in the end point $R_2$ of the curve it is not $0$
-:method: The staircase with the printed recursion is filled in and its determinant taken, with $x$ and $y$ variables.
+:then: the determinant (3.4.8), filled in by this recursion, is another polynomial than $F$: in the end point $R_2$ of the curve it is not $0$
+:method: The rows of (3.4.8) are $a_j^{[\min(j,n-k+1)]}$ and $b_j^{[\min(j,n-k+1)]}$ from column $k$ on, by the printed recursion; the determinant is taken with $x$ and $y$ variables.
 :control: the index $i-r+1$
 :::
 */
@@ -323,7 +323,7 @@ CLAIM(printed_recursion_is_not_the_operations)
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: column_operations_give_the_corrected_recursion
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
-  $\Omega_i$ divides by it; with $\omega_0=0$ the determinant is 0 anyway
+  $\Omega_i$ divides by it; in the example with $\omega_0=0$ the determinant is 0
 
 The columns $i+r\le2n$ exist, and the determinant does not change.  The text at hand has the sentence twice, the second time with gaps.
 :::
@@ -353,8 +353,8 @@ $a_0$ and $b_0$; and of these there is one pair in each of the first $n$ columns
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: changed_entries_are_constants variables_stay_in_the_first_columns
 
-The first row of the $a$ is the one of the recursion; the entry $j$ of row $k$ is $a_j^{[r]}$ with $r=\min(j,n-k+1)$.  It is so with the printed recursion, too
-(`changed_entries_are_constants`), although that is not the one of the operations.
+The first row of the $a$ is the one of the recursion; the entry $j$ of row $k$ is $a_j^{[r]}$ with $r=\min(j,n-k+1)$.  With the printed recursion,
+which is not the one of the operations, they are constants, too, for $n=1$ to $6$ (`changed_entries_are_constants`).
 :::
 
 :::{statement} wang-ch3:thm-3.4.2-step-same-columns
@@ -433,7 +433,60 @@ CLAIM(variables_stay_in_the_first_columns)
 }
 
 /*
-Where a base point is, $F$ has no degree at all; every elevated curve has one.
+Where a base point is, $F$ has no degree at all. Its parameter is a common root of the two polynomials for every
+$x$ and $y$, so the same vector of powers is mapped to 0 everywhere.  Elevation makes such a parameter, $u=-1$,
+without anybody noticing, as it lies outside the half line.
+
+:::{claim} common_zero_makes_the_equation_vanish
+:title: A common zero of numerators and denominator makes F identically 0
+:zh: 有公共零点时 F 恒为零
+:given: $A$, $B$, $W$ with a common zero $\rho$, or $\omega_0=0$; any $x,y$
+:then: the matrix of (3.4.1) maps $(\rho^{2n-1},\dots,\rho,1)$ to 0, or has a first column of zeros
+:method: The three polynomials are multiplied out from $u-\rho$ and three free cofactors; everything is a variable.
+:degrees: 1..6 sampled 10
+:over: a# b# c#: coefficients; rho; x; y
+:control: the zero of $B$ moved to $\rho+1$
+:::
+*/
+CLAIM(common_zero_makes_the_equation_vanish)
+{
+    int n = T->degree;
+    num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
+    num M[MAX_ORDER * MAX_ORDER], rho = parameter(T, "rho"), x = parameter(T, "x"), y = parameter(T, "y");
+    for (int k = 0; k < 3; k++) { /* (u - rho) times a polynomial of degree n-1 */
+        num zero = fault(T, rho, k == 1 ? add(rho, from_int(1)) : rho), before = from_int(0);
+        for (int i = 0; i <= n; i++) {
+            num c = i < n ? positive(T, k == 0 ? "a" : k == 1 ? "b" : "c", i) : from_int(0);
+            p[k][i] = sub(c, mul(zero, before));
+            before = c;
+        }
+    }
+    for (int i = 0; i <= n; i++) {
+        w[i] = div(p[2][i], from_int(binomial(n, i)));
+        R[2 * i] = div(p[0][i], p[2][i]);
+        R[2 * i + 1] = div(p[1][i], p[2][i]);
+    }
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    G(sylvester)(n, a, n, b, M);
+    about(T, "the rows of the matrix times the powers of the common zero");
+    for (int i = 0; i < 2 * n; i++) {
+        num row = from_int(0);
+        for (int j = 0; j < 2 * n; j++)
+            row = add(mul(row, rho), M[i * 2 * n + j]);
+        vanishes(T, row);
+    }
+    w[0] = from_int(0);
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    G(sylvester)(n, a, n, b, M);
+    about(T, "the first column for ω_0 = 0");
+    for (int i = 0; i < 2 * n; i++)
+        vanishes(T, M[i * 2 * n]);
+}
+
+/*
+Every elevated curve has one.
 
 :::{claim} elevation_multiplies_by_one_plus_u
 :title: Degree elevation multiplies numerators and denominator by 1 + u

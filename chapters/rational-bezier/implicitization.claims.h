@@ -25,7 +25,7 @@ recognises.
 :printed: F(x,y)=\begin{vmatrix}a_0&a_1&\cdots&a_n\\&\ddots&&&\ddots\\b_0&b_1&\cdots&b_n\\&\ddots&&&\ddots
   \end{vmatrix}_{(2n)\times(2n)}
 :definition: yes
-:checked-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term
+:checked-by: rows_of_the_determinant_are_shifted_equations
 :confirmed-by: implicit_value_is_the_printed_determinant
 
 There are $n$ rows of the $a$ and $n$ of the $b$, each shifted by one place against the one above it.  What is checked is that such a row is one of the two
@@ -37,11 +37,11 @@ equations (3.4.5) times a power of $u$.  The implicit equation that the theorem 
 :zh: 行列式元素 a_i, b_i
 :printed: a_i=\binom ni\omega_i(x_i-x),\quad b_i=\binom ni\omega_i(y_i-y),\quad i=0,1,\dots,n
 :definition: yes
-:checked-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:checked-by: sums_are_the_denominator_times_a_difference
 :confirmed-by: implicit_value_is_the_printed_determinant
 
-What is checked is what they are for: with $t=(au+b)/(u+1)$ the sums $\sum a_iu^{n-i}$ and $\sum b_iu^{n-i}$ are $(1+u)^n\omega(t)$ times the differences of the
-coordinates of $\mathbf R(t)$ and of $(x,y)$.
+What is checked is what they are for: the sums $\sum a_iu^{n-i}$ and $\sum b_iu^{n-i}$ are the denominator of (3.4.4) times the differences of the
+coordinates of its point and of $(x,y)$.
 :::
 
 :::{claim} implicit_value_is_the_printed_determinant
@@ -101,11 +101,12 @@ $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the val
 :::{claim} parameter_change_and_its_inverse
 :title: The two formulas are inverse to each other and map the ranges as stated
 :zh: 两式互逆且区间对应
-:given: $b=a+l$, $l>0$, $u>0$
+:given: $b=a+l$, $l>0$, $u\ge0$
 :then: $t-a=\frac{b-a}{u+1}\ge0$, $b-t=\frac{u(b-a)}{u+1}\ge0$, $\frac{b-t}{t-a}=u$; and for $a<t\le b$, $t=b-ls$,
   the number $u=\frac{b-t}{t-a}\ge0$ is mapped back to $t$
-:method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $(0,1)$.
-:over: a; l0: b - a; u0: u; s: -
+:method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $[0,1)$.
+:scope: u ≥ 0 and a < t ≤ b
+:over: a; l0: b - a; u0: -; s: -
 :control: $t=(bu+a)/(u+1)$
 :::
 */
@@ -162,12 +163,12 @@ CLAIM(parameter_change_needs_two_ends)
 :zh: 新参数下的曲线
 :printed: (3.4.3) gives $\mathbf R(t)=(x,y)=\Bigl(\frac{\sum_{i=0}^n\binom ni\omega_ix_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}},
   \frac{\sum_{i=0}^n\binom ni\omega_iy_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}}\Bigr)$, $0\le u\le+\infty$.
-:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:holds-by: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: curve_in_the_new_parameter
-:needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$
 
-At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
+With $\frac{t-a}{b-a}=\frac1{u+1}$ the Bernstein sums of (3.3.1) become powers of $u$.  At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
 :::
 */
 
@@ -210,19 +211,48 @@ CLAIM(curve_in_the_new_parameter)
 :::{statement} wang-ch3:3.4.5
 :title: The two polynomial equations of a point of the curve
 :zh: 曲线上点所满足的两个方程
-:printed: That is, for a point $(x,y)$ of the curve: $\sum_{i=0}^na_iu^{n-i}=0$, $\sum_{i=0}^nb_iu^{n-i}=0$.
-:holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:printed: (3.4.4) says that $\sum_{i=0}^na_iu^{n-i}=0$, $\sum_{i=0}^nb_iu^{n-i}=0$.
+:holds-by: positive_denominator_times_a_difference
 :confirmed-by: equations_of_a_point
 :needs: base_point_satisfies_the_equations | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$; else both equations may hold at a point off the curve
-:needs: start_is_the_point_of_no_number | theorem 3.4.1, its proof: or $a_0=b_0=0$ ($x=x_0$, $y=y_0$) | $t\ne a$: the parameter of this point
-  is $u=+\infty$, for which the equations have no meaning but $a_0=b_0=0$.
+:needs: start_is_the_point_of_no_number | theorem 3.4.1, its proof: or $a_0=b_0=0$ ($x=x_0$, $y=y_0$) | $u\ne+\infty$: for $u=+\infty$,
+  the point of $t=a$, the equations have no meaning but $a_0=b_0=0$
 
-Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ and $W(u)>0$.
+Equivalent to (3.4.4), for the same $u$: the sums are its denominator, which is positive, times the differences of the coordinates.
 :::
 
+:::{claim} sums_are_the_denominator_times_a_difference
+:title: The sums of (3.4.5) are the denominator times the difference from the curve, in every degree
+:zh: (3.4.5) 的和等于分母乘以坐标差(任意次数)
+:given: the first terms of the sums in (3.4.4), the highest powers of $u$ first: $W$ of the denominator, $A$ of the numerator of the first coordinate, $E=A-xW$ of
+  $\sum a_iu^{n-i}$; one term more, of weight $c=\binom ni\omega_i$ and with the coordinate $x_i$; any $x$ and $u$
+:then: $W'=uW+c$, $A'=uA+cx_i$ and $E'=uE+c(x_i-x)$ again have $E'=A'-xW'$; and $A-xW=W\,(\frac AW-x)$
+:where: the denominator of (3.4.4) is not 0
+:method: Horner's scheme: the step of an induction on the number of terms, which begins with $c(x_0-x)=cx_0-xc$.  So for every $n$ the sum $\sum a_iu^{n-i}$ is the
+  denominator of (3.4.4) times the difference of the first coordinate and $x$; for $b_i$ and $y$ it is the same.
+:degrees: all
+:over: W# c#: weights; A# x#: points; x; u
+:control: $x_i+x$ in the new term
+:::
+*/
+/* The identities of one more term c of the sums (3.4.4), (3.4.5); returned is the new denominator. */
+static num G(one_more_term)(trial *T, num u, num c)
+{
+    num W = positive(T, "W", 0), A = unknown(T, "A", 0), xi = unknown(T, "x", 0), x = parameter(T, "x");
+    num E = sub(A, mul(x, W)), next = add(mul(u, W), c);
+    about(T, "one more term");
+    same(T, add(mul(u, E), mul(c, fault(T, sub(xi, x), add(xi, x)))), sub(add(mul(u, A), mul(c, xi)), mul(x, next)));
+    about(T, "the difference of the coordinates");
+    same(T, E, mul(W, sub(div(A, W), x)));
+    return next;
+}
+
+CLAIM(sums_are_the_denominator_times_a_difference) { G(one_more_term)(T, parameter(T, "u"), unknown(T, "c", 0)); }
+
+/*
 :::{claim} equations_of_a_point
-:title: The two sums are the denominator times the distance from the point of the curve
+:title: The two sums are the denominator times the difference from the point of the curve
 :zh: 两方程等价于点在曲线上
 :given: weights and points, $n\ge1$, any $x$, $u\ge0$
 :then: $\sum a_iu^{n-i}=W(u)\,(X(u)-x)$ with the point $X(u)$ of the curve, and $W(u)\ge\omega_n>0$
@@ -254,11 +284,38 @@ CLAIM(equations_of_a_point)
     nonnegative(T, sub(G(in_u)(n, w, u), w[n]));
 }
 
+/*
+With positive weights the denominator never vanishes for $u\ge0$:
+
+:::{claim} positive_denominator_times_a_difference
+:title: With positive weights the sums of (3.4.5) are 0 for u ≥ 0 exactly at the point of u, in every degree
+:zh: 正权时 u≥0 处两和为零当且仅当为曲线上的点(任意次数)
+:given: $u\ge0$; the first terms of the sums in (3.4.4): $W>0$ of the denominator, $A$ of the numerator of the first coordinate, $E=A-xW$ of
+  $\sum a_iu^{n-i}$; one term more, $c=\binom ni\omega_i>0$, with the coordinate $x_i$
+:then: $W'=uW+c$, $A'=uA+cx_i$ and $E'=uE+c(x_i-x)$ again have $E'=A'-xW'$, $W'\ge c>0$; and $A-xW=W\,(\frac AW-x)$
+:where: the weights are positive
+:method: Horner's scheme: the step of an induction on the number of terms, which begins with $W=c>0$ and $c(x_0-x)=cx_0-xc$.  So for every $n$ and every $u\ge0$ the
+  sum $\sum a_iu^{n-i}$ is a positive number times the difference of the first coordinate of (3.4.4) and $x$, and 0 only if the two are equal; for $b_i$ and $y$ it is the same.
+:degrees: all
+:scope: u ≥ 0
+:over: W# c#: weights; A# x#: points; x; u0: -
+:control: $x_i+x$ in the new term
+:::
+*/
+CLAIM(positive_denominator_times_a_difference)
+{
+    num c = positive(T, "c", 0), u = positive(T, "u", 0);
+    num W = G(one_more_term)(T, u, c);
+    about(T, "the denominator");
+    nonnegative(T, sub(W, c));
+    G(must_be_positive)(T, c);
+}
+
 #if RATIONAL
 /*
 :::{claim} start_is_the_point_of_no_number
-:title: The point of t = a can satisfy the two equations for no number u
-:zh: 始点不对应任何有限的 u
+:title: The point of t = a need not satisfy the two equations for any number u
+:zh: 始点未必对应有限的 u
 :kind: counterexample
 :data: R = (0,0) (1,0); ω = 1 1; t = 0
 :instead: t = 1/2
@@ -291,7 +348,7 @@ CLAIM(start_is_the_point_of_no_number)
 :data: R = (0,0) (0,0); ω = 1 -1; P = (5,7); u = 1
 :instead: ω = 1 1
 :result: a_0, a_1 = -5 5; b_0, b_1 = -7 7; the sums = 0 0
-:given: $n=1$, a polygon $R$ of one point, two weights whose sum is 0, so that $A$, $B$ and $W$ vanish at the parameter $u$;
+:given: $n=1$, a polygon $R$ of one point, two weights whose sum is 0, so that numerators and denominator of (3.4.4) vanish at the parameter $u$;
   and another point $P$
 :then: $\sum a_iu^{1-i}=\sum b_iu^{1-i}=0$ although $P$ is not on the curve, which is the point $R_0$
 :method: Both sums are computed; that one of them differs from 0 is what is compared.
@@ -331,18 +388,18 @@ elsewhere gives a point off the arc, or no point at all.
 :meant: (3.4.5), which is printed without a range, and the conclusion drawn by the theory of resultants, for which any common root counts | A
   common root of the two polynomials, real or complex.
 :class: missing-hypothesis
-:reading: mean_grows_by_one_term | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By the claim
-  $\sum a_iu^{n-i}=W(u)(X(u)-x)$; the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$, and $W(u)>0$ there; the point of $t=a$ is that of $a_0=b_0=0$.
+:reading: positive_denominator_times_a_difference | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By (3.4.3)
+  the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$; the point of $t=a$ is that of $a_0=b_0=0$.
 :reading: common_root_of_a_point_off_the_arc | a common root, as it is printed, real or complex
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
-:corrected-by: parameter_change_and_its_inverse mean_grows_by_one_term positive_terms_make_a_convex_mean
+:corrected-by: parameter_change_and_its_inverse positive_denominator_times_a_difference
   change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
-By the claims $\sum a_iu^{n-i}=W(u)(X(u)-x)$ with $W(u)>0$ for $u\ge0$, and $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$.  Only the direction from the curve to the common root is
+By (3.4.3) $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$; $a_0=b_0=0$ says $x=x_0$, $y=y_0$, as $\omega_0\ne0$.  Only the direction from the curve to the common root is
 used in the proof, and that one is right.
 :::
 
@@ -478,7 +535,7 @@ static void compare_with_the_arc(trial *T, int n)
 :data: R = (0,0) (1,0); ω = 1 1; P = (2,0)
 :result: common factor = "u+1/2"; F(P) = 0; P is on the arc = "no"
 :given: $n=1$, the ends $R$ of a segment with equal weights, and a point $P$ of its line beyond $R_1$
-:then: the two polynomials have a common root $u<0$, and $F$ is 0 at $P$; the point is not on the segment
+:then: the two polynomials (3.4.5) in $u$ have a common root $u<0$, and $F$ is 0 at $P$; the point is not on the segment
 :method: The common root by the greatest common divisor in $u$; membership in the arc by the roots in $[0,1]$ of the
   greatest common divisor in $t$.
 :control: roots $u\ge0$ only
@@ -494,8 +551,8 @@ CLAIM(common_root_of_a_point_off_the_arc) { compare_with_the_arc(T, 1); }
 :data: R = (0,0) (0,1/3) (1/3,2/3) (1,2); ω = 1 1 1 1; P = (-1,0)
 :result: common factor = "u^2 + 2*u + 2"; F(P) = 0; P is on the arc = "no"
 :given: the points $R$ of the cubic $(t^2,t^3+t)$, equal weights, and the point $P$ of the parameters $t=\pm\mathrm i$
-:then: the polynomials have a common factor of degree 2 with complex roots; $F$ is 0 at $P$, and the point is not on the
-  curve, for no real parameter
+:then: the polynomials (3.4.5) in $u$ have a common factor of degree 2 with complex roots; $F$ is 0 at $P$, and no parameter
+  in $[0,1]$ gives this point
 :method: The common root by the greatest common divisor in $u$; membership in the arc by the roots in $[0,1]$ of that in $t$.
 :control: roots $u\ge0$ only
 :::
@@ -577,8 +634,8 @@ determinant is identically 0.
 :zh: 平面有理曲线可化为隐式方程
 :printed: The rational Bézier curve of degree $n$ on the left of (3.3.1), $a\le t\le b$, can be turned into the implicit equation (3.4.1) when the
   $\mathbf R_i=(x_i,y_i)$, $i=0,1,\dots,n$, are coplanar.
-:holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
-  top_form_is_a_resultant_row_by_row bernstein_sum_of_powers_is_a_power
+:holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse
+  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power top_form_is_a_resultant_row_by_row
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant common_zero_makes_the_equation_vanish
   elevation_multiplies_by_one_plus_u
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
@@ -589,14 +646,14 @@ determinant is identically 0.
   are positive; with $\omega_0=0$ the first column vanishes
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
   space $F=0$ may hold beside the curve
-:meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation.
-:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs no hypothesis | A square matrix that takes a
-  vector that is not 0 to 0 has the determinant 0.
-:reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve, and there are no other ones, of parameters outside of the interval or
-  isolated
+:meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation: $F$ is not the zero polynomial.
+:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At such a
+  point the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.
+:reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve and no others; but a point of a parameter outside of the interval may
+  be one
 :figure: implicit_elevation
 
-That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that elevated curves are such,
+That $F$ is 0 where there is a common zero is, for $n=1$ to 6, `common_zero_makes_the_equation_vanish`; that elevated curves have one,
 `elevation_multiplies_by_one_plus_u`.  The curve of space is drawn in `implicit_shadow`.
 :::
 
@@ -696,8 +753,8 @@ static void is_an_equation(trial *T, int n, const num_f R[], const num_f w[])
 :types: field
 :data: R = (0,0) (1/2,0) (1,1); ω = 1 1 1
 :result: elevated R = (0,0) (1/3,0) (2/3,1/3) (1,1); F(x, y) = "0"
-:given: the points $R$ of the parabola $(t,t^2)$, equal weights, and the points of the next degree
-:then: for these $F(x,y)=0$ for all $x$ and $y$
+:given: the points $R$ of the parabola $(t,t^2)$, equal weights, and the points of the same curve elevated by one degree
+:then: for the elevated points $F(x,y)=0$ for all $x$ and $y$
 :method: The determinant with $x$ and $y$ variables; that it is not the zero polynomial is what is compared.
 :control: the same curve as it is given
 :::
@@ -742,7 +799,7 @@ CLAIM(end_weight_zero_gives_no_equation)
 #if RATIONAL
 /*
 :::{claim} space_curve_and_its_shadow
-:title: For a curve of space F = 0 also holds beside the curve
+:title: For a curve of space F = 0 can also hold beside the curve
 :zh: 空间曲线的 F=0 只是投影柱面
 :kind: counterexample
 :data: R = (0,0,0) (1/3,0,1/3) (2/3,1/3,2/3) (1,1,2); ω = 1 1 1 1; t = 1/2; P = (1/2,0,5/8)
@@ -783,8 +840,7 @@ CLAIM(space_curve_and_its_shadow)
 :given: the entries $a_i$ of a row that begins in column $k$, as a sum of two parts: one entry $a$ at a power $V=u^{n-i}$, and the others, together
   $r=\sum a_ju^{n-j}$ without it; $U=u^{n-k}$
 :then: the row, applied to $(u^{2n-1},\dots,u,1)$, is $U(aV+r)$, one entry after the other
-:method: Distributivity, with any number of entries by induction; the place of $a_i$ in the row is $k+i$, so its power is $u^{2n-k-i}=UV$.  At a point of the curve
-  $\sum a_iu^{n-i}=W(u)(X(u)-x)$ is 0 by `mean_grows_by_one_term`.  A square matrix that maps a
+:method: Distributivity, with any number of entries by induction; the place of $a_i$ in the row is $k+i$, so its power is $u^{2n-k-i}=UV$.  A square matrix that maps a
   vector with an entry 1 to 0 has the determinant 0; at $R_0$, where $u=\infty$, the first column is 0.
 :degrees: all
 :over: a V U r: -
@@ -802,64 +858,13 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 :title: By the theory of resultants F must be 0 at the points of the curve
 :zh: 由结式理论 F 必为零
 :printed: By the theory of the resultant of polynomials the resultant $F(x,y)$ of (3.4.5) must be 0, at the points of the curve.
-:holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
-  bernstein_sum_of_powers_is_a_power
+:holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse
+  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; at $\mathbf R_0$ its first column is 0.
 :confirmed-by: equation_vanishes_on_the_curve implicit_value_vanishes_on_the_curve
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::
-
-It remains to see why a base point spoils everything: its parameter is a common root of the two polynomials for every
-$x$ and $y$, so the same vector of powers is mapped to 0 everywhere.  Elevation makes such a parameter, $u=-1$,
-without anybody noticing, as it lies outside the half line.
-
-:::{claim} common_zero_makes_the_equation_vanish
-:title: A common zero of numerators and denominator makes F identically 0
-:zh: 有公共零点时 F 恒为零
-:given: $A$, $B$, $W$ with a common zero $\rho$, or $\omega_0=0$; any $x,y$
-:then: the matrix of (3.4.1) maps $(\rho^{2n-1},\dots,\rho,1)$ to 0, or has a first column of zeros
-:method: The three polynomials are multiplied out from $u-\rho$ and three free cofactors; everything is a variable.
-:degrees: 1..6 sampled 10
-:over: a# b# c#: coefficients; rho; x; y
-:control: the zero of $B$ moved to $\rho+1$
-:::
 */
-CLAIM(common_zero_makes_the_equation_vanish)
-{
-    int n = T->degree;
-    num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
-    num M[MAX_ORDER * MAX_ORDER], rho = parameter(T, "rho"), x = parameter(T, "x"), y = parameter(T, "y");
-    for (int k = 0; k < 3; k++) { /* (u - rho) times a polynomial of degree n-1 */
-        num zero = fault(T, rho, k == 1 ? add(rho, from_int(1)) : rho), before = from_int(0);
-        for (int i = 0; i <= n; i++) {
-            num c = i < n ? positive(T, k == 0 ? "a" : k == 1 ? "b" : "c", i) : from_int(0);
-            p[k][i] = sub(c, mul(zero, before));
-            before = c;
-        }
-    }
-    for (int i = 0; i <= n; i++) {
-        w[i] = div(p[2][i], from_int(binomial(n, i)));
-        R[2 * i] = div(p[0][i], p[2][i]);
-        R[2 * i + 1] = div(p[1][i], p[2][i]);
-    }
-    G(implicit_coefficients)(n, R, w, 0, x, a);
-    G(implicit_coefficients)(n, R, w, 1, y, b);
-    G(sylvester)(n, a, n, b, M);
-    about(T, "the rows of the matrix times the powers of the common zero");
-    for (int i = 0; i < 2 * n; i++) {
-        num row = from_int(0);
-        for (int j = 0; j < 2 * n; j++)
-            row = add(mul(row, rho), M[i * 2 * n + j]);
-        vanishes(T, row);
-    }
-    w[0] = from_int(0);
-    G(implicit_coefficients)(n, R, w, 0, x, a);
-    G(implicit_coefficients)(n, R, w, 1, y, b);
-    G(sylvester)(n, a, n, b, M);
-    about(T, "the first column for ω_0 = 0");
-    for (int i = 0; i < 2 * n; i++)
-        vanishes(T, M[i * 2 * n]);
-}
 
 #include "chapters/judge/claims_off.h"

@@ -182,7 +182,7 @@ The factor $(1-\lambda)l_2(R_0)$ also shows when nothing is touched: for $\lambd
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); λ = 1
 :instead: λ = 1/2
 :result: gradient at R_0 = (0,0)
-:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero, so the conic has no tangent there
 :method: The gradient is computed.
 :control: a $\lambda$ between 0 and 1
@@ -198,7 +198,7 @@ CLAIM(double_line_has_no_tangent) { G(refute_tangent)(T); }
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 -1 0; R_0 = (0,0); λ = 1/2
 :instead: l_3 = 1 1 -1; R_0 = (1,0)
 :result: gradient at R_0 = (0,0)
-:given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and a $\lambda$ between 0 and 1
+:given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and a $\lambda$ between 0 and 1; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero (the conic $x^2-xy+y^2=0$ is this one point)
 :method: The gradient is computed.
 :control: a line $l_3$ that meets the axes in two points
@@ -214,7 +214,8 @@ CLAIM(flat_frame_has_no_tangent) { G(refute_tangent)(T); }
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); R_2 = (0,1); κ = -1
 :instead: κ = -2
 :result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); number of the λ that give S = 0
-:given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$; a line is given by the coefficients $a,b,c$ of $ax+by+c$,
+  a conic by the $A,\dots,F$ of (3.1.1)
 :then: $S$ is an ellipse, $AC-B^2>0$, which touches $l_1$ in $R_0$ and $l_2$ in $R_2$; for no $\lambda$ is
   $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
 :method: The real zeros in $\lambda$ of a determinant of coefficients are counted.  That the conic is an ellipse through
@@ -257,7 +258,7 @@ CLAIM(limings_pencil_misses_one_conic)
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings every_scaling_takes_the_normal_form
 :meant: the text that refers to the figure, where $l_3$ joins the points of contact on $l_1$ and $l_2$ | One of the lines is the chord, the
   two others are tangents.
-:reading: limings_conics_touch_the_lines | The lines have these parts: then the pencil is determined by them, whatever factors
+:reading: every_scaling_takes_the_normal_form | The lines have these parts: then the pencil is determined by them, whatever factors
   their equations have.
 :reading: three_lines_have_three_pencils | Three lines without parts: each of them may be the chord, and with another chord the pencil is
   another one.
@@ -275,7 +276,7 @@ The figure itself is not in the text at hand.
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; P = (0,0)
 :instead: λ = 0
 :result: l_1(P), l_2(P) = 0 0; S(P) = 1/2
-:given: three lines, the conic $S=(1-\lambda)l_1l_2+\lambda l_3^2$ of the pencil with the chord $l_3$, and the point $P$ where $l_1$ and $l_2$ meet
+:given: three lines, each by the coefficients $a,b,c$ of $ax+by+c$, the conic $S=(1-\lambda)l_1l_2+\lambda l_3^2$ of the pencil with the chord $l_3$, and the point $P$ where $l_1$ and $l_2$ meet
 :then: every conic of the pencil with the chord $l_2$, $(1-\mu)l_1l_3+\mu l_2^2=0$, passes through $P$, and $S$ does not
 :method: At $P$ both $l_1$ and $l_2$ are 0, and so is every combination of $l_1l_3$ and $l_2^2$; $S(P)$ is computed.
 :control: the member of $\lambda=0$, the pair of the tangents
@@ -351,7 +352,7 @@ CLAIM(affine_coordinates_exist)
 :instead: R = (0,0) (1,0) (2,1)
 :result: determinant of the frame = 0; R(x,y) = (1,0) (1,0)
 :given: three points $R_0$, $R_1$, $R_2$ on a line, and two pairs $(x,y)$
-:then: $(R_0-R_1)\times(R_2-R_1)=0$, and both pairs have the same point $R(x,y)$: it has no coordinates in the frame
+:then: $(R_0-R_1)\times(R_2-R_1)=0$, and both pairs have the same point $R(x,y)$, which so has more than one pair
 :method: The determinant of the frame and the two points are computed; that different pairs have different points is refuted.
 :control: $R_2$ moved off the line
 :::
@@ -466,13 +467,13 @@ CLAIM(every_scaling_takes_the_normal_form)
 /*
 :::{claim} scaled_lines_change_lambda
 :title: A factor of a line's equation can change lambda
-:zh: 直线方程乘以因子即改变 λ
+:zh: 直线方程乘以因子可改变 λ
 :kind: counterexample
 :data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4) with +, with - = 1/2 1/2
 :instead: λ of (3.1.4) with +, with - = 1/3 -1
 :result: A : B of (3.1.3) = 1/2; A : B of (3.1.4) with +, with - = 2/3 2
-:given: the three lines, the equation of $l_1$ multiplied by a factor, and the same $\lambda$ for (3.1.3) and for (3.1.4)
-  with either sign
+:given: the three lines in the frame, each by the coefficients $a,b,c$ of $ax+by+c$, the equation of $l_1$ multiplied by a factor, and the same $\lambda$ for (3.1.3) and for (3.1.4)
+  with either sign; $A$ and $B$ the coefficients of $x^2$ and $2xy$
 :then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4)
 :method: The coefficients of $x^2$ and $2xy$ of both conics are compared as a ratio.
 :control: the $\lambda'$ of `every_scaling_takes_the_normal_form`
@@ -507,7 +508,7 @@ CLAIM(scaled_lines_change_lambda)
 :instead: l_2 = 0 1 -1
 :result: A, …, F = 1/2 0 1/2 0 0 -1/2; determinant of l_1 and l_2 = 0
 :given: the tangents $l_1$ and $l_2$ of the unit circle at the ends of a diameter, the line $l_3$ of the diameter, and the
-  $\lambda$ for which (3.1.3) is this circle
+  $\lambda$ for which (3.1.3) is this circle, with the coefficients $A,\dots,F$ of (3.1.1); a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: $l_1$ and $l_2$ have no common point $R_1$
 :method: The determinant $a_1b_2-a_2b_1$ of the two lines is computed.
 :control: the tangent at another point for $l_2$
@@ -542,13 +543,14 @@ $\lambda=-\frac13$ with the plus sign.
 :title: The lambda of the conic through a given point
 :zh: 过定点的曲线的 λ
 :data: R = (1/4,1/4); λ at R with -, with + = 1/5 -1/3
-:given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$; and the point $R$
+:given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$; and the point $R=(\frac14,\frac14)$
 :let: $\lambda=\frac{xy}{xy-\sigma(x+y-1)^2}$
 :then: $(1-\lambda)xy+\sigma\lambda(x+y-1)^2=0$; and the value of (3.1.4) with $\kappa$ is
   $xy-\kappa\bigl(xy-\sigma(x+y-1)^2\bigr)$, so no other $\kappa$ fits, and a point of the curve with
-  $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$; at $R$ the two signs have the two $\lambda$ that are listed
+  $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$; at $R$ the minus sign has $\lambda=\frac15$, the plus sign
+  $\lambda=-\frac13$
 :method: Identities in $x$, $y$, $\kappa$, for both signs; and the same at $R$.
-:over: k: κ
+:over: k: -
 :control: $\sigma$ of the other sign in $\lambda$
 :::
 */
@@ -582,29 +584,33 @@ CLAIM(one_point_fixes_lambda)
 :title: The points R0 and R2 lie on every member
 :zh: 端点不能确定 λ
 :kind: counterexample
-:data: R = (1,0); λ = 1/5 1/2
-:instead: R = (1/4,1/4)
-:result: S(R) = 0 0
-:given: the point $R=R_0$ by its coordinates in the frame, the minus sign, and two values of $\lambda$
-:then: both $\lambda$ satisfy (3.1.4)
-:method: The two values $S(R)$ are computed.
-:control: a point inside the triangle
+:data: R = (1,0) (0,1); λ = 1/5 1/2
+:instead: R = (1/4,1/4) (1/3,1/3)
+:result: S(R) = 0 0 0 0
+:given: the points $R=R_0$ and $R=R_2$ by their coordinates in the frame, the conic $S$ of (3.1.4) with the minus sign, and two values of $\lambda$
+:then: for each point both $\lambda$ satisfy (3.1.4)
+:method: The values $S(R)$ are computed, for $R_0$ with both $\lambda$, then for $R_2$.
+:control: two points inside the triangle
 :::
 */
 CLAIM(end_points_leave_lambda_free)
 {
-    num R[2], lambda[2], value[2], S[6];
-    int fitting = 0;
-    given_points(T, "R", 1, 2, R);
+    num R[4], lambda[2], value[4], S[6];
+    int determined = 0;
+    given_points(T, "R", 2, 2, R);
     given_points(T, "λ", 2, 1, lambda);
-    for (int k = 0; k < 2; k++) {
-        G(frame_conic)(lambda[k], -1, S);
-        value[k] = G(form)(S, R[0], R[1]);
-        fitting += is_zero_q(value[k]);
+    for (int point = 0; point < 2; point++) {
+        int fitting = 0;
+        for (int k = 0; k < 2; k++) {
+            G(frame_conic)(lambda[k], -1, S);
+            value[2 * point + k] = G(form)(S, R[2 * point], R[2 * point + 1]);
+            fitting += is_zero_q(value[2 * point + k]);
+        }
+        determined += fitting == 1;
     }
-    found_points(T, "S(R)", 2, 1, value);
-    about(T, "whether only one of the two λ fits");
-    agree(T, fitting == 1);
+    found_points(T, "S(R)", 4, 1, value);
+    about(T, "whether one of the two points has only one of the two λ");
+    agree(T, determined > 0);
 }
 #endif
 
@@ -653,12 +659,12 @@ CLAIM(lambda_inside_the_triangle)
 /*
 :::{claim} lambda_on_the_border
 :title: On the border of the triangle lambda can be 0 or 1
-:zh: 三角形边界上 λ 为 0 或 1
+:zh: 三角形边界上 λ 可为 0 或 1
 :kind: counterexample
 :data: R = (1/2,0) (1/2,1/2)
 :instead: R = (1/2,1/4) (1/4,1/4)
 :result: λ at R = 0 1
-:given: the minus sign, and two points $R$ of the border, the middle of $R_1R_0$ and that of $R_0R_2$
+:given: the minus sign in (3.1.4), and two points $R=(x,y)$ of the border, the middle of $R_1R_0$ and that of $R_0R_2$
 :then: $\lambda$ is one end of the interval for the first, the other for the second
 :method: $\lambda=\frac{xy}{xy+(x+y-1)^2}$ is computed.
 :control: two points inside the triangle

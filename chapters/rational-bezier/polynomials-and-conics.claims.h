@@ -178,7 +178,7 @@ CLAIM(highest_powers_along_a_conic)
 :then: the Bézier curve with the points $(a,a^2),(\frac{a+b}2,ab),(b,b^2)$ runs through it: $x=(1-t)a+tb$, $y=x^2$
 :method: An identity in $a$, $b$ and $t$; every parabola is an affine image of $y=x^2$, and Bézier curves go along
   with affine maps.
-:over: a; b
+:over: a b: -
 :control: the middle point at the middle of the chord
 :::
 */
@@ -205,7 +205,7 @@ defines the word a few lines later, also has pairs of lines for its solutions; a
 :data: S = 0 1/2 0 0 0 0; R = (0,0) (1,0)
 :instead: S = 0 1/2 0 0 0 -1
 :result: S(R(t)) = 0 0 0
-:given: the conic $S$ of the two axes, $xy=0$, which is no parabola, and the Bézier curve $R(t)$ of degree 1 with the
+:given: the conic $S=(A,B,C,D,E,F)$ of (3.1.1), the two axes, $xy=0$, which are no parabola, and the Bézier curve $R(t)$ of degree 1 with the
   points $R$ on one of them
 :then: the curve lies on the conic
 :method: $S(R(t))$ is formed in Bernstein form; the conic carries the curve when it is the zero polynomial.

@@ -67,7 +67,7 @@ CLAIM(signed_ratios_give_the_point)
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
 :result: (g_1, g_2) = (2,2); x as printed = 1/3
-:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve outside the triangle, with its ratios of lengths
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve (3.1.4) with the minus sign, outside the triangle, with its ratios of lengths
   $(g_1,g_2)$
 :then: the printed $x$ is not that of the point
 :method: The tangent is intersected with the sides, and the lengths are taken along these.
@@ -128,7 +128,7 @@ static void G(ratios_at)(const num w[], num t, int without_weight, num g[])
 :let: $c=\frac{\omega_0\omega_2}{\omega_1^2}$ and $t_g=\frac{\omega_0}{\omega_0+\omega_1g}$
 :then: $g_1g_2=c$; $0<t_g<1$, and at $t_g$ the ratios are $g$ and $c/g$; from $g=g_1(t)$ follows $t_g=t$
 :method: Identities in the weights, $t$ and $g$; $t_g$ and $1-t_g$ have positive coefficients.
-:over: g; t: -
+:over: g t: -
 :control: $\omega_1$ left out of $g_2$
 :::
 */
@@ -157,33 +157,40 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
 :title: At t = 0 and t = 1 one of the ratios does not exist
 :zh: t=0,1 处的比不存在
 :kind: counterexample
-:data: ω_1 = 1; t = 0
-:instead: t = 1/2
-:result: denominator of g_1 = 0; denominator of g_2 = 1
-:given: a weight $\omega_1$ and the first parameter
-:then: the denominator $\omega_1t$ of $g_1$ is 0; so is that of $g_2$, $\omega_1(1-t)$, at the last parameter
-:method: The denominators are computed.
+:data: ω_1 = 1; t = 0 1
+:instead: t = 1/2 1/2
+:result: denominators of g_1 = 0 1; denominators of g_2 = 1 0
+:given: a weight $\omega_1$, and the first and the last parameter
+:then: the denominator $\omega_1t$ of $g_1$ is 0 at the first, and that of $g_2$, $\omega_1(1-t)$, at the last parameter
+:method: The denominators are computed at both parameters.
 :control: the parameter in the middle
 :::
 */
 CLAIM(ratios_do_not_exist_at_the_ends)
 {
-    num w = given(T, "ω_1"), t = given(T, "t"), first = mul(w, t), second = mul(w, sub(from_int(1), t));
-    found(T, "denominator of g_1", first);
-    found(T, "denominator of g_2", second);
-    about(T, "whether both denominators are different from 0");
-    refute(T, is_zero_q(first) || is_zero_q(second));
+    num w = given(T, "ω_1"), t[2], first[2], second[2];
+    int missing = 0;
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++) {
+        first[k] = mul(w, t[k]);
+        second[k] = mul(w, sub(from_int(1), t[k]));
+        missing += is_zero_q(first[k]) || is_zero_q(second[k]);
+    }
+    found_points(T, "denominators of g_1", 2, 1, first);
+    found_points(T, "denominators of g_2", 2, 1, second);
+    about(T, "whether both ratios exist at one of the two parameters");
+    refute(T, missing == 2);
 }
 
 /*
 :::{claim} ratios_of_lengths_need_weights_of_one_sign
-:title: Weights of both signs give negative ratios
-:zh: 权异号时 g_1,g_2 为负
+:title: Weights of both signs can give negative ratios
+:zh: 权异号时 g_1,g_2 可为负
 :kind: counterexample
 :data: ω = 1 -1 1; t = 1/2
 :instead: ω = 1 1 1
 :result: (g_1, g_2) = (-1,-1); g_1 g_2 = 1
-:given: weights of which the middle one is negative, and the parameter in the middle
+:given: weights $\omega$ of which the middle one is negative, and the parameter $t$ in the middle
 :then: $g_1<0$ is no ratio of lengths, although $g_1g_2>0$
 :method: The ratios are computed.
 :control: positive weights
@@ -317,13 +324,13 @@ CLAIM(every_point_of_the_arc_is_reached)
 #if RATIONAL
 /*
 :::{claim} complementary_arc_leaves_the_triangle
-:title: With a negative middle weight a point of the curve is outside the triangle
-:zh: 中间权为负时曲线在三角形外
+:title: With a negative middle weight a point of the curve can be outside the triangle
+:zh: 中间权为负时曲线可在三角形外
 :kind: counterexample
 :data: R = (1,0) (0,0) (0,1); ω = 2 -1 2; t = 1/2
 :instead: ω = 2 1 2
 :result: R(t) = (1,1)
-:given: the triangle of the frame, weights of which the middle one is negative, and the parameter in the middle
+:given: the points $R$ of the triangle in its frame, weights $\omega$ of which the middle one is negative, and the parameter in the middle
 :then: $R(t)$ is outside the triangle
 :method: The point is computed.
 :control: the middle weight made positive
@@ -350,7 +357,7 @@ CLAIM(complementary_arc_leaves_the_triangle)
 :data: R = (1,0) (0,0) (0,1); ω = 1 1 1; ω* = 1 2 1; t = 1/2
 :instead: ω* = 2 2 2
 :result: constants = 1 1/4; R(t) = (1/4,1/4); R*(t) = (1/6,1/6)
-:given: the triangle of the frame, and positive weights of two curves
+:given: the points $R$ of the triangle in its frame, positive weights $\omega$ and $\omega^*$ of two curves, and the parameter $t$ in the middle
 :then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ differ, and so do the points of the two curves with $x=y$, of which each has one
 :method: On either curve $x:y=\omega_0(1-t)^2:\omega_2t^2$, which is 1 in the middle, $\omega_0$ and $\omega_2$ being equal.
 :control: weights of the same constant
@@ -441,7 +448,7 @@ CLAIM(weights_with_one_constant_give_one_curve)
 :title: Every point of the curve between its ends tells the constant
 :zh: 由曲线上任一点读出常量
 :given: a triangle, weights, and the point $R(t)$, $0<t<1$
-:where: $0<t<1$
+:harmless: $0<t<1$ | one point between the ends tells the constant of the curve
 :let: $x$ and $y$ be its coordinates in the frame, found from areas
 :then: $\frac{4xy}{(x+y-1)^2}=\frac{\omega_0\omega_2}{\omega_1^2}$, so one curve cannot have two constants
 :method: An identity in the six coordinates, the weights and $t$; at the ends numerator and denominator of
@@ -475,7 +482,7 @@ CLAIM(constant_is_read_off_the_curve)
 :data: R = (1,0) (0,0) (0,1); ω = 2 1 2; ω* = 2 -1 2; t = 1/2; t* = 1/2
 :instead: ω* = 1 1 4; t* = 1/3
 :result: constants = 4 4; R(t) = (1/3,1/3); R*(t*) = (1,1)
-:given: the triangle of the frame, weights of two curves that differ in the sign of the middle one, and a parameter of
+:given: the points $R$ of the triangle in its frame, weights $\omega$ and $\omega^*$ of two curves that differ in the sign of the middle one, and a parameter of
   either curve
 :then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ are equal, and the points of the two curves with $x=y$, $R(t)$
   and $R^*(t^*)$, are not
@@ -510,7 +517,7 @@ CLAIM(sign_of_the_middle_weight_changes_the_arc)
 :data: R = 0 1 2; ω = 1 1 1; ω* = 1 2 1
 :instead: ω* = 1 2 4
 :result: constants = 1 1/4
-:given: three points in order on a line, and weights of two curves
+:given: three points $R$ in order on a line, and weights $\omega$ and $\omega^*$ of two curves
 :then: both curves run through the segment from $R_0$ to $R_2$, each point once, with different constants
 :method: Both derivatives are positive on $[0,1]$: with $R=N/\omega$ the sign of $N'\omega-N\omega'$ is decided.
 :control: weights of the same constant

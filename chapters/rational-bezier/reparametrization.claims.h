@@ -260,16 +260,15 @@ common negative sign give the same curve, and then, for even $n$, there is no ro
 
 :::{claim} negated_weights_have_no_real_factors
 :title: In even degree the roots need not be real, though the curve is the same
-:zh: 偶次时异号权无实因子
+:zh: 偶次时根可非实数而曲线相同
 :kind: decision
 :data: R = 0 1 3; ω = 1 2 3; ω* = -1 -2 -3; t = 1/3
 :instead: ω* = -1 -2 3
 :result: I_1 = 4/3; I*_1 = 4/3; R(t) = 17/15; R*(t) = 17/15; ω*_0/ω_0 = -1; ω*_2/ω_2 = -1
-:given: $n=2$, points $R$, weights $\omega$, and $\omega^*=-\omega$
+:given: $n=2$, points $R$ of a line, weights $\omega$, and $\omega^*=-\omega$; a parameter $t$
 :then: $I_1=I_1^*$ and the curves are the same, but $\omega_0^{*}/\omega_0=\omega_2^{*}/\omega_2=-1$ has no real
   square root
-:method: The two curves are compared at one parameter $t$; at every $t$ and for any points numerator and denominator
-  change sign together.
+:method: The two curves are compared as polynomials, by cross products of numerators and denominators, and at one parameter $t$.
 :control: $\omega_2^*$ positive
 :::
 */
@@ -291,6 +290,7 @@ CLAIM(negated_weights_have_no_real_factors)
     found(T, "R(t)", before);
     found(T, "R*(t)", after);
     same(T, after, before);
+    agree(T, G(one_map)(n, 1, R, w, R, v));
     found(T, "ω*_0/ω_0", first);
     found(T, "ω*_2/ω_2", last);
     agree(T, sign_q(first) < 0 && sign_q(last) < 0);
@@ -414,8 +414,8 @@ CLAIM(equal_invariants_reach_the_other_arc)
 For $n=1$ there is no quotient, so that any two pairs of weights would have to give one segment.
 
 :::{claim} linear_curve_with_opposite_ratios_has_a_pole
-:title: In degree 1 a negative weight sends the curve to infinity
-:zh: 一次时异号权使曲线无界
+:title: In degree 1 a negative weight can send the curve to infinity
+:zh: 一次时异号权可使曲线无界
 :kind: decision
 :data: R = 0 1; ω = 1 1; ω* = 1 -1; u_0 = 1/2; u = 1/3
 :instead: ω* = 1 1
@@ -689,7 +689,7 @@ CLAIM(invariants_survive_fractional_change)
 :title: The invariants belong to the curve
 :zh: 不变量是曲线的内在几何量
 :printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2).
-:meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points, and not only to the points and weights that
+:meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points run through in one direction, and not only to the points and weights that
   describe it; this asks for the two hypotheses.
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
   fractional_change_term_by_term
@@ -700,8 +700,8 @@ CLAIM(invariants_survive_fractional_change)
   parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
   $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
-:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set, without the two hypotheses; the example is
-  a regular arc of a parabola written as a cubic
+:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the two hypotheses; the example is
+  an arc of a parabola written as a cubic
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for two parametrizations of degree $n$ of one arc.
 :argued: | With the two hypotheses two parametrizations of degree $n$ of the same arc, in the same direction, differ by a

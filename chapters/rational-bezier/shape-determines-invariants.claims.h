@@ -53,7 +53,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :argued: | (2) They have one direction.  If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for $n=5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would
   be one; by `backward_run_flattens_the_first_edges` the first edges would then be dependent, against the hypothesis.
 :argued: | (3) Only if: curvature and torsion agree at corresponding ends.  By the claims they determine $I_1$, $I_1I_2$, $I_{n-1}$, $I_{n-2}I_{n-1}$, as $a_1\times a_2$ and, for $n\ge3$,
-  $(a_1,a_2,a_3)$ are not 0: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by `equal_invariants_mean_geometric_ratios`, `fractional_change_term_by_term`,
+  $(a_1,a_2,a_3)$ are not 0, and so at the other end: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by `equal_invariants_mean_geometric_ratios`, `fractional_change_term_by_term`,
   `larger_numbers_have_larger_powers` and `fractional_change_runs_once`, and needs nothing but positive weights.
 :figure: shape_and_invariants
 :::
@@ -363,7 +363,7 @@ way, hence degree $6$.
 
 :::{claim} space_palindromes_beyond_degree_five
 :title: In higher degrees the point set need not determine the invariants
-:zh: 六次起点集不能确定不变量
+:zh: 六次起点集未必能确定不变量
 :kind: decision
 :data: e = (0,0,0) (1,0,0) (0,1,0) (0,0,1); ω_1 = 2
 :result: I_1, I_(n-1) = 4 1; I*_1, I*_(n-1) = 1 4
@@ -543,10 +543,12 @@ the other end to symmetry.
 :needs: palindromes_of_degree_four | theorem 3.2.1, where the first three points are not collinear, and the first three edges not coplanar for
   $n\ge3$ | the first edges are independent: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for $n=2$ and $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$
   for $n\ge3$.  Otherwise the point set may be run backwards, and the start of one curve is the end of the other.
-:argued: | Steps (1) and (2) of theorem 3.2.1: the two curves correspond to each other, and start to start.  The source takes this for granted.
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
+:argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself.  If it exchanged the ends, the first edges would be dependent by the
+  claim; so start corresponds to start.  The source takes this for granted.
 
-As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.  The curvatures alone
-would not do for $n=4$ (`curvatures_alone_miss_the_middle_invariant`).
+As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.
 :::
 */
 
@@ -609,7 +611,10 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
   \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}=0
 :corrected-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive backward_run_flattens_the_first_edges
 :confirmed-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
-:argued: | That both differences are 0: curves of one shape correspond to each other, start to start, by steps (1) and (2) of theorem 3.2.1.
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
+:argued: | That both differences are 0: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be
+  dependent by the claim; so start corresponds to start, and curvature and torsion agree there.
 :figure: torsion_misprint
 
 One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The counterexample
@@ -633,22 +638,43 @@ The two factors are those of $n=5$:
 :control: $\|a_1\times a_3\|^2$ in the torsion, as printed
 :::
 */
-CLAIM(quintic_starts_with_these_factors)
+/* Curvature and torsion of a quintic at t = end, 0 or 1, with its three edges and four weights from that end on. */
+static void G(compare_the_end_of_a_quintic)(trial *T, int end)
 {
     enum { n = 5 };
-    num w[n + 1], R[3 * (n + 1)], a[3][3], zero = from_int(0);
+    num w[n + 1], v[4], R[3 * (n + 1)], a[3][3], t = from_int(end);
     G(free_curve)(T, n, 3, R, w);
+    for (int k = 0; k < 4; k++)
+        v[k] = w[end ? n - k : k];
     for (int k = 0; k < 3; k++)
-        G(edge)(3, R, k + 1, a[k]);
-    num g = G(norm_squared)(3, a[0]), area = G(gram)(3, a[0], a[1]);
-    num factor = mul(from_ratio(4, 5), div(mul(w[0], w[2]), mul(w[1], w[1])));
+        G(edge)(3, R, end ? n - k : k + 1, a[k]);
+    num g = G(norm_squared)(3, a[0]), area = G(gram)(3, a[0], a[1]), volume = G(det3)(a[0], a[1], a[2]);
+    num factor = mul(from_ratio(4, 5), div(mul(v[0], v[2]), mul(v[1], v[1])));
     about(T, "curvature squared");
-    same(T, mul(G(rational_curvature_squared)(n, 3, R, w, zero), mul(g, mul(g, g))), mul(mul(factor, factor), area));
+    same(T, mul(G(rational_curvature_squared)(n, 3, R, w, t), mul(g, mul(g, g))), mul(mul(factor, factor), area));
     about(T, "torsion");
-    num other = mul(from_ratio(3, 5), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    num other = mul(from_ratio(3, 5), div(mul(v[0], v[3]), mul(v[1], v[2])));
     num below = fault(T, area, G(gram)(3, a[0], a[2]));
-    same(T, mul(G(rational_torsion)(n, R, w, zero), below), mul(other, G(det3)(a[0], a[1], a[2])));
+    same(T, mul(G(rational_torsion)(n, R, w, t), below), mul(other, end ? neg(volume) : volume));
 }
+
+CLAIM(quintic_starts_with_these_factors) { G(compare_the_end_of_a_quintic)(T, 0); }
+
+/*
+:::{claim} quintic_ends_with_these_factors
+:title: Curvature and torsion at the end of a quintic
+:zh: 五次曲线末端的曲率与挠率
+:given: $n=5$, weights $\omega_0,\dots,\omega_5$ and points $R_0,\dots,R_5$ of space, $a_4\times a_5\ne0$
+:where: $\mathbf a_4\times\mathbf a_5\ne\mathbf 0$
+:then: $\kappa(1)^2=\left(\frac45\frac{\omega_5\omega_3}{\omega_4^2}\right)^2\frac{\|a_4\times a_5\|^2}{\|a_5\|^6}$ and
+  $\tau(1)=\frac35\frac{\omega_5\omega_2}{\omega_4\omega_3}\frac{(a_3,a_4,a_5)}{\|a_4\times a_5\|^2}$
+:method: From the derivatives of the curve, with all weights and coordinates variables.  The difference of two curves over the same points is that of their weights' factors times
+  the geometric ones.
+:degrees: 5..5
+:control: $\|a_3\times a_5\|^2$ in the torsion
+:::
+*/
+CLAIM(quintic_ends_with_these_factors) { G(compare_the_end_of_a_quintic)(T, 1); }
 
 #if RATIONAL
 /*
@@ -694,12 +720,10 @@ CLAIM(printed_torsion_denominator_is_wrong)
 :printed: As $R_0,R_1,R_2$ are not collinear and $a_1,a_2,a_3$ not coplanar, $a_1\times a_2\ne0$ and
   $(a_1,a_2,a_3)\ne0$; hence $I_1=I_1^*$ and
   $\omega_0\omega_3/(\omega_1\omega_2)=\omega_0^*\omega_3^{*}/(\omega_1^*\omega_2^*)$.
-:holds-by: end_derivative_vectors_in_every_degree end_curvature_and_torsion_follow_in_every_degree
-  factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants bernstein_sum_of_powers_is_a_power
-  change_of_parameter_acts_on_one_factor
+:holds-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 
-In the two differences, of the curvatures and of the torsions, which are 0, the geometric factors are not 0, so that the factors of the weights are.  The
+The proof is for $n=5$.  In the two differences, of the curvatures and of the torsions, which are 0, the geometric factors are not 0, so that the factors of the weights are.  The
 quotient of the second equation is $1/(I_1I_2)$.
 :::
 
@@ -766,14 +790,12 @@ CLAIM(product_is_the_inverse_second_invariant)
 :title: The other end gives the other two invariants
 :zh: 由对称性得另两个不变量
 :printed: By the symmetry of the curve also $I_4=I_4^*$, $I_3=I_3^*$
-:holds-by: change_of_parameter_acts_on_one_factor end_derivative_vectors_in_every_degree
-  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
-  bernstein_sum_of_powers_is_a_power
+:holds-by: quintic_ends_with_these_factors factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
 :confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so their points are not on a line; in a plane
   one and the same quintic can have several $I_3$
 
-What the proof says of the start, that the curvatures and the torsions agree there, it is to say of the other end, too.
+The proof is for $n=5$.  What it says of the start, that the curvatures and the torsions agree there, it is to say of the other end, too.
 Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and the hypotheses with each other.
 :::
 
@@ -786,8 +808,10 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
-:argued: | Steps (1) and (2) of theorem 3.2.1: curves of one shape correspond to each other, start to start, so that their
-  curvatures and torsions there agree.
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
+:argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be dependent by the claim; so start
+  corresponds to start and end to end, and curvatures and torsions agree there.
 
 $n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
 $\tau(0)$ gives $I_2$.

@@ -154,7 +154,7 @@ static void G(middle_of_the_chord)(const num R[], num M[])
 /*
 :::{claim} negative_weight_leaves_the_median
 :title: With a negative weight the shoulder point need not be between vertex and base
-:zh: ω<0 时肩点不在中线段上
+:zh: ω<0 时肩点可不在中线段上
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = 1 -1/2 1
 :instead: ω = 1 1/2 1
@@ -291,7 +291,7 @@ static void ellipse_by_shoulder(trial *T)
 :data: R = (-2,0) (3,0) (2,0); ω = 1 1/2 1
 :instead: R = (-2,0) (3,1) (2,0)
 :result: M = (0,0); R_s = (1,0); square of the ratio = 1/4; A, …, F = 0 0 21/4 0 0 0; AC-B² = 0
-:given: three points $R$ of a line and standard weights with $0<\omega_1<1$
+:given: three points $R$ of a line and standard weights with $0<\omega_1<1$; the conic of these by the $A,\dots,F$ of (3.1.1)
 :then: the ratio of $R_sM$ to $R_1R_s$ is below 1, but the curve lies on a line
 :method: The point and the conic are computed.
 :control: $R_1$ moved off the line
@@ -307,7 +307,7 @@ CLAIM(flat_triangle_has_a_shoulder_point) { ellipse_by_shoulder(T); }
 :data: R = (-1,0) (0,1) (1,0); ω = 1 0 1
 :instead: ω = 1 1/2 1
 :result: M = (0,0); R_s = (0,0); square of the ratio = 0; A, …, F = 0 0 1 0 0 0; AC-B² = 0
-:given: the points $R$ of a triangle, and the weights $\omega$ with $\omega_1=0$
+:given: the points $R$ of a triangle, and the weights $\omega$ with $\omega_1=0$; the conic of these by the $A,\dots,F$ of (3.1.1)
 :then: $R_s=M$, the ratio is 0, but $AC-B^2=0$: the conic $y^2=0$ is no ellipse
 :method: The point and the conic are computed.
 :control: a positive middle weight

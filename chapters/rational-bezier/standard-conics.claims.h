@@ -200,8 +200,8 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :::
 
 :::{claim} negative_weights_lose_their_sign
-:title: With three weights of the other sign the formula can take the wrong arc
-:zh: 权全变号时公式失效
+:title: With outer weights that are negative the formula can take the wrong arc
+:zh: 首末权为负时公式可能取另一段弧
 :kind: counterexample
 :data: R = (-1,0) (0,1) (1,0); ω = -1 1/2 -1; u = 1/2
 :instead: ω = 1 1/2 1

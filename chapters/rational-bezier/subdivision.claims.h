@@ -424,7 +424,7 @@ weight is not even defined by (3.3.2).
 :result: R(t) = 3/4; quotient with the printed argument = 7/8
 :given: two points of the line with equal weights, $[a,b]=[0,1]$, the cut $c$ and a parameter $t$ of the right part; the
   weights in the numerator taken as they should be
-:then: with the printed argument, and the weights of the numerator taken as they should be, the quotient is not $R(t)$
+:then: with the printed argument in the numerator the quotient is not $R(t)$
 :method: Both sides are computed exactly.
 :control: $(t-c)/(b-c)$ in the numerator too
 :::

@@ -113,7 +113,8 @@ static void found_gradient(trial *T, struct member_at_point m)
 :data: λ = 1/2; R = (4/3,1/3)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (-1/2,0)
-:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
+  sign, outside the triangle
 :then: $S_y=0$, so the printed quotient does not exist
 :method: The value and the gradient of $S$ at $R$ are computed.
 :control: a point of the curve inside the triangle
@@ -165,26 +166,29 @@ static num G(printed_cut)(num lambda, num x, num y, num z, int other)
 :::{claim} tangent_cuts_the_sides
 :title: Where the tangent cuts the two sides
 :zh: 切线截两边的点
-:given: a point $R=(x,y)$ with $xy\ne0$ and the conic $S$ of the family through it, with the minus sign
+:given: a point $R=(x,y)$ with $xy\ne0$ and the conic $S$ of the family through it, with the minus sign, and with the plus sign
 :where: $xy\ne0$
 :let: $s=x+y-1$
-:then: the tangent at $R$ meets $Y=0$ where $X=\frac{-2\lambda s}{(1-\lambda)y-2\lambda s}$, and $X=0$ where
-  $Y=\frac{-2\lambda s}{(1-\lambda)x-2\lambda s}$
-:method: The common points are $X=x+yS_y/S_x$ and $Y=y+xS_x/S_y$; with $\lambda=\frac{xy}{xy+s^2}$ both sides are
+:then: with the minus sign the tangent at $R$ meets $Y=0$ where $X=\frac{-2\lambda s}{(1-\lambda)y-2\lambda s}$, and $X=0$ where
+  $Y=\frac{-2\lambda s}{(1-\lambda)x-2\lambda s}$; with the plus sign $2\lambda s$ stands for $-2\lambda s$
+:method: The common points are $X=x+yS_y/S_x$ and $Y=y+xS_x/S_y$; with $\lambda=\frac{xy}{xy\pm s^2}$ both sides are
   rational functions of $x$ and $y$.
-:control: the plus sign
+:control: $2\lambda s$ with the minus sign, $-2\lambda s$ with the plus sign
 :::
 */
 CLAIM(tangent_cuts_the_sides)
 {
-    int sign = fault(T, -1, 1);
-    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = G(lambda_at)(x, y, sign), S[6], X, Y;
-    G(frame_conic)(lambda, sign, S);
-    G(tangent_cuts)(S, x, y, &X, &Y);
-    about(T, "the cut with the first side");
-    same(T, X, G(printed_cut)(lambda, x, y, y, 0));
-    about(T, "the cut with the second side");
-    same(T, Y, G(printed_cut)(lambda, x, y, x, 0));
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), S[6], X, Y;
+    for (int sign = -1; sign < 2; sign += 2) {
+        num lambda = G(lambda_at)(x, y, sign);
+        int plus = fault(T, sign > 0, sign < 0);
+        G(frame_conic)(lambda, sign, S);
+        G(tangent_cuts)(S, x, y, &X, &Y);
+        about(T, "the cut with the first side");
+        same(T, X, G(printed_cut)(lambda, x, y, y, plus));
+        about(T, "the cut with the second side");
+        same(T, Y, G(printed_cut)(lambda, x, y, x, plus));
+    }
 }
 
 #if RATIONAL
@@ -194,11 +198,11 @@ tangent may be parallel to the side.  And at the ends of the curve the tangent i
 
 :::{claim} plus_sign_moves_the_cut
 :title: With the plus sign the printed point need not be on the tangent
-:zh: 取正号时所印 A 有误
+:zh: 取正号时所印 A 可不在切线上
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
 :result: S(R) = 0; X_A from the tangent = 2; X_A as printed = 2/3
-:given: the plus sign, a $\lambda$ between 0 and 1, and a point $R$ of the curve
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the plus sign
 :then: the tangent at $R$ meets the first side elsewhere than the printed quotient says
 :method: The tangent is intersected with $Y=0$.
 :control: $+2\lambda(x+y-1)$ for $-2\lambda(x+y-1)$ in numerator and denominator
@@ -225,7 +229,8 @@ CLAIM(plus_sign_moves_the_cut)
 :data: λ = 1/2; R = (1/3,4/3)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (0,-1/2); denominator of X_A = 0
-:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
+  sign, outside the triangle
 :then: $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$
 :method: The value and the gradient of $S$ at $R$ are computed.
 :control: a point of the curve inside the triangle
@@ -251,7 +256,7 @@ CLAIM(tangent_parallel_to_the_first_side)
 :data: λ = 1/2; R = (1,0) (0,1)
 :instead: R = (1/3,1/3) (1/3,1/3)
 :result: S(R) = 0 0; gradients at R = (0,1/2) (1/2,0); numerators of g_1 and g_2 = 0 0; denominators of g_1 and g_2 = 0 0
-:given: a $\lambda$ between 0 and 1, and the points $R_0$ and $R_2$ of every curve of (3.1.4)
+:given: a $\lambda$ between 0 and 1, and the points $R_0$ and $R_2$, which are on the curve $S=0$ of (3.1.4) with the minus sign
 :then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0 in $R_0$: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
   without a point $A$; so it is with $g_2$, $(1-\lambda)x$ and $l_2$ in $R_2$
 :method: The values and the gradients of $S$ at the two points; the numerator and the denominator of $g_1$ at the first, of $g_2$ at the second.
@@ -363,7 +368,7 @@ With their signs the ratios do tell all points apart, by `signed_ratios_give_the
 :kind: counterexample
 :data: λ = 1/2; P = (1/3,1/3); Q = (1,1)
 :result: (g_1, g_2) at P = (2,2); (g_1, g_2) at Q = (2,2)
-:given: a $\lambda$ between 0 and 1, and two points of the curve, $P$ inside the triangle and $Q$ outside
+:given: a $\lambda$ between 0 and 1, and two points of the curve (3.1.4) with the minus sign, $P$ inside the triangle and $Q$ outside
 :then: both have the same ratios of lengths
 :method: The tangents are intersected with the sides, and the lengths are taken along the sides.
 :control: the ratios with their signs, which are positive at $P$ and negative at $Q$
@@ -465,12 +470,13 @@ static num printed_ratio(struct member_at_point m, int factor)
 /*
 :::{claim} outside_the_triangle_lengths_lose_the_sign
 :title: Outside the triangle the ratio of lengths need not be the printed quotient
-:zh: 三角形外长度之比与所印公式不符
+:zh: 三角形外长度之比可与所印公式不符
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; ‖R_1A‖/‖R_0A‖ = 2; g_1 as printed = -2
-:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
+  sign, outside the triangle
 :then: the ratio $\|R_1A\|/\|R_0A\|$ is the printed quotient without its sign
 :method: The tangent is intersected with the side, and the lengths are taken along it.
 :control: a point of the curve inside the triangle
@@ -496,7 +502,7 @@ CLAIM(outside_the_triangle_lengths_lose_the_sign)
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
 :result: S(R) = 0; X_A/(1-X_A) = -2; g_1 as printed = 2
-:given: the plus sign, a $\lambda$ between 0 and 1, and a point $R$ of the curve
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the plus sign
 :then: $\frac{X_A}{1-X_A}$ is the negative of the printed quotient
 :method: The tangent is intersected with the side.
 :control: $+2\lambda(x+y-1)$ in place of $-2\lambda(x+y-1)$
@@ -528,13 +534,13 @@ while the sentence is about every curve of the family.
 :zh: g_1 g_2 为正常数
 :printed: $g_1g_2=\frac{4\lambda}{1-\lambda}$, which shows that on every curve of the family (3.1.4) $g_1g_2=\mathrm{const}>0$
 :class: missing-hypothesis
-:refuted-by: product_of_ratios_can_be_negative
+:refuted-by: product_of_lengths_is_not_printed product_of_ratios_can_be_negative
 :corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and
   $0<\lambda<1$, in the triangle and outside, at every point where both ratios exist: all but $R_0$, $R_2$ and those with
   a tangent parallel to a side
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
-:reading: product_of_ratios_is_positive_inside | only the curves of points of the triangle are spoken of, with the minus sign, as two sentences before: then
+:reading: product_of_ratios_is_positive_inside | only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
   it is right
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
@@ -566,10 +572,10 @@ ratios is $-4\lambda/(1-\lambda)$.
 :given: a point $R=(x,y)$ with $xy\ne0$, $x+y\ne1$, and the conic of the family through it, with either sign $\sigma$
 :where: $xy\ne0$ and $x+y\ne1$
 :then: $g_1g_2=\frac{-4\sigma\lambda}{1-\lambda}$, and so is the product of the ratios of lengths up to its sign; and
-  $\frac{4\lambda}{1-\lambda}>0$ for $0<\lambda<1$
-:method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.  For the sign
-  $\frac\lambda{1-\lambda}$ is a positive variable.
-:over: k: -
+  $\frac{4\lambda}{1-\lambda}>0$ for $0<\lambda<1$, and less than 0 for $\lambda>1$ and for $\lambda<0$
+:method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.  For the signs
+  $\frac\lambda{1-\lambda}$, $\lambda-1$ and $-\lambda$ are positive variables.
+:over: k p: -
 :control: the factor 2 for 4
 :::
 */
@@ -584,9 +590,13 @@ CLAIM(product_of_ratios_is_constant)
         /* g_1 g_2 = -4σλ/(1-λ) */
         same(T, product, div(mul(from_int(fault(T, -4, -2) * sign), lambda), sub(one, lambda)));
     }
-    num between = inside(T, "k");
+    num between = inside(T, "k"), p = positive(T, "p", 0), outer[2] = {add(one, p), neg(p)};
     about(T, "4λ/(1-λ) for 0 < λ < 1");
     nonnegative(T, div(mul(from_int(4), between), sub(one, between)));
+    for (int k = 0; k < 2; k++) {
+        about(T, k == 0 ? "-4λ/(1-λ) for λ > 1" : "-4λ/(1-λ) for λ < 0");
+        nonnegative(T, neg(div(mul(from_int(4), outer[k]), sub(one, outer[k]))));
+    }
 }
 
 /*
@@ -635,7 +645,7 @@ printed number.
 :data: λ = 4/3; R = (2,-2)
 :instead: λ = 1/2; R = (1/3,1/3)
 :result: AC-B² = -17/36; S(R) = 0; (g_1, g_2) = (4,-4); g_1 g_2 = -16; 4λ/(1-λ) = -16
-:given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
+:given: a $\lambda$ greater than 1, whose curve $S=0$ of (3.1.4) with the minus sign is a hyperbola, $AC-B^2<0$ for the coefficients of (3.1.1), and a point $R=(x,y)$ of it
 :then: $g_1g_2=\frac{4\lambda}{1-\lambda}$ is negative
 :method: The tangent at $R$ is intersected with the sides.
 :control: a $\lambda$ between 0 and 1, and a point of its curve inside the triangle
@@ -664,7 +674,7 @@ CLAIM(product_of_ratios_can_be_negative)
 :data: λ = 4/3; R = (2,-2)
 :instead: λ = 1/2; R = (1/3,1/3)
 :result: S(R) = 0; product of the ratios of lengths = 16; 4λ/(1-λ) = -16
-:given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
+:given: a $\lambda$ greater than 1, whose curve $S=0$ of (3.1.4) with the minus sign is a hyperbola, $AC-B^2<0$ for the coefficients of (3.1.1), and a point $R=(x,y)$ of it
 :then: the product of the ratios of lengths is positive, and the printed product is its negative
 :method: The tangent at $R$ is intersected with the sides, and the lengths are taken along these.
 :control: a $\lambda$ between 0 and 1, and a point of its curve inside the triangle

@@ -67,8 +67,8 @@ CLAIM(line_form_of_the_curve)
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: sign_of_the_curve_is_that_of_the_numerator designed_curves_cross_no_more
 :needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive, or only $\omega(t)\ne0$
-:meant: the last clause of the property | Crossings, which are roots of odd multiplicity.
+  positive
+:meant: the last clause of the property | Crossings.
 :reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
   clause of the property
 
@@ -117,7 +117,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
 /*
 :::{claim} curve_changes_sides_at_a_pole
 :title: At a pole a curve can change sides without a root
-:zh: 极点处变号而无根
+:zh: 极点处可变号而无根
 :kind: counterexample
 :data: y = 1 -1; ω = 1 -1; t = 1/4 3/4
 :instead: ω = 1 1
@@ -190,9 +190,11 @@ CLAIM(end_on_the_line_is_no_interior_root)
 :::{statement} wang-ch3:prop-3.2.7-step-3
 :title: A power of 1-t is taken out
 :zh: 提出因子 (1-t)^n
-:printed: \sum_{i=0}^nB_i^n(t)\omega_iy_i=(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i
+:printed: \sum_{i=0}^nB_i^n(t)\omega_iy_i=(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i,\quad 0<t<1
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: numerator_in_powers_of_the_ratio
+
+The range is that in which the chain counts the roots of both sides.
 :::
 
 :::{claim} numerator_in_powers_of_the_ratio
@@ -333,7 +335,7 @@ What the letter would mean, if it were one, is seen at a line that the curve cro
 
 :::{claim} roots_must_be_counted_up_to_one
 :title: With an l below 1 the first step can be false
-:zh: 若 l<1 则第一步不成立
+:zh: 若 l<1 则第一步可不成立
 :kind: counterexample
 :data: y = -2 1; ω = 1 1; l = 1/2
 :instead: l = 1

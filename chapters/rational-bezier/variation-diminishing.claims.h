@@ -239,7 +239,7 @@ through a line from which the polygon keeps away.
 
 :::{claim} mixed_weights_cross_more
 :title: With weights of both signs a curve can cross a line that the polygon does not meet
-:zh: 权因子变号时变差缩减性不成立
+:zh: 权因子变号时变差缩减性可不成立
 :kind: counterexample
 :data: R = (-1,2) (0,5) (1,2); ω = 2 -1 2; t = 1/3 2/3
 :instead: ω = 2 1 2
