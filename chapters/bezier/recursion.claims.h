@@ -108,7 +108,7 @@ CLAIM(enough_equal_steps_bring_the_polyline_near)
 :instead: a = 999/1000
 :result: t = 3/4; δ = 1/16
 :given: the parabola $(t,t^2)$, whose points are $R$, and a polyline through its points at $t=0$ and $t=2^{-k}$ for as many $k=0,1,2,\dots$
-  as one likes; its last chord begins at the parameter $a$ and ends at 1
+  as one likes; its last chord begins at the parameter $a$ and ends at 1; $\varepsilon$, the distance that one likes
 :then: that chord stays where it is, however many points there are, and half way between its ends, at $t$, it lies above the curve by $\delta$
 :method: The point of the curve and that of the chord; that they are within $\varepsilon$ is refuted.
 :control: a chord between the last two of a thousand points in equal steps
@@ -363,8 +363,8 @@ a bracket that is multiplied by $t$ or by $1-t$ the sum $n-1$.
 :confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less
 
-The signs are lost.  In the text at hand the exponent of $1-t$ consists of $n$, $i$ and 1 in the first sum and of $n$ and
-$i$ in the second, whose power of $t$ has the 1.
+In the text at hand the exponent of $1-t$ consists of $n$, $i$ and 1 in the first sum and of $n$ and
+$i$ in the second, whose power of $t$ has the 1; the minus signs between them are not there.
 :::
 */
 

@@ -134,8 +134,8 @@ typedef struct statement_link {
 typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
     const char *example; /* why one instance decides what is printed in general words, or empty */
-    const char *letter;  /* that its source has for degrees; "k" for orders; NULL: n */
-    const char *letters; /* that its source prints anywhere, separated by blanks: "t beta x"; NULL: not known */
+    const char *letter;  /* for degrees, "k" for orders; or, where it prints no such letter, "degree", "order"; NULL: n */
+    const char *letters; /* that are in what is printed or corrected, separated by blanks: "t beta x"; NULL: not known */
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
     const statement_link *links;       /* ends with a link whose claim and text are NULL                       */

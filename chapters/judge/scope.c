@@ -403,16 +403,16 @@ scope scope_of(const claim_result *r)
 
 static void put_range(FILE *out, const whole_range *r, const char *letter)
 {
-    int is_order = r->letter[0] == '\0' && strcmp(letter, "k") == 0;
+    int is_degree = r->letter[0] == '\0', is_order = is_degree && strcmp(letter, "k") * strcmp(letter, "order") == 0;
     int endless = r->high == WITHOUT_END;
     int low = r->low + (is_order && !(endless && r->low == 0)), high = r->high + (is_order && !endless);
-    const char *name = r->letter[0] != '\0' ? r->letter : letter;
+    const char *name = is_degree ? letter : r->letter, *is = is_degree && letter[1] != '\0' ? "" : "= "; /* "degree 3" */
     if (low > high)
         fprintf(out, "no %s", name);
     else if (low == high)
-        fprintf(out, "%s = %d", name, low);
+        fprintf(out, "%s %s%d", name, is, low);
     else if (!endless)
-        fprintf(out, "%s = %d to %d", name, low, high);
+        fprintf(out, "%s %s%d to %d", name, is, low, high);
     else if (low > 0)
         fprintf(out, "every %s from %d on", name, low);
     else

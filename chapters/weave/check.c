@@ -242,7 +242,7 @@ static void check_statement(const struct book *book, const struct block *b)
 
 static void check_source(const struct block *b)
 {
-    static const char *const known[] = {"author", "title", "zh", "year", "publisher", "part", "letter", NULL};
+    static const char *const known[] = {"author", "title", "zh", "year", "publisher", "part", "letter", "counts", "parameter", NULL};
     static const char *const needed[] = {"author", "title", NULL}, *const none[] = {NULL};
     check_keys(b, known, none, needed);
 }

@@ -1261,8 +1261,8 @@ static void test_data_within_hypotheses(void **state)
     free_statement_result(&r);
 }
 
-/* A letter that the source does not have says nothing to its reader, unless it is what is positive. */
-static void test_letters_of_the_source_alone_are_told(void **state)
+/* A letter that the statement does not have says nothing to its reader, unless it is what is positive. */
+static void test_letters_of_the_statement_alone_are_told(void **state)
 {
     (void)state;
     struct {
@@ -1297,6 +1297,12 @@ static void test_the_finding_of_one_claim(void **state)
     assert_string_equal(f.scope, "k = 3 to 9; all points and weights, every β");
     free_finding(&f);
     assert_null(f.scope);
+    f = finding_of(plain_result, "order");
+    assert_string_equal(f.scope, "order 3 to 9; all points and weights, every β");
+    free_finding(&f);
+    f = finding_of(plain_result, "degree");
+    assert_string_equal(f.scope, "degree 2 to 8; all points and weights, every β");
+    free_finding(&f);
     f = finding_of(plain_result, NULL);
     assert_string_equal(f.scope, "n = 2 to 8; all points and weights, every β");
     free_finding(&f);
@@ -1416,7 +1422,7 @@ int main(void)
         unit(test_conditions_reach_the_verdict),
         unit(test_what_a_phrase_says_are_definite_ones_are_not_all),
         unit(test_data_within_hypotheses),
-        unit(test_letters_of_the_source_alone_are_told),
+        unit(test_letters_of_the_statement_alone_are_told),
         unit(test_the_finding_of_one_claim),
         unit(test_claims_without_a_common_case),
         unit(test_arguments),
