@@ -277,7 +277,7 @@ CLAIM(equal_steps_reach_every_part)
 :::{claim} program_ends_at_one_in_exact_arithmetic
 :title: In exact arithmetic the points are those of equal steps, from the first point to the last
 :zh: 精确运算下离散点的参数为 i/N
-:given: a curve of any degree $n$ up to the number $D$, with any points of a line, $N$ steps
+:given: a curve of degree $n$ with any points of a line, $N$ steps
 :then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_n$
 :method: The program as printed, against the definition at $\frac iN$, one case for each $N$ and $n$.
 :degrees: npoints = 1..6 sampled 12
@@ -419,8 +419,6 @@ CLAIM(program_writes_one_point_too_many)
 :printed: R = new double[n+1], Q = new double[n+1]
 :holds-by: program_stays_in_its_arrays
 :argued: every n and every number of steps | R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
-
-Of Q the last place is never used.
 :::
 
 :::{statement} slides-ch4:4-program-delete

@@ -24,6 +24,7 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
+:degree: 3
 :::
 
 :::{statement} slides-ch4:4-joint-derivatives
@@ -34,6 +35,7 @@ only point in one direction, which is one number $a>0$ less than equality; the s
   sums_by_parts_give_the_edges
 :confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
+:degree: 3
 :::
 
 :::{statement} slides-ch4:4-joint-g1
@@ -59,6 +61,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice, and with $Q_0\ne Q_1$ for it to be necessary
 :hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: with $P_2\ne P_3$, for it to be necessary
 :figure: corner_without_edges
+:degree: 3
 :::
 
 :::{statement} slides-ch4:4-joint-g1-point
@@ -68,6 +71,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
 :needs: ratio_minus_one_has_no_quotient | the line of the condition: $a>0$ | $a>0$; of all other ratios $a=-1$ alone has no quotient
 :figure: joint_of_cubics
+:degree: 3
 :::
 
 :::{claim} edges_in_a_ratio_give_tangents_in_that_ratio

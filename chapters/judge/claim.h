@@ -138,6 +138,7 @@ typedef struct statement {
     const char *letters; /* that are in what is printed or corrected, separated by blanks: "t beta x"; NULL: not known */
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
+    int degree;                        /* the only one that it is about, or 0                                */
     const statement_link *links;       /* ends with a link whose claim and text are NULL                       */
 } statement;
 

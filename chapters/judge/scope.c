@@ -286,6 +286,15 @@ void leave_letters(scope *s, const char *letters)
     s->kinds = left;
 }
 
+void keep_degree(scope *s, int degree)
+{
+    for (int k = 0; k < s->ranges; k++)
+        if (s->range[k].letter[0] == '\0') {
+            meet_range(s, (whole_range){"", degree, degree});
+            return;
+        }
+}
+
 int is_empty_scope(const scope *s)
 {
     for (int k = 0; k < s->ranges; k++)

@@ -61,6 +61,8 @@ void add_condition(scope *s, const char *condition);
 /* Leaves out what may be anything and is called by a letter that is none of a statement, "t beta x": it is a letter of a claim, and
  * says nothing to the reader. */
 void leave_letters(scope *s, const char *letters);
+/* Of several degrees leaves that one. */
+void keep_degree(scope *s, int degree);
 /* Whether no case is in it. */
 int is_empty_scope(const scope *s);
 /* In words, with that letter or word for the degree: "k" and "order" stand for the order.  The caller frees. */

@@ -176,6 +176,7 @@ CLAIM(line_through_an_edge_has_no_two_sides)
 :hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane
   they may be fewer
 :figure: polygon_crossing_itself
+:degree: 7
 :::
 
 :::{claim} polygon_that_crosses_itself_on_the_line
@@ -213,6 +214,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
   points with $0<t<1$; with the printed functions the function is $(q(t)-Q)\cdot u$ only for $\beta=0$ or $Q\cdot u=0$
 :corrected-by: line_function_of_the_curve
 :figure: crossings_off_the_polygon
+:degree: 7
 
 The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_7$ may be on $L$.
 :::

@@ -220,7 +220,7 @@ static void check_statement(const struct book *book, const struct block *b)
     static const char *const classes[] = {CLASS_LIST(CLASS) NULL};
 #undef CLASS
     static const char *const known[] = {"title",  "zh",         "printed",  "class",   "corrected",
-                                        "figure", "definition", "striking", "example", NULL};
+                                        "figure", "definition", "striking", "example", "degree", NULL};
     static const char *const needed[] = {"title", "printed", NULL};
     check_keys(b, known, role_keys, needed);
     check_chinese(book, b);

@@ -246,7 +246,7 @@ static const char *name_of_degree(const struct book *book, const struct block *b
 
 static void put_statement(FILE *out, const struct book *book, const struct block *b, int index)
 {
-    const char *rank = value_of(b, "striking"), *letters = letters_of_statement(book, b);
+    const char *rank = value_of(b, "striking"), *degree = value_of(b, "degree"), *letters = letters_of_statement(book, b);
     fputs("    {.id = ", out);
     put_string(out, b->name);
     put_option(out, "title", b, "title");
@@ -261,8 +261,8 @@ static void put_statement(FILE *out, const struct book *book, const struct block
     put_field(out, "letters", letters);
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
-    fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .links = links_%d},\n", b->line,
-            value_of(b, "definition") != NULL, rank != NULL ? atoi(rank) : 0, index);
+    fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .degree = %d, .links = links_%d},\n", b->line,
+            value_of(b, "definition") != NULL, rank != NULL ? atoi(rank) : 0, degree != NULL ? atoi(degree) : 0, index);
 }
 
 static void put_statements(FILE *out, const struct book *book)

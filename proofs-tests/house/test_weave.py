@@ -52,6 +52,7 @@ FIRST = r"""/*
 :figure: picture
 :example: it stands for all
 :striking: 2
+:degree: 3
 
 A remark: with a colon.
 :::
@@ -234,7 +235,7 @@ class Good(Weaving):
             self.assertIn(link, text)
         self.assertIn(r'.printed = "a=b, \\ b=\"c\""', text)
         self.assertIn('.note = "A remark: with a colon."', text)
-        self.assertIn(".is_definition = 0, .striking = 2", text)
+        self.assertIn(".is_definition = 0, .striking = 2, .degree = 3", text)
         self.assertIn('.example = "it stands for all"', text)
 
     def test_claims_of_types_that_are_not_compiled_are_left_out(self):
