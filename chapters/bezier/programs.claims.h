@@ -201,7 +201,7 @@ In binary64 other numbers of steps miss 1, too: `sum_of_steps_is_seldom_one`.
 :zh: 分别求出 npoints+1 个离散点
 :printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
 :holds-by: program_ends_at_one_in_exact_arithmetic
-:argued: every n and npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
+:argued: every degree and every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
   that knows nothing of the others, in which each pass of the outer loop is one level of the recursion.
 :confirmed-by: corrected_program_ends_at_the_last_point program_computes_the_curve
 :hypothesis: last_point_of_the_example_is_missed | the arithmetic is exact: in binary64 the last of them need not be the end of
@@ -282,7 +282,7 @@ CLAIM(equal_steps_reach_every_part)
 :method: The program as printed, against the definition at $\frac iN$, one case for each $N$ and $n$.
 :degrees: npoints = 1..6 sampled 12
 :data: D = 5
-:scope: n = 0 to 5
+:scope: degree 0 to 5
 :over: x#: points
 :control: the first step taken before the first point
 :::

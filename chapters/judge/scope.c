@@ -222,7 +222,8 @@ static int is_among(const char *word, size_t n, const char *words)
 /* The letters of the field, as TeX writes them, and those of a text. */
 static const char *const greek[][2] = {
     {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"lambda", "λ"}, {"mu", "μ"},    {"tau", "τ"}, {"sigma", "σ"},
-    {"theta", "θ"}, {"rho", "ρ"},  {"omega", "ω"}, {"delta", "δ"},  {"kappa", "κ"}, {"chi", "χ"}, {"varepsilon", "ε"}};
+    {"theta", "θ"}, {"rho", "ρ"},  {"omega", "ω"}, {"delta", "δ"},  {"kappa", "κ"}, {"chi", "χ"}, {"nu", "ν"},
+    {"varepsilon", "ε"}};
 enum { GREEK = sizeof greek / sizeof *greek };
 
 static const char *letter_in_print(const char *noun)

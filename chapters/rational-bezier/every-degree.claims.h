@@ -645,7 +645,7 @@ A cut of corners makes new points of neighbouring old ones.  Its matrix has two 
   such a matrix with $p_l=1-\lambda$, $q_l=\lambda$ or with one entry 1, and by `determinant_of_three_sums_goes_by_triples` the determinants of three new points are sums of such minors times those of three
   old ones.  So, step after step, if no determinant of three of the points of a polygon is negative, then none of the two halves joined is, for every $n$.
 :degrees: all
-:scope: 0 ≤ λ ≤ 1
+:scope: every point of division
 :harmless: $p_l\ge0$ and $q_l\ge0$ | they are $1-\lambda$ and $\lambda$ times positive weights, $0\le\lambda\le1$
 :over: p# q#: -
 :control: one entry negative, as for $\lambda>1$
