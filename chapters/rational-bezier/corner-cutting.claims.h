@@ -170,7 +170,6 @@ have a pole for that.
 :method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive; for $\lambda=0$ and $\lambda=1$ it is $v=p$ and $v=q$.  By induction on the level all $\omega_i^r$
   are positive, for every $n$, and none is less than the least or more than the largest $\omega_i$.
 :scope: every point of division
-:harmless: $0\le\lambda\le1$ | these are the points of division
 :over: p# q#: weights; s: -
 :control: the second coefficient with $1-\lambda$ for $\lambda$
 :degrees: all
