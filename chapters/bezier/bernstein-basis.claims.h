@@ -56,7 +56,7 @@ $1-t$ that both sides share are two more variables.  An identity in all these va
 :then: $B_i^n(t)=(1-t)B_i^{n-1}(t)+tB_{i-1}^{n-1}(t)$
 :method: The three terms are $c\frac ni\,UtV$, $c\frac{n-i}i\,UtV$ and $c\,UtV$, compared with $n-i$, $i$, $t$, $c$,
   $U$, $V$ all variables.  For $i=0$ the relation is $(1-t)^n=(1-t)(1-t)^{n-1}$.
-:degrees: all
+:degrees: all from 1
 :over: i n_minus_i c: i; t U V: t
 :control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$
 :::

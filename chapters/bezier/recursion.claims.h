@@ -157,10 +157,8 @@ the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is prin
 :meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as `slides-ch4:4-recursion-notation` is corrected.
 :figure: two_curves_of_one_point_less
 
-It is for $n\ge1$, and any $t$.
-
 The two sides are sums over the points; the coefficients of each point on both sides are those of the recurrence of the
-Bernstein polynomials, for every $n$.
+Bernstein polynomials.
 :::
 
 :::{statement} slides-ch4:4-recursion-difference
@@ -248,7 +246,7 @@ everything else is a shift of an index.
 :let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$
 :then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$; for $i=0$ it says $1=1+0$
 :method: With $i$, $n-i$ and $c$ variables both sides are one element of the field.
-:degrees: all
+:degrees: all from 1
 :over: i n_minus_i c: i
 :control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$
 :::
