@@ -101,7 +101,8 @@ CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
     G(bezier_derivatives)(n, dim, p, from_int(1), 1, D);
     G(bezier_derivatives)(n, dim, q, from_int(0), 1, E);
     for (int c = 0; c < dim; c++) {
-        num before = p[(n - 1) * dim + c], edge = mul(a, sub(q[c], before)), after = add(q[c], edge), other = unknown(T, "w", c);
+        num before = p[(n - 1) * dim + c], edge = mul(a, sub(q[c], before)), after = add(q[c], edge),
+            other = unknown(T, "w", c);
         about(T, "the derivatives at the joint");
         /* Q'(0) - a P'(1) = n (q_1 - q_0 - a (p_n - p_{n-1})) */
         num gap = sub(sub(q[dim + c], q[c]), edge);

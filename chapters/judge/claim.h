@@ -134,8 +134,8 @@ typedef struct statement_link {
 typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
     const char *example; /* why one instance decides what is printed in general words, or empty */
-    const char *letter;  /* for degrees, "k" for orders; or, where it prints no such letter, "degree", "order"; NULL: n */
-    const char *letters; /* that are in what is printed or corrected, separated by blanks: "t beta x"; NULL: not known */
+    const char *letter;  /* what it calls the degree: "n", "k" for orders, "degree", "order"; NULL: n             */
+    const char *letters; /* of what is printed and corrected, with blanks between: "t beta x"; NULL: not known    */
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
     int degree;                        /* the only one that it is about, or 0                                */

@@ -220,10 +220,10 @@ static int is_among(const char *word, size_t n, const char *words)
 }
 
 /* The letters of the field, as TeX writes them, and those of a text. */
-static const char *const greek[][2] = {
-    {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"lambda", "λ"}, {"mu", "μ"},    {"tau", "τ"}, {"sigma", "σ"},
-    {"theta", "θ"}, {"rho", "ρ"},  {"omega", "ω"}, {"delta", "δ"},  {"kappa", "κ"}, {"chi", "χ"}, {"nu", "ν"},
-    {"varepsilon", "ε"}};
+static const char *const greek[][2] = {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},     {"lambda", "λ"},
+                                       {"mu", "μ"},    {"tau", "τ"},   {"sigma", "σ"},     {"theta", "θ"},
+                                       {"rho", "ρ"},   {"omega", "ω"}, {"delta", "δ"},     {"kappa", "κ"},
+                                       {"chi", "χ"},   {"nu", "ν"},    {"varepsilon", "ε"}};
 enum { GREEK = sizeof greek / sizeof *greek };
 
 static const char *letter_in_print(const char *noun)
@@ -416,7 +416,8 @@ static void put_range(FILE *out, const whole_range *r, const char *letter)
     int is_degree = r->letter[0] == '\0', is_order = is_degree && strcmp(letter, "k") * strcmp(letter, "order") == 0;
     int endless = r->high == WITHOUT_END;
     int low = r->low + (is_order && !(endless && r->low == 0)), high = r->high + (is_order && !endless);
-    const char *name = is_degree ? letter : r->letter, *is = is_degree && letter[1] != '\0' ? "" : "= "; /* "degree 3" */
+    const char *name = is_degree ? letter : r->letter;
+    const char *is = is_degree && letter[1] != '\0' ? "" : "= "; /* "degree 3" */
     if (low > high)
         fprintf(out, "no %s", name);
     else if (low == high)

@@ -246,7 +246,8 @@ static const char *name_of_degree(const struct book *book, const struct block *b
 
 static void put_statement(FILE *out, const struct book *book, const struct block *b, int index)
 {
-    const char *rank = value_of(b, "striking"), *degree = value_of(b, "degree"), *letters = letters_of_statement(book, b);
+    const char *rank = value_of(b, "striking"), *degree = value_of(b, "degree"),
+               *letters = letters_of_statement(book, b);
     fputs("    {.id = ", out);
     put_string(out, b->name);
     put_option(out, "title", b, "title");
