@@ -267,7 +267,7 @@ of $Q\cdot u$, so a line through the origin would not have shown it.
 :title: With the sum 1 the function of the proof is (q(t)-Q).u
 :zh: 曲线与直线的函数
 :given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
-:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for the printed functions the difference of the two sides is
+:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for $n=7$ and the printed functions the difference of the two sides is
   $4\beta(1-t)^3t^4\,Q\cdot u$
 :method: Everything is a variable.
 :degrees: 2..7 sampled 12
