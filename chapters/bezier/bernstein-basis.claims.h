@@ -56,7 +56,7 @@ $1-t$ that both sides share are two more variables.  An identity in all these va
 :then: $B_i^n(t)=(1-t)B_i^{n-1}(t)+tB_{i-1}^{n-1}(t)$
 :method: The three terms are $c\frac ni\,UtV$, $c\frac{n-i}i\,UtV$ and $c\,UtV$, compared with $n-i$, $i$, $t$, $c$,
   $U$, $V$ all variables.  For $i=0$ the relation is $(1-t)^n=(1-t)(1-t)^{n-1}$.
-:degrees: all
+:degrees: all from 1
 :over: i n_minus_i c: i; t U V: t
 :control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$
 :::
@@ -109,14 +109,14 @@ CLAIM(bernstein_raised_by_one_degree)
 :::{claim} bernstein_derivative
 :title: The derivative of a Bernstein polynomial
 :zh: Bernstein 基的导数
-:given: integers $0\le i\le n$, any $t$
+:given: integers $0\le i\le n$, $n\ge1$, any $t$
 :let: $c=\binom ni$, so that $\binom{n-1}{i-1}=c\frac in$ and $\binom{n-1}i=c\frac{n-i}n$; $W=t^{i-1}$, $X=(1-t)^{n-i-1}$
 :then: $(B_i^n)'=n(B_{i-1}^{n-1}-B_i^{n-1})$ and $t(1-t)\,(B_i^n)'=(i-nt)\,B_i^n$
 :method: A value and its derivative are one number $x+x'\varepsilon$ with $\varepsilon^2=0$.  The power $t^i+i\,W\varepsilon$ times
   $t+\varepsilon$ is $t^{i+1}+(i+1)\,t^i\varepsilon$, likewise for the powers of $1-t-\varepsilon$: by induction these are the
   derivatives of the powers, and that of $t^i(1-t)^{n-i}$ is $i\,W(1-t)X-(n-i)\,tWX$.  With $n-i$, $i$, $t$, $c$, $W$, $X$
   variables both relations are equalities in the field.  For $i=0$ and $i=n$ one term is absent, and its factor $i$ or $n-i$ is $0$.
-:degrees: all
+:degrees: all from 1
 :over: i n_minus_i c: i; t W X: t
 :control: the sign between the two terms of the derivative
 :::
@@ -528,8 +528,7 @@ coefficients $b_i$ is therefore the plane Bézier curve of the points $(\frac in
 :zh: 线性精度
 :given: any $t$
 :then: $\sum_{i=0}^n\frac inB_i^n(t)=t$
-:method: The sum at a variable $t$.  For every $n$: $\frac inB_i^n=tB_{i-1}^{n-1}$, which is the second relation of
-  `bernstein_raised_by_one_degree` with $n-1$ and $i-1$, and the $B_{i-1}^{n-1}$ sum to $1$.
+:method: The sum of the kernel's values, each with its factor, at a variable $t$.
 :degrees: 1..12 sampled 24
 :control: the coefficients $\frac{i+1}{n+1}$
 :::
@@ -591,8 +590,7 @@ be used twice: the elevated polygon cuts the corners of the old one, and no new 
 :given: any $t$
 :then: $B_j^n(t)=\sum_iE_{ij}B_i^{n+1}(t)$ for every column $j$ of `bernstein_elevation_matrix`; every row of $E$ has entries that
   are not negative, and sum $1$
-:method: Both sides from the definition at a variable $t$; the relation for every $n$ is
-  `bernstein_raised_by_one_degree`.  The entries are numbers.
+:method: Both sides from the definition at a variable $t$.  The entries are numbers.
 :degrees: 0..8 sampled 16
 :defines: bernstein_elevation_matrix
 :control: the matrix of degree $n+1$ in the place of that of degree $n$

@@ -3,8 +3,7 @@
 
 Section 4 of the slides `slides-ch4` introduces Bézier curves by their sum, writes out the degrees 1, 2 and 3, and lists
 what the polygon says about the curve: its ends, its tangents there, its hull, and that it does not care from which end the
-points are read.  Signs, primes and fraction bars are lost in the text at hand; where a sign is lost we say how many choices
-there are.
+points are read.  Minus signs, primes and fraction bars are lost in the text at hand.
 */
 #include "chapters/bezier/definition.h"
 
@@ -56,8 +55,8 @@ The $n$-th derivative is $n!$ times the $n$-th difference of the points.
   $B_i^m$ is `bernstein_derivative`.  For $r=0$ the sum is the curve, so by induction over $r$ every derivative is such a sum: the $n$-th is
   $n!\,\Delta^nP_0$, and at the ends, where one of the functions is 1 and the others are 0, the $r$-th is $\frac{n!}{(n-r)!}\Delta^rP_0$ and
   $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$.
-:degrees: all
-:over: m N g: -; E# b# c#: functions; P# Q#: points
+:degrees: all from 1
+:over: m N g E# b# c#: -; P# Q#: points
 :control: the factor $m$ of the derivative left out
 :::
 */
@@ -165,8 +164,8 @@ CLAIM(zero_power_zero_takes_away_the_end)
 :holds-by: small_degrees_written_out
 :figure: degrees_one_to_three
 
-The signs of the six numbers are lost.  Each column is the list of the coefficients of one Bernstein polynomial, which are what they are: of
-the 64 choices one is true.
+In the text at hand the six numbers of the matrix have no signs.  Each column is the list of the coefficients of one Bernstein polynomial: of the 64
+choices of the signs one alone gives the curve.
 :::
 
 :::{statement} slides-ch4:4-degree-3
@@ -176,7 +175,7 @@ the 64 choices one is true.
 :holds-by: small_degrees_written_out
 :figure: degrees_one_to_three
 
-Ten signs are lost, and one of 1024 choices is true.
+In the text at hand the ten numbers of the matrix that are not 0 have no signs: of the 1024 choices one alone gives the curve.
 :::
 
 :::{claim} small_degrees_written_out
@@ -186,8 +185,7 @@ Ten signs are lost, and one of 1024 choices is true.
 :then: the sums that are written out, and the products with the matrices, are the curve
 :method: Term by term against `bezier_casteljau`, everything a variable.  The entries are compared as the coefficients of powers of
   $t$ with free points, so that no other matrix, with whatever signs, gives the curve.
-:degrees: 1..3
-:control: the sign of the last entry of the first row of the matrix, or of the whole for $n=1$
+:control: the sign of the last entry of the first row of each matrix
 :::
 */
 /* Entry (i, j) of the matrix of degree n: the coefficient of t^{n-i} beside P_j. */
@@ -202,25 +200,26 @@ static int G(printed_entry)(int n, int i, int j)
 CLAIM(small_degrees_written_out)
 {
     static const int factor[3][4] = {{1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
-    int n = T->degree;
     num b[4 * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
-    G(free_points)(T, n, dim, b);
-    G(bezier_casteljau)(n, dim, b, t, P);
-    for (int c = 0; c < dim; c++) {
-        num sum = from_int(0), product = from_int(0);
-        for (int j = 0; j <= n; j++) {
-            num term = mul(from_int(factor[n - 1][j]), mul(G(power)(t, j), G(power)(s, n - j)));
-            sum = add(sum, mul(term, b[j * dim + c]));
-            for (int i = 0; i <= n; i++) {
-                int entry = G(printed_entry)(n, i, j);
-                entry = fault(T, entry, i == 0 && j == n ? -entry : entry);
-                product = add(product, mul(mul(G(power)(t, n - i), from_int(entry)), b[j * dim + c]));
+    G(free_points)(T, 3, dim, b);
+    for (int n = 1; n <= 3; n++) {
+        G(bezier_casteljau)(n, dim, b, t, P);
+        for (int c = 0; c < dim; c++) {
+            num sum = from_int(0), product = from_int(0);
+            for (int j = 0; j <= n; j++) {
+                num term = mul(from_int(factor[n - 1][j]), mul(G(power)(t, j), G(power)(s, n - j)));
+                sum = add(sum, mul(term, b[j * dim + c]));
+                for (int i = 0; i <= n; i++) {
+                    int entry = G(printed_entry)(n, i, j);
+                    entry = fault(T, entry, i == 0 && j == n ? -entry : entry);
+                    product = add(product, mul(mul(G(power)(t, n - i), from_int(entry)), b[j * dim + c]));
+                }
             }
+            about(T, "the sum");
+            same(T, sum, P[c]);
+            about(T, "the matrix");
+            same(T, product, P[c]);
         }
-        about(T, "the sum");
-        same(T, sum, P[c]);
-        about(T, "the matrix");
-        same(T, product, P[c]);
     }
 }
 
@@ -292,9 +291,8 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
 :holds-by: bernstein_derivative sums_by_parts_give_the_edges
 :confirmed-by: derivative_in_three_steps
-:hypothesis: first_term_divides_by_zero | the products with a factor $i=0$ or $n-i=0$ are left out, or $0<t<1$: at $t=0$ and
-  $t=1$, the two places where the slides use the derivative, two products are $0\cdot0^{-1}$, of which the convention for $0^0$
-  says nothing
+:hypothesis: first_term_divides_by_zero | the products with a factor $i=0$ or $n-i=0$ are left out, or $0<t<1$: at each of $t=0$ and
+  $t=1$, the two places where the slides use the derivative, one product is $0\cdot0^{-1}$, of which the convention for $0^0$ says nothing
 :figure: edges_and_end_tangents
 :::
 
@@ -308,7 +306,7 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :method: One step, everything a variable; then induction.  With $\beta_i=n\,B_i^{n-1}(t)$ and `bernstein_derivative` the left side is the
   derivative of $\sum_iP_iB_i^n(t)$ term by term, and the right side is that by the edges.
 :degrees: all
-:over: E# b# c#: functions; P# Q#: points
+:over: E# b# c#: -; P# Q#: points
 :control: the last function with the other sign
 :::
 */
@@ -394,8 +392,6 @@ CLAIM(first_term_divides_by_zero)
 :hypothesis: terms_in_a_row_come_twice_for_one_edge | for $n=1$ only the first and the last term are taken: there is no
   $(n-2)!$, and the four others are twice the two
 :figure: edges_and_end_tangents
-
-The signs are lost.
 :::
 
 :::{claim} terms_in_a_row_come_twice_for_two_edges
@@ -494,7 +490,7 @@ so it does not matter from which end the points are read.  That the figure is it
 :confirmed-by: reversed_points_reverse_the_curve basis_read_backwards
 :meant: the formula, which has each point with the function of the other end at $1-t$ | The points read backwards give the same curve, run backwards.
 :reading: recurrence_keeps_sum_sign_ends_and_symmetry | the points read backwards give the same curve, run backwards
-:reading: curve_is_no_mirror_image | the curve is a symmetric figure
+:reading: curve_is_no_mirror_image | the figure of the curve is its own mirror image, with the ends exchanged
 :figure: read_from_either_end
 :::
 
@@ -589,7 +585,7 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bernstein_basis
 
-At most 1 because the others are not negative.
+That a function is at most 1 follows from the two others: the sum is 1, and no function is negative.
 :::
 */
 

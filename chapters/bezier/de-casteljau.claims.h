@@ -564,8 +564,7 @@ ends of that edge alone.
 :given: points $b_0,\dots,b_n$ of the plane, any $t$
 :then: the curve of degree $n+1$ of the points of `bezier_elevate` is the curve of the $b_i$; the points are
   $(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$, the rows of the elevation matrix
-:method: Both curves from the definition at a variable $t$, and the points against `bernstein_elevation_matrix`; for every $n$ by
-  `bernstein_raised_by_one_degree`.
+:method: Both curves from the definition at a variable $t$, and the points against `bernstein_elevation_matrix`.
 :degrees: 0..7 sampled 14
 :defines: bezier_elevate
 :control: one inner point left where it was

@@ -28,17 +28,17 @@ enum { MOST_PLACES = 80 };
 :::{statement} slides-ch4:4-program-decas
 :title: The function decas computes the point
 :zh: 函数 decas 求曲线上一点
-:printed: R and Q have n+1 numbers; R becomes P; for m from n down to 1: Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
+:printed: R and Q have $n+1$ numbers; R becomes P; for m from $n$ down to 1: Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
   result is R[0], the value of the curve at $t$
-:holds-by: program_computes_the_curve
+:holds-by: program_computes_the_curve bernstein_recurrence
 :argued: every n | One pass of the outer loop is one level of the recursion, which holds for every $n$; after $n$ passes
   R[0] is the value of the curve.
 :hypothesis: difference_loses_the_last_point | the arithmetic is exact: in binary64 the result at $t=1$ need not be the last
   point
 :figure: last_point_lost
 
-In the text at hand the line that fills R and the head of the outer loop are one fragment, `for(i=0;i0;m-)`, so that "R becomes P" and "from n down"
-are not to be read there; what the rest of the function needs determines them.
+In the text at hand the signs `<` are lost, and the line that fills R and the head of the outer loop are one fragment, `for(i=0;i0;m-)`, so that
+"R becomes P" and "from n down" are not to be read there; what the rest of the function needs determines them.
 :::
 
 :::{statement} slides-ch4:4-program-step
@@ -201,15 +201,16 @@ In binary64 other numbers of steps miss 1, too: `sum_of_steps_is_seldom_one`.
 :zh: 分别求出 npoints+1 个离散点
 :printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
 :holds-by: program_ends_at_one_in_exact_arithmetic
-:argued: every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
-  that knows nothing of the others.
-:confirmed-by: corrected_program_ends_at_the_last_point
+:argued: every degree and every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
+  that knows nothing of the others, in which each pass of the outer loop is one level of the recursion.
+:confirmed-by: corrected_program_ends_at_the_last_point program_computes_the_curve
 :hypothesis: last_point_of_the_example_is_missed | the arithmetic is exact: in binary64 the last of them need not be the end of
   the curve
 :hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
 :figure: last_parameter
 
-With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the ends are exact in binary64, too, as far as it was computed: `corrected_program_ends_at_the_last_point`.
+With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the first and the last point of a curve are exact in binary64, too, for up to 24 steps:
+`corrected_program_ends_at_the_last_point`.
 :::
 */
 
@@ -276,12 +277,12 @@ CLAIM(equal_steps_reach_every_part)
 :::{claim} program_ends_at_one_in_exact_arithmetic
 :title: In exact arithmetic the points are those of equal steps, from the first point to the last
 :zh: 精确运算下离散点的参数为 i/N
-:given: a curve of any degree $n$ up to the number $D$, with any points of a line, $N$ steps
+:given: a curve of degree $n$ with any points of a line, $N$ steps
 :then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_n$
 :method: The program as printed, against the definition at $\frac iN$, one case for each $N$ and $n$.
 :degrees: npoints = 1..6 sampled 12
 :data: D = 5
-:scope: n = 0 to 5
+:scope: degree 0 to 5
 :over: x#: points
 :control: the first step taken before the first point
 :::
@@ -317,7 +318,7 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
 :zh: 控制点个数为 n+1
 :printed: P holds the coordinates of the control points, $n+1$ in number
 :holds-by: program_stays_in_its_arrays
-:argued: every n and npoints | The points are read once, P[i] for $i=0,\dots,n$, in each call, and the calls know nothing of one another.
+:argued: every n and every number of steps | The points are read once, P[i] for $i=0,\dots,n$, in each call, and the calls know nothing of one another.
 :::
 */
 
@@ -342,7 +343,7 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
   the npoints+1 points
 :method: The program on the arrays that count.  What it touches depends on $n$ and the number of steps only, not on the numbers.
 :degrees: 0..24
-:scope: npoints = 8
+:scope: 8 steps
 :control: R with $n$ places
 :::
 */
@@ -374,7 +375,7 @@ difference is one place of memory.
 :class: false
 :corrected: The number of points is npoints+1, as another comment of the same program says, and the array needs as many places.
 :corrected-by: program_stays_in_its_arrays
-:argued: every n and npoints | The loop writes points[i] for $i=0,\dots,$npoints, once each, whatever the points are.
+:argued: every degree and every number of steps | The loop writes points[i] for $i=0,\dots,$npoints, once each, whatever the points are.
 :figure: one_place_too_many
 :striking: 47
 
@@ -417,9 +418,7 @@ CLAIM(program_writes_one_point_too_many)
 :zh: 数组 R、Q 的大小
 :printed: R = new double[n+1], Q = new double[n+1]
 :holds-by: program_stays_in_its_arrays
-:argued: every n and npoints | R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
-
-Of Q the last place is never used.
+:argued: every n and every number of steps | R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
 :::
 
 :::{statement} slides-ch4:4-program-delete
@@ -430,7 +429,7 @@ Of Q the last place is never used.
 :reading: program_releases_arrays_as_numbers | delete R; delete Q; as it stands: wrong
 
 What was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand new double[n+1] is
-without its brackets as well, so that it does not tell which was printed.  Either way each array is released once.
+without its brackets as well, so that it does not tell which was printed.
 :::
 
 :::{claim} program_releases_arrays_as_numbers

@@ -108,7 +108,7 @@ CLAIM(enough_equal_steps_bring_the_polyline_near)
 :instead: a = 999/1000
 :result: t = 3/4; δ = 1/16
 :given: the parabola $(t,t^2)$, whose points are $R$, and a polyline through its points at $t=0$ and $t=2^{-k}$ for as many $k=0,1,2,\dots$
-  as one likes; its last chord begins at the parameter $a$ and ends at 1
+  as one likes; its last chord begins at the parameter $a$ and ends at 1; $\varepsilon$, the distance that one likes
 :then: that chord stays where it is, however many points there are, and half way between its ends, at $t$, it lies above the curve by $\delta$
 :method: The point of the curve and that of the chord; that they are within $\varepsilon$ is refuted.
 :control: a chord between the last two of a thousand points in equal steps
@@ -157,10 +157,8 @@ the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is prin
 :meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as `slides-ch4:4-recursion-notation` is corrected.
 :figure: two_curves_of_one_point_less
 
-It is for $n\ge1$, and any $t$.
-
 The two sides are sums over the points; the coefficients of each point on both sides are those of the recurrence of the
-Bernstein polynomials, for every $n$.
+Bernstein polynomials.
 :::
 
 :::{statement} slides-ch4:4-recursion-difference
@@ -248,7 +246,7 @@ everything else is a shift of an index.
 :let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$
 :then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$; for $i=0$ it says $1=1+0$
 :method: With $i$, $n-i$ and $c$ variables both sides are one element of the field.
-:degrees: all
+:degrees: all from 1
 :over: i n_minus_i c: i
 :control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$
 :::
@@ -363,8 +361,8 @@ a bracket that is multiplied by $t$ or by $1-t$ the sum $n-1$.
 :confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less
 
-The signs are lost.  In the text at hand the exponent of $1-t$ consists of $n$, $i$ and 1 in the first sum and of $n$ and
-$i$ in the second, whose power of $t$ has the 1.
+In the text at hand the exponent of $1-t$ consists of $n$, $i$ and 1 in the first sum and of $n$ and
+$i$ in the second, whose power of $t$ has the 1; the minus signs between them are not there.
 :::
 */
 

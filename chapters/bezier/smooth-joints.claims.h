@@ -24,6 +24,7 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
+:degree: 3
 :::
 
 :::{statement} slides-ch4:4-joint-derivatives
@@ -34,6 +35,7 @@ only point in one direction, which is one number $a>0$ less than equality; the s
   sums_by_parts_give_the_edges
 :confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
+:degree: 3
 :::
 
 :::{statement} slides-ch4:4-joint-g1
@@ -59,6 +61,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice, and with $Q_0\ne Q_1$ for it to be necessary
 :hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: with $P_2\ne P_3$, for it to be necessary
 :figure: corner_without_edges
+:degree: 3
 :::
 
 :::{statement} slides-ch4:4-joint-g1-point
@@ -68,15 +71,16 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
 :needs: ratio_minus_one_has_no_quotient | the line of the condition: $a>0$ | $a>0$; of all other ratios $a=-1$ alone has no quotient
 :figure: joint_of_cubics
+:degree: 3
 :::
 
 :::{claim} edges_in_a_ratio_give_tangents_in_that_ratio
 :title: The three forms of the condition are one
 :zh: G1 条件的三种形式等价
-:given: two curves of degree $n$ of the plane, the points $p_0,\dots,p_n$ of the first, $q_2,\dots,q_n$ of the second any, $q_0=p_n$; $a>0$
+:given: two curves of degree $n$ of the plane, the points $p_0,\dots,p_n$ of the first, $q_1,\dots,q_n$ of the second any, $q_0=p_n$; $a>0$
 :where: $a>0$
-:then: with $q_1=q_0+a(p_n-p_{n-1})$ the derivatives at the joint are $Q'=aP'$, and $q_0=\frac{q_1+a\,p_{n-1}}{1+a}$; with $q_0$ from the last formula,
-  $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
+:then: the derivatives at the joint have $Q'-aP'=n\bigl(q_1-q_0-a(p_n-p_{n-1})\bigr)$, so that $Q'=aP'$ and $q_1-q_0=a(p_n-p_{n-1})$ are one condition;
+  with it $q_0=\frac{q_1+a\,p_{n-1}}{1+a}$, and with $q_0$ from this formula, $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
 :method: Derivatives at the ends by the kernel; everything a variable.
 :degrees: 1..6 sampled 10
 :over: u# v# w#: points; a
@@ -89,19 +93,20 @@ CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
     num p[(MAX_DEGREE + 1) * dim], q[(MAX_DEGREE + 1) * dim], D[2 * dim], E[2 * dim];
     num a = positive(T, "a", 0), whole_ratio = add(from_int(1), a);
     G(free_points)(T, n, dim, p);
-    for (int i = 2; i <= n; i++)
+    for (int i = 1; i <= n; i++)
         for (int c = 0; c < dim; c++)
             q[i * dim + c] = unknown(T, c == 0 ? "u" : "v", i);
-    for (int c = 0; c < dim; c++) {
+    for (int c = 0; c < dim; c++)
         q[c] = p[n * dim + c];
-        q[dim + c] = add(q[c], mul(a, sub(p[n * dim + c], p[(n - 1) * dim + c])));
-    }
     G(bezier_derivatives)(n, dim, p, from_int(1), 1, D);
     G(bezier_derivatives)(n, dim, q, from_int(0), 1, E);
     for (int c = 0; c < dim; c++) {
-        num before = p[(n - 1) * dim + c], after = q[dim + c], other = unknown(T, "w", c);
+        num before = p[(n - 1) * dim + c], edge = mul(a, sub(q[c], before)), after = add(q[c], edge),
+            other = unknown(T, "w", c);
         about(T, "the derivatives at the joint");
-        same(T, E[dim + c], mul(a, D[dim + c])); /* Q'(0) = a P'(1) */
+        /* Q'(0) - a P'(1) = n (q_1 - q_0 - a (p_n - p_{n-1})) */
+        num gap = sub(sub(q[dim + c], q[c]), edge);
+        same(T, sub(E[dim + c], mul(a, D[dim + c])), mul(from_int(n), gap));
         about(T, "the joint");
         /* q_0 = (q_1 + a p_{n-1})/(1+a) */
         num joint = fault(T, add(after, mul(a, before)), add(mul(a, after), before));
@@ -213,8 +218,6 @@ CLAIM(straight_joint_with_a_zero_edge)
 :printed: P''(t)=[6t\;\;2]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}=(-6t+6)P_0+(18t-12)P_1+(-18t+6)P_2+6tP_3
 :holds-by: second_derivative_of_a_cubic
 :figure: second_derivatives_alone
-
-The signs are lost.
 :::
 
 :::{statement} slides-ch4:4-second-derivative-ends
@@ -286,8 +289,7 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :figure: second_derivatives_alone
 :striking: 45
 
-Necessary it is.  Sufficient it is only with $P_3=Q_0$ and equal first derivatives.  With the condition for $G^1$ and $a\ne1$ it divides the curvature by $a^2$,
-`printed_condition_divides_the_curvature`, so that the curve is not $G^2$ either where the curvature is not 0.
+With the condition for $G^1$ in the place of equal first derivatives it divides the square of the curvature by $a^4$, `printed_condition_divides_the_curvature`.
 :::
 
 :::{claim} three_points_make_c2
@@ -382,8 +384,8 @@ in each, the denominator is the third power of the length of the first.
 :::{claim} printed_condition_divides_the_curvature
 :title: With the ratio a the printed condition divides the curvature by the square of a
 :zh: 仅二阶导矢相等时曲率缩为 1/a^2
-:given: $P',P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
-:where: $a>0$
+:given: $P'\ne0$ and $P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
+:where: $a>0$; $P'\ne0$
 :then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
 :method: An identity with everything a variable.
 :over: u# v#: derivatives; a
@@ -413,7 +415,7 @@ CLAIM(printed_condition_divides_the_curvature)
 :needs: open_joint_has_no_second_point | the conditions before it, $Q_0=P_3$ the first of them | $Q_0=P_3$
 :figure: second_derivatives_alone
 
-It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
+It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is $a=1$, it is $Q_2=P_1-4P_2+4P_3$.
 :::
 */
 
@@ -440,6 +442,7 @@ CLAIM(open_joint_has_no_second_point)
     found(T, "Q_2", Q_2);
     found(T, "P_1 - 2P_2 + P_3", before);
     found(T, "Q_0 - 2Q_1 + Q_2", after);
+    about(T, "the second differences of the two polygons");
     same(T, after, before);
 }
 #endif

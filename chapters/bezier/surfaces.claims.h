@@ -76,7 +76,7 @@ a curve in $w$.  At $u=0$ they are the first row of the net itself.
 :::{claim} parameter_lines_are_bezier_curves
 :title: The lines of the surface are curves, and the borders those of the borders of the net
 :zh: 等参线与边界曲线
-:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$, any $u,w$
+:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$ in the plane, any $u,w$
 :then: the curve of `bezier_surface_line` at $w$ is the double sum; for $u=0$ and $u=1$ its points are the first and the last row; with
   `bezier_surface_transpose` the same holds with $u$ and $w$ exchanged
 :method: The curve of the kernel's points, from the definition, against the double sum; everything a variable.
@@ -116,13 +116,13 @@ CLAIM(parameter_lines_are_bezier_curves)
 
 /*
 :::{claim} surface_functions_sum_to_one_and_are_positive
-:title: The surface lies in the hull of its net and moves with it
-:zh: 凸包性与仿射不变性
+:title: The functions of a surface are positive inside, and their sum is 1
+:zh: 基函数的正性与规范性
 :given: $u=\frac s{1+s}$, $w=\frac r{1+r}$, $r,s>0$, degrees $n$ and $m=\lfloor\frac n2\rfloor+1$
 :then: $B_i^n(u)B_j^m(w)>0$, and their sum is 1
 :method: The functions are the surfaces of nets with one point 1 and the others 0, by the kernel; their coefficients in $r,s$ are positive.
 :degrees: 0..4 sampled 8
-:scope: 0 < u < 1, 0 < w < 1
+:scope: m = ⌊n/2⌋ + 1, 0 < u < 1, 0 < w < 1
 :harmless: $r,s>0$ | it is $0<u<1$, $0<w<1$
 :over: s r: -
 :control: $w$ taken as $-\frac r{1+r}$
@@ -208,8 +208,7 @@ with every vector is a volume.
 :given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$ in space, any $u,w$, any vector $v$
 :then: the result $N$ of `bezier_surface_normal` has $N\cdot v=\det(P_u,P_w,v)$; hence $N\cdot P_u=N\cdot P_w=0$
 :method: The determinant by its six products, of the partial derivatives from the definition; $v$ is each of three unit vectors, $P_u$
-  and $P_w$.  The coordinates are variables but for one net of numbers, since $N$ is of degree two in the points: $x$ of all
-  points is variable, then $y$, then $z$, the others being numbers.
+  and $P_w$.  Everything is a variable.
 :degrees: 1..2 sampled 6
 :scope: m = ⌊n/2⌋ + 1
 :over: t: u
@@ -219,31 +218,28 @@ with every vector is a volume.
 */
 CLAIM(surface_normal_is_the_cross_product)
 {
-    int n = T->degree, m = G(other_degree)(n), points = (n + 1) * (m + 1);
+    int n = T->degree, m = G(other_degree)(n);
     num P[MOST_OF_NET * 3], Q[MOST_OF_NET * 3], N[3], u = parameter(T, "u"), w = parameter(T, "w");
-    for (int free_axis = 0; free_axis < 3; free_axis++) {
-        for (int k = 0; k < 3 * points; k++)
-            P[k] = k % 3 == free_axis ? unknown(T, "x", k / 3) : from_int((7 * k * k + 3 * k) % 11 - 5);
-        if (T->faulty) {
-            G(bezier_surface_transpose)(G(net)(n, m, 3, P), Q);
-            G(bezier_surface_normal)(G(net)(m, n, 3, Q), w, u, N);
-        } else {
-            G(bezier_surface_normal)(G(net)(n, m, 3, P), u, w, N);
-        }
-        num v[5][3];
-        for (int c = 0; c < 3; c++) {
-            for (int k = 0; k < 3; k++)
-                v[k][c] = from_int(k == c);
-            v[3][c] = G(surface)(n, m, 3, P, c, 1, 0, u, w);
-            v[4][c] = G(surface)(n, m, 3, P, c, 0, 1, u, w);
-        }
-        for (int k = 0; k < 5; k++) {
-            num product = from_int(0);
-            for (int c = 0; c < 3; c++)
-                product = add(product, mul(N[c], v[k][c]));
-            about(T, k < 3 ? "a coordinate of the normal" : "the normal times a tangent");
-            same(T, product, k < 3 ? G(volume)(v[3], v[4], v[k]) : from_int(0));
-        }
+    G(free_net)(T, n, m, 3, P);
+    if (T->faulty) {
+        G(bezier_surface_transpose)(G(net)(n, m, 3, P), Q);
+        G(bezier_surface_normal)(G(net)(m, n, 3, Q), w, u, N);
+    } else {
+        G(bezier_surface_normal)(G(net)(n, m, 3, P), u, w, N);
+    }
+    num v[5][3];
+    for (int c = 0; c < 3; c++) {
+        for (int k = 0; k < 3; k++)
+            v[k][c] = from_int(k == c);
+        v[3][c] = G(surface)(n, m, 3, P, c, 1, 0, u, w);
+        v[4][c] = G(surface)(n, m, 3, P, c, 0, 1, u, w);
+    }
+    for (int k = 0; k < 5; k++) {
+        num product = from_int(0);
+        for (int c = 0; c < 3; c++)
+            product = add(product, mul(N[c], v[k][c]));
+        about(T, k < 3 ? "a coordinate of the normal" : "the normal times a tangent");
+        same(T, product, k < 3 ? G(volume)(v[3], v[4], v[k]) : from_int(0));
     }
 }
 
@@ -329,7 +325,7 @@ A piece between parameters $u_0,u_1$ and $w_0,w_1$ is found as for curves, in on
 :::{claim} surface_part_is_the_piece
 :title: The net of a piece
 :zh: 子曲面片的控制网格
-:given: a net of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$, any $u_0,u_1,w_0,w_1$, any $a,b$
+:given: a net of numbers, of degrees $n$ and $m=\lfloor\frac n2\rfloor+1$, any $u_0,u_1,w_0,w_1$, any $a,b$
 :then: the surface of the net of `bezier_surface_part` at $(a,b)$ is $P\bigl((1-a)u_0+au_1,(1-b)w_0+bw_1\bigr)$
 :method: Both double sums from the definition; $a$ and $b$, the ends and the points are variables.
 :degrees: 0..3 sampled 6

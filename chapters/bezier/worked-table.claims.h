@@ -318,7 +318,8 @@ CLAIM(rounded_factors_of_the_table)
 :confirmed-by: rounded_factors_of_the_table heights_of_the_example_are_symmetric
 :figure: worked_table
 
-The sum with the rounded factors is 2.367: two digits have changed places.  The points have the heights 1, 3, 3, 1, so $y(0.35)=y(0.65)$, which the table denies as well.
+The sum with the rounded factors is 2.367, the printed number but for the order of its last two digits.  The points have the heights 1, 3, 3, 1, so
+$y(0.35)=y(0.65)$; the table has 2.376 and 2.36.
 :::
 
 :::{claim} table_misses_the_second_y
@@ -453,7 +454,7 @@ One number is right or not by the rule of rounding that is taken, because the ex
 :instead: y = 2.37
 :result: y(t) = 2.365; left above = 0; left below = 0.01
 :given: the cubic with the points $P$, a parameter $t$, and the $y$ that is printed in the row of $t$
-:let: $e$ is one unit of the last digit of $r$, and a number is rounded to $r$, fives up, when it is at least $r-\frac e2$ and less than $r+\frac e2$
+:let: $e$ is one unit of the last digit of $y$, and a number is rounded to $y$, fives up, when it is at least $y-\frac e2$ and less than $y+\frac e2$
 :then: the exact $y(t)$ is $y+\frac e2$: nothing is left above it, where something has to be
 :method: What is left above the exact value is $y+\frac e2-y(t)$, and below it $y(t)-(y-\frac e2)$; both signs, exactly.
 :control: the next number of as many digits
@@ -566,7 +567,7 @@ CLAIM(table_misses_the_fourth_x) { wrong_number(T, "x"); }
 :confirmed-by: rounded_factors_of_the_table heights_of_the_example_are_symmetric
 :figure: worked_table
 
-The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$: a digit, 6, is left out.
+The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$.
 :::
 
 :::{claim} table_misses_the_fourth_y

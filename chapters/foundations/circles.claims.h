@@ -113,7 +113,7 @@ CLAIM(centre_is_never_turned)
   $|P_{n+1}-P_n|^2=2(1-\cos\Delta\theta)\,|P_n|^2$; so all points are on one circle, each is turned by $\Delta\theta$ from the one before, and all
   distances are equal
 :method: One step, point and $a$ variables.  By induction every radius is $|P_0|$, and with it every distance is the same.
-:degrees: all
+:scope: every number of steps
 :over: x y: point; a: angle but π
 :control: $\cos\Delta\theta$ replaced by 1
 :::
@@ -423,7 +423,7 @@ radius at its end is between two bounds: `turn_of_small_steps_gains_a_fifth`.
 :given: any point $P_n$, any $\varepsilon$
 :then: $x_{n+1}^2+y_{n+1}^2=(1+\varepsilon^2)(x_n^2+y_n^2)$; so $x_n^2+y_n^2=(1+\varepsilon^2)^n(x_0^2+y_0^2)$
 :method: One step, point and $\varepsilon$ variables, then induction; the factor is the determinant.
-:degrees: all
+:scope: every number of steps
 :over: x y: point; e: ε
 :control: the factor $1+\varepsilon$
 :::
@@ -447,8 +447,7 @@ CLAIM(small_steps_multiply_the_radius)
   step and exceeds every bound
 :method: One step, with $E_n$, $n$ and $\varepsilon$ variables; what comes out has no negative coefficient.  The rest is
   induction.
-:degrees: all
-:scope: ε > 0
+:scope: every number of steps; ε > 0
 :over: e E n: -
 :control: $n+2$ in the place of $n+1$ in the product $(n+1)\varepsilon^2$
 :::
@@ -612,8 +611,8 @@ $\sqrt{1+\varepsilon^2}$.
   $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$, and the argument grows by $\arctan\varepsilon$, the radius by $|1+i\varepsilon|$,
   in every step
 :method: One step against the product of complex numbers, everything a variable; then induction.
-:degrees: all
-:over: x y: first point; e: ε; u v: -
+:scope: every number of steps
+:over: x y: point; e: ε; u v: -
 :control: the sign of $\varepsilon$ in the product
 :::
 */

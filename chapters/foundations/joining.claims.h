@@ -215,7 +215,8 @@ The index $x$ is read as II, that of the second piece.
 :::{claim} equal_unit_tangents_fix_the_ratio
 :title: Equal unit tangents mean derivatives in the ratio of their lengths
 :zh: 单位切矢相等的充要条件
-:given: a vector $U$ of space, $\alpha_1,\alpha_2>0$
+:given: a vector $U$ of space, $\alpha_1,\alpha_2>0$, $\lambda=\frac{\alpha_2}{\alpha_1}$; the condition
+  $\dot P_{\mathrm{II}}=\lambda\dot P_{\mathrm I}$
 :where: neither derivative is 0 at the joint
 :harmless: $\alpha_1,\alpha_2>0$ | the lengths of derivatives that are not 0
 :then: $\dot P_{\mathrm I}=\alpha_1U$ and $\dot P_{\mathrm{II}}=\alpha_2U$ satisfy the condition; conversely, the condition makes

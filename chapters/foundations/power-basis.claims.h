@@ -280,6 +280,7 @@ Horner's rule (秦九韶算法) takes the powers apart: the cubic is written in 
 :definition: yes
 :printed: P(t)=At^3+Bt^2+Ct+D\qquad(0\le t\le1)
 :checked-by: horner_computes_the_sum_of_powers
+:degree: 3
 :::
 
 :::{statement} hu-1987:1-4-2
@@ -288,6 +289,7 @@ Horner's rule (秦九韶算法) takes the powers apart: the cubic is written in 
 :printed: P(t)=[(At+B)t+C]t+D
 :holds-by: horner_step_keeps_the_sum
 :confirmed-by: horner_computes_the_sum_of_powers
+:degree: 3
 :::
 
 :::{claim} horner_step_keeps_the_sum

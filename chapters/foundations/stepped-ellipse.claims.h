@@ -200,7 +200,7 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
 :given: any point $P_n$, any $\varepsilon$, one step of the second way
 :then: $x_{n+1}^2+y_{n+1}^2-\varepsilon x_{n+1}y_{n+1}=x_n^2+y_n^2-\varepsilon x_ny_n$; so it is the same for all $n$
 :method: One step, with the point and $\varepsilon$ variables; then induction.
-:degrees: all
+:scope: every number of steps
 :over: x y: point; e: ε
 :control: the form $x^2+y^2$
 :::

@@ -578,6 +578,7 @@ With values alone, at as many nodes, the same idea gives Lagrange's functions.
 :holds-by: lagrange_functions_keep_every_polynomial
 :needs: equal_nodes_have_no_interpolant | four nodes are given | the four points are different
 :figure: lagrange_blending_functions
+:degree: 3
 
 In the text at hand the formulas have no signs; with those shown here they give the values.
 :::

@@ -106,9 +106,8 @@ tangent is a vector, and nothing happens: its length is never 0.
 :zh: 斜率无穷大
 :printed: Without a parameter an infinite slope may occur.
 :holds-by: circle_has_an_upright_tangent
+:example: the sentence says that this may happen, and one curve shows it.
 :figure: graphs_and_axes
-
-The sentence says that this may happen, and one curve shows it.
 :::
 
 :::{claim} circle_has_an_upright_tangent

@@ -38,7 +38,7 @@ In the text at hand the formulas have no signs and no primes; with those shown h
   $h_{i-1,1}(t)(t_i-t_{i-1})$, $h_{i,0}(t)(t_{i+1}-t_i)$ and 0; for $i=0$ and $i=n$ the piece outside $[t_0,t_n]$ is left out
 :definition: yes
 :checked-by: base_functions_interpolate_once_continuously
-:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
 :figure: piecewise_base_functions
 :::
@@ -50,7 +50,7 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :then: on each of the $n$ intervals the sum of the $2n+2$ terms is what `hermite_cubic` gives for four data; at each node its value
   and derivative are the data, from both sides
 :method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.
-:degrees: 1..4 sampled 8
+:degrees: intervals = 1..4 sampled 8
 :over: t# h#: increasing nodes; f# d#: data; p: t
 :control: in $a_{0,1}$ the function of the other end
 :::
@@ -107,7 +107,7 @@ must not only differ but increase.
 :printed: $P(t)=\sum_{i=0}^n[f(t_i)a_{i,0}(t)+f'(t_i)a_{i,1}(t)]$ on $[t_0,t_n]$ has just four terms on each $[t_i,t_{i+1}]$ and
   satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
 :needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
@@ -148,7 +148,7 @@ CLAIM(overlapping_intervals_miss_the_data)
 :zh: 单段的四项表示
 :printed: P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
 :meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
 :reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$
@@ -193,7 +193,7 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :zh: 逐段光滑连接
 :printed: The cubics are joined smoothly, piece by piece.
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every n | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
 :meant: the data are values and first derivatives | With a continuous tangent, $C^1$.
 :reading: base_functions_interpolate_once_continuously | $C^1$, for all data

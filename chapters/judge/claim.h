@@ -134,10 +134,11 @@ typedef struct statement_link {
 typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
     const char *example; /* why one instance decides what is printed in general words, or empty */
-    const char *letter;  /* that its source has for degrees; "k" for orders; NULL: n */
-    const char *letters; /* that its source prints anywhere, separated by blanks: "t beta x"; NULL: not known */
+    const char *letter;  /* what it calls the degree: "n", "k" for orders, "degree", "order"; NULL: n             */
+    const char *letters; /* of what is printed and corrected, with blanks between: "t beta x"; NULL: not known    */
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
+    int degree;                        /* the only one that it is about, or 0                                */
     const statement_link *links;       /* ends with a link whose claim and text are NULL                       */
 } statement;
 

@@ -220,9 +220,10 @@ static int is_among(const char *word, size_t n, const char *words)
 }
 
 /* The letters of the field, as TeX writes them, and those of a text. */
-static const char *const greek[][2] = {
-    {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"lambda", "λ"}, {"mu", "μ"},    {"tau", "τ"}, {"sigma", "σ"},
-    {"theta", "θ"}, {"rho", "ρ"},  {"omega", "ω"}, {"delta", "δ"},  {"kappa", "κ"}, {"chi", "χ"}, {"varepsilon", "ε"}};
+static const char *const greek[][2] = {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},     {"lambda", "λ"},
+                                       {"mu", "μ"},    {"tau", "τ"},   {"sigma", "σ"},     {"theta", "θ"},
+                                       {"rho", "ρ"},   {"omega", "ω"}, {"delta", "δ"},     {"kappa", "κ"},
+                                       {"chi", "χ"},   {"nu", "ν"},    {"varepsilon", "ε"}};
 enum { GREEK = sizeof greek / sizeof *greek };
 
 static const char *letter_in_print(const char *noun)
@@ -284,6 +285,15 @@ void leave_letters(scope *s, const char *letters)
         else
             s->data[left++] = s->data[k];
     s->kinds = left;
+}
+
+void keep_degree(scope *s, int degree)
+{
+    for (int k = 0; k < s->ranges; k++)
+        if (s->range[k].letter[0] == '\0') {
+            meet_range(s, (whole_range){"", degree, degree});
+            return;
+        }
 }
 
 int is_empty_scope(const scope *s)
@@ -403,16 +413,17 @@ scope scope_of(const claim_result *r)
 
 static void put_range(FILE *out, const whole_range *r, const char *letter)
 {
-    int is_order = r->letter[0] == '\0' && strcmp(letter, "k") == 0;
+    int is_degree = r->letter[0] == '\0', is_order = is_degree && strcmp(letter, "k") * strcmp(letter, "order") == 0;
     int endless = r->high == WITHOUT_END;
     int low = r->low + (is_order && !(endless && r->low == 0)), high = r->high + (is_order && !endless);
-    const char *name = r->letter[0] != '\0' ? r->letter : letter;
+    const char *name = is_degree ? letter : r->letter;
+    const char *is = is_degree && letter[1] != '\0' ? "" : "= "; /* "degree 3" */
     if (low > high)
         fprintf(out, "no %s", name);
     else if (low == high)
-        fprintf(out, "%s = %d", name, low);
+        fprintf(out, "%s %s%d", name, is, low);
     else if (!endless)
-        fprintf(out, "%s = %d to %d", name, low, high);
+        fprintf(out, "%s %s%d to %d", name, is, low, high);
     else if (low > 0)
         fprintf(out, "every %s from %d on", name, low);
     else

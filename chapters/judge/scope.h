@@ -58,12 +58,14 @@ scope scope_of(const claim_result *r);
 void meet_scope(scope *s, const scope *other);
 /* Adds a condition on the data, of a hypothesis for instance; NULL and "" are none. */
 void add_condition(scope *s, const char *condition);
-/* Leaves out what may be anything and is called by a letter that is none of a source, "t beta x": it is a letter of a claim, and
+/* Leaves out what may be anything and is called by a letter that is none of a statement, "t beta x": it is a letter of a claim, and
  * says nothing to the reader. */
 void leave_letters(scope *s, const char *letters);
+/* Of several degrees leaves that one. */
+void keep_degree(scope *s, int degree);
 /* Whether no case is in it. */
 int is_empty_scope(const scope *s);
-/* In words, with that letter for the degree: "k" stands for the order.  The caller frees. */
+/* In words, with that letter or word for the degree: "k" and "order" stand for the order.  The caller frees. */
 char *scope_words(const scope *s, const char *letter);
 void free_scope(scope *s);
 #endif

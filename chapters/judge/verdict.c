@@ -202,6 +202,10 @@ statement_result derive(const statement *s, const claim_result *results, int cou
         leave_letters(&printed.scope, s->letters);
         leave_letters(&corrected.scope, s->letters);
     }
+    if (s->degree > 0) {
+        keep_degree(&printed.scope, s->degree);
+        keep_degree(&corrected.scope, s->degree);
+    }
     r.as_expected &= !is_empty_scope(&printed.scope) && !is_empty_scope(&corrected.scope);
     r.as_printed = found(&printed, s->letter, said_of_all);
     r.as_corrected = found(&corrected, s->letter, said_of_all);

@@ -122,7 +122,7 @@ $v_{j+r}-u_i$ may be large and its partner negative. The signs are those of the 
 :zh: 离散 B 样条的非负性
 :given: several segments, the lengths between distinct knots positive variables; new knots in the first and the
   last interval, strictly between its ends, the last one double, and one more at each inner knot of multiplicity at most $p$
-:then: $\alpha_i(j)\ge0$, and $\alpha_i(j)=0$ unless $u_i\le v_j$ and $v_{j+p+1}\le u_{i+p+1}$; so every point $d_j$ is a convex
+:then: for every $j\ge p$ $\alpha_i(j)\ge0$, and $\alpha_i(j)=0$ unless $u_i\le v_j$ and $v_{j+p+1}\le u_{i+p+1}$; so such a point $d_j$ is a convex
   combination of $c_{\mu-p},\dots,c_\mu$
 :method: The values of the kernel are fractions of polynomials with positive coefficients only, or the zero element.
 :types: field rational

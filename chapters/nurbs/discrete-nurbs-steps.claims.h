@@ -22,8 +22,8 @@ becomes the point, and what has to be decided about it is the index.
   \sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)},\quad T'=T_1\oplus T_2
 :holds-by: steps_of_refinement_compose discrete_bsplines_compose
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist for $T_1$ and for $T'$: a knot of $T_1$ at a
-  $k$-fold right end gives an $r_l^{(T,T_1)}$ that is $\frac00$, and the sum has it
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist for $T_1$ and for $T_1\oplus T_2$: in the example, whose $T'$ is $T_1$ here,
+  the last $r_l^{(T,T_1)}$ is $\frac00$, and the sum has it
 :figure: insertions_commute
 
 The weights follow the same way, which the source does not print.
@@ -252,8 +252,7 @@ Insert one knot often enough and a new point is the point of the curve.
 :figure: insertion_to_the_curve
 :striking: 41
 
-For $m\ge2$ the printed $k-1$ insertions make $t'$ more than $k$-fold, and some of the new B-splines are zero.  The points
-$r_\mu,\dots,r_{\mu+m}$ then coincide if $m\le k-1$.
+For $m\ge2$ the printed $k-1$ insertions make an $m$-fold knot $t'$ more than $k$-fold.  For $m\le k-1$ the points $r_\mu,\dots,r_{\mu+m}$ coincide.
 :::
 */
 

@@ -234,8 +234,7 @@ which the later proof answers in another way than the definition of the $\alpha$
 :reading: clamped_end_may_be_inserted_again | with the same $\alpha_i$ a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
-With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; one knot
-outside makes the weight of an end smaller, and all stay positive.
+With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones.
 :::
 */
 
@@ -317,7 +316,7 @@ CLAIM(knots_outside_the_domain_cut_corners)
 :then: `nurbs_insert` gives the knots $T\oplus\{\tau\}$ and the points and weights of (4.1.6)
 :method: The kernel against all sums by their letter.
 :degrees: 1..6 sampled 7
-:scope: clamped ends with one knot of every multiplicity below k between, or a simple one beside it
+:scope: clamped ends with one knot of every multiplicity below k between
 :defines: nurbs_insert
 :where: the new weights are not 0
 :control: the knot inserted at the next value

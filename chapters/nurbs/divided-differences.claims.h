@@ -576,7 +576,7 @@ CLAIM(divided_difference_is_leading_coefficient)
 :then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
 :method: Both determinants are computed from the matrices.
 :degrees: k = 0..5 sampled 7
-:over: t#: nodes; f#: data of f
+:over: t#: nodes; f#: data of the function
 :control: $f$ in the first column, in the place of the powers $t^0$
 :::
 */
@@ -643,7 +643,7 @@ column belongs to which derivative: $b(i,j)$ counts the rows, from 0.
   what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
 :method: The cofactors are determinants of order $k$ of the matrix of derivatives.
 :degrees: k = 0..5 sampled 7
-:over: t#: nodes; f#: data of f
+:over: t#: nodes; f#: data of the function
 :defines: divided_weights
 :control: minors in the place of cofactors
 :::

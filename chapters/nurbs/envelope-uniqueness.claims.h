@@ -385,7 +385,7 @@ r''$, so that the other case is the inflections of the curve and nothing else.
   are positive on the span.
 :where: the weights of curve and member are not 0
 :degrees: all from 1
-:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: the sign of the second term
 :::
 */
@@ -412,7 +412,7 @@ CLAIM(first_level_condition_as_printed)
   joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
 :where: the weights of curve and member are not 0
 :degrees: all from 1
-:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: $w^2$ in the place of $w^3$
 :::
 */
@@ -449,7 +449,7 @@ inflection is touched by all.
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
 :where: the weights of curve and member are not 0
 :degrees: all from 1
-:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: $w$ left out
 :::
 */
@@ -487,7 +487,7 @@ For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for 
 :method: Everything a variable.
 :where: the weights of curve and member are not 0
 :degrees: all from 1
-:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: the factor $w''$ left out
 :::
 */
@@ -511,7 +511,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
   is 0.
 :where: the weights of curve and member are not 0
 :degrees: all from 1
-:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: the factor $w$ in the place of $W$
 :::
 */
@@ -603,7 +603,7 @@ For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
 :where: $w(t)\ne0$
 :argued: every order | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
   $N_{i,k}(t)w_ir_i$.
-:over: k: -; e: step from t to τ; f# g# h#: derivatives of p; v#: derivatives of w
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: the sign
 :::
 */

@@ -102,7 +102,7 @@ static num G(scalar)(const num o[], const num a[], const num b[])
   sides of the chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
 :defines: circular_arc_circle
 :scope: 0 ≤ t ≤ 1
-:over: M# p# q#: points; k: h/l; t: -
+:over: M# p# q#: points; k: ratio of height and half base; t: -
 :control: $\omega_2$ doubled
 :::
 */
@@ -198,7 +198,7 @@ For a true triangle $I_1<1$ follows and is not needed; for three points on a lin
 :method: The angle is taken from scalar products of the points.  An identity in $M$, $p$, $q$ and $k$; the kernel depends
   on $h:l$ alone and is given $1$ and $k$, and once more in special coordinates $l$ and $h$.
 :defines: circular_arc_invariant
-:over: M# p# q#: points; k: h/l; l
+:over: M# p# q#: points; k: ratio of height and half base; l
 :control: the angle at $R_1$ in place of the one at $R_0$
 :::
 */

@@ -169,7 +169,7 @@ have a pole for that.
   that $v$ lies between $p$ and $q$
 :method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive; for $\lambda=0$ and $\lambda=1$ it is $v=p$ and $v=q$.  By induction on the level all $\omega_i^r$
   are positive, for every $n$, and none is less than the least or more than the largest $\omega_i$.
-:scope: 0 ≤ λ ≤ 1
+:scope: every point of division
 :over: p# q#: weights; s: -
 :control: the second coefficient with $1-\lambda$ for $\lambda$
 :degrees: all

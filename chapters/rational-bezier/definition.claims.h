@@ -445,7 +445,7 @@ CLAIM(positive_weights_keep_denominator_positive)
 :instead: ω = 1 1
 :result: ω(t) = 0
 :given: the weights of a line segment, $n=1$, and the parameter in the middle
-:then: $\omega(t)$ vanishes there, so that the curve of (3.2.2) has no point
+:then: $\omega(t)$ vanishes there, so that the curve has no point
 :method: The denominator is evaluated exactly.
 :control: equal weights, for which it does not vanish
 :::

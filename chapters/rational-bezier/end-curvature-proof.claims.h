@@ -231,14 +231,6 @@ believed.
 :printed: Here $f_1$, $g_2$, $g_1$ are determined by the weights and $n$.
 :holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
-
-They are, with $\omega'=n(\omega_1-\omega_0)$ and $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$, the derivatives of $\omega$ at $0$:
-
-$\omega_0f_1=n(n-1)(\omega_2-2\omega_1)-2n\omega'\omega_1/\omega_0$,
-
-$\omega_0g_2=n(n-1)(n-2)(\omega_3-3\omega_2)-3n(n-1)\omega'\omega_2/\omega_0$,
-
-$\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\omega_1/\omega_0$.
 :::
 */
 
@@ -249,7 +241,7 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
     num second = mul(n, n1), third = mul(second, n2);
     /* ω' = n (ω_1 - ω_0), ω'' = n(n-1)(ω_2 - 2ω_1 + ω_0) */
     num dw = mul(n, sub(w[1], w[0])), ddw = mul(second, add(sub(w[2], mul(two, w[1])), w[0]));
-    /* ω_0 f_1 = n(n-1)(ω_2 - 2ω_1) - 2n ω' ω_1/ω_0, and so on as above */
+    /* ω_0 f_1 = n(n-1)(ω_2 - 2ω_1) - 2n ω' ω_1/ω_0, and so on as in the claim below */
     num f1 = mul(second, sub(w[2], mul(from_int(factor), w[1])));
     f1 = div(sub(f1, div(mul(mul(two, n), mul(dw, w[1])), w[0])), w[0]);
     num g2 = mul(third, sub(w[3], mul(three, w[2])));
@@ -266,11 +258,12 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 :::{claim} end_derivative_vectors_in_every_degree
 :title: The first three derivatives at both ends in terms of the edges, for every n
 :zh: t=0 处前三阶导矢用边矢表示（任意 n）
-:given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$; and at the other end
+:given: any $n$; weights, $\omega_0\ne0$ and $\omega_n\ne0$; $R_0$ and the edges $a_1,a_2,a_3$; and at the other end
   $\omega_n,\omega_{n-1},\dots$, $R_n$ and $a_n,a_{n-1},a_{n-2}$
 :where: $\omega_0\ne0$ at $t=0$ and $\omega_n\ne0$ at $t=1$
-:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights that stand in the entry `wang-ch3:prop-3.2.4-step-7`; $\tilde f_1$, $\tilde g_1$, $\tilde g_2$
-  the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+:let: $\omega_0f_1=n(n-1)(\omega_2-2\omega_1)-2n\omega'\omega_1/\omega_0$, $\omega_0g_2=n(n-1)(n-2)(\omega_3-3\omega_2)-3n(n-1)\omega'\omega_2/\omega_0$,
+  $\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\omega_1/\omega_0$ with $\omega'=n(\omega_1-\omega_0)$ and
+  $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$; $\tilde f_1$, $\tilde g_1$, $\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
   $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$,
   $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
@@ -330,7 +323,7 @@ order change their sign, and so do the edges.  That leaves a sign in $R''(1)$ on
 :title: The first three derivatives at both ends in terms of the edges
 :zh: 两端前三阶导矢用边矢表示
 :given: weights and points
-:let: $f_1,g_1,g_2$ the expressions that stand in the entry `wang-ch3:prop-3.2.4-step-7`, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+:let: $f_1,g_1,g_2$ as in `end_derivative_vectors_in_every_degree`, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
   $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
   $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$

@@ -265,6 +265,8 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
   the weights are positive for (3.2.5); in general its right sides need $|\omega_0\omega_2|$ and $|\omega_{n-2}\omega_n|$.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ and $\mathbf
   a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for (3.2.6): at $t=0$ and at $t=1$, which distinct points do not ensure.
+:reading: missing_points_have_the_factor_zero | Read for $n=1$ in (3.2.5) and for $n=2$ in (3.2.6), where some of the weights and edges do not exist:
+  whatever stands for them, the factors $n-1$ and $n-2$ make it $0$.
 :figure: end_formulas_undetermined
 :::
 
@@ -299,6 +301,8 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
   R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive; in general the right side needs $|\omega_{n-2}\omega_n|$; the example is to be read in reversed order.
+:reading: missing_points_have_the_factor_zero | Read for $n=1$, where $\omega_{n-2}$ and $\mathbf a_{n-1}$ do not exist: whatever stands for them, the factor
+  $n-1$ makes it $0$, the curvature of a segment.
 :figure: end_curvature
 :::
 
@@ -328,6 +332,8 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :confirmed-by: end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
   to be read in reversed order.
+:reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_{n-3}$ and $\mathbf a_{n-2}$ do not exist: whatever stands for them, the factor
+  $n-2$ makes it $0$, the torsion of a plane curve.
 :::
 */
 

@@ -372,7 +372,7 @@ CLAIM(more_weight_moves_a_mean_to_its_point)
   $t=1$ the same with $s=1-t$ in place of $t$ and the polygon reversed: every derivative by $t$ is minus that by $s$, and $R_{n-h}-R_n=-(R_n-R_{n-h})$,
   which makes the sign $(-1)^{h+1}$.
 :degrees: all
-:scope: every k and h
+:scope: every multiplicity of the end points
 :over: k g# U F# t: -
 :control: $k-1$ for $k$
 :::
@@ -401,7 +401,7 @@ CLAIM(first_power_decides_the_end_derivative)
 :method: A quotient of products of positive numbers.  With `first_power_decides_the_end_derivative` the curve is $R_0$ plus $t^k$ times a positive
   multiple of $R_k-R_0$, up to higher powers of $t$; likewise at $t=1$, followed towards the end, with $\omega_n$ and $\omega_{n-h}$.
 :degrees: all
-:scope: every k and h
+:scope: every multiplicity of the end points
 :over: w#: weights; F#: -
 :control: a weight with the sign $-$
 :::
@@ -424,7 +424,7 @@ CLAIM(end_direction_has_a_positive_factor)
   $Z$ with coefficients that are not negative keeps such coefficients, and $D(u)=D(v)=1$ for $Z=1$
 :method: $\delta^2Z^j$ stands for $\Delta^2b_j$.  The product $D(u)^{n-2-i}D(v)^i$ has $n-2$ factors $1-u+uZ$, $1-v+vZ$, so it is $\sum_j\beta_{ij}Z^j$ with
   $\beta_{ij}\ge0$ and $\sum_j\beta_{ij}=1$, for every $n$: $\Delta^2b_i^{[u,v]}=(v-u)^2\sum_j\beta_{ij}\Delta^2b_j$.  The first equation is computed in the field;
-  a coefficient of the product is $(1-u)p+uq$ with the coefficients $p$, $q$ of two neighbouring powers.
+  a coefficient of the product is $(1-u)p+uq$ with the coefficients $p$, $q$ of two neighbouring powers.  At the ends of $[0,1]$ it is so by continuity.
 :degrees: all
 :scope: every interval of [0,1]
 :harmless: $0<u,v<1$ | these are the intervals inside $[0,1]$; at its ends by continuity
@@ -645,7 +645,7 @@ A cut of corners makes new points of neighbouring old ones.  Its matrix has two 
   such a matrix with $p_l=1-\lambda$, $q_l=\lambda$ or with one entry 1, and by `determinant_of_three_sums_goes_by_triples` the determinants of three new points are sums of such minors times those of three
   old ones.  So, step after step, if no determinant of three of the points of a polygon is negative, then none of the two halves joined is, for every $n$.
 :degrees: all
-:scope: 0 ≤ λ ≤ 1
+:scope: every point of division
 :harmless: $p_l\ge0$ and $q_l\ge0$ | they are $1-\lambda$ and $\lambda$ times positive weights, $0\le\lambda\le1$
 :over: p# q#: -
 :control: one entry negative, as for $\lambda>1$

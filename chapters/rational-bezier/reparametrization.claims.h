@@ -52,7 +52,7 @@ static num G(old_parameter)(num a, num b, num u)
 :method: With $u=s/(1+s)$, $s>0$, numerators and denominators of $t$, $1-t$ and $dt/du$ have positive coefficients
   only; the inverse is an identity of rational functions.
 :scope: 0 ≤ u ≤ 1
-:over: a; b; u s: -
+:over: a b: coefficient of (3.2.10); u s: -
 :control: the sign of the derivative reversed
 :::
 */
@@ -163,7 +163,7 @@ CLAIM(fractional_change_keeps_curve)
   Multiply by $\omega_i$ or $\omega_iR_i$ and add.  Outside the field $n$ and $i$ are random integers, and both this
   result and the quotient of the binomial coefficients are compared with true ones.
 :degrees: all
-:over: a; b; i n: -
+:over: a b: coefficient of (3.2.10); i n: -
 :control: $b/a$ for $a/b$
 :::
 */

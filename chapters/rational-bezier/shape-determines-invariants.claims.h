@@ -768,7 +768,7 @@ CLAIM(end_factors_are_reciprocals_of_invariants)
 :given: weights $\omega_0,\dots,\omega_3$, none of them $0$
 :then: $I_1\frac{\omega_0\omega_3}{\omega_1\omega_2}=\frac{\omega_1\omega_3}{\omega_2^2}=\frac1{I_2}$
 :method: An identity of rational functions of the four weights; the degree of the curve does not matter.
-:scope: every n from 3 on
+:scope: every degree from 3 on
 :where: no weight is 0
 :control: $I_2$ for $1/I_2$
 :::

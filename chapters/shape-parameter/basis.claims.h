@@ -730,6 +730,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :corrected: $\hat B_i(t)=B_i^7(t)$: the index 0 on the left is $i$; printed and corrected functions alike
 :corrected-by: beta_zero_gives_bernstein_polynomials
 :figure: beta_zero
+:degree: 7
 :::
 
 :::{statement} deng-zhang-2022:property-2.7-extension
@@ -738,6 +739,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :printed: the functions of (1) are an extension of the Bernstein basis of degree seven
 :holds-by: beta_zero_gives_bernstein_polynomials
 :figure: beta_zero
+:degree: 7
 :::
 */
 

@@ -55,6 +55,7 @@ coefficients that change their sign three times.
   $X$ and $Y$; one between $Y$ and $Z$ puts $X$ between $Y$ and $Z$. Not both can be; so from $X$ to $Y$ or from $Y$ to $Z$ the polygon is on the
   line, which contains an edge.
 :figure: line_along_an_edge
+:degree: 7
 :::
 */
 

@@ -84,6 +84,7 @@ CLAIM(curve_kernels_give_the_sum)
 :checked-by: horner_rule_computes_the_curve
 :confirmed-by: bezier_points_divide_the_edges beta_zero_gives_the_bezier_curve
 :figure: curves_for_several_beta
+:degree: 7
 
 With the printed functions and with the corrected ones it is a Bézier curve of nine points.  Its degree is at most 8; for $\beta=0$ it is at most 7.
 :::
@@ -137,6 +138,7 @@ CLAIM(bezier_points_divide_the_edges)
 :printed: for $\beta=0$ the curve degenerates to the Bézier curve of degree seven
 :holds-by: beta_zero_gives_the_bezier_curve
 :figure: curves_for_several_beta
+:degree: 7
 :::
 
 :::{claim} beta_zero_gives_the_bezier_curve
@@ -351,6 +353,7 @@ edge.
 :holds-by: end_points_and_end_derivatives
 :confirmed-by: functions_vanish_to_their_orders_at_the_ends
 :figure: end_edges
+:degree: 7
 
 True for all real $\beta$, with the printed functions as with the corrected ones: the two wrong functions vanish at
 least threefold at both ends.
@@ -673,6 +676,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
   reversed polygon and the functions are the corrected ones
 :corrected-by: reversed_polygon_reverses_the_curve
 :figure: two_directions_two_curves
+:degree: 7
 
 As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.
 :::

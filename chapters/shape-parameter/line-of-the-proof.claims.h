@@ -176,6 +176,7 @@ CLAIM(line_through_an_edge_has_no_two_sides)
 :hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane
   they may be fewer
 :figure: polygon_crossing_itself
+:degree: 7
 :::
 
 :::{claim} polygon_that_crosses_itself_on_the_line
@@ -213,6 +214,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
   points with $0<t<1$; with the printed functions the function is $(q(t)-Q)\cdot u$ only for $\beta=0$ or $Q\cdot u=0$
 :corrected-by: line_function_of_the_curve
 :figure: crossings_off_the_polygon
+:degree: 7
 
 The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_7$ may be on $L$.
 :::
@@ -265,7 +267,7 @@ of $Q\cdot u$, so a line through the origin would not have shown it.
 :title: With the sum 1 the function of the proof is (q(t)-Q).u
 :zh: 曲线与直线的函数
 :given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
-:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for the printed functions the difference of the two sides is
+:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for $n=7$ and the printed functions the difference of the two sides is
   $4\beta(1-t)^3t^4\,Q\cdot u$
 :method: Everything is a variable.
 :degrees: 2..7 sampled 12

@@ -28,6 +28,7 @@ the range from $-\frac{21}4$ to 1.
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
+:degree: 7
 :::
 
 :::{statement} deng-zhang-2022:sec-6-features

@@ -28,6 +28,7 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :printed: when the first and the last point coincide a closed curve is obtained, as with the Bézier curve of degree seven
 :holds-by: end_points_and_end_derivatives
 :figure: petals
+:degree: 7
 :::
 
 :::{statement} deng-zhang-2022:fig-3
@@ -516,6 +517,7 @@ number type that counts its operations.
 :holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
 :hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same method
 :figure: operations_for_a_point
+:degree: 7
 :::
 
 :::{claim} horner_rule_computes_the_curve

@@ -219,8 +219,8 @@ static void check_statement(const struct book *book, const struct block *b)
 #define CLASS(name) name,
     static const char *const classes[] = {CLASS_LIST(CLASS) NULL};
 #undef CLASS
-    static const char *const known[] = {"title",  "zh",         "printed",  "class",   "corrected",
-                                        "figure", "definition", "striking", "example", NULL};
+    static const char *const known[] = {"title",      "zh",       "printed", "class",  "corrected", "figure",
+                                        "definition", "striking", "example", "degree", NULL};
     static const char *const needed[] = {"title", "printed", NULL};
     check_keys(b, known, role_keys, needed);
     check_chinese(book, b);
@@ -242,7 +242,8 @@ static void check_statement(const struct book *book, const struct block *b)
 
 static void check_source(const struct block *b)
 {
-    static const char *const known[] = {"author", "title", "zh", "year", "publisher", "part", "letter", NULL};
+    static const char *const known[] = {"author", "title",  "zh",     "year",      "publisher",
+                                        "part",   "letter", "counts", "parameter", NULL};
     static const char *const needed[] = {"author", "title", NULL}, *const none[] = {NULL};
     check_keys(b, known, none, needed);
 }

@@ -199,18 +199,11 @@ static void put_links(FILE *out, const struct block *b, int index)
     fputs("    {HOLDS_BY, NULL, NULL, NULL, NULL}};\n", out);
 }
 
-/* The letter that the source of a statement has for degrees. */
-static const char *letter_of_source(const struct book *book, const struct block *b)
-{
-    const struct block *source = block_named(book, copy_of(b->name, strcspn(b->name, ":")), SOURCE_BLOCK);
-    return source != NULL ? value_of(source, "letter") : NULL;
-}
-
-/* Adds the letters of the formulas in a text, each once: "t", "beta" for \beta.  A text without dollar signs may be a formula; three
- * letters in a row are a word. */
+/* Adds the letters of the formulas in a text, each once: "t", "beta" for \beta.  A text without dollar signs is a formula if it has
+ * any sign of one, and three letters in a row are a word. */
 static char *with_letters(char *letters, const char *text)
 {
-    int mixed = strchr(text, '$') != NULL, inside = !mixed;
+    int mixed = strpbrk(text, "$=_^\\") == NULL || strchr(text, '$') != NULL, inside = !mixed;
     for (const char *at = text; *at != '\0'; at++) {
         inside ^= mixed && *at == '$';
         const char *name = at + (*at == '\\');
@@ -226,25 +219,35 @@ static char *with_letters(char *letters, const char *text)
     return letters;
 }
 
-/* The letters that a source prints in any of its statements, or that correct them. */
-static char *letters_of_source(const struct book *book, const struct block *b)
+static const struct block *source_of(const struct book *book, const struct block *b)
 {
-    char *letters = whole_copy("");
-    size_t n = strcspn(b->name, ":") + 1;
-    for (int k = 0; k < book->blocks; k++) {
-        const struct block *other = &book->block[k];
-        const char *corrected = value_of(other, "corrected");
-        if (other->kind != STATEMENT_BLOCK || strncmp(other->name, b->name, n) != 0)
-            continue;
-        letters = with_letters(letters, value_of(other, "printed"));
-        letters = with_letters(letters, corrected != NULL ? corrected : "");
-    }
-    return letters;
+    return block_named(book, copy_of(b->name, strcspn(b->name, ":")), SOURCE_BLOCK);
+}
+
+/* The letters of a statement, as it is printed or corrected, and that of the parameter that all functions of its source have. */
+static char *letters_of_statement(const struct book *book, const struct block *b)
+{
+    const struct block *source = source_of(book, b);
+    const char *corrected = value_of(b, "corrected"), *shape = source != NULL ? value_of(source, "parameter") : NULL;
+    char *letters = with_letters(whole_copy(""), value_of(b, "printed"));
+    letters = with_letters(letters, corrected != NULL ? corrected : "");
+    return shape != NULL && !has_word(letters, shape) ? joined(letters, ' ', shape) : letters;
+}
+
+/* What a statement calls the degree: the letter of its source, or, where the statement does not have it, what the source counts
+ * with it, "degree" or "order". */
+static const char *name_of_degree(const struct book *book, const struct block *b, const char *letters)
+{
+    const struct block *source = source_of(book, b);
+    const char *letter = source != NULL ? value_of(source, "letter") : NULL;
+    const char *counts = source != NULL ? value_of(source, "counts") : NULL;
+    return counts != NULL && !has_word(letters, letter != NULL ? letter : "n") ? counts : letter;
 }
 
 static void put_statement(FILE *out, const struct book *book, const struct block *b, int index)
 {
-    const char *rank = value_of(b, "striking");
+    const char *rank = value_of(b, "striking"), *degree = value_of(b, "degree"),
+               *letters = letters_of_statement(book, b);
     fputs("    {.id = ", out);
     put_string(out, b->name);
     put_option(out, "title", b, "title");
@@ -255,12 +258,12 @@ static void put_statement(FILE *out, const struct book *book, const struct block
     put_option(out, "figure", b, "figure");
     put_option(out, "example", b, "example");
     put_field(out, "note", b->note);
-    put_field(out, "letter", letter_of_source(book, b));
-    put_field(out, "letters", letters_of_source(book, b));
+    put_field(out, "letter", name_of_degree(book, b, letters));
+    put_field(out, "letters", letters);
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
-    fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .links = links_%d},\n", b->line,
-            value_of(b, "definition") != NULL, rank != NULL ? atoi(rank) : 0, index);
+    fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .degree = %d, .links = links_%d},\n", b->line,
+            value_of(b, "definition") != NULL, rank != NULL ? atoi(rank) : 0, degree != NULL ? atoi(degree) : 0, index);
 }
 
 static void put_statements(FILE *out, const struct book *book)

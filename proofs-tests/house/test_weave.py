@@ -52,6 +52,7 @@ FIRST = r"""/*
 :figure: picture
 :example: it stands for all
 :striking: 2
+:degree: 3
 
 A remark: with a colon.
 :::
@@ -234,7 +235,7 @@ class Good(Weaving):
             self.assertIn(link, text)
         self.assertIn(r'.printed = "a=b, \\ b=\"c\""', text)
         self.assertIn('.note = "A remark: with a colon."', text)
-        self.assertIn(".is_definition = 0, .striking = 2", text)
+        self.assertIn(".is_definition = 0, .striking = 2, .degree = 3", text)
         self.assertIn('.example = "it stands for all"', text)
 
     def test_claims_of_types_that_are_not_compiled_are_left_out(self):
@@ -315,20 +316,29 @@ class Good(Weaving):
         self.assertIn("chapter/first.claims.h:4: 'source:1.1' is of no source", r.stderr)
 
 
-    def test_letters_of_a_source(self):
+    def test_the_letter_of_degrees(self):
+        (self.root / "sources").mkdir()
+        book = ":::{source} source\n:author: A\n:title: A book\n"
+        for options, letter in ((":letter: k\n", "k"), (":letter: k\n:counts: order\n", "order"), (":letter: b\n:counts: order\n", "b"),
+                                (":counts: degree\n", "degree")):
+            (self.root / "sources" / "index.md").write_text(book + options + ":::\n", encoding="utf-8")
+            self.assertIn(f'.letter = "{letter}", .letters = "a b c", .chapter = "chapter", .file = "chapter/first.claims.h", .line = 4,',
+                          self.register(chapters=("chapter", "sources")))
+
+    def test_the_parameter_of_a_source_is_a_letter_of_each_statement(self):
         (self.root / "sources").mkdir()
         (self.root / "sources" / "index.md").write_text(
-            ":::{source} source\n:author: A\n:title: A book\n:letter: k\n:::\n", encoding="utf-8")
-        self.assertIn('.letter = "k", .letters = "a b c", .chapter = "chapter", .file = "chapter/first.claims.h", .line = 4,',
-                      self.register(chapters=("chapter", "sources")))
+            ":::{source} source\n:author: A\n:title: A book\n:parameter: beta\n:::\n", encoding="utf-8")
+        self.assertIn('.letters = "a b c beta"', self.register(chapters=("chapter", "sources")))
 
-
-    def test_letters_that_a_source_prints(self):
-        self.assertIn('.letters = "a b c"', self.register())  # of all its statements, each letter once
+    def test_letters_that_a_statement_prints(self):
+        self.assertIn('.letters = "a b c"', self.register())  # each once, and none of a sentence
         self.write("first.claims.h", FIRST.replace(":printed: a/b", r":printed: The line $\\beta_1=x'y$ and $\\frac{zu}2$, a word"))
-        self.assertIn('.letters = "a b c beta x y frac z u"', self.register())
+        self.assertIn('.letters = "beta x y frac z u"', self.register())
         self.write("first.claims.h", FIRST.replace(":printed: a/b", ":printed: some words and a=ji"))
-        self.assertIn('.letters = "a b c j i"', self.register())
+        self.assertIn('.letters = "a j i"', self.register())
+        self.write("first.claims.h", FIRST.replace(":printed: a/b", ":printed: it is so of a or i"))
+        self.assertIn('.letters = ""', self.register())
 
 
 class BadWords(Weaving):

@@ -1261,8 +1261,8 @@ static void test_data_within_hypotheses(void **state)
     free_statement_result(&r);
 }
 
-/* A letter that the source does not have says nothing to its reader, unless it is what is positive. */
-static void test_letters_of_the_source_alone_are_told(void **state)
+/* A letter that the statement does not have says nothing to its reader, unless it is what is positive. */
+static void test_letters_of_the_statement_alone_are_told(void **state)
 {
     (void)state;
     struct {
@@ -1288,6 +1288,30 @@ static void test_letters_of_the_source_alone_are_told(void **state)
     }
 }
 
+/* A statement about one degree is told for that one, and is not as expected where the claims do not decide it. */
+static void test_the_only_degree_of_a_statement(void **state)
+{
+    (void)state;
+    statement s = {.id = "source:1", .letter = "n", .degree = 3, .links = LINKS(BY("plain"))};
+    statement_result r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+    assert_string_equal(r.as_printed.scope, "n = 3; all points and weights, every β");
+    assert_int_equal(r.verdict, VERDICT_HOLDS);
+    free_statement_result(&r);
+    s.letter = "degree";
+    r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+    assert_string_equal(r.as_printed.scope, "degree 3; all points and weights, every β");
+    free_statement_result(&r);
+    s.degree = 9;
+    r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+    assert_int_equal(r.verdict, VERDICT_OPEN);
+    assert_false(r.as_expected);
+    free_statement_result(&r);
+    s.links = LINKS(BY("primed")), s.letter = "n";
+    r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+    assert_string_equal(r.as_printed.scope, "every t', gamma' and h/l, every positive gap"); /* that has no degree */
+    free_statement_result(&r);
+}
+
 static void test_the_finding_of_one_claim(void **state)
 {
     (void)state;
@@ -1297,6 +1321,12 @@ static void test_the_finding_of_one_claim(void **state)
     assert_string_equal(f.scope, "k = 3 to 9; all points and weights, every β");
     free_finding(&f);
     assert_null(f.scope);
+    f = finding_of(plain_result, "order");
+    assert_string_equal(f.scope, "order 3 to 9; all points and weights, every β");
+    free_finding(&f);
+    f = finding_of(plain_result, "degree");
+    assert_string_equal(f.scope, "degree 2 to 8; all points and weights, every β");
+    free_finding(&f);
     f = finding_of(plain_result, NULL);
     assert_string_equal(f.scope, "n = 2 to 8; all points and weights, every β");
     free_finding(&f);
@@ -1416,7 +1446,8 @@ int main(void)
         unit(test_conditions_reach_the_verdict),
         unit(test_what_a_phrase_says_are_definite_ones_are_not_all),
         unit(test_data_within_hypotheses),
-        unit(test_letters_of_the_source_alone_are_told),
+        unit(test_letters_of_the_statement_alone_are_told),
+        unit(test_the_only_degree_of_a_statement),
         unit(test_the_finding_of_one_claim),
         unit(test_claims_without_a_common_case),
         unit(test_arguments),
