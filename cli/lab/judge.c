@@ -8,6 +8,7 @@
 #include "cli/point_json.h"
 #include "exact/code/border.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -823,26 +824,103 @@ static double worst_of(const json_t *outcome)
     return worst;
 }
 
-/* Ulps at worst, and operations, of both, in the last case. */
-static json_t *measure(struct trial *t)
+/* Ulps at worst, and operations, in the last case of the lab. */
+struct cost {
+    double ulps;
+    json_int_t operations;
+    int runs;
+};
+
+static void add_run(struct cost *c, const json_t *outcome)
 {
-    const struct lab_case *c = &t->lab->at[t->lab->cases - 1];
-    double got = 0, want = 0;
-    json_int_t ours = 0, theirs = 0;
+    if (outcome == NULL || !finished(outcome))
+        return;
+    c->ulps = worst_of(outcome) > c->ulps ? worst_of(outcome) : c->ulps;
+    c->operations = json_integer_value(json_object_get(outcome, "operations"));
+    c->runs++;
+}
+
+/* The same numbers for everybody. */
+static void add_runs(const struct lab *lab, struct lab_player *player, struct cost *cost)
+{
+    const struct lab_case *c = &lab->at[lab->cases - 1];
     for (long k = 0; k < ROUNDED; k++) {
         struct cagd_code_point *p = cagd_code_point_new(c->h, k, 1);
-        struct pair at = ask_both(t, job_of(c, p, "rounding", "lab_entry"));
-        if (finished(at.got) && finished(at.want)) {
-            got = worst_of(at.got) > got ? worst_of(at.got) : got;
-            want = worst_of(at.want) > want ? worst_of(at.want) : want;
-            ours = json_integer_value(json_object_get(at.got, "operations"));
-            theirs = json_integer_value(json_object_get(at.want, "operations"));
-        }
-        forget(&at);
+        json_t *job = job_of(c, p, "rounding", "lab_entry");
+        lab_ask(player, job);
+        json_t *answer = lab_answer(player);
+        add_run(cost, answer);
+        json_decref(answer);
+        json_decref(job);
         cagd_code_point_free(p);
     }
-    return json_pack("{s:s, s:f, s:f, s:I, s:I}", "case", c->label, "ulps", got, "reference_ulps", want, "operations",
-                     ours, "reference_operations", theirs);
+}
+
+/* The least of each; what does not run to its end everywhere is not counted. */
+static void take_best(struct lab_bench *b, const struct cost *cost)
+{
+    if (cost->runs < ROUNDED)
+        return;
+    int first = !b->best.is_known;
+    b->best.ulps = first || cost->ulps < b->best.ulps ? cost->ulps : b->best.ulps;
+    b->best.operations = first || cost->operations < b->best.operations ? (long)cost->operations : b->best.operations;
+    b->best.is_known = 1;
+}
+
+static void add_solution(struct lab_bench *b, const char *name, int number)
+{
+    char path[LAB_MOST_PATH + 300], object[40];
+    struct lab_player player;
+    struct cost cost = {0};
+    snprintf(path, sizeof path, "%s/right/%s", b->lab->folder, name);
+    snprintf(object, sizeof object, "right-%d.so", number);
+    char *source = lab_file(path),
+         *errors = source != NULL ? lab_build(b->lab, &b->own, &b->own, source, object, NULL) : NULL;
+    if (source != NULL && errors == NULL && lab_player_open(&player, &b->own, b->lab, object) == 0) {
+        add_runs(b->lab, &player, &cost);
+        lab_player_close(&player);
+    }
+    take_best(b, &cost);
+    free(errors);
+    free(source);
+}
+
+/* What is the best known: of the reference and of the right solutions that the lab has. */
+static void find_best(struct lab_bench *b)
+{
+    char path[LAB_MOST_PATH + 16];
+    struct cost cost = {0};
+    add_runs(b->lab, &b->right, &cost);
+    take_best(b, &cost);
+    snprintf(path, sizeof path, "%s/right", b->lab->folder);
+    struct dirent **entry = NULL;
+    int count = scandir(path, &entry, NULL, alphasort);
+    for (int k = 0; k < count; k++) {
+        if (entry[k]->d_name[0] != '.')
+            add_solution(b, entry[k]->d_name, k);
+        free(entry[k]);
+    }
+    free(entry);
+}
+
+/* It is stable where it loses no decimal digit more than the best known does: its error is less than ten times as large, or than ten
+ * ulps. */
+static json_t *measure(struct trial *t)
+{
+    enum { DIGIT = 10 };
+    struct cost ours = {0};
+    add_runs(t->lab, &t->student, &ours);
+    if (!t->bench->best.is_known)
+        find_best(t->bench);
+    int none = !t->bench->best.is_known;
+    double best = none || ours.ulps < t->bench->best.ulps ? ours.ulps : t->bench->best.ulps,
+           least = best > 1 ? best : 1;
+    json_int_t operations = t->bench->best.operations;
+    if (none || ours.operations < operations)
+        operations = ours.operations;
+    return json_pack("{s:s, s:f, s:f, s:b, s:I, s:I}", "case", t->lab->at[t->lab->cases - 1].label, "ulps", ours.ulps,
+                     "best_ulps", best, "stable", ours.ulps < DIGIT * least, "operations", ours.operations,
+                     "best_operations", operations);
 }
 
 /* Where rounding turns a comparison, so that the result is another one exactly, in no way the fault of the last digits: told, as exact
@@ -1056,6 +1134,7 @@ int lab_bench_open(struct lab_bench *b, const struct lab *lab, int keeps, char c
     if (errors == NULL && lab_player_open(&b->right, &b->own, lab, "reference.so") == 0)
         return 0;
     snprintf(cause, LAB_CAUSE, "reference.c: %.500s", errors != NULL ? errors : "cannot be started");
+    json_decref(b->known);
     free(errors);
     lab_place_close(&b->own);
     return -1;

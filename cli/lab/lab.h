@@ -261,6 +261,11 @@ struct lab_bench {
     json_t *whole; /* of the triangles that right answers compute wholly, their lines in lab.md; NULL: not asked */
     struct lab_player wrong[64];
     int built[64];
+    struct {
+        int is_known;
+        double ulps;
+        long operations;
+    } best;     /* what rounding and cost are at best, of right solutions in the last case */
     int points; /* how many at least are tried */
     int draws;  /* whether results have what a picture needs */
 };

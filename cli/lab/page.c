@@ -104,11 +104,13 @@ void lab_print(const struct lab *lab, const json_t *result)
     if (measured != NULL) {
         char text[300];
         snprintf(text, sizeof text,
-                 "%.3g ulps from the exact value at worst, the reference %.3g; %d operations, the reference %d%s%.100s",
+                 "%s: %.3g ulps from the exact value at worst, the best known %.3g; %d operations, the best known "
+                 "%d%s%.100s",
+                 json_is_true(json_object_get(measured, "stable")) ? "stable" : "not stable",
                  json_real_value(json_object_get(measured, "ulps")),
-                 json_real_value(json_object_get(measured, "reference_ulps")),
+                 json_real_value(json_object_get(measured, "best_ulps")),
                  (int)json_integer_value(json_object_get(measured, "operations")),
-                 (int)json_integer_value(json_object_get(measured, "reference_operations")),
+                 (int)json_integer_value(json_object_get(measured, "best_operations")),
                  *member(measured, "case") != 0 ? " for " : "", member(measured, "case"));
         int used = printf("  %-*s", INDENT - 2, "binary64");
         put_behind(stdout, text, used, INDENT, page_width(MOST_WIDTH));

@@ -110,6 +110,20 @@ class Student(InFolder):
         table = "static double one[2] = {1, 1}; if (one[n > 1] != 1) return 7;"
         self.assertEqual(self.checked(RIGHT.replace("double b[n + 1];", table + "\n    double b[n + 1];", 1))["points"], 10)
 
+    def test_what_rounding_and_cost_are_against_the_best_known(self):
+        """The least error and the fewest operations of the right solutions."""
+        plain = self.checked(RIGHT)["measured"]
+        self.assertEqual((plain["case"], plain["operations"], plain["best_operations"], plain["stable"]), ("n = 6", 63, 63, True))
+        self.assertLessEqual(plain["best_ulps"], plain["ulps"])
+        costly = self.checked((LABS / "de-casteljau/right/recursive.c").read_text())["measured"]
+        self.assertGreater(costly["operations"], 800)
+        self.assertEqual((costly["best_operations"], costly["best_ulps"]), (63, plain["best_ulps"]))
+        lossy = RIGHT.replace("right[n - r] = b[n - r];", "right[n - r] = b[n - r] + 1e6 * t - 1e6 * t;")
+        self.assertNotEqual(lossy, RIGHT)
+        result = self.checked(lossy)
+        self.assertEqual((result["points"], result["measured"]["stable"], result["measured"]["best_ulps"]), (10, False, plain["best_ulps"]))
+        self.assertIn("not stable: ", run("check", self.folder).stdout)
+
     def test_a_picture_of_what_is_wrong(self):
         picture = self.folder / "difference.svg"
         wrong = RIGHT.replace("(1 - t) * b[i] + t * b[i + 1]", "t * b[i] + (1 - t) * b[i + 1]").replace("right[n - r]", "right[0]")
