@@ -269,8 +269,10 @@ static void bound_process(const struct cagd_code_job *job)
     cagd_code_bound_waiting(job);
     limit.rlim_cur = limit.rlim_max = 0;
     setrlimit(RLIMIT_CORE, &limit);
+#ifndef __SANITIZE_ADDRESS__ /* which takes terabytes of addresses for itself */
     limit.rlim_cur = limit.rlim_max = (rlim_t)job->most_megabytes << 20;
     setrlimit(RLIMIT_DATA, &limit);
+#endif
 }
 
 /* Of roots and angles nothing is certified: what they are is not among the operations. */
