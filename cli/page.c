@@ -69,11 +69,14 @@ static int refers_to(const char *text, const char *key)
 }
 
 /* What the note and the methods of the claims refer to. */
-static void print_literature(const cagd_register *reg, const char *note, const claim_result *results, int count)
+static void print_literature(const cagd_register *reg, const char *note, const statement_link *links,
+                             const claim_result *results, int count)
 {
     int first = 1;
     for (const source *s = reg->sources; s->key != NULL; s++) {
         int wanted = refers_to(note, s->key);
+        for (const statement_link *l = links; l != NULL && (l->claim != NULL || l->text != NULL); l++)
+            wanted |= l->role == CITES && l->place != NULL && refers_to(l->place, s->key);
         for (int k = 0; k < count; k++)
             wanted |= refers_to(results[k].claim->method, s->key);
         if (wanted && first)
@@ -157,7 +160,7 @@ void print_claim(const cagd_register *reg, const claim_result *r)
                 put_behind(stdout, decided, INDENT + 17, INDENT + 17, page_width(WIDEST));
                 break;
             }
-    print_literature(reg, "", r, 1);
+    print_literature(reg, "", NULL, r, 1);
 }
 
 static const char *class_words(const char *class)
@@ -284,7 +287,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
         heading("Figure");
         printf("%*sfigures/gallery/%s.svg\n", INDENT, "", s->figure);
     }
-    print_literature(reg, s->note, results, count);
+    print_literature(reg, s->note, s->links, results, count);
 }
 
 /* What is added to an entry of a table, below it. */

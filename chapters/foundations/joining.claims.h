@@ -23,7 +23,7 @@ enum { dim = 2, space = 3 };
 :refuted-by: continuous_slope_with_another_speed
 :class: false
 :corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the
-  vector of curvature when (1-5-1) to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
+  vector of curvature when (1-5-1) to (1-5-3) hold: at the joint the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
 :corrected-by: conditions_make_one_curve_in_another_parameter equal_unit_tangents_fix_the_ratio condition_keeps_the_curvature_vector
 :hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all derivatives are 0 the
   conditions hold at a corner.

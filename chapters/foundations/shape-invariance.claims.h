@@ -256,7 +256,7 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :title: On a line through the origin the example is the segment if the origin is between the points, and leaves it otherwise
 :zh: 共线时曲线为线段的充要条件
 :given: a line through the origin with coordinate $x$; $P_0$ at $p_0$, $P_1$ at $p_1$; $f(t)=p_0(1-t)^3+p_1t^3$; any $t$ of $(0,1)$ and
-  $p,q>0$; and two places $a_0$, $a_1$ on one side of the origin, with a parameter $s$
+  $p,q>0$; and the places $a_0=1$, $a_1=2$ on one side of the origin, with the parameter $s=1/2$
 :data: a = 1 2; s = 1/2
 :then: for $p_0=-p$, $p_1=q$, $f'(t)$ is three times $p(1-t)^2+qt^2\ge0$, so $f$ runs from $p_0$ to $p_1$ once and never back; for
   $p_0=p$, $p_1=p+q$, $f'(0)$ is three times $-p<0$, so the curve begins by leaving the segment; for $p_0=a_0$, $p_1=a_1$ the value $f(s)$

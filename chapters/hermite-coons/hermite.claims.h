@@ -147,6 +147,37 @@ CLAIM(equal_nodes_have_no_interpolant)
 }
 
 /*
+:::{claim} equal_ends_have_no_cubic
+:title: With equal ends the four conditions of the cubic contradict each other
+:zh: 端点相同时三次 Hermite 问题无解
+:kind: counterexample
+:data: t = 0 0
+:instead: t = 0 1
+:result: the determinant = 0
+:given: two ends $t_0$, $t_1$ that are equal; cubics $c_0+c_1t+c_2t^2+c_3t^3$ with a value and a derivative at each
+:then: the determinant of the four conditions is 0: if the values and the derivatives are equal, infinitely many cubics satisfy them, and if not, none
+  does
+:method: The determinant of the system with the rows $(1,t_i,t_i^2,t_i^3)$ and $(0,1,2t_i,3t_i^2)$; that it is not 0 is refuted.
+:control: different ends
+:::
+*/
+CLAIM(equal_ends_have_no_cubic)
+{
+    num t[2], rows[16];
+    given_points(T, "t", 2, 1, t);
+    for (int i = 0; i < 2; i++) {
+        num power[4] = {from_int(1), t[i], mul(t[i], t[i]), mul(t[i], mul(t[i], t[i]))};
+        for (int k = 0; k < 4; k++) {
+            rows[8 * i + k] = power[k];
+            rows[8 * i + 4 + k] = k > 0 ? mul(from_int(k), power[k - 1]) : from_int(0);
+        }
+    }
+    num determinant = determinant_q(4, rows);
+    found(T, "the determinant", determinant);
+    refute(T, is_zero_q(determinant));
+}
+
+/*
 :::{claim} straight_data_have_no_cubic
 :title: The data of a line have no interpolant of degree 3
 :zh: 直线数据的插值多项式次数低于三
@@ -231,7 +262,7 @@ CLAIM(cubic_equations_are_the_conditions)
   $a_1=\frac{f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1}{(t_1-t_0)^3}$;
   $a_0=\frac{-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3}{(t_1-t_0)^3}$
 :holds-by: cubic_coefficients_by_monomials
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
 In the text at hand the three sums have no signs and no primes; those shown here satisfy the four conditions.
@@ -348,7 +379,7 @@ CLAIM(cubic_coefficients_by_monomials)
 :class: misprint
 :corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: square_without_its_prime
 
 In the text at hand the sum has no signs and no primes, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
@@ -400,7 +431,7 @@ slope right at its own.
 :zh: 按型值整理的三次插值多项式
 :printed: P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
 :holds-by: cubic_ordered_by_data
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
 In the text at hand the sum has no signs and no primes; with those shown here it satisfies the four conditions.
@@ -445,7 +476,7 @@ CLAIM(cubic_ordered_by_data)
   $g_{01}=\bigl(1-2\frac{t-t_1}{t_1-t_0}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
   $h_{00}=\frac{t-t_0}{t_1-t_0}\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=\frac{t-t_1}{t_1-t_0}\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two ends of an
+:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two ends of an
   interval
 :figure: hermite_blending_functions
 
@@ -495,7 +526,7 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :printed: $g_{00}(t_0)=1$, $g_{00}(t_1)=0$, $g_{01}(t_0)=0$, $g_{01}(t_1)=1$, $h_{00}(t_0)=h_{00}(t_1)=h_{01}(t_0)=h_{01}(t_1)=0$;
   $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=\frac1{t_1-t_0}$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=\frac1{t_1-t_0}$
 :holds-by: blending_functions_are_dual_to_the_data
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 
 In the text at hand the table has no primes; with those shown here it is true.
@@ -637,7 +668,7 @@ follows, and the slides do not always keep the two apart.
   $g_{01}(t)=(3-2u)u^2=-2u^3+3u^2=q_{01}(u)$, $h_{00}(t)=u(u-1)^2=u^3-2u^2+u=q_{10}(u)$, $h_{01}(t)=(u-1)u^2=u^3-u^2=q_{11}(u)$; so
   $P_0(t_0+(t_1-t_0)u)=f(t_0)q_{00}(u)+f(t_1)q_{01}(u)+f'(t_0)(t_1-t_0)q_{10}(u)+f'(t_1)(t_1-t_0)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; those shown here are true.
@@ -649,7 +680,7 @@ In the text at hand the formulas have no signs and no primes; those shown here a
 :printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_nodes_have_no_interpolant | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 
 The letter $\varphi$ stands for the polynomial as a function of $u$.  In the text at hand the formulas have no signs and no primes; those

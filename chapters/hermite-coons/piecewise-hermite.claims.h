@@ -24,7 +24,7 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   $h_{i0}=\frac{t-t_i}{t_{i+1}-t_i}\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
 :confirmed-by: base_functions_interpolate_once_continuously
-:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
+:needs: equal_ends_have_no_cubic | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
   interval $[t_i,t_{i+1}]$
 :figure: nodes_that_meet
 
@@ -276,7 +276,7 @@ have two different vectors at their common node.  The slides call both $P_i'$.
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
-:needs: equal_nodes_have_no_interpolant | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
+:needs: equal_ends_have_no_cubic | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
   interval
 :figure: one_tangent_two_lengths
 

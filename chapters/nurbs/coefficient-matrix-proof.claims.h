@@ -339,7 +339,7 @@ CLAIM(powers_expand_in_the_parameter)
 :printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
 :holds-by: summation_limits_agree_in_every_order binomial_theorem_in_every_degree
 :confirmed-by: summation_orders_agree powers_expand_in_the_parameter
-:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is
+:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the second and the third line lack, is
   put back
 :figure: full_powers
 :::

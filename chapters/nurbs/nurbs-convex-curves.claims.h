@@ -210,12 +210,14 @@ another.
 :zh: 凸包之交
 :printed: for the sequence of corollary 4.1.1, by lemma 4.2.1: $A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))$
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
+  steps_of_refinement_compose
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
-:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; in a decreasing
+:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
+  knots as variables, and hold for equal ones, too, where they divide by no 0; in a decreasing
   sequence of sets the intersection of the first $m$ is the last.
 :figure: hulls_of_knot_sets
 :::

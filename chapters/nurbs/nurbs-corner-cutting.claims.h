@@ -404,7 +404,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
@@ -414,7 +414,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
-:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
+:argued: | One knot after the other, by (4.1.7): the identities of one insertion have the knots as variables, and hold for equal ones, too, where they divide by no 0. The new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
   the set.
 :figure: hulls_of_knot_sets
 :::

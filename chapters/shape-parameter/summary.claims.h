@@ -95,6 +95,8 @@ the range from $-\frac{21}4$ to 1.
   nearer than that of $\beta=0$ to the convex polygon of the last decision, and not to the one of the first counterexample
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :figure: closer_or_not
+
+Adjustable as a parametrized curve; sets of points are not compared.
 :::
 
 :::{statement} deng-zhang-2022:sec-1-unique

@@ -515,7 +515,7 @@ number type that counts its operations.
 :zh: 海纳算法
 :printed: the curve takes more computation than the Bézier curve of degree seven, and can be computed by Horner's rule
 :holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
-:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same method
+:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by de Casteljau's algorithm, or both by Horner's rule
 :figure: operations_for_a_point
 :degree: 7
 :::
