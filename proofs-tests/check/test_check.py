@@ -320,6 +320,12 @@ g(s,t) = s^2 t^3
         for printed, expected in (("p'(1) = -1", "holds"), ("p'(1) = 1", "fails"), ("p''(1) = 0", "undecided"), ("q'(1) = 2", "holds"), ("q'(1) = 1", "fails")):
             self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
 
+    def test_a_condition_on_the_value_of_a_function(self):
+        for ranges in ("F(x) \\le 1", "1 \\ge F(x)", "0 \\le F(x) \\le 1"):
+            self.assertEqual(verdict("x \\le 1", ranges)["verdict"], "holds", ranges)
+            self.assertEqual(verdict("x < 1", ranges)["verdict"], "fails", ranges)
+            self.assertEqual(verdict("F(y) \\le 1", ranges)["verdict"], "fails", ranges)
+
     def test_two_definitions_in_a_line(self):
         for between in (", ", ", \\quad "):
             let = f"p(s) = s{between}q(s,t) = s t{between}r(t) = \\max(t, 2)\n"
@@ -830,7 +836,7 @@ class Standard(unittest.TestCase):
     LET = (":use: bernstein B_i^n(t)\nP_i, d_i \\in \\mathbb{R}\n\\mathbf{b}_i \\in \\mathbb{R}^2\n\\omega_i > 0\n"
            ":use: de-casteljau \\mathbf{b}_i^{[r]}(t) of \\mathbf{b}_i\n:use: bezier P^n(t) of P_i\n:use: rational-bezier R_n(t) of P_i with \\omega_i\n"
            ":use: bspline N_{i,p}(x) over u_i\n:use: bspline-order M_i^k(x) over u_i\n:use: de-boor d_i^{p,r}(x) of d_i over u_i\n"
-           ":use: cubic-hermite H_j(t)\n:use: bspline S_j^q(s) over \\tau_j\n")
+           ":use: cubic-hermite H_j(t)\n:use: bspline S_j^q(s) over \\tau_j\n:use: bernstein C^n_i(t)\n:use: bspline Z^p_i(x) over u_i\n")
     KNOTS = "\\tau_j = 0, \\quad j \\le 2\n\\tau_j = j - 2\n"
 
     def test_true_and_false(self):
@@ -843,6 +849,7 @@ class Standard(unittest.TestCase):
                 ("\\sum_{i=0}^p N_{i,p}(x) = 1", "\\sum_{i=0}^p N_{i,p}(x) = 1 + u_0 - u_1", "p = 0..2, u_p \\le x < u_{p+1}"),
                 ("d_p^{p,p}(x) = \\sum_{i=0}^p N_{i,p}(x) d_i", "d_p^{p,p}(x) = \\sum_{i=0}^p N_{i,p}(x) d_{i+1}", "p = 0..2, u_p \\le x < u_{p+1}"),
                 ("H_0(0) = 1, H_1(1) = 1, H_2'(0) = 1, H_3'(1) = 1", "H_3'(0) = 1", "n = 1"),
+                ("C^n_i(t) = B_i^n(t) = C_i^n(t)", "C^n_i(t) = B_{n-i}^n(t)", "n = 0..3, i = 0..n"), ("Z_i^2(x) = N_{i,2}(x)", "Z_i^2(x) = N_{i,1}(x)", "i = 0"),
                 ("S_0^2(s) = (1-s)^2, S_1^2(s) = 2 s (1-s) + \\frac{s^2}{2}", "S_0^2(s) = s^2", "0 \\le s < 1")):
             for printed, expected in ((true, "holds"), (false, "fails")):
                 with self.subTest(printed=printed):
