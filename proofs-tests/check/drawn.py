@@ -23,7 +23,7 @@ F = fractions.Fraction
 VALUES = [F(v) for v in ("-2", "-1", "-1/2", "0", "1/3", "1", "2")]
 GRID = [F(-40), *VALUES, F(40)]
 REALS = ("x", "y", "u", "v")
-RATIOS, COUNT = 1500, 1900  # from the first of these numbers on they are quotients
+RATIOS, TIES, COUNT = 1500, 1900, 2200  # from there on they are quotients, and of names that are tied by equalities of higher degree
 
 
 class Undefined(Exception):
@@ -378,6 +378,30 @@ class Drawing:
                 ("x < y, y \\le u", lambda v: v["x"] < v["y"] <= v["u"]), ("x + y = 1", lambda v: v["x"] + v["y"] == 1), ("x \\ne y", lambda v: v["x"] != v["y"]), ("0 < x < y, y \\le 2", lambda v: 0 < v["x"] < v["y"] <= 2),
                 ("-1 \\le u < 1, x \\ge u", lambda v: -1 <= v["u"] < 1 and v["x"] >= v["u"]), ("y = 2 x - 1", lambda v: v["y"] == 2 * v["x"] - 1), ("x = 1/3", lambda v: v["x"] == F(1, 3))][one]
 
+    def tie(self):
+        """(TeX, values of x, y, u that meet it, many)"""
+        steps = [F(k, 8) for k in range(-40, 41)] + [F(-40), F(40)]
+        circle = [((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)) for t in steps] + [(F(-1), F(0))]
+        plane = [(F(a, 4), F(b, 4)) for a in range(-12, 13) for b in range(-12, 13)] + [(F(40), F(1, 40)), (F(-40), F(40)), (F(1, 40), F(40))]
+        kind = self.random.randrange(12)
+        return [("x^2 + y^2 = 1", circle), ("x^2 + y^2 = 1, y \\ge 0", [p for p in circle if p[1] >= 0]), ("x^2 + y^2 = 1, x > 0", [p for p in circle if p[0] > 0]), ("x^2 + y^2 = 1, x \\le 0, y < 0", [p for p in circle if p[0] <= 0 and p[1] < 0]),
+                ("\\frac{x^2}{4} + y^2 = 1", [(2 * a, b) for a, b in circle]), ("x^2 = y", [(t, t * t) for t in steps]), ("y^2 = x, y \\ge 0", [(t * t, t) for t in steps if t >= 0]), ("x^2 + y = 1, y \\ge 0", [(t, 1 - t * t) for t in steps if t * t <= 1]),
+                ("x y = 1, x > 0", [(t, 1 / t) for t in steps if t > 0]), ("x^2 + y^2 \\le 1", [p for p in plane if p[0] ** 2 + p[1] ** 2 <= 1] + circle), ("x y \\ge 1", [p for p in plane if p[0] * p[1] >= 1]),
+                ("x^2 = 4", [(a, b) for a in (F(2), F(-2)) for b in steps])][kind]
+
+    def tied(self):
+        """What is said of names that are tied; (condition, TeX, truth, values)"""
+        condition, points = self.tie()
+        (a, b, c), relation = (self.pick(-2, -1, 1, 2, 3) for _ in range(3)), self.pick("=", "\\ne", "<", "\\le", ">", "\\ge", "\\le", "\\ge")
+        right = self.pick(F(-3), F(-2), F(-1), F(0), F(1, 2), F(1), F(5, 4), F(2), F(3))
+        left, f = [(f"{a} x + {b} y", lambda x, y: a * x + b * y), (f"{a} x y", lambda x, y: a * x * y), (f"{a} x^2 + {b} y", lambda x, y: a * x * x + b * y), (f"{a} x^2 + {b} y^2", lambda x, y: a * x * x + b * y * y),
+                   (f"|x| + {abs(b)} |y|", lambda x, y: abs(x) + abs(b) * abs(y)), (f"x^3 - {abs(b)} x", lambda x, y: x ** 3 - abs(b) * x), (f"{a} x + {c}", lambda x, y: a * x + c), (f"\\max(x, {b} y)", lambda x, y: max(x, b * y)),
+                   (f"(x - y)^2", lambda x, y: (x - y) ** 2), (f"x^4 + {abs(a)} x^2 y^2 + y^4", lambda x, y: x ** 4 + abs(a) * x * x * y * y + y ** 4)][self.random.randrange(10)]
+        tex = f"{left} {relation} {number(right)}".replace("+ -", "- ")
+        if self.random.random() < .3:
+            return "", f"{condition} \\Rightarrow {tex}", lambda v: self.RELATIONS[relation](f(v["x"], v["y"]), right), points
+        return condition, tex, lambda v: self.RELATIONS[relation](f(v["x"], v["y"]), right), points
+
     def ranges(self):
         """(TeX, the names, their values one after another)"""
         kind = self.random.randrange(6)
@@ -409,6 +433,10 @@ def drawn(k):
     """The k-th statement: (ranges with conditions, TeX, the cases that are false for some small numbers, of how many, whether it is true there at all);
     None where it has a value that is none everywhere, or its reader here has none."""
     d = Drawing(f"2026-{k}")
+    if k >= TIES:
+        condition, tex, truth, points = d.tied()
+        false = any(not truth({"x": x, "y": y}) for x, y in points)
+        return condition or "n = 1", tex, int(false), 1
     if k < RATIOS and k % 8 < 5:
         return computed(d, k)
     ranges, names, cases = d.ranges()
