@@ -320,6 +320,10 @@ g(s,t) = s^2 t^3
         for printed, expected in (("p'(1) = -1", "holds"), ("p'(1) = 1", "fails"), ("p''(1) = 0", "undecided"), ("q'(1) = 2", "holds"), ("q'(1) = 1", "fails")):
             self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
 
+    def test_natural_numbers_begin_with_0_and_that_is_told(self):
+        for ranges, scope in (("n \\in \\mathbb{N}", "every n ≥ 0"), ("n \\in \\mathbb{N}, n < 3", "whole 0 ≤ n < 3"), ("n \\in \\mathbb{N}, n \\le 3", "n = 0 to 3"), ("n \\ge 2, n \\in \\mathbb{N}", "every n ≥ 2")):
+            self.assertEqual(verdict("\\sum_{k=0}^n \\binom{n}{k} = 2^n", ranges)["scope"], scope)
+
     def test_a_condition_on_the_value_of_a_function(self):
         for ranges in ("F(x) \\le 1", "1 \\ge F(x)", "0 \\le F(x) \\le 1"):
             self.assertEqual(verdict("x \\le 1", ranges)["verdict"], "holds", ranges)
