@@ -6,7 +6,7 @@
 A statement is drawn with its conditions, as TeX and as a function of the values of its names.  True ones are made of laws: one side is the
 other in other words.  Of every statement all choices of small numbers for its names are tried (x, y, u, v within
 their bounds and conditions): one that is said to hold is false for none; one that fails is false for some in just as many cases of the
-whole numbers n, k as the program says.
+whole numbers n, k as the program says.  A derivative that does not exist is undecided.
 """
 import fractions
 import itertools
@@ -23,7 +23,7 @@ F = fractions.Fraction
 VALUES = [F(v) for v in ("-2", "-1", "-1/2", "0", "1/3", "1", "2")]
 GRID = [F(-40), *VALUES, F(40)]
 REALS = ("x", "y", "u", "v")
-RATIOS, TIES, COUNT = 1500, 1900, 2200  # from there on they are quotients, and of names that are tied by equalities of higher degree
+RATIOS, TIES, JOINTS, COUNT = 1500, 1900, 2200, 2400  # from there on: quotients; names that are tied by equalities of higher degree; derivatives of what has pieces
 
 
 class Undefined(Exception):
@@ -402,6 +402,31 @@ class Drawing:
             return "", f"{condition} \\Rightarrow {tex}", lambda v: self.RELATIONS[relation](f(v["x"], v["y"]), right), points
         return condition, tex, lambda v: self.RELATIONS[relation](f(v["x"], v["y"]), right), points
 
+    def joint(self):
+        """A derivative of what has pieces, at the place where two of them meet: p for t < a, and p + c (t-a)^m behind it, which have the same derivatives below
+        order m.  (TeX, whether it is true; None where there is no derivative)"""
+        a = self.pick("0", "1", "x", "2x", "-\\frac{1}{2}", "x + y")
+        degree, m, c, order = self.pick(1, 2, 3), self.pick(0, 1, 2, 3), self.pick(0, 1, -2, 1), self.pick(1, 1, 2, 3)
+        p = [self.pick(-1, 0, 1, 2) for _ in range(degree + 1)]
+        tex = " + ".join(f"{q} t^{j}" for j, q in enumerate(p)).replace("+ -", "- ")
+        behind = f"{tex} + {c} (t - ({a}))^{m}".replace("+ -", "- ")
+        weak, apart, away = self.random.random() < .5, self.random.random() < .15, self.pick(0, 0, 0, 1, -1)
+        less = "\\le" if weak else "<"
+        pieces = f"{tex} & t {less} {a} \\\\ {behind} & \\text{{otherwise}}"
+        value = 0
+        if apart:  # at the joint itself another value, or the same by a piece of its own
+            value = self.pick(0, 1)
+            other = f"{tex} + {value}"
+            pieces = f"{tex} & t < {a} \\\\ {behind} & t > {a} \\\\ {other} & \\text{{otherwise}}"
+        at = f"{a} + {away}" if away > 0 else f"{a} - {-away}" if away < 0 else a
+        exists = away != 0 or ((c == 0 or order < m) and not (apart and value))
+        wrong = self.random.random() < .4
+        # as a polynomial in the place: the derivative of p there, and that of c (t - a)^m, at distance `away`
+        slope_p = [(math.factorial(j) // math.factorial(j - order), q, j - order) for j, q in enumerate(p) if j >= order]
+        extra = c * math.perm(m, order) * away ** (m - order) if away > 0 and m >= order else 0
+        right = " + ".join([f"{f * q} ({at})^{e}" for f, q, e in slope_p] + [str(extra + wrong)]).replace("+ -", "- ")
+        return f"\\left. \\frac{{d^{order}}}{{dt^{order}}} \\begin{{cases}} {pieces} \\end{{cases}} \\right|_{{t={at}}} = {right}", (not wrong) if exists else None
+
     def ranges(self):
         """(TeX, the names, their values one after another)"""
         kind = self.random.randrange(6)
@@ -433,6 +458,9 @@ def drawn(k):
     """The k-th statement: (ranges with conditions, TeX, the cases that are false for some small numbers, of how many, whether it is true there at all);
     None where it has a value that is none everywhere, or its reader here has none."""
     d = Drawing(f"2026-{k}")
+    if k >= JOINTS:
+        tex, holds = d.joint()
+        return "n = 1", tex, -1 if holds is None else int(not holds), 1
     if k >= TIES:
         condition, tex, truth, points = d.tied()
         false = any(not truth({"x": x, "y": y}) for x, y in points)
@@ -482,7 +510,7 @@ def written():
 
 def agrees(mine, answer, cases, failing):
     ranges, tex, false, all_cases = mine
-    return cases == all_cases and {"HOLDS": false == 0 == failing, "FAILS": false == failing > 0, "UNDECIDED": True}[answer]
+    return cases == all_cases and {"HOLDS": false == 0 == failing, "FAILS": false == failing > 0, "UNDECIDED": True}[answer] and (false >= 0 or answer == "UNDECIDED")
 
 
 def write(cagd, first=0):
