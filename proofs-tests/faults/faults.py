@@ -87,7 +87,7 @@ class Expression(Room):
     SCRIPT = [sys.executable, ROOT / "proofs-tests/check/test_check.py", "cagd", "-f"]
     LATEX = [sys.executable, ROOT / "proofs-tests/check/test_latex.py", "cagd", "-f"]
     tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_changes test_statements test_expression test_cells test_for_every test_drawn test_known".split()},
-             "standard functions": [*SCRIPT, "Standard"], "what is said": [*SCRIPT, "Reasons", "Verdicts", "Language", "Ranges", "Pictures"], "mistakes": [*SCRIPT, "Mistakes"],
+             "page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "standard functions": [*SCRIPT, "Standard"], "what is said": [*SCRIPT, "Reasons", "Verdicts", "Language", "Ranges", "Pictures"], "mistakes": [*SCRIPT, "Mistakes"],
              "papers": LATEX, "what holds for small numbers": [*SCRIPT, "Cells"], "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
     KNOWS = {"basis": "bases", "latex": "papers", "latex_commands": "papers", "positive": "certificates", "standard": "standard functions", "token": "mistakes"}
@@ -122,7 +122,7 @@ class Check(Room):
     """`cagd check`: pages and papers that are read, and what is told of them."""
     configured, targets = Expression.configured, ["cagd"]
     SCRIPT = Expression.SCRIPT
-    tests = {"test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": Expression.LATEX,
+    tests = {"page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": Expression.LATEX,
              "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges", "Pictures", "Standard"], "bases": Expression.tests["bases"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
     KNOWS = {"paper": "papers", "document": "mistakes", "sheet": "bases", "graphs": "bases", "certificate": "certificates"}
