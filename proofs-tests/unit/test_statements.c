@@ -107,6 +107,28 @@ static void ranges_have_the_numbers_they_say(void **state)
         }
 }
 
+/* Numbers that are ordered and near to one another: an equality of their differences is refuted, whatever is true at the point of the cell that is
+ * found first. */
+static void what_is_false_near_a_point(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 5; k++)
+            for (int times = 1; times <= 3 && i != k; times++) {
+                char text[80];
+                cagd_finding found;
+                let((const char *const[]){"x_i \\in \\mathbb{R}", "*x_i < x_{i+1}, x_5 < x_0 + \\frac{1}{100}", NULL});
+                snprintf(text, sizeof text, "x_%d - x_%d = %d (x_%d - x_%d)", i + 1, i, times, k + 1, k);
+                const cagd_tree *t = statement_of(text);
+                assert_non_null(t);
+                cagd_check(&scope, t, 60, &found);
+                if (found.answer != CAGD_FAILS)
+                    fail_msg("%s: answer %d", text, (int)found.answer);
+                region_faults = 0;
+                field_close();
+            }
+}
+
 static int cases_taken;
 static int take(void *data, const char *inputs, const char *nodes, const char *steps)
 {
@@ -244,6 +266,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {unit(ranges_begin_where_they_say),
                                        unit(ranges_have_the_numbers_they_say),
+                                       unit(what_is_false_near_a_point),
                                        unit(what_is_certified_stands_for_itself),
                                        unit(dots_in_chains),
                                        unit(powers_of_many_bases),
