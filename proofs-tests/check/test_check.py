@@ -237,8 +237,8 @@ g(s,t) = s^2 t^3
                                 ("\\cos na = 2 \\cos a \\cos (n-1)a - \\cos (n-2)a", "n = 0..5"), ("\\sin a (x+y) = x \\sin a + y \\sin a", "n = 1"), ("\\cos(a) x = x \\cos a", "n = 1"), ("\\cos a\\,x + \\sin 2a\\;y = x \\cos a + 2 y \\sin a \\cos a", "n = 1"), ("\\cos a P = P \\cos a", "n = 1")):
             self.assertEqual(verdict(printed, ranges, let)["verdict"], "holds", printed)
         self.assertEqual(verdict("\\sin 2a = 2 \\sin a", "n = 1", let)["verdict"], "fails")
-        for printed in ("\\sin a x = x \\sin a", "\\cos 2a x = x \\cos 2a"):
-            r = check(document(printed, "n = 1", let))
+        for printed in ("\\sin a x = x \\sin a", "\\cos 2a x = x \\cos 2a", "\\sin\\alpha x = x \\sin\\alpha", "\\cos 2\\alpha x = x \\cos 2\\alpha", "\\sin \\alpha a = a \\sin\\alpha"):
+            r = check(document(printed, "n = 1", let + "\\alpha \\in \\mathbb{R}\n"))
             self.assertEqual(r.returncode, 2)
             self.assertIn("part of the angle, or a factor?", r.stderr)
 

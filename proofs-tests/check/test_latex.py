@@ -206,6 +206,14 @@ b_2(t) = t^2
         for value, expected in (("0", "holds"), ("\\dfrac12", "fails")):
             self.assertEqual(verdicts(source("% cagd: let t \\in \\mathbb{R}\n" + body.replace("@", value))), {"one": "holds", "two": expected, "three": "holds"})
 
+    def test_rows_in_a_brace(self):
+        for begin, end in (("\\left\\{\\begin{aligned}", "\\end{aligned}\\right."), ("\\left\\{ \\begin{aligned}", "\\end{aligned} \\right."), ("\\left\\{\n\\begin{split}", "\\end{split}\n\\right."),
+                           ("\\left\\{ \\begin{gathered}", "\\end{gathered}\\right.")):
+            for factor, expected in ((2, "holds"), (3, "fails")):
+                body = f"\\begin{{equation}}\\label{{a}}\n{begin} x + x = {factor} x, \\\\ y + y = 2 y {end}\n\\end{{equation}}"
+                with self.subTest(body=body):
+                    self.assertEqual(verdicts(source(body)), {"a": expected})
+
     def test_what_is_skipped(self):
         self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x = x\\end{equation}\\begin{equation}\\label{b} x = 1 % cagd: skip\n\\end{equation}")),
                          {"a": "holds"})
