@@ -48,7 +48,10 @@ static char *text_of_failure(const json_t *entry)
     json_array_foreach(json_object_get(example, "values"), k, value)
         fprintf(out, "%s%s = %s", k > 0 ? "; " : "", json_string_value(json_object_get(value, "name")),
                 json_string_value(json_object_get(value, "value")));
-    if (json_is_object(example))
+    const char *order = json_string_value(json_object_get(example, "left_is")); /* where a number is a root */
+    if (order != NULL)
+        fprintf(out, "; the left side is %s the right one", order);
+    else if (json_is_object(example))
         fprintf(out, "; left = %s; right = %s", json_string_value(json_object_get(example, "left")),
                 json_string_value(json_object_get(example, "right")));
     text_close(out, &text);

@@ -63,6 +63,8 @@ const char *value_text(const cagd_given *g) { return g->root != NULL ? digits_of
 
 static const char *source(const struct document *d, const cagd_tree *t)
 {
+    if (t != NULL && t->kind == CAGD_NUMBER && d->text[t->from] == 'N') /* where \mathbb{N} begins */
+        return to_string_q(t->number);
     const char *text = t != NULL ? cagd_text_of(d->text + t->from, t->to - t->from) : NULL;
     return text != NULL ? text : "";
 }

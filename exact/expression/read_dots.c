@@ -509,14 +509,17 @@ static cagd_tree *refuse(cagd_reader *r, const cagd_token *dots, cagd_tree_kind 
     if (kind != CAGD_PRODUCT_OVER && term_of(&s, r, &first, 0, 1, last) != NULL && s.places == 1 &&
         s.place[0].step == 1) {
         const cagd_tree *low = s.place[0].at[0], *high = s.place[0].at[1];
-        int before = high->from - last->from, behind = last->to - high->to;
+        /* The exponent of u is 1, and is not written: that number stands where u does. */
+        int is_written = high->kind != CAGD_NUMBER || strchr("0123456789.", r->text[high->from]) != NULL;
+        int before = (is_written ? high->from : high->to) - last->from, behind = last->to - high->to;
         const char *start = low->kind == CAGD_NUMBER ? to_string_q(low->number)
                                                      : cagd_text_of(r->text + low->from, low->to - low->from);
         if (before >= 0 && behind >= 0 && before + behind < MOST_SHOWN && start != NULL && strlen(start) < MOST_SHOWN &&
             high->to - high->from < MOST_SHOWN)
-            return cagd_refuse_token(r, "what is left out? if it is every one, write %s_{%s=%s}^{%.*s} %.*s%s%.*s",
-                                     sign, s.letter, start, high->to - high->from, r->text + high->from, before,
-                                     r->text + last->from, s.letter, behind, r->text + high->to);
+            return cagd_refuse_token(r, "what is left out? if it is every one, write %s_{%s=%s}^{%.*s} %.*s%s%s%.*s",
+                                     sign, s.letter, start, is_written ? high->to - high->from : 1,
+                                     is_written ? r->text + high->from : "1", before, r->text + last->from,
+                                     is_written ? "" : "^", s.letter, behind, r->text + high->to);
     }
     return cagd_refuse_token(r, "what is left out? the ends do not say it: write %s_{k=0}^{n} and the term for k",
                              sign);

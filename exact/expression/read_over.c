@@ -35,11 +35,14 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "a derivative by more than %d letters", CAGD_MOST_INDICES);
         r->token += sign;
+        const cagd_token *variable = r->token;
         by[count].head = cagd_read_head(r);
         if (by[count].head == NULL)
             return NULL;
-        if (!cagd_is_known(r, by[count].head))
+        if (!cagd_is_known(r, by[count].head)) {
+            r->token = variable;
             return cagd_refuse_token(r, "%s is not defined", by[count].head);
+        }
         if (cagd_pass(r, "^") && (by[count].order = cagd_read_argument(r, 1)) == NULL)
             return NULL;
         count++;

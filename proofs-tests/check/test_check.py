@@ -4,7 +4,8 @@
 
 literature.md has facts of the literature and the same with a fault, each with what has to come out; so have
 referee.md and, of bases with a parameter of shape, shape.md.  malformed.txt has a line
-for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message.
+for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message, and the part
+of the line that is marked.
 """
 import fractions
 import hashlib
@@ -194,6 +195,7 @@ L \in \mathbb{R}^{2 \times 3}
                 (r"L^2 = L", "a power of a matrix of 2 rows and 3 columns"), (r"\|A\| = 1", "the length of what is no vector; of a number it is |a|"),
                 (r"\frac{1}{A} = A", "a matrix where a number is expected"), (r"A \times A = A", "a matrix where a vector is expected"), (r"A + 1 = A", "a number where a vector is expected"),
                 (r"K \mathbf{w} \times \mathbf{z} = \mathbf{w}", "a matrix and two vectors: write brackets"),
+                *((f"{chain} = K", f"a matrix of {a} rows and {a} columns before a matrix of {b} rows and {b} columns: there is no such product") for chain, a, b in (("K A A", 3, 2), ("A K A", 2, 3), ("A A K", 2, 3))),
                 (r"\begin{pmatrix} 1 & 2 \\ 3 \end{pmatrix} = A", "rows of different lengths"), (r"\begin{pmatrix} 1 & 2 \\ 3 & 4 = A", "expected '\\end' after the matrix, not '='"),
                 (r"\begin{pmatrix} \end{pmatrix} = A", "a matrix without entries"), (r"\begin{pmatrix} 1 & 2 \end{bmatrix} = A", r"expected \end{pmatrix}"),
                 (r"\begin{pmatrix} 1 & 2 & 3 & 4 & 5 & 6 & 7 & 8 & 9 \end{pmatrix} = A", "a matrix of more than 8 rows or columns")):
@@ -235,8 +237,8 @@ g(s,t) = s^2 t^3
                                 ("\\cos na = 2 \\cos a \\cos (n-1)a - \\cos (n-2)a", "n = 0..5"), ("\\sin a (x+y) = x \\sin a + y \\sin a", "n = 1"), ("\\cos(a) x = x \\cos a", "n = 1"), ("\\cos a\\,x + \\sin 2a\\;y = x \\cos a + 2 y \\sin a \\cos a", "n = 1"), ("\\cos a P = P \\cos a", "n = 1")):
             self.assertEqual(verdict(printed, ranges, let)["verdict"], "holds", printed)
         self.assertEqual(verdict("\\sin 2a = 2 \\sin a", "n = 1", let)["verdict"], "fails")
-        for printed in ("\\sin a x = x \\sin a", "\\cos 2a x = x \\cos 2a"):
-            r = check(document(printed, "n = 1", let))
+        for printed in ("\\sin a x = x \\sin a", "\\cos 2a x = x \\cos 2a", "\\sin\\alpha x = x \\sin\\alpha", "\\cos 2\\alpha x = x \\cos 2\\alpha", "\\sin \\alpha a = a \\sin\\alpha"):
+            r = check(document(printed, "n = 1", let + "\\alpha \\in \\mathbb{R}\n"))
             self.assertEqual(r.returncode, 2)
             self.assertIn("part of the angle, or a factor?", r.stderr)
 
@@ -353,6 +355,39 @@ g(s,t) = s^2 t^3
     def test_the_names_of_a_counterexample(self):
         values = verdict("x_{10} = x_9", "n = 1")["counterexample"]["values"]
         self.assertEqual(sorted(v["name"] for v in values), ["x_9", "x_{10}"])
+        # those of one letter by their indices, where the first of them stood
+        for printed, names in (("x_3 + y + x_1 + x_{10} + u + x_2 + \\omega_1 + \\omega_0 + x_{-1} = 1", "x_{-1} x_1 x_2 x_3 x_{10} y u \\omega_0 \\omega_1"), ("\\omega_2 + x_9 + x_{10} + x_8 = 1", "\\omega_2 x_8 x_9 x_{10}"),
+                               ("y + x_2 + x_1 + v + x_0 = 1", "y x_0 x_1 x_2 v")):
+            self.assertEqual(" ".join(v["name"] for v in verdict(printed, "n = 1")["counterexample"]["values"]), names)
+
+    def test_derivatives_at_joints_of_what_is_divided_by_the_name(self):
+        """Where the name stands below only."""
+        let = "p(t) = 2 - t, \\quad t < 1\np(t) = \\frac{1}{t}\nq(t) = t^2, \\quad \\frac{1}{t} > 1\nq(t) = 2t - 1\n"
+        for printed, expected in (("p'(1) = -1", "holds"), ("p'(1) = 1", "fails"), ("p''(1) = 0", "undecided"), ("q'(1) = 2", "holds"), ("q'(1) = 1", "fails")):
+            self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
+
+    def test_natural_numbers_begin_with_0_and_that_is_told(self):
+        for ranges, scope in (("n \\in \\mathbb{N}", "every n ≥ 0"), ("n \\in \\mathbb{N}, n < 3", "whole 0 ≤ n < 3"), ("n \\in \\mathbb{N}, n \\le 3", "n = 0 to 3"), ("n \\ge 2, n \\in \\mathbb{N}", "every n ≥ 2")):
+            self.assertEqual(verdict("\\sum_{k=0}^n \\binom{n}{k} = 2^n", ranges)["scope"], scope)
+
+    def test_a_condition_on_the_value_of_a_function(self):
+        for ranges in ("F(x) \\le 1", "1 \\ge F(x)", "0 \\le F(x) \\le 1"):
+            self.assertEqual(verdict("x \\le 1", ranges)["verdict"], "holds", ranges)
+            self.assertEqual(verdict("x < 1", ranges)["verdict"], "fails", ranges)
+            self.assertEqual(verdict("F(y) \\le 1", ranges)["verdict"], "fails", ranges)
+
+    def test_two_definitions_in_a_line(self):
+        for between in (", ", ", \\quad "):
+            let = f"p(s) = s{between}q(s,t) = s t{between}r(t) = \\max(t, 2)\n"
+            self.assertEqual(verdict("p(2) + q(2,3) = r(8)", "n = 1", let)["verdict"], "holds")
+            self.assertEqual(verdict("p(2) + q(2,3) = r(1)", "n = 1", let)["verdict"], "fails")
+
+    def test_a_name_with_many_values(self):
+        """As many roots as are looked at one by one, and more."""
+        for count in (15, 16, 17, 18):
+            zero = "".join(f"(x-{k})" for k in range(count)) + " = 0"
+            for last, expected in ((count, "holds"), (count - 1, "fails"), (0, "fails")):
+                self.assertEqual(verdict(f"{zero} \\Rightarrow x < {last}", "n = 1")["verdict"], expected, (count, last))
 
     def test_an_open_range_that_ends_at_another_name(self):
         for ends, expected in (("(p, 7)", "holds"), ("[p, 7]", "fails")):
@@ -503,6 +538,9 @@ g(s,t) = s^2 t^3
                 self.assertEqual(root["of"], of)
                 low, high = map(fractions.Fraction, root["between"])
                 self.assertTrue(low < at < high)
+        for printed, ranges, between in (("x^2 \\ne 2", "x \\ge 0", ["7/5", "10/7"]), ("(x^5-x-1)^2 > 0", "n = 1", ["8/7", "13/11"]), ("(x^2-10000000)^2 > 0", "x > 0", ["12649/4", "22136/7"])):  # the simplest within 1/50
+            (root,) = [v["root"] for v in verdict(printed, ranges)["counterexample"]["values"] if "root" in v]
+            self.assertEqual(root["between"], between)
         self.assertEqual(verdict("x^2 \\le 3", "x^2 = 2", "")["verdict"], "holds")
         s = verdict("x = y", "x^2 = 2, y^2 = 3")
         self.assertEqual([v["root"]["of"] for v in s["counterexample"]["values"]], ["x^2 - 2", "x^2 - 3"])
@@ -851,7 +889,7 @@ class Standard(unittest.TestCase):
     LET = (":use: bernstein B_i^n(t)\nP_i, d_i \\in \\mathbb{R}\n\\mathbf{b}_i \\in \\mathbb{R}^2\n\\omega_i > 0\n"
            ":use: de-casteljau \\mathbf{b}_i^{[r]}(t) of \\mathbf{b}_i\n:use: bezier P^n(t) of P_i\n:use: rational-bezier R_n(t) of P_i with \\omega_i\n"
            ":use: bspline N_{i,p}(x) over u_i\n:use: bspline-order M_i^k(x) over u_i\n:use: de-boor d_i^{p,r}(x) of d_i over u_i\n"
-           ":use: cubic-hermite H_j(t)\n:use: bspline S_j^q(s) over \\tau_j\n")
+           ":use: cubic-hermite H_j(t)\n:use: bspline S_j^q(s) over \\tau_j\n:use: bernstein C^n_i(t)\n:use: bspline Z^p_i(x) over u_i\n")
     KNOTS = "\\tau_j = 0, \\quad j \\le 2\n\\tau_j = j - 2\n"
 
     def test_true_and_false(self):
@@ -864,6 +902,7 @@ class Standard(unittest.TestCase):
                 ("\\sum_{i=0}^p N_{i,p}(x) = 1", "\\sum_{i=0}^p N_{i,p}(x) = 1 + u_0 - u_1", "p = 0..2, u_p \\le x < u_{p+1}"),
                 ("d_p^{p,p}(x) = \\sum_{i=0}^p N_{i,p}(x) d_i", "d_p^{p,p}(x) = \\sum_{i=0}^p N_{i,p}(x) d_{i+1}", "p = 0..2, u_p \\le x < u_{p+1}"),
                 ("H_0(0) = 1, H_1(1) = 1, H_2'(0) = 1, H_3'(1) = 1", "H_3'(0) = 1", "n = 1"),
+                ("C^n_i(t) = B_i^n(t) = C_i^n(t)", "C^n_i(t) = B_{n-i}^n(t)", "n = 0..3, i = 0..n"), ("Z_i^2(x) = N_{i,2}(x)", "Z_i^2(x) = N_{i,1}(x)", "i = 0"),
                 ("S_0^2(s) = (1-s)^2, S_1^2(s) = 2 s (1-s) + \\frac{s^2}{2}", "S_0^2(s) = s^2", "0 \\le s < 1")):
             for printed, expected in ((true, "holds"), (false, "fails")):
                 with self.subTest(printed=printed):
@@ -1059,14 +1098,15 @@ class Mistakes(unittest.TestCase):
     def test_every_mistake_is_named_where_it_is(self):
         lines = [line.split("\t") for line in (HERE / "malformed.txt").read_text().splitlines()]
         self.assertGreaterEqual(len(lines), 200)
-        for kind, text, place, message in lines:
+        for kind, text, place, message, marked in lines:
             with self.subTest(text=text):
                 r = check(document(*{"formula": (text,), "range": ("x = x", text), "definition": ("x = x", "n = 1", text)}[kind]))
                 self.assertEqual((r.returncode, r.stdout), (2, ""))
                 first, source, caret = r.stderr.splitlines()
                 self.assertEqual(first, f"cagd: standard input:{place}: {message}")
-                self.assertEqual(caret.strip()[0], "^")
-                self.assertEqual(caret.index("^") - 2, int(place.split(":")[1]) - 1)
+                at = caret.index("^")
+                self.assertEqual(at - 2, int(place.split(":")[1]) - 1)
+                self.assertEqual((caret.strip(), source[at:len(caret)]), ("^" + "~" * max(0, len(marked) - 1), marked))
 
     def test_a_definition_that_is_never_taken(self):
         """An earlier one fits wherever it does; one with a condition, or for some indices alone, does not."""
@@ -1097,6 +1137,16 @@ class Mistakes(unittest.TestCase):
             self.assertEqual(len(r.stderr.splitlines()), 1, text[:20])
             self.assertLess(len(r.stderr), 300)
 
+    def test_what_is_too_large_is_said(self):
+        row = lambda n: " & ".join("1" * n)
+        for printed, place, message in (("\\max(" + ", ".join("x" * 65) + ") = 1", "8:208", "a list of more than 64"), ("\\begin{vmatrix} " + row(40) + " \\end{vmatrix} = 1", "8:171", "a determinant of more than 6 rows"),
+                                        ("\\begin{pmatrix} " + " \\\\ ".join([row(7)] * 7) + " \\end{pmatrix}^{-1} = x", "8:11", "the inverse of more than 6 rows"),
+                                        ("\\frac{\\partial^9 x}{" + "\\partial x " * 9 + "} = 1", "8:75", "a derivative by more than 4 letters"), ("\\sum_{i=0" + ", i \\ne 1" * 9 + "}^n x = 1", "8:83", "more than 6 conditions"),
+                                        ("x > 0, \\quad " + ", ".join(f"x_{{{k}}}" for k in range(40)) + " \\in [0,1]", "8:80", "too many names before \\in")):
+            with self.subTest(message=message):
+                r = check(document(printed))
+                self.assertEqual((r.returncode, r.stdout, r.stderr.splitlines()), (2, "", [f"cagd: standard input:{place}: {message}"]))
+
     def test_files_that_are_none(self):
         for text, words in (("", "no statement"), ("# Text\n", "no statement"), ("a\0b", "no text"), (":::{let}\n", "does not end"),
                             (":::{theorem} x\n:::\n", "expected :::{let}"), (":::{statement}\n:printed: 1 = 1\n:::\n", "without a name"),
@@ -1111,6 +1161,37 @@ class Mistakes(unittest.TestCase):
     def test_all_mistakes_of_a_file_are_told(self):
         r = check(document("x = z") + ":::{statement} r\n:printed: x = 1 +\n:::\n")
         self.assertEqual(r.stderr.count("cagd: "), 2)
+
+
+class Reasons(unittest.TestCase):
+    """Why something is not decided, and at which part of which formula."""
+
+    def test_every_reason_is_told_with_its_place(self):
+        lines = (HERE / "reasons.txt").read_text().splitlines()
+        definitions = [line[2:] for line in lines[2:] if line.startswith("# ")]
+        rows = [line.split("\t") for line in lines if not line.startswith("#")]
+        self.assertGreaterEqual(len(rows), 90)
+        text = ":::{let}\n" + "\n".join(definitions) + "\n:::\n" + "".join(f":::{{statement}} s{k}\n:printed: {row[0]}\n:for: n = 1..2\n:::\n" for k, row in enumerate(rows))
+        written = text.splitlines()
+        r = check(text, "--json")
+        self.assertEqual((r.returncode, r.stderr), (1, ""))
+        for s, (printed, reason, *place) in zip(json.loads(r.stdout)["statements"], rows, strict=True):
+            with self.subTest(printed=printed):
+                if place:
+                    line, column, part = int(place[0]), int(place[1]), place[2]
+                    line = line + 1 if line > 0 else s["line"] + 1
+                    self.assertTrue(written[line - 1][column - 1:].startswith(part))
+                    reason += f" (line {line}, column {column}: {part})"
+                self.assertEqual((s["verdict"], s["evidence"], s["reason"]), ("undecided", "none", reason))
+
+    def test_the_largest_number_that_is_computed_with_and_the_next_one(self):
+        let = "r_0 = 0\nr_i = r_{i-1} + 1, \\quad i \\ge 1\n"
+        for largest, next_one in ((r"2^{1000} = 2 \cdot 2^{999}", r"2^{1001} = 2 \cdot 2^{1000}"), (r"2^{-1000} = 2^{-999} / 2", r"2^{-1001} = 2^{-1000} / 2"), (r"1000! = 1000 \cdot 999!", r"1001! = 1001 \cdot 1000!"),
+                                  (r"\binom{1001}{1000} = 1001", r"\binom{1002}{1001} = 1002"), ("[100]_1 = 100", "[101]_1 = 101"), (r"{100 \brack 1}_1 = 100", r"{101 \brack 1}_1 = 101"), (r"{3 \brack 100}_1 = 0", r"{3 \brack 101}_1 = 0"),
+                                  (r"{3 \brack -100}_1 = 0", r"{3 \brack -101}_1 = 0"), (r"\sum_{k=0}^{20000} 1 = 20001", r"\sum_{k=0}^{20001} 1 = 20002"), ("r_{299} = 299", "r_{300} = 300"), ("[100]_1! = 100!", "[101]_1! = 101!")):
+            with self.subTest(largest=largest):
+                self.assertEqual(verdict(largest, "n = 1", let)["verdict"], "holds")
+                self.assertEqual(verdict(next_one, "n = 1", let)["verdict"], "undecided")
 
 
 class Pictures(unittest.TestCase):

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import unittest
 
+HERE = pathlib.Path(__file__).resolve().parent
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 LET = "% cagd: let x, y, u, x_i \\in \\mathbb{R}\n% cagd: let B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n% cagd: let F(t) = t^2\n"
 
@@ -118,6 +119,8 @@ MISTAKES = [
     ("\\[ \\] % cagd: statement a", "7:15", "no formula follows"),
     ("\\[ % cagd: statement a\n \\]", "7:12", "the row that this is said of has no formula"),
     ("\\[ \\begin{foo} x \\end{foo} = x % cagd: statement a\n\\]", None, ""),
+    ("% cagd: for n = 1\n" * 17 + "\\[ x = x \\]", "23:9", "more than 16 comments for one formula"),
+    ("\\[ x = x % cagd: statement a\n" + "% cagd: for n = 1\n" * 17 + "\\]", "23:9", "more than 16 comments for one formula"),
 ]
 
 
@@ -203,6 +206,14 @@ b_2(t) = t^2
         for value, expected in (("0", "holds"), ("\\dfrac12", "fails")):
             self.assertEqual(verdicts(source("% cagd: let t \\in \\mathbb{R}\n" + body.replace("@", value))), {"one": "holds", "two": expected, "three": "holds"})
 
+    def test_rows_in_a_brace(self):
+        for begin, end in (("\\left\\{\\begin{aligned}", "\\end{aligned}\\right."), ("\\left\\{ \\begin{aligned}", "\\end{aligned} \\right."), ("\\left\\{\n\\begin{split}", "\\end{split}\n\\right."),
+                           ("\\left\\{ \\begin{gathered}", "\\end{gathered}\\right.")):
+            for factor, expected in ((2, "holds"), (3, "fails")):
+                body = f"\\begin{{equation}}\\label{{a}}\n{begin} x + x = {factor} x, \\\\ y + y = 2 y {end}\n\\end{{equation}}"
+                with self.subTest(body=body):
+                    self.assertEqual(verdicts(source(body)), {"a": expected})
+
     def test_what_is_skipped(self):
         self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x = x\\end{equation}\\begin{equation}\\label{b} x = 1 % cagd: skip\n\\end{equation}")),
                          {"a": "holds"})
@@ -216,7 +227,9 @@ b_2(t) = t^2
 
 class Mistakes(unittest.TestCase):
     def test_every_mistake_is_named_where_it_is(self):
-        for body, place, message in MISTAKES:
+        """latex-mistakes.txt has the whole line that is told of each, and the part of the source that is marked."""
+        told = (HERE / "latex-mistakes.txt").read_text().splitlines()
+        for (body, place, message), line in zip(MISTAKES, told, strict=True):
             with self.subTest(body=body):
                 r = check(source(body).replace("\n\\end{document}", "") if "not end" in message else source(body))
                 self.assertEqual((r.returncode, r.stdout), (2, ""), r.stderr)
@@ -225,6 +238,8 @@ class Mistakes(unittest.TestCase):
                 self.assertIn(message, lines[0])
                 if place is not None and len(lines) > 2:
                     self.assertEqual(lines[2].index("^") - 2, int(place.split(":")[1]) - 1)
+                marks = lines[2] if len(lines) > 2 and lines[2].strip().startswith("^") else ""
+                self.assertEqual(lines[0].replace("cagd: standard input:", "") + "\t" + (lines[1][marks.index("^"):len(marks)] if marks else ""), line)
 
     def test_what_nobody_asked_for_is_left_out_and_told(self):
         text = source("\\begin{equation}\\label{a} x = x \\end{equation}\n\\begin{equation}\\label{b} \\Psi = x \\end{equation}")

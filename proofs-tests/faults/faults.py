@@ -85,16 +85,19 @@ class Expression(Room):
     """What reads formulas and decides them, judged by what `cagd check` says of formulas and bases that are known."""
     configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
     SCRIPT = [sys.executable, ROOT / "proofs-tests/check/test_check.py", "cagd", "-f"]
-    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_cells test_statements test_expression".split()}, "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges"],
-             "what holds for small numbers": [*SCRIPT, "Cells"],
-             "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"], "the literature": [*SCRIPT, "Literature"],
-             "mistakes": [*SCRIPT, "Mistakes"]}
+    LATEX = [sys.executable, ROOT / "proofs-tests/check/test_latex.py", "cagd", "-f"]
+    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_changes test_statements test_expression test_cells test_for_every test_drawn test_known".split()},
+             "page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "standard functions": [*SCRIPT, "Standard"], "what is said": [*SCRIPT, "Reasons", "Verdicts", "Language", "Ranges", "Pictures"], "mistakes": [*SCRIPT, "Mistakes"],
+             "papers": LATEX, "what holds for small numbers": [*SCRIPT, "Cells"], "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"],
+             "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
+    KNOWS = {"basis": "bases", "latex": "papers", "latex_commands": "papers", "positive": "certificates", "standard": "standard functions", "token": "mistakes"}
 
     def units(self):
         return {c: [c] for c in sources("exact/expression/*.c")}
 
     def first(self, file):
-        return ["bases"] if file.endswith("basis.c") else ["mistakes"] if "/read" in file or file.endswith("token.c") else []
+        stem = pathlib.Path(file).stem
+        return ["mistakes"] if stem.startswith("read") else [self.KNOWS[stem]] if stem in self.KNOWS else []
 
 
 class Code(Room):
@@ -119,8 +122,7 @@ class Check(Room):
     """`cagd check`: pages and papers that are read, and what is told of them."""
     configured, targets = Expression.configured, ["cagd"]
     SCRIPT = Expression.SCRIPT
-    LATEX = [sys.executable, ROOT / "proofs-tests/check/test_latex.py", "cagd", "-f"]
-    tests = {"test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": LATEX,
+    tests = {"page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": Expression.LATEX,
              "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges", "Pictures", "Standard"], "bases": Expression.tests["bases"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
     KNOWS = {"paper": "papers", "document": "mistakes", "sheet": "bases", "graphs": "bases", "certificate": "certificates"}

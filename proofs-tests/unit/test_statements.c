@@ -55,6 +55,80 @@ static void ranges_begin_where_they_say(void **state)
     }
 }
 
+/* Every spelling of the numbers 0 to 3 has just these: the first and the last are among them, and their neighbours are not. */
+static void ranges_have_the_numbers_they_say(void **state)
+{
+    (void)state;
+    static const char *const spelled[] = {"i = 0..3",
+                                          "0 \\le i \\le 3",
+                                          "0 \\le i < 4",
+                                          "-1 < i \\le 3",
+                                          "-1 < i < 4",
+                                          "i = 0, 1, 2, 3",
+                                          "i = 0, \\dots, 3",
+                                          "i = 0, 1, \\dots, 3",
+                                          "3 \\ge i \\ge 0",
+                                          "4 > i > -1",
+                                          "3 \\ge i > -1",
+                                          "4 > i \\ge 0",
+                                          "i \\ge 0, i \\le 3",
+                                          "i > -1, i < 4",
+                                          "0 \\le i, 3 \\ge i",
+                                          "n = 3, i = 0..n",
+                                          "n = 3..3, i = n-3..n",
+                                          "n = 3..3, i = 0, \\dots, n",
+                                          "n = 3..3, 0 \\le i < n+1",
+                                          "n = 3..3, n-4 < i < 2n-2",
+                                          "i \\in \\mathbb{N}, i \\le 3"};
+    for (size_t k = 0; k < sizeof spelled / sizeof *spelled; k++)
+        for (int number = -1; number <= 4; number++) {
+            char text[80];
+            cagd_finding found;
+            int fails = number >= 0 && number <= 3;
+            cagd_reading_error error;
+            let((const char *const[]){"x_i \\in \\mathbb{R}", NULL});
+            if (!cagd_read_ranges(&scope, spelled[k], 0, (int)strlen(spelled[k]), &error))
+                fail_msg("%s: %s", spelled[k], error.message);
+            snprintf(text, sizeof text, "(i - (%d)) (x_i^2 + 1) \\ne 0", number);
+            const cagd_tree *t = statement_of(text);
+            assert_non_null(t);
+            assert_true(cagd_make_indices_whole(&scope, t));
+            cagd_check(&scope, t, 20, &found);
+            if (found.answer != (fails ? CAGD_FAILS : CAGD_HOLDS) || found.cases != 4 || found.failing != fails)
+                fail_msg("%s, %d: answer %d, %ld of %ld cases fail", spelled[k], number, (int)found.answer,
+                         found.failing, found.cases);
+            int told = !fails;
+            for (int m = 0; m < found.given; m++)
+                told |=
+                    strcmp(found.example[m].name, "i") == 0 && cagd_equal_q(found.example[m].value, from_int_q(number));
+            assert_true(told);
+            region_faults = 0;
+            field_close();
+        }
+}
+
+/* Numbers that are ordered and near to one another: an equality of their differences is refuted, whatever is true at the point of the cell that is
+ * found first. */
+static void what_is_false_near_a_point(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 5; k++)
+            for (int times = 1; times <= 3 && i != k; times++) {
+                char text[80];
+                cagd_finding found;
+                let((const char *const[]){"x_i \\in \\mathbb{R}", "*x_i < x_{i+1}, x_5 < x_0 + \\frac{1}{100}", NULL});
+                snprintf(text, sizeof text, "x_%d - x_%d = %d (x_%d - x_%d)", i + 1, i, times, k + 1, k);
+                const cagd_tree *t = statement_of(text);
+                assert_non_null(t);
+                cagd_check(&scope, t, 60, &found);
+                if (found.answer != CAGD_FAILS)
+                    fail_msg("%s: answer %d", text, (int)found.answer);
+                region_faults = 0;
+                field_close();
+            }
+}
+
 static int cases_taken;
 static int take(void *data, const char *inputs, const char *nodes, const char *steps)
 {
@@ -191,6 +265,8 @@ static void monotony(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(ranges_begin_where_they_say),
+                                       unit(ranges_have_the_numbers_they_say),
+                                       unit(what_is_false_near_a_point),
                                        unit(what_is_certified_stands_for_itself),
                                        unit(dots_in_chains),
                                        unit(powers_of_many_bases),
