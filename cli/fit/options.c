@@ -452,7 +452,7 @@ static const struct topic topics[] = {
      "than roundings; \"ends_taken_as_exact\"; \"end_points\", the numbers of the points that are measurements of the "
      "ends; \"cusp\", the parameter of a place where the curve turns on a "
      "radius no larger than the distances; \"choice\" (points_are: open, repeated, around or corner; closed; "
-     "control_points_chosen; tolerance_met; candidates, the chosen one first, with unknowns, converged, score and rms; "
+     "control_points_chosen; tolerance_met; candidates, the chosen one first, with unknowns, converged, good, score and rms; "
      "weights_test; smoothing: lambda, by, effective_unknowns, roughness); \"ellipse\" (whole, circle, centre, radius "
      "of "
      "the closest circle, major and minor semi-axis, angle and sweep in degrees, f_ratio of the test against a "

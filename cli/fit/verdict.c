@@ -44,6 +44,15 @@ static void print_closing(const struct fit *f)
     }
 }
 
+/* Whether of the curves that were tried and have a score the chosen one is good and others are not. */
+static int some_are_not_good(const cagd_fit_found *found)
+{
+    int some = 0;
+    for (int k = 1; k < found->candidates; k++)
+        some |= isfinite(found->candidate[k].score) && found->candidate[k].problems != 0;
+    return some && found->candidate[0].problems == 0;
+}
+
 /* The kinds of curve that were tried, the chosen one first. */
 static void print_candidates(const struct fit *f)
 {
@@ -62,13 +71,15 @@ static void print_candidates(const struct fit *f)
                                : c->converged                          ? "with excursions that no points show)"
                                                                        : "no minimum)");
         if (isfinite(c->score) && at < sizeof text)
-            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g)", c->score);
+            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g%s)", c->score, c->problems ? ", not good" : "");
     }
     if (found->candidates > 1)
         say("Chosen", "%s; %s (--degree or --control-points choose otherwise)", text,
             f->choices.degree && f->choices.within > 0
                 ? "the fewest control points that keep every point within the distance are best"
-                : "the smallest score, Schwarz's criterion for few points, is best");
+            : some_are_not_good(found) ? "of those that are good, as under Fit, the smallest score, Schwarz's "
+                                         "criterion for few points, is best"
+                                       : "the smallest score, Schwarz's criterion for few points, is best");
 }
 
 static void print_weights_test(const struct fit *f)

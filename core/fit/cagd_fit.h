@@ -191,10 +191,11 @@ typedef struct cagd_fit_ellipse {
     int freedom;
 } cagd_fit_ellipse;
 
-/* Some kind of curve that was tried.  score: see cagd_fit_choose. */
+/* Some kind of curve that was tried.  score: see cagd_fit_choose.  problems: what is not good about it, see cagd_fit_quality; all of it
+ * where it does not count. */
 typedef struct cagd_fit_candidate {
     char name[64];
-    int unknowns, converged;
+    int unknowns, converged, problems;
     double score, rms;
 } cagd_fit_candidate;
 
@@ -328,7 +329,8 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *
  * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  Where degrees compete within a distance, the
  * score is the number of control points of those that keep within it.  A curve that is no minimum or has
- * excursions that no points show does not count.  Source: mcquarrie-1999.
+ * excursions that no points show does not count.  One that cagd_fit_quality_of finds nothing against is better than one with problems,
+ * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Source: mcquarrie-1999, kass-raftery-1995.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
  * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
@@ -444,7 +446,8 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * 6 times their root mean square along the curve: one in twenty of them, or one by a tenth of the length
  * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and nothing else tells noise from a
  * curve that is too simple: there are fewer than 30 pairs of neighbours, too few for STRUCTURE, or a smoothing term, which may have made a curve
- * between two sides of the points, whose distances alternate as noise does */
+ * between two sides of the points, whose distances alternate as noise does
+ * SIMPLE       of a candidate: another one that was tried, and does not go to and fro, has a score that is lower by more than 10 */
 enum {
     CAGD_FIT_EXCURSIONS = 1,
     CAGD_FIT_LOOPS = 2,
@@ -452,7 +455,8 @@ enum {
     CAGD_FIT_STRUCTURE = 8,
     CAGD_FIT_FAR = 16,
     CAGD_FIT_BACKWARDS = 32,
-    CAGD_FIT_COARSE = 64
+    CAGD_FIT_COARSE = 64,
+    CAGD_FIT_SIMPLE = 128
 };
 
 typedef struct cagd_fit_quality {

@@ -200,11 +200,9 @@ enum {
 /* What is not good about a fit; all of it where it is no minimum or has excursions. */
 static int problems_of(const search *s, const cagd_fit_result *r)
 {
-    cagd_fit_quality quality;
-    REQUIRE(fit_is_good(s->data, s->options, r), ~0);
-    const cagd_status status = cagd_fit_quality_of(s->data, s->options, r, &quality);
-    *s->without_memory |= status == CAGD_NO_MEMORY;
-    return status == CAGD_OK ? quality.problems : ~0;
+    int problems;
+    *s->without_memory |= fit_problems_of(s->data, s->options, r, &problems) == CAGD_NO_MEMORY;
+    return problems;
 }
 
 /* A good fit that crosses itself no more often than its points do. */
@@ -449,17 +447,19 @@ static knots without(const knots *from, int i, int shift)
     return k;
 }
 
+/* Inner knots that a curve has at least. */
+static int fewest_knots(const search *s) { return s->options->closed ? s->options->degree : 0; }
+
 /* Knots are taken out of the best curve, that first without which it is best, as long as it becomes better.  Where it does not, the neighbours of
  * the one that is taken out move towards its place. */
 static cagd_status take_out_idle(search *s)
 {
     enum { SHIFTS = 4 };
-    const int fewest = s->options->closed ? s->options->degree : 0;
     for (int better = 1; better;) {
         better = 0;
         const knots from = s->at;
         cagd_fit_result *lowest = s->best;
-        for (int shift = 0; shift < SHIFTS && !better && from.inner > fewest; shift++) {
+        for (int shift = 0; shift < SHIFTS && !better && from.inner > fewest_knots(s); shift++) {
             const int first = shift & 1, last = from.inner - (shift & 2 ? 2 : 1);
             if ((double)s->data->count * from.inner * from.inner * (shift ? SHIFTS : 1) > MOST_WORK)
                 break;
@@ -702,7 +702,7 @@ static cagd_status drop_a_knot(const search *s, knots *k, cagd_fit_result **fit)
 {
     const knots from = *k;
     cagd_fit_result *best = NULL;
-    for (int i = 0; i < from.inner; i++) {
+    for (int i = 0; i < from.inner && from.inner > fewest_knots(s); i++) {
         const knots one = without(&from, i, 0);
         cagd_fit_result *next;
         const cagd_status status = fit_on(s, &one, *fit, &next);

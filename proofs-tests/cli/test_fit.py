@@ -1295,6 +1295,31 @@ class Fits(Case):
         self.assertFalse(conic["quality"]["good"])
         self.assertIn("the distances are no noise", " ".join(conic["quality"]["problems"]))
 
+    def scattered(self, truth, count, sigma, seed):
+        r = random.Random(seed)
+        return [[float(f"{x + r.gauss(0, sigma):.9g}") for x in truth(i / (count - 1))] for i in range(count)]
+
+    def test_good_comes_before_a_low_score(self):
+        """What goes to and fro between the points is nearer to them, and is left where something good was tried; not for a line through a wave."""
+        half = self.fit(table(self.scattered(lambda u: (math.cos(math.pi * u), math.sin(math.pi * u)), 60, 0.15, 2000066)))
+        tried = half["choice"]["candidates"]
+        self.assertEqual((tried[0]["name"], [c["good"] for c in tried], half["quality"]["good"]), ("a conic in one segment", [True, False], True))
+        self.assertLess(tried[1]["score"], tried[0]["score"])
+        wave = self.fit(table(self.scattered(lambda u: (math.pi * u, math.sin(2 * math.pi * u)), 60, 0.2, 7000081)))
+        tried = wave["choice"]["candidates"]
+        self.assertIn("a cubic spline", tried[0]["name"])
+        self.assertFalse(any(c["good"] for c in tried), tried)
+        self.assertGreater(min(c["score"] for c in tried[1:] if c["score"] is not None), tried[0]["score"] + 10)
+
+    def test_a_scattered_section_is_closed(self):
+        """Of means of few neighbours no knots are taken out that a closed curve has at least."""
+        def section(u):
+            x = (2 * u - 1) ** 2
+            y = 0.9 * (0.2969 * math.sqrt(x) - 0.126 * x - 0.3516 * x * x + 0.2843 * x**3 - 0.1036 * x**4)
+            return 4 * x, 4 * math.copysign(y, 1 - 2 * u)
+        d = self.fit(table(self.scattered(section, 120, 0.05, 1000123)))
+        self.assertEqual((d["choice"]["closed"], d["quality"]["good"], len(d["curve"]["points"]) - 3), (True, True, 5))
+
     def test_a_tolerance_is_met(self):
         """By the fewest control points that are found; one fewer over even knots does not meet it."""
         rows = [[x, math.sin(x)] for x in (6 * i / 99 for i in range(100))]
