@@ -336,7 +336,7 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
- * curve knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
+ * curve, where one that is not good counts as if its score were higher by 10, knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
  * otherwise.  Within a distance a spline that is not good or has loops gives way to one that is and has none.  A distance asks for no degrees of
  * freedom: where it is not kept with half of the equations, knots are put in as dense as the points, and splines over more and more even
  * knots are led to from smoothed ones.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest

@@ -14,8 +14,7 @@
 
 /* choose.c -- which curve is fitted where the options leave that open. */
 
-static const double SMALL = 0.02;     /* of the width of the points: where distances are larger, others have a chance */
-static const double VERY_STRONG = 10; /* evidence, as a difference of Schwarz's criterion: kass-raftery-1995 */
+static const double SMALL = 0.02; /* of the width of the points: where distances are larger, others have a chance */
 
 /* The widest side of the box about the points. */
 static double extent_of(const cagd_fit_data *data)
@@ -48,12 +47,12 @@ static int is_enough(const cagd_fit_data *data, const cagd_fit_found *found, con
 /* How many points of the curve are its own. */
 static int own_count(const cagd_fit_result *r) { return r->period > 0 ? r->period : r->curve.count; }
 
-/* Whether a candidate, though not good, shows that one which nothing is said against is too simple: by a score that is lower by VERY_STRONG.  One
+/* Whether a candidate, though not good, shows that one which nothing is said against is too simple: by a score that is lower by FIT_VERY_STRONG.  One
  * that goes to and fro between the points is nearer to them for that alone, and shows nothing. */
 static int shows_simple(const cagd_fit_candidate *c, const cagd_fit_candidate *simple)
 {
     const int astray = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_BACKWARDS;
-    return simple->problems == 0 && !(c->problems & astray) && c->score < simple->score - VERY_STRONG;
+    return simple->problems == 0 && !(c->problems & astray) && c->score < simple->score - FIT_VERY_STRONG;
 }
 
 /* Whether a candidate is better than the best one so far: one against which nothing is found before one with problems, then the lower score.

@@ -114,7 +114,8 @@ typedef struct search {
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
     int shapely;    /* whether a curve with excursions, loops or gaps is passed over        */
-    int dense;      /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
+    int scattered; /* how many neighbours it takes until points do not scatter by more than they are apart, see means.h */
+    int dense;     /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
     knots at; /* of the best one */
 } search;
@@ -218,12 +219,20 @@ static int may_be_best(const search *s, const cagd_fit_result *r)
 /* Whether it keeps every point within the distance that is asked for. */
 static int is_within(const search *s, const cagd_fit_result *r) { return s->within > 0 && r->largest <= s->within; }
 
+/* The score of a curve; one that is not good has to be better by what is very strong evidence.  It is not looked at where its score alone is
+ * higher than that of the best one. */
+static double score_of_shape(const search *s, const cagd_fit_result *r)
+{
+    const double score = fit_score(s->data, r);
+    return s->best != NULL && score >= s->score ? score : score + (problems_of(s, r) != 0 ? FIT_VERY_STRONG : 0);
+}
+
 /* The smaller the better, and infinite of what may not be best: with a tolerance the number of points, once it is met. */
 static double score_of(const search *s, const knots *k, const cagd_fit_result *r)
 {
     if (!may_be_best(s, r))
         return HUGE_VAL;
-    return !(s->within > 0) ? fit_score(s->data, r) : is_within(s, r) ? k->inner - 1e6 : r->largest;
+    return !(s->within > 0) ? score_of_shape(s, r) : is_within(s, r) ? k->inner - 1e6 : r->largest;
 }
 
 /* Takes the result for the best one if it is; whether it is.  It is not released. */
@@ -291,9 +300,11 @@ static int divide(const search *s, const cagd_fit_result *r, knots *k)
 /* ---- the search ------------------------------------------------------------------------------------------- */
 
 /* Even knots, or those that are put in one by one, from these, over which `last` is a fit unless it is NULL, until `patience` more have not
- * helped. */
+ * helped, or there are more than MOST_VAIN without any that may be best; of scattered points, of which means have led to none, FEW. */
 static cagd_status put_into(search *s, knots k, cagd_fit_result *last, int even, int patience)
 {
+    enum { MOST_VAIN = 30, FEW = 5 };
+    const int vain = s->scattered > 1 ? FEW : MOST_VAIN;
     cagd_status status = CAGD_OK;
     double lowest = HUGE_VAL;
     for (int idle = 0; idle < patience && status == CAGD_OK;) {
@@ -310,7 +321,7 @@ static cagd_status put_into(search *s, knots k, cagd_fit_result *last, int even,
                 cagd_fit_free(s->best);
             s->best = next;
         }
-        idle = score < lowest ? 0 : idle + (lowest < HUGE_VAL || k.inner > 30);
+        idle = score < lowest ? 0 : idle + (lowest < HUGE_VAL || k.inner > vain);
         lowest = fmin(lowest, score);
         if (last != s->best)
             cagd_fit_free(last);
@@ -616,6 +627,39 @@ static int most_points(const search *s)
     return count_of(&k, s->options->degree, s->options->closed);
 }
 
+/* The same of scattered points, by means of neighbours: all points could gain by a curve that goes to and fro between them.  The weight of
+ * the term and the curve are those of the means, from where the curve is led to all points.  chosen: the number of control points is not given. */
+static cagd_status smooth_by_means(const search *s, const cagd_fit_options *options, int how, int chosen,
+                                   cagd_fit_result **result)
+{
+    cagd_fit_data means;
+    cagd_fit_options o = *options;
+    cagd_fit_result *first = NULL, *all = NULL;
+    cagd_status status = fit_means(s->data, s->scattered, &means);
+    search of_means = *s;
+    of_means.data = &means, of_means.scattered = 1;
+    if (status == CAGD_OK && chosen)
+        o.count = most_points(&of_means);
+    if (status == CAGD_OK)
+        status = smooth_best(&of_means, &o, how, &first);
+    if (status == CAGD_OK && first != NULL) {
+        o.smooth = first->found.smooth * precision_of(s->data) / precision_of(&means);
+        o.initial = &first->curve;
+        o.free &= ~CAGD_FIT_WEIGHTS;
+        status = fit_candidate(s->data, &o, &all, s->where);
+    }
+    if (status == CAGD_OK && all != NULL && cagd_fit_is_minimum(all)) {
+        all->found.smoothed = how;
+        all->found.smooth = o.smooth;
+        cagd_fit_free(*result);
+        *result = all;
+    } else
+        cagd_fit_free(all);
+    cagd_fit_free(first);
+    fit_means_free(&means);
+    return status;
+}
+
 /* ---- all of it --------------------------------------------------------------------------------------------- */
 
 /* Of a tolerance that is not met, the distance that is: the fewest control points that are found to keep every point within that one. */
@@ -741,12 +785,11 @@ static cagd_status from_means(search *s, search *of_means)
  * more of them by all points, as long as each helps and brings no excursions, loops or gaps.  Otherwise nothing is the best one. */
 static cagd_status search_by_means(search *s)
 {
-    const int neighbours = s->options->unordered || s->within > 0 ? 1 : fit_neighbours(s->data);
-    REQUIRE(neighbours > 1, CAGD_OK);
+    REQUIRE(s->scattered > 1, CAGD_OK);
     cagd_fit_data means;
-    cagd_status status = fit_means(s->data, neighbours, &means);
+    cagd_status status = fit_means(s->data, s->scattered, &means);
     search of_means = *s;
-    of_means.data = &means, of_means.shapely = s->shapely = 1;
+    of_means.data = &means, of_means.scattered = 1, of_means.shapely = s->shapely = 1;
     if (status == CAGD_OK)
         status = search_knots(&of_means);
     if (status == CAGD_OK)
@@ -797,6 +840,7 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
                 .where = where,
                 .without_memory = &without_memory,
                 .within = choices->within};
+    s.scattered = own.unordered || s.within > 0 ? 1 : fit_neighbours(data);
     const int chosen = choices->count || choices->within > 0;
     if (chosen || choices->smooth == 1)
         own.free &= ~CAGD_FIT_WEIGHTS;
@@ -816,7 +860,8 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
         cagd_fit_options smoothed = own;
         if (chosen)
             smoothed.count = most_points(&s);
-        status = smooth_best(&s, &smoothed, choices->smooth, &s.best);
+        status = s.scattered > 1 ? smooth_by_means(&s, &own, choices->smooth, chosen, &s.best)
+                                 : smooth_best(&s, &smoothed, choices->smooth, &s.best);
     }
     if (status == CAGD_OK && without_memory)
         status = CAGD_NO_MEMORY;
