@@ -331,7 +331,7 @@ static int fill_inverse(work *w, int circle, const double x[], fit_ellipse *e)
     return 1;
 }
 
-int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *e, double phi[])
+int fit_ellipse_of(const cagd_fit_data *data, int circle, const fit_ellipse *from, fit_ellipse *e, double phi[])
 {
     const int dim = data->dim, count = data->count;
     const size_t numbers = (size_t)count * (size_t)dim;
@@ -361,7 +361,9 @@ int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *e, double
     cagd_fit_data near = {count, dim, Q, sigma};
     double x[MOST] = {0};
     w.data = &near;
-    good = good && first_ellipse(&w, x);
+    for (int k = 0; from != NULL && k < w.n; k++)
+        x[k] = (from->x[k] - (k < dim ? low[k] / 2 + high[k] / 2 : 0)) / unit;
+    good = good && (from != NULL || first_ellipse(&w, x));
     if (good && circle)
         make_round(dim, x);
     good = good && descend(&w, circle, x, phi, e);

@@ -24,9 +24,9 @@ typedef struct fit_ellipse {
     double chi_squared; /* the sum that was minimised                                        */
 } fit_ellipse;
 
-/* Both ellipse and circle; phi: the N parameters of the feet on the ellipse, between -pi and pi.  The points are
+/* Both ellipse and circle; from: where to begin, NULL: with the first ellipse; phi: the N parameters of the feet on the ellipse, between -pi and pi.  The points are
  * finite.  Returns 0 when there is no memory. */
-int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *ellipse, double phi[]);
+int fit_ellipse_of(const cagd_fit_data *data, int circle, const fit_ellipse *from, fit_ellipse *ellipse, double phi[]);
 
 /* The arc from phi0 to phi1 > phi0 as a rational curve of degree 2 whose segments are no longer than a quarter turn; a whole turn begins and
  * ends in one point.  The arrays belong to the caller: free(points) frees all.  Returns 0 when there is no memory. */

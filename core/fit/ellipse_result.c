@@ -1,8 +1,10 @@
 #include "core/fit/ellipse_result.h"
 
+#include "core/fit/candidate.h"
 #include "core/fit/ellipse.h"
 #include "core/fit/fit.h"
 #include "core/fit/quantile.h"
+#include "core/require.h"
 
 #include <float.h>
 #include <math.h>
@@ -159,7 +161,9 @@ static int is_circle(const cagd_fit_data *data, const fit_ellipse *e, const fit_
     return to->circle_rms <= rounding || beyond(to->ratio, d) > 0.05;
 }
 
-cagd_status fit_ellipse_result(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result)
+/* The ellipse, from the first one or from the circle; NULL where the minimiser does not come to its end. */
+static cagd_status result_of(const cagd_fit_data *data, const cagd_fit_options *options, int from_circle,
+                             cagd_fit_result **result)
 {
     double *phi = malloc((size_t)data->count * sizeof *phi), *points = NULL, low, high, rounding = 0;
     fit_ellipse ellipse, round;
@@ -167,7 +171,8 @@ cagd_status fit_ellipse_result(const cagd_fit_data *data, const cagd_fit_options
     cagd_spline curve;
     cagd_status status = CAGD_NO_MEMORY;
     *result = NULL;
-    int good = phi != NULL && fit_ellipse_of(data, 1, &round, phi) && fit_ellipse_of(data, 0, &ellipse, phi),
+    int good = phi != NULL && fit_ellipse_of(data, 1, NULL, &round, phi) &&
+               fit_ellipse_of(data, 0, from_circle ? &round : NULL, &ellipse, phi),
         circle = 0;
     if (good && ellipse.converged) {
         for (int i = 0; i < data->count * data->dim; i++)
@@ -175,7 +180,7 @@ cagd_status fit_ellipse_result(const cagd_fit_data *data, const cagd_fit_options
         rounding *= 8 * DBL_EPSILON;
         circle = is_circle(data, &ellipse, &round, rounding, &test);
         if (circle)
-            good = fit_ellipse_of(data, 1, &round, phi);
+            good = fit_ellipse_of(data, 1, NULL, &round, phi);
         fit_ellipse *e = circle ? &round : &ellipse;
         double back = 0;
         for (int i = 1; i < data->count; i++)
@@ -208,5 +213,18 @@ cagd_status fit_ellipse_result(const cagd_fit_data *data, const cagd_fit_options
     }
     free(points);
     free(phi);
+    return status;
+}
+
+/* An arc that scatters may lie between the sides of a flat ellipse, which is a minimum, too, but not a good curve. */
+cagd_status fit_ellipse_result(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result)
+{
+    cagd_fit_result *other = NULL;
+    cagd_status status = result_of(data, options, 0, result);
+    REQUIRE(status == CAGD_OK && (*result == NULL || !fit_is_good(data, options, *result)), status);
+    status = result_of(data, options, 1, &other);
+    const int other_is_taken = status != CAGD_OK || (other != NULL && fit_is_good(data, options, other));
+    cagd_fit_free(other_is_taken ? *result : other);
+    *result = other_is_taken ? other : *result;
     return status;
 }

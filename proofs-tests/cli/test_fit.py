@@ -1311,6 +1311,24 @@ class Fits(Case):
         self.assertFalse(any(c["good"] for c in tried), tried)
         self.assertGreater(min(c["score"] for c in tried[1:] if c["score"] is not None), tried[0]["score"] + 10)
 
+    def test_an_arc_that_scatters(self):
+        """A third of a circle; without means 44 control points after a minute, and a flat ellipse about the points where the first one is no circle."""
+        for count, sigma, seed in (501, 0.1, 3000510), (501, 0.1, 4000513), (2001, 0.1, 1002004):
+            with self.subTest(count=count, seed=seed):
+                d = self.fit(table(self.scattered(lambda u: (math.cos(2 * math.pi / 3 * u), math.sin(2 * math.pi / 3 * u)), count, sigma, seed)), "--no-verify")
+                e = d["ellipse"]
+                self.assertEqual((d["quality"]["good"], e["whole"]), (True, False))
+                self.assertLess(abs(e["radius"]["value"] - 1), 4 * e["radius"]["standard_error"])
+                self.assertLess(e["radius"]["high"] - e["radius"]["low"], 0.2)
+
+    def test_a_scattered_curve_is_smoothed_by_means(self):
+        """All points together would be come nearer to by a curve that goes to and fro between them."""
+        wave = self.scattered(lambda u: (math.pi * u, math.sin(2 * math.pi * u)), 501, 0.1, 1000504)
+        d = self.fit(table(wave), "--smooth", "auto", "--no-verify")
+        self.assertLess(d["choice"]["smoothing"]["effective_unknowns"], 20)
+        self.assertLess(d["length_ratio"], 1.1)
+        self.assertTrue(0.09 < d["distances"]["rms"] < 0.105, d["distances"]["rms"])
+
     def test_a_scattered_section_is_closed(self):
         """Of means of few neighbours no knots are taken out that a closed curve has at least."""
         def section(u):
@@ -1318,7 +1336,8 @@ class Fits(Case):
             y = 0.9 * (0.2969 * math.sqrt(x) - 0.126 * x - 0.3516 * x * x + 0.2843 * x**3 - 0.1036 * x**4)
             return 4 * x, 4 * math.copysign(y, 1 - 2 * u)
         d = self.fit(table(self.scattered(section, 120, 0.05, 1000123)))
-        self.assertEqual((d["choice"]["closed"], d["quality"]["good"], len(d["curve"]["points"]) - 3), (True, True, 5))
+        self.assertEqual((d["choice"]["closed"], d["quality"]["good"]), (True, True))
+        self.assertIn(len(d["curve"]["points"]) - 3, (4, 5))
 
     def test_a_tolerance_is_met(self):
         """By the fewest control points that are found; one fewer over even knots does not meet it."""
