@@ -119,8 +119,11 @@ static void print_smoothing(const struct fit *f)
         "freedom and criteria; standard errors are those of the smoothed curve, and how far smoothing moves it is not "
         "in them",
         lambda,
-        r->found.smoothed == 2   ? ", its weight by cross-validation, since without it the fit did not converge or had "
-                                   "excursions (--control-points with a smaller number is the other way)"
+        r->found.smoothed == 2 ? ", its weight by cross-validation, since without it the fit did not converge or had "
+                                 "excursions (--control-points with a smaller number is the other way)"
+        : r->found.smoothed == 3
+            ? ", its weight as large, to a factor of 10, as lets the curve keep within the distance, "
+              "which no curve without it was found to do"
         : r->found.smoothed == 1 ? ", its weight by cross-validation"
                                  : "",
         r->effective, r->unknowns);

@@ -207,7 +207,8 @@ typedef struct cagd_fit_found {
     cagd_fit_closing closing; /* of the points                                                           */
     int count_chosen;         /* 1: the number of control points, and the knots, were chosen              */
     int knots_chosen;         /* 1: the knots were chosen, their number perhaps given                     */
-    int smoothed; /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good */
+    int smoothed; /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good;
+                     3: as large, to a factor of 10, as lets the curve keep within a distance, which none without was found to do */
     double smooth; /* its weight                                                               */
     int within;    /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
     int weights; /* of a spline whose weights could be left out: 1 they explain something and are fitted, 0 left out, -1 not asked */
@@ -339,7 +340,7 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * curve, where one that is not good counts as if its score were higher by 10, knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
  * otherwise.  Within a distance a spline that is not good or has loops gives way to one that is and has none.  A distance asks for no degrees of
  * freedom: where it is not kept with half of the equations, knots are put in as dense as the points, and splines over more and more even
- * knots are led to from smoothed ones.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest
+ * knots are led to from smoothed ones; where none of them keeps it, these keep a smoothing term.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest
  * one which was found.  Where the number of control points is given and the spline over even knots is not
  * good, or has loops, it is led to from a smoothed one, whose smoothing term is taken back by and by; if that is no better, as many knots
  * are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises n chi_squared/(n - 1.4 k)^2

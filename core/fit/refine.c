@@ -727,6 +727,52 @@ static cagd_status search_from_smooth(search *s)
     return status;
 }
 
+/* The spline over these even knots with as large a smoothing term, to a factor of 10, as lets it keep within the distance without loops; it
+ * becomes the best one, and *met says whether there is one. */
+static cagd_status smooth_within(search *s, const knots *k, int *met)
+{
+    enum { TENTHS = 14 };
+    cagd_fit_options o = *s->options;
+    cagd_fit_result *last = NULL;
+    cagd_status status = CAGD_OK;
+    o.count = count_of(k, o.degree, o.closed);
+    o.smooth = precision_of(s->data) * pow(o.count, -4);
+    *met = 0;
+    for (int tenth = 0; tenth < TENTHS && status == CAGD_OK && !*met; tenth++) {
+        cagd_fit_result *next = NULL;
+        o.smooth = tenth > 0 ? o.smooth / 10 : o.smooth;
+        o.initial = last != NULL ? &last->curve : NULL;
+        status = fit_candidate(s->data, &o, &next, s->where);
+        cagd_fit_free(last);
+        last = next;
+        *met = status == CAGD_OK && is_within(s, last) && has_no_loops(s, last);
+    }
+    if (!*met) {
+        cagd_fit_free(last);
+        return status;
+    }
+    cagd_fit_free(s->best);
+    s->best = last, s->at = *k;
+    s->best->found.smoothed = 3, s->best->found.smooth = o.smooth;
+    return CAGD_OK;
+}
+
+/* With a tolerance that no curve keeps without a smoothing term: even knots, a quarter more of them each time, with one. */
+static cagd_status search_smoothed(search *s)
+{
+    enum { FEWEST = 4 };
+    cagd_status status = CAGD_OK;
+    int met = 0;
+    knots k;
+    make_even(s->options->closed ? s->options->degree + 1 : FEWEST, &k);
+    for (int go_on = has_room(s, &k); go_on && status == CAGD_OK && !met;) {
+        status = smooth_within(s, &k, &met);
+        go_on = has_room(s, &k) && (double)s->data->count * k.inner * k.inner <= MOST_WORK;
+        make_even(k.inner + k.inner / 4, &k);
+    }
+    return status == CAGD_TOO_FEW ? CAGD_OK : status;
+}
+
 /* Whether the best curve keeps within the distance that is asked for, without loops. */
 static int answers(const search *s)
 {
@@ -805,10 +851,10 @@ static cagd_status search_by_means(search *s)
 }
 
 /* Minima that are not good lead with a tolerance to good ones by what is taken out of them.  Where they do not, good ones alone are sought; where
- * these do not keep within it, with knots as dense as the points, placed by these and then even. */
+ * these do not keep within it, with knots as dense as the points, placed by these and then even, and at last with a smoothing term. */
 static cagd_status find_knots(search *s)
 {
-    enum { GOOD, PLACED, EVEN, WAYS };
+    enum { GOOD, PLACED, EVEN, SMOOTHED, WAYS };
     cagd_status status = search_by_means(s);
     if (status == CAGD_OK && s->best == NULL)
         status = search_knots(s);
@@ -817,7 +863,9 @@ static cagd_status find_knots(search *s)
             continue;
         search again = *s;
         again.best = NULL, again.within = s->choices->within, again.good_alone = 1, again.dense = way != GOOD;
-        status = way == EVEN ? search_from_smooth(&again) : search_knots(&again);
+        status = way == SMOOTHED ? search_smoothed(&again)
+                 : way == EVEN   ? search_from_smooth(&again)
+                                 : search_knots(&again);
         const int taken = status == CAGD_OK && answers_better(&again, s);
         cagd_fit_free(taken ? s->best : again.best);
         if (taken)
