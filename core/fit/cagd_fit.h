@@ -177,7 +177,9 @@ typedef struct cagd_fit_number {
     double value, error, low, high;
 } cagd_fit_number;
 
-/* An ellipse, whole or an arc that may be longer than a half turn, which one segment of degree 2 cannot be. */
+/* An ellipse, whole or an arc that may be longer than a half turn, which one segment of degree 2 cannot be.  Errors of s, alike in all
+ * directions, put the points farther out by s^2/2 times the curvature in the mean; by what that makes of each number its interval is moved, so
+ * that it does not lie in the middle of it.  Source: berman-1989. */
 typedef struct cagd_fit_ellipse {
     int known, whole;             /* known: the curve is one                                             */
     cagd_fit_number centre[3];    /* coordinates                                                         */
@@ -444,7 +446,7 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, cagd_fit_runs_of
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
- * 6 times their root mean square along the curve: one in twenty of them, or one by a tenth of the length
+ * 6 times their root mean square along the curve: one in twenty of them, or one by 12 times that and a tenth of the length
  * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and nothing else tells noise from a
  * curve that is too simple: there are fewer than 30 pairs of neighbours, too few for STRUCTURE, or a smoothing term, which may have made a curve
  * between two sides of the points, whose distances alternate as noise does

@@ -21,21 +21,19 @@ static double length_of(int dim, const double a[])
     return sqrt(sum);
 }
 
-static cagd_fit_number number(double value, double variance, double quantile)
+/* The value, which is g . x to first order, with its standard error; the interval lies about what is left without the bias. */
+static cagd_fit_number number(const fit_ellipse *e, double value, const double g[], double scale_squared,
+                              double quantile)
 {
-    double error = variance >= 0 ? sqrt(variance) : NAN;
-    return (cagd_fit_number){value, error, value - quantile * error, value + quantile * error};
-}
-
-/* The variance of g . x. */
-static double variance_of(const fit_ellipse *e, const double g[], double scale_squared)
-{
-    double sum = 0;
+    double variance = 0, bias = 0;
     const int n = 3 * e->dim;
-    for (int k = 0; k < n; k++)
+    for (int k = 0; k < n; k++) {
+        bias += scale_squared * g[k] * e->bias[k];
         for (int l = 0; l < n; l++)
-            sum += g[k] * e->inverse[k * n + l] * g[l];
-    return sum * scale_squared;
+            variance += scale_squared * g[k] * e->inverse[k * n + l] * g[l];
+    }
+    const double error = variance >= 0 ? sqrt(variance) : NAN, middle = value - bias;
+    return (cagd_fit_number){value, error, middle - quantile * error, middle + quantile * error};
 }
 
 /* The angle is that of a vector of the length A - B, which is taken for an ellipse's only when it is longer than chance makes it, and so
@@ -53,19 +51,23 @@ static void describe(const fit_ellipse *e, double scale_squared, double quantile
     for (int c = 0; c < dim; c++) {
         double one[9] = {0};
         one[c] = 1;
-        to->centre[c] = number(e->x[c], variance_of(e, one, scale_squared), quantile);
+        to->centre[c] = number(e, e->x[c], one, scale_squared, quantile);
         g[dim + c] = a[c] / A;
         h[2 * dim + c] = b[c] / B;
         turn[dim + c] = A * b[c] / B / (A * A - B * B);
         turn[2 * dim + c] = B * a[c] / A / (A * A - B * B);
     }
-    to->major = number(A, variance_of(e, g, scale_squared), quantile);
-    to->minor = number(B, variance_of(e, h, scale_squared), quantile);
+    to->major = number(e, A, g, scale_squared, quantile);
+    to->minor = number(e, B, h, scale_squared, quantile);
     if (dim == 2) {
-        double angle = atan2(a[1], a[0]) * 180 / PI, error = sqrt(variance_of(e, turn, scale_squared)) * 180 / PI;
+        double angle = atan2(a[1], a[0]) * 180 / PI;
+        for (int k = 0; k < 3 * dim; k++)
+            turn[k] *= 180 / PI;
         angle = angle > 90 ? angle - 180 : angle <= -90 ? angle + 180 : angle;
-        to->angle = number(angle, A > B ? error * error : NAN, quantile);
-        if (!(quantile * error <= WIDEST_ANGLE))
+        to->angle = number(e, angle, turn, scale_squared, quantile);
+        if (!(A > B))
+            to->angle.error = NAN;
+        if (!(quantile * to->angle.error <= WIDEST_ANGLE))
             to->angle.low = to->angle.high = NAN;
     }
 }
@@ -106,6 +108,7 @@ static void turn_over(fit_ellipse *e)
     const int dim = e->dim, n = 3 * dim;
     for (int k = 2 * dim; k < n; k++) {
         e->x[k] = -e->x[k];
+        e->bias[k] = -e->bias[k];
         for (int l = 0; l < n; l++)
             e->inverse[k * n + l] = -e->inverse[k * n + l], e->inverse[l * n + k] = -e->inverse[l * n + k];
     }
@@ -135,12 +138,12 @@ static void fill(const cagd_fit_data *data, const fit_ellipse *e, const fit_elli
     for (int c = 0; c < data->dim; c++) {
         double one[9] = {0};
         one[c] = 1;
-        to->circle_centre[c] = number(round->x[c], variance_of(round, one, r->scale_squared), r->quantile);
+        to->circle_centre[c] = number(round, round->x[c], one, r->scale_squared, r->quantile);
     }
     double g[9] = {0}, R = length_of(data->dim, round->x + data->dim);
     for (int c = 0; c < data->dim; c++)
         g[data->dim + c] = round->x[data->dim + c] / R;
-    to->radius = number(R, variance_of(round, g, r->scale_squared), r->quantile);
+    to->radius = number(round, R, g, r->scale_squared, r->quantile);
 }
 
 /* How much larger the sum of squares of the circle is, as F with 2 degrees of freedom in the numerator; and whether that is by

@@ -1321,6 +1321,14 @@ class Fits(Case):
                 self.assertLess(abs(e["radius"]["value"] - 1), 4 * e["radius"]["standard_error"])
                 self.assertLess(e["radius"]["high"] - e["radius"]["low"], 0.2)
 
+    def test_bias_of_a_circle(self):
+        """Errors along a circle of radius R put points farther out by s^2/(2 R): the interval of the radius lies about what is left."""
+        rows = self.scattered(lambda u: (math.cos(2 * math.pi * 1999 / 2000 * u), math.sin(2 * math.pi * 1999 / 2000 * u)), 2000, 0.1, 5)
+        d = self.fit(table(rows), "--no-verify")
+        r, s2 = d["ellipse"]["radius"], d["statistics"]["scale_squared"]
+        self.assertAlmostEqual(r["value"] - (r["low"] + r["high"]) / 2, s2 / (2 * r["value"]), delta=1e-4)
+        self.assertTrue(r["low"] < 1 < r["high"], r)
+
     def test_a_scattered_curve_is_smoothed_by_means(self):
         """All points together would be come nearer to by a curve that goes to and fro between them."""
         wave = self.scattered(lambda u: (math.pi * u, math.sin(2 * math.pi * u)), 501, 0.1, 1000504)
