@@ -151,6 +151,27 @@ class Real(unittest.TestCase):
                 self.assertLess(d["length_ratio"], 1.02)
                 self.assertEqual(d["quality"]["crossings"], d["quality"]["crossings_of_points"])
 
+    def test_tolerances_that_only_smoothed_curves_keep(self):
+        """Outlines with a corner every half degree: no minimum of the squares alone that was found keeps every point within half a degree."""
+        for name, most in ("cuba.geojson", 10), ("newfoundland.csv", 10):
+            with self.subTest(name=name):
+                path = shared(name)
+                if path is None:
+                    self.skipTest(f"{name} of the shared data is not there")
+                d = fit(path, "--degree", "3", "--tolerance-distance", "0.5")
+                self.assertEqual((d["choice"]["tolerance_met"], d["at_minimum"]), (True, True))
+                self.assertLessEqual(d["distances"]["largest"], 0.5)
+                self.assertLessEqual(len(d["curve"]["points"]) - 3, most)
+                self.assertLessEqual(d["quality"]["crossings"], d["quality"]["crossings_of_points"])
+
+    def test_scales_far_apart_are_verified(self):
+        """The second coordinate is 10^4 times the first one: most of the squares of derivatives is along the curve, and cancels."""
+        path = shared("roszman1.txt")
+        if path is None:
+            self.skipTest("roszman1.txt of the shared data is not there")
+        r = subprocess.run([CAGD, "fit", path, "--json"], capture_output=True, text=True)
+        self.assertEqual(json.loads(r.stdout)["verification"]["status"], "verified")
+
     def test_known_circles(self):
         for name, centre, radius, options in (("disc-traced.tsv", (49.2, 47.2), 36, []), ("pipe-unordered.csv", (100.5, 55.25), 8, ["--unordered"])):
             e = fit(HERE / "real" / name, *options)["ellipse"]
