@@ -216,7 +216,7 @@ static json_t *choice_json(const struct fit *f)
                                       : json_pack("{s:o, s:s, s:o, s:o}", "lambda", real(lambda), "by",
                                                   c->smoothed == 0   ? "given"
                                                   : c->smoothed == 1 ? "cross-validation"
-                                                  : c->smoothed == 3 ? "as large as keeps within the distance"
+                                                  : c->smoothed == 3 ? "the distance"
                                                                      : "cross-validation, for lack of a good fit",
                                                   "effective_unknowns", real(f->result->effective), "roughness",
                                                   real(f->result->roughness));

@@ -121,6 +121,8 @@ static void print_smoothing(const struct fit *f)
         lambda,
         r->found.smoothed == 2 ? ", its weight by cross-validation, since without it the fit did not converge or had "
                                  "excursions (--control-points with a smaller number is the other way)"
+        : r->found.smoothed == 3 && r->found.within < 0
+            ? ", without which no curve was found that comes as near to all points"
         : r->found.smoothed == 3
             ? ", its weight as large, to a factor of 10, as lets the curve keep within the distance, "
               "which no curve without it was found to do"

@@ -210,7 +210,7 @@ typedef struct cagd_fit_found {
     int count_chosen;         /* 1: the number of control points, and the knots, were chosen              */
     int knots_chosen;         /* 1: the knots were chosen, their number perhaps given                     */
     int smoothed; /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good;
-                     3: as large, to a factor of 10, as lets the curve keep within a distance, which none without was found to do */
+                     3: as large, to a factor of 10, as lets the curve keep within a distance, or come nearest to it, as none without was found to do */
     double smooth; /* its weight                                                               */
     int within;    /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
     int weights; /* of a spline whose weights could be left out: 1 they explain something and are fitted, 0 left out, -1 not asked */
@@ -295,7 +295,7 @@ typedef struct cagd_fit_result {
  * the one with the smallest cost.
  *
  * NULL: data, options, result or the points are NULL.  BAD_DATA, with the index.  BAD_OPTION.  BAD_CURVE: the initial
- * curve, or the knots, are none.  TOO_FEW: fewer equations, N (dim-1), with measured ends 2 more, than unknowns, or fewer than 2 points; with
+ * curve, or the knots, are none.  TOO_FEW: without a smoothing term fewer equations, N (dim-1), with measured ends 2 more, than unknowns, or fewer than 2 points; with
  * nothing free none.  ALL_EQUAL: all points; with nothing free, and the curve is that point, too.  OVERFLOW: squared
  * distances would leave the range of numbers, perhaps with the index of the point whose standard deviation is the
  * reason.  NO_MEMORY. */

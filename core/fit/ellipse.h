@@ -19,8 +19,9 @@ typedef struct fit_ellipse {
     int dim, circle;    /* circle: asked for one */
     double x[9];        /* c, a, b: dim numbers each; a the longer principal semi-axis, b the other one */
     double inverse[81]; /* (J^T J)^+ of x, 3 dim x 3 dim by rows, J the Jacobian of distances over s_i */
-    double bias[9];     /* of x, for s_i the standard deviations: what errors along the curve make of it, see fit_ellipse_of */
-    int unknowns;       /* that count                                                         */
+    double
+        bias[9]; /* of x, for s_i the standard deviations: what errors along the curve make of it, see fit_ellipse_of */
+    int unknowns; /* that count                                                         */
     int converged, iterations;
     double chi_squared; /* the sum that was minimised                                        */
 } fit_ellipse;

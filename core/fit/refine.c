@@ -145,24 +145,6 @@ static cagd_status fit_step(const cagd_fit_data *data, const cagd_fit_options *o
     return fit_candidate(data, &o, result, where);
 }
 
-/* The chosen curve once more, with all that is said of it; the one that was chosen, where that leads from a good curve to none. */
-static cagd_status finish(const search *s, const cagd_fit_options *options, cagd_fit_result **result)
-{
-    cagd_fit_result *last = *result;
-    cagd_fit_options o = *options;
-    o.initial = &last->curve;
-    o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
-    o.free &= ~CAGD_FIT_WEIGHTS;
-    o.without_intervals = options->without_intervals || last->found.knots_chosen;
-    cagd_status status = fit_plainly(s->data, &o, result, s->where);
-    REQUIRE(status == CAGD_OK, (cagd_fit_free(last), status));
-    const int worse = fit_is_good(s->data, options, last) && !fit_is_good(s->data, options, *result);
-    (*result)->found = last->found;
-    cagd_fit_free(worse ? *result : last);
-    *result = worse ? last : *result;
-    return CAGD_OK;
-}
-
 /* The spline on these knots, from the one before if there is one. */
 static cagd_status fit_on(const search *s, const knots *k, const cagd_fit_result *from, cagd_fit_result **result)
 {
@@ -243,6 +225,26 @@ static int is_best(search *s, const knots *k, const cagd_fit_result *r)
     if (better)
         s->score = score, s->at = *k;
     return better;
+}
+
+/* The chosen curve once more, with all that is said of it; the one that was chosen, where that leads from a good curve to none. */
+static cagd_status finish(const search *s, const cagd_fit_options *options, cagd_fit_result **result)
+{
+    cagd_fit_result *last = *result;
+    cagd_fit_options o = *options;
+    o.initial = &last->curve;
+    o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
+    o.free &= ~CAGD_FIT_WEIGHTS;
+    o.without_intervals = options->without_intervals || last->found.knots_chosen;
+    cagd_status status = fit_plainly(s->data, &o, result, s->where);
+    REQUIRE(status == CAGD_OK, (cagd_fit_free(last), status));
+    const int worse =
+        (fit_is_good(s->data, options, last) && !fit_is_good(s->data, options, *result)) ||
+        (last->found.smoothed == 3 && (is_within(s, *result) < is_within(s, last) || !has_no_loops(s, *result)));
+    (*result)->found = last->found;
+    cagd_fit_free(worse ? *result : last);
+    *result = worse ? last : *result;
+    return CAGD_OK;
 }
 
 /* ---- where a knot goes ---------------------------------------------------------------------------------- */
@@ -727,8 +729,8 @@ static cagd_status search_from_smooth(search *s)
     return status;
 }
 
-/* The spline over these even knots with as large a smoothing term, to a factor of 10, as lets it keep within the distance without loops; it
- * becomes the best one, and *met says whether there is one. */
+/* The spline over these even knots with as large a smoothing term, to a factor of 10, as lets it keep within the distance without loops.  It,
+ * or the one that comes nearest to that, becomes the best one if it comes nearer than the one before; *met says whether it keeps within. */
 static cagd_status smooth_within(search *s, const knots *k, int *met)
 {
     enum { TENTHS = 14 };
@@ -743,18 +745,20 @@ static cagd_status smooth_within(search *s, const knots *k, int *met)
         o.smooth = tenth > 0 ? o.smooth / 10 : o.smooth;
         o.initial = last != NULL ? &last->curve : NULL;
         status = fit_candidate(s->data, &o, &next, s->where);
-        cagd_fit_free(last);
+        if (last != s->best)
+            cagd_fit_free(last);
         last = next;
-        *met = status == CAGD_OK && is_within(s, last) && has_no_loops(s, last);
+        if (status != CAGD_OK || !has_no_loops(s, last) || last->degrees_of_freedom <= 0 ||
+            (s->best != NULL && last->largest >= s->best->largest))
+            continue;
+        cagd_fit_free(s->best);
+        s->best = last, s->at = *k;
+        s->best->found.smoothed = 3, s->best->found.smooth = o.smooth;
+        *met = is_within(s, last);
     }
-    if (!*met) {
+    if (last != s->best)
         cagd_fit_free(last);
-        return status;
-    }
-    cagd_fit_free(s->best);
-    s->best = last, s->at = *k;
-    s->best->found.smoothed = 3, s->best->found.smooth = o.smooth;
-    return CAGD_OK;
+    return status;
 }
 
 /* With a tolerance that no curve keeps without a smoothing term: even knots, a quarter more of them each time, with one. */
@@ -765,9 +769,9 @@ static cagd_status search_smoothed(search *s)
     int met = 0;
     knots k;
     make_even(s->options->closed ? s->options->degree + 1 : FEWEST, &k);
-    for (int go_on = has_room(s, &k); go_on && status == CAGD_OK && !met;) {
+    while (status == CAGD_OK && !met && count_of(&k, s->options->degree, s->options->closed) <= s->data->count &&
+           k.inner < MOST_KNOTS && (double)s->data->count * k.inner * k.inner <= MOST_WORK) {
         status = smooth_within(s, &k, &met);
-        go_on = has_room(s, &k) && (double)s->data->count * k.inner * k.inner <= MOST_WORK;
         make_even(k.inner + k.inner / 4, &k);
     }
     return status == CAGD_TOO_FEW ? CAGD_OK : status;
