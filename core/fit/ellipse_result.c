@@ -185,6 +185,10 @@ static cagd_status result_of(const cagd_fit_data *data, const cagd_fit_options *
         if (circle)
             good = fit_ellipse_of(data, 1, NULL, &round, phi);
         fit_ellipse *e = circle ? &round : &ellipse;
+        if (good && e->unknowns < (circle ? 3 * (data->dim - 1) : 3 * data->dim - 1)) { /* as of a straight line */
+            free(phi);
+            return CAGD_OK;
+        }
         double back = 0;
         for (int i = 1; i < data->count; i++)
             back += remainder(phi[i] - phi[i - 1], 2 * PI);

@@ -1321,6 +1321,11 @@ class Fits(Case):
                 self.assertLess(abs(e["radius"]["value"] - 1), 4 * e["radius"]["standard_error"])
                 self.assertLess(e["radius"]["high"] - e["radius"]["low"], 0.2)
 
+    def test_a_line_that_scatters_is_no_circle(self):
+        """Not one with a radius of 10^6, which the points do not determine."""
+        d = self.fit(table(self.scattered(lambda u: (3 * u, u), 501, 0.1, 4000513)), "--no-verify")
+        self.assertEqual((d["choice"]["candidates"][0]["name"], d["ellipse"], d["quality"]["good"]), ("a straight line", None, True))
+
     def test_bias_of_a_circle(self):
         """Errors along a circle of radius R put points farther out by s^2/(2 R): the interval of the radius lies about what is left."""
         rows = self.scattered(lambda u: (math.cos(2 * math.pi * 1999 / 2000 * u), math.sin(2 * math.pi * 1999 / 2000 * u)), 2000, 0.1, 5)
