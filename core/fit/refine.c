@@ -630,7 +630,8 @@ static int most_points(const search *s)
 }
 
 /* The same of scattered points, by means of neighbours: all points could gain by a curve that goes to and fro between them.  The weight of
- * the term and the curve are those of the means, from where the curve is led to all points.  chosen: the number of control points is not given. */
+ * the term and the curve are those of the means, from where the curve is led to all points; where that comes to no minimum, as of fewer means
+ * than control points, all points say them.  chosen: the number of control points is not given. */
 static cagd_status smooth_by_means(const search *s, const cagd_fit_options *options, int how, int chosen,
                                    cagd_fit_result **result)
 {
@@ -650,7 +651,8 @@ static cagd_status smooth_by_means(const search *s, const cagd_fit_options *opti
         o.free &= ~CAGD_FIT_WEIGHTS;
         status = fit_candidate(s->data, &o, &all, s->where);
     }
-    if (status == CAGD_OK && all != NULL && cagd_fit_is_minimum(all)) {
+    const int led = status == CAGD_OK && all != NULL && cagd_fit_is_minimum(all);
+    if (led) {
         all->found.smoothed = how;
         all->found.smooth = o.smooth;
         cagd_fit_free(*result);
@@ -659,7 +661,9 @@ static cagd_status smooth_by_means(const search *s, const cagd_fit_options *opti
         cagd_fit_free(all);
     cagd_fit_free(first);
     fit_means_free(&means);
-    return status;
+    o = *options;
+    o.count = chosen ? most_points(s) : o.count;
+    return led || (status != CAGD_OK && status != CAGD_TOO_FEW) ? status : smooth_best(s, &o, how, result);
 }
 
 /* ---- all of it --------------------------------------------------------------------------------------------- */
