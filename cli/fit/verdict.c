@@ -168,6 +168,10 @@ void print_ellipse(const struct fit *f)
             print_number("angle in degrees", e->angle);
     }
     puts("");
+    if (minimum && isnan(e->radius.low) && isfinite(e->radius.error))
+        say("No intervals",
+            "the distances are more than a twentieth of the smallest radius of curvature: errors along the arc smear "
+            "its points, and standard errors are too small by as much as a tenth (more of the circle)");
     if (!e->whole)
         say("Arc", "of %.4g degrees", e->sweep);
     if (e->circle)

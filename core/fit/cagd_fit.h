@@ -179,7 +179,8 @@ typedef struct cagd_fit_number {
 
 /* An ellipse, whole or an arc that may be longer than a half turn, which one segment of degree 2 cannot be.  Errors of s, alike in all
  * directions, put the points farther out by s^2/2 times the curvature in the mean; by what that makes of each number its interval is moved, so
- * that it does not lie in the middle of it.  Source: berman-1989. */
+ * that it does not lie in the middle of it.  An arc whose distances are more than a twentieth of the smallest radius of
+ * curvature has no intervals: its points are smeared along it, and it seems to determine more than it does.  Source: berman-1989. */
 typedef struct cagd_fit_ellipse {
     int known, whole;             /* known: the curve is one                                             */
     cagd_fit_number centre[3];    /* coordinates                                                         */

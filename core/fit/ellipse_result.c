@@ -41,6 +41,17 @@ static cagd_fit_number number(const fit_ellipse *e, double value, const double g
  * (coverage_of_choices.c). */
 static const double WIDEST_ANGLE = 10;
 
+/* Distances over the smallest radius of curvature, beyond which an arc has no intervals.  Errors along an arc smear its points over more of it
+ * than it has, so that it seems to determine more than it does: of a third of a circle with errors of a tenth of the radius 90 to 92 % held
+ * the truth, and where the ends bend inwards among the points, as of an ellipse that the circle is not, none. */
+static const double BENT = 0.05;
+
+static void leave_intervals_out(int count, cagd_fit_number x[])
+{
+    for (int k = 0; k < count; k++)
+        x[k].low = x[k].high = NAN;
+}
+
 /* Centre, semi-axes and angle.  With principal a = A u, b = B v:  dA = u.da,  dB = v.db,  and the angle turns by
  * (A v.da + B u.db)/(A^2 - B^2). */
 static void describe(const fit_ellipse *e, double scale_squared, double quantile, cagd_fit_ellipse *to)
@@ -144,6 +155,14 @@ static void fill(const cagd_fit_data *data, const fit_ellipse *e, const fit_elli
     for (int c = 0; c < data->dim; c++)
         g[data->dim + c] = round->x[data->dim + c] / R;
     to->radius = number(round, R, g, r->scale_squared, r->quantile);
+    if (!to->whole && !(r->rms * to->major.value <= BENT * to->minor.value * to->minor.value)) {
+        leave_intervals_out(data->dim, to->centre);
+        leave_intervals_out(data->dim, to->circle_centre);
+        leave_intervals_out(1, &to->radius);
+        leave_intervals_out(1, &to->major);
+        leave_intervals_out(1, &to->minor);
+        leave_intervals_out(1, &to->angle);
+    }
 }
 
 /* How much larger the sum of squares of the circle is, as F with 2 degrees of freedom in the numerator; and whether that is by
