@@ -90,7 +90,7 @@ void print_number(const char *name, cagd_fit_number x)
             fputs(" to ", stdout);
             put_rounded(stdout, 0, x.high, x.error);
         } else
-            fputs("none: it is hardly determined", stdout);
+            fputs("none", stdout);
     }
     puts("");
 }

@@ -172,6 +172,8 @@ void print_ellipse(const struct fit *f)
         say("No intervals",
             "the distances are more than a twentieth of the smallest radius of curvature: errors along the arc smear "
             "its points, and standard errors are too small by as much as a tenth (more of the circle)");
+    else if (minimum && !e->circle && f->data.dim == 2 && isnan(e->angle.low) && isfinite(e->angle.error))
+        say("No interval", "of the angle, which is hardly determined");
     if (!e->whole)
         say("Arc", "of %.4g degrees", e->sweep);
     if (e->circle)
