@@ -202,8 +202,9 @@ static json_t *choice_json(const struct fit *f)
     const cagd_fit_found *c = &f->result->found;
     json_t *list = json_array();
     for (int k = 0; k < c->candidates; k++)
-        json_array_append_new(list, json_pack("{s:s, s:i, s:b, s:o, s:o}", "name", c->candidate[k].name, "unknowns",
-                                              c->candidate[k].unknowns, "converged", c->candidate[k].converged, "score",
+        json_array_append_new(list, json_pack("{s:s, s:i, s:b, s:b, s:o, s:o}", "name", c->candidate[k].name,
+                                              "unknowns", c->candidate[k].unknowns, "converged",
+                                              c->candidate[k].converged, "good", c->candidate[k].problems == 0, "score",
                                               real(c->candidate[k].score), "rms", real(c->candidate[k].rms)));
     json_t *test = c->weights < 0 || c->weights_number == 0
                        ? json_null()
@@ -215,6 +216,7 @@ static json_t *choice_json(const struct fit *f)
                                       : json_pack("{s:o, s:s, s:o, s:o}", "lambda", real(lambda), "by",
                                                   c->smoothed == 0   ? "given"
                                                   : c->smoothed == 1 ? "cross-validation"
+                                                  : c->smoothed == 3 ? "the distance"
                                                                      : "cross-validation, for lack of a good fit",
                                                   "effective_unknowns", real(f->result->effective), "roughness",
                                                   real(f->result->roughness));

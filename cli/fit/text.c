@@ -90,7 +90,7 @@ void print_number(const char *name, cagd_fit_number x)
             fputs(" to ", stdout);
             put_rounded(stdout, 0, x.high, x.error);
         } else
-            fputs("none: it is hardly determined", stdout);
+            fputs("none", stdout);
     }
     puts("");
 }
@@ -574,6 +574,8 @@ static const char *hardly_because(const struct fit *f)
 /* What is true of a minimum only. */
 static void print_statistics(const struct fit *f)
 {
+    const char *of_what = is_ellipse(f) ? ", moved by what errors along the curve make of the estimates"
+                                        : ", for weights and invariants of the logarithms";
     const cagd_fit_result *r = f->result;
     int known = r->scale_is_given;
     struct cagd_line l;
@@ -598,15 +600,13 @@ static void print_statistics(const struct fit *f)
                 f->data.sigma != NULL ? " of the given ones" : "");
     } else if (known)
         say("Standard errors",
-            "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution, "
-            "for weights and invariants of the logarithms)",
-            r->quantile);
+            "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution%s)",
+            r->quantile, of_what);
     else if (r->scale_squared > 0 && isfinite(r->scale_squared))
         say("Standard errors",
-            "%s %.4g, estimated from the distances; 95 %% intervals: %.4g of them to either side (Student's t, for "
-            "weights and invariants of the logarithms)",
+            "%s %.4g, estimated from the distances; 95 %% intervals: %.4g of them to either side (Student's t%s)",
             f->data.sigma != NULL ? "from the given standard deviations times" : "from a standard deviation of",
-            sqrt(r->scale_squared), r->quantile);
+            sqrt(r->scale_squared), r->quantile, of_what);
     else
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
     int by[CAGD_FIT_INTERVAL_NOT_SOUGHT + 1] = {0};

@@ -44,6 +44,15 @@ static void print_closing(const struct fit *f)
     }
 }
 
+/* Whether of the curves that were tried and have a score the chosen one is good and others are not. */
+static int some_are_not_good(const cagd_fit_found *found)
+{
+    int some = 0;
+    for (int k = 1; k < found->candidates; k++)
+        some |= isfinite(found->candidate[k].score) && found->candidate[k].problems != 0;
+    return some && found->candidate[0].problems == 0;
+}
+
 /* The kinds of curve that were tried, the chosen one first. */
 static void print_candidates(const struct fit *f)
 {
@@ -62,13 +71,15 @@ static void print_candidates(const struct fit *f)
                                : c->converged                          ? "with excursions that no points show)"
                                                                        : "no minimum)");
         if (isfinite(c->score) && at < sizeof text)
-            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g)", c->score);
+            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g%s)", c->score, c->problems ? ", not good" : "");
     }
     if (found->candidates > 1)
         say("Chosen", "%s; %s (--degree or --control-points choose otherwise)", text,
             f->choices.degree && f->choices.within > 0
                 ? "the fewest control points that keep every point within the distance are best"
-                : "the smallest score, Schwarz's criterion for few points, is best");
+            : some_are_not_good(found) ? "of those that are good, as under Fit, the smallest score, Schwarz's "
+                                         "criterion for few points, is best"
+                                       : "the smallest score, Schwarz's criterion for few points, is best");
 }
 
 static void print_weights_test(const struct fit *f)
@@ -108,8 +119,13 @@ static void print_smoothing(const struct fit *f)
         "freedom and criteria; standard errors are those of the smoothed curve, and how far smoothing moves it is not "
         "in them",
         lambda,
-        r->found.smoothed == 2   ? ", its weight by cross-validation, since without it the fit did not converge or had "
-                                   "excursions (--control-points with a smaller number is the other way)"
+        r->found.smoothed == 2 ? ", its weight by cross-validation, since without it the fit did not converge or had "
+                                 "excursions (--control-points with a smaller number is the other way)"
+        : r->found.smoothed == 3 && r->found.within < 0
+            ? ", without which no curve was found that comes as near to all points"
+        : r->found.smoothed == 3
+            ? ", its weight as large, to a factor of 10, as lets the curve keep within the distance, "
+              "which no curve without it was found to do"
         : r->found.smoothed == 1 ? ", its weight by cross-validation"
                                  : "",
         r->effective, r->unknowns);
@@ -152,6 +168,12 @@ void print_ellipse(const struct fit *f)
             print_number("angle in degrees", e->angle);
     }
     puts("");
+    if (minimum && isnan(e->radius.low) && isfinite(e->radius.error))
+        say("No intervals",
+            "the distances are more than a twentieth of the smallest radius of curvature: errors along the arc smear "
+            "its points, and standard errors are too small by as much as a tenth (more of the circle)");
+    else if (minimum && !e->circle && f->data.dim == 2 && isnan(e->angle.low) && isfinite(e->angle.error))
+        say("No interval", "of the angle, which is hardly determined");
     if (!e->whole)
         say("Arc", "of %.4g degrees", e->sweep);
     if (e->circle)

@@ -177,7 +177,10 @@ typedef struct cagd_fit_number {
     double value, error, low, high;
 } cagd_fit_number;
 
-/* An ellipse, whole or an arc that may be longer than a half turn, which one segment of degree 2 cannot be. */
+/* An ellipse, whole or an arc that may be longer than a half turn, which one segment of degree 2 cannot be.  Errors of s, alike in all
+ * directions, put the points farther out by s^2/2 times the curvature in the mean; by what that makes of each number its interval is moved, so
+ * that it does not lie in the middle of it.  An arc whose distances are more than a twentieth of the smallest radius of
+ * curvature has no intervals: its points are smeared along it, and it seems to determine more than it does.  Source: berman-1989. */
 typedef struct cagd_fit_ellipse {
     int known, whole;             /* known: the curve is one                                             */
     cagd_fit_number centre[3];    /* coordinates                                                         */
@@ -191,10 +194,11 @@ typedef struct cagd_fit_ellipse {
     int freedom;
 } cagd_fit_ellipse;
 
-/* Some kind of curve that was tried.  score: see cagd_fit_choose. */
+/* Some kind of curve that was tried.  score: see cagd_fit_choose.  problems: what is not good about it, see cagd_fit_quality; all of it
+ * where it does not count. */
 typedef struct cagd_fit_candidate {
     char name[64];
-    int unknowns, converged;
+    int unknowns, converged, problems;
     double score, rms;
 } cagd_fit_candidate;
 
@@ -206,7 +210,8 @@ typedef struct cagd_fit_found {
     cagd_fit_closing closing; /* of the points                                                           */
     int count_chosen;         /* 1: the number of control points, and the knots, were chosen              */
     int knots_chosen;         /* 1: the knots were chosen, their number perhaps given                     */
-    int smoothed; /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good */
+    int smoothed; /* 1: the smoothing term was chosen by cross-validation, asked for; 2: since without one the fit was not good;
+                     3: as large, to a factor of 10, as lets the curve keep within a distance, or come nearest to it, as none without was found to do */
     double smooth; /* its weight                                                               */
     int within;    /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
     int weights; /* of a spline whose weights could be left out: 1 they explain something and are fitted, 0 left out, -1 not asked */
@@ -291,7 +296,7 @@ typedef struct cagd_fit_result {
  * the one with the smallest cost.
  *
  * NULL: data, options, result or the points are NULL.  BAD_DATA, with the index.  BAD_OPTION.  BAD_CURVE: the initial
- * curve, or the knots, are none.  TOO_FEW: fewer equations, N (dim-1), with measured ends 2 more, than unknowns, or fewer than 2 points; with
+ * curve, or the knots, are none.  TOO_FEW: without a smoothing term fewer equations, N (dim-1), with measured ends 2 more, than unknowns, or fewer than 2 points; with
  * nothing free none.  ALL_EQUAL: all points; with nothing free, and the curve is that point, too.  OVERFLOW: squared
  * distances would leave the range of numbers, perhaps with the index of the point whose standard deviation is the
  * reason.  NO_MEMORY. */
@@ -328,16 +333,17 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *
  * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  Where degrees compete within a distance, the
  * score is the number of control points of those that keep within it.  A curve that is no minimum or has
- * excursions that no points show does not count.  Source: mcquarrie-1999.
+ * excursions that no points show does not count.  One that cagd_fit_quality_of finds nothing against is better than one with problems,
+ * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Source: mcquarrie-1999, kass-raftery-1995.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
  * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
- * curve knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
+ * curve, where one that is not good counts as if its score were higher by 10, knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
  * otherwise.  Within a distance a spline that is not good or has loops gives way to one that is and has none.  A distance asks for no degrees of
  * freedom: where it is not kept with half of the equations, knots are put in as dense as the points, and splines over more and more even
- * knots are led to from smoothed ones.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest
+ * knots are led to from smoothed ones; where none of them keeps it, these keep a smoothing term.  Within a distance that cannot be kept the fewest control points are sought that keep the smallest
  * one which was found.  Where the number of control points is given and the spline over even knots is not
  * good, or has loops, it is led to from a smoothed one, whose smoothing term is taken back by and by; if that is no better, as many knots
  * are put in one by one.  A spline that is not good then is given a smoothing term, whose weight minimises n chi_squared/(n - 1.4 k)^2
@@ -441,10 +447,11 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, cagd_fit_runs_of
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
- * 6 times their root mean square along the curve: one in twenty of them, or one by a tenth of the length
+ * 6 times their root mean square along the curve: one in twenty of them, or one by 12 times that and a tenth of the length
  * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and nothing else tells noise from a
  * curve that is too simple: there are fewer than 30 pairs of neighbours, too few for STRUCTURE, or a smoothing term, which may have made a curve
- * between two sides of the points, whose distances alternate as noise does */
+ * between two sides of the points, whose distances alternate as noise does
+ * SIMPLE       of a candidate: another one that was tried, and does not go to and fro, has a score that is lower by more than 10 */
 enum {
     CAGD_FIT_EXCURSIONS = 1,
     CAGD_FIT_LOOPS = 2,
@@ -452,7 +459,8 @@ enum {
     CAGD_FIT_STRUCTURE = 8,
     CAGD_FIT_FAR = 16,
     CAGD_FIT_BACKWARDS = 32,
-    CAGD_FIT_COARSE = 64
+    CAGD_FIT_COARSE = 64,
+    CAGD_FIT_SIMPLE = 128
 };
 
 typedef struct cagd_fit_quality {

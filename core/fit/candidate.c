@@ -1,6 +1,7 @@
 #include "core/fit/candidate.h"
 
 #include "core/fit/keyed.h"
+#include "core/require.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -33,6 +34,17 @@ int fit_is_good(const cagd_fit_data *data, const cagd_fit_options *options, cons
     if (!cagd_fit_is_minimum(r) || !isfinite(r->chi_squared))
         return 0;
     return (options->unordered ? ratio_by_feet(data, r) : cagd_fit_length_ratio(data, r)) <= LONGEST;
+}
+
+cagd_status fit_problems_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
+                            int *problems)
+{
+    cagd_fit_quality quality;
+    *problems = ~0;
+    REQUIRE(fit_is_good(data, options, r), CAGD_OK);
+    const cagd_status status = cagd_fit_quality_of(data, options, r, &quality);
+    *problems = status == CAGD_OK ? quality.problems : ~0;
+    return status;
 }
 
 double fit_equations_of(const cagd_fit_data *data) { return (double)data->count * (data->dim - 1); }

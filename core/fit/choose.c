@@ -14,8 +14,7 @@
 
 /* choose.c -- which curve is fitted where the options leave that open. */
 
-static const double BY_CHANCE = 0.01; /* residuals that are less probable than that are no noise                    */
-static const double SMALL = 0.02;     /* of the width of the points: where distances are larger, others have a chance */
+static const double SMALL = 0.02; /* of the width of the points: where distances are larger, others have a chance */
 
 /* The widest side of the box about the points. */
 static double extent_of(const cagd_fit_data *data)
@@ -37,64 +36,79 @@ cagd_fit_choices cagd_fit_choices_all(void)
     return (cagd_fit_choices){.closed = -1, .form = 1, .count = 1, .weights = 1, .smooth = 2};
 }
 
-/* Whether a conic in one segment, or an ellipse, does for the points.  One whose middle point is far away, an arc of nearly a half
- * turn, is better told by centre and axes. */
-static cagd_status find_enough(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
-                               int *enough)
+/* Whether the best candidate, a conic in one segment or an ellipse, does for the points: nothing but a gap between them is found against it.  A
+ * conic whose middle point is far away, an arc of nearly a half turn, is better told by centre and axes. */
+static int is_enough(const cagd_fit_data *data, const cagd_fit_found *found, const cagd_fit_result *r)
 {
-    cagd_fit_runs runs;
-    cagd_fit_quality quality;
-    *enough = 0;
-    REQUIRE(fit_is_good(data, options, r), CAGD_OK);
-    cagd_status status = cagd_fit_quality_of(data, options, r, &quality);
-    REQUIRE(status == CAGD_OK, status);
-    REQUIRE(!(quality.problems & CAGD_FIT_FAR), CAGD_OK);
-    *enough = r->points_on_curve != 0;
-    REQUIRE(!*enough && !(r->rms > extent_of(data) * SMALL), CAGD_OK);
-    status = cagd_fit_runs_of(r, &runs);
-    *enough = status == CAGD_OK && !(runs.probability < BY_CHANCE);
-    return status;
+    return !(found->candidate[0].problems & ~CAGD_FIT_GAPS) &&
+           (r->points_on_curve || r->rms <= extent_of(data) * SMALL);
 }
 
 /* How many points of the curve are its own. */
 static int own_count(const cagd_fit_result *r) { return r->period > 0 ? r->period : r->curve.count; }
 
-/* The candidate takes the place of the best one if its score is lower; it is released otherwise.  within > 0: its score is the number
- * of its control points if it keeps within that distance. */
-static void compete_within(const cagd_fit_data *data, const cagd_fit_options *options, double within, const char *name,
-                           cagd_fit_result *one, cagd_fit_result **best, cagd_fit_found *found)
+/* Whether a candidate, though not good, shows that one which nothing is said against is too simple: by a score that is lower by FIT_VERY_STRONG.  One
+ * that goes to and fro between the points is nearer to them for that alone, and shows nothing. */
+static int shows_simple(const cagd_fit_candidate *c, const cagd_fit_candidate *simple)
 {
-    int good = one != NULL && fit_is_good(data, options, one);
-    if (one == NULL)
-        return;
-    good = good && (within == 0 || one->largest <= within);
-    double score = !good ? INFINITY : within > 0 ? own_count(one) : fit_score(data, one);
-    int first = *best == NULL || score < found->candidate[0].score, at = found->candidates;
-    if (*best != NULL && isinf(score) && isinf(found->candidate[0].score)) { /* too few points for scores */
-        const int best_is_good = fit_is_good(data, options, *best);
-        first = good > best_is_good || (good == best_is_good && one->rms < (*best)->rms);
-    }
-    if (at < CAGD_FIT_MAX_CANDIDATES) {
-        found->candidates++;
-        at = first ? 0 : at;
-        if (first)
-            for (int k = found->candidates - 1; k > 0; k--)
-                found->candidate[k] = found->candidate[k - 1];
-        cagd_fit_candidate *c = &found->candidate[at];
-        *c = (cagd_fit_candidate){"", (int)lrint(one->effective), cagd_fit_is_minimum(one), score, one->rms};
-        snprintf(c->name, sizeof c->name, "%s", name);
-    }
-    if (first) {
-        cagd_fit_free(*best);
-        *best = one;
-    } else
-        cagd_fit_free(one);
+    const int astray = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_BACKWARDS;
+    return simple->problems == 0 && !(c->problems & astray) && c->score < simple->score - FIT_VERY_STRONG;
 }
 
-static void compete(const cagd_fit_data *data, const cagd_fit_options *options, const char *name, cagd_fit_result *one,
-                    cagd_fit_result **best, cagd_fit_found *found)
+/* Whether a candidate is better than the best one so far: one against which nothing is found before one with problems, then the lower score.
+ * Where both have none, as of too few points, one that is good, then the lower root mean square. */
+static int is_better(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_candidate *c,
+                     const cagd_fit_result *one, const cagd_fit_candidate *b, const cagd_fit_result *best)
 {
-    compete_within(data, options, 0, name, one, best, found);
+    if ((c->problems == 0) != (b->problems == 0))
+        return c->problems == 0;
+    if (!isinf(c->score) || !isinf(b->score))
+        return c->score < b->score;
+    const int good = fit_is_good(data, options, one), best_is_good = fit_is_good(data, options, best);
+    return good > best_is_good || (good == best_is_good && one->rms < best->rms);
+}
+
+/* The candidate is added to those that were found, in the first place where it is the best one. */
+static void enter(const cagd_fit_candidate *c, int first, cagd_fit_found *found)
+{
+    if (found->candidates == CAGD_FIT_MAX_CANDIDATES)
+        return;
+    int at = first ? 0 : found->candidates;
+    for (int k = found->candidates++; k > at; k--)
+        found->candidate[k] = found->candidate[k - 1];
+    found->candidate[at] = *c;
+}
+
+/* The candidate takes the place of the best one if it is better; it is released otherwise.  NULL: there is none.  within > 0: its score is the number
+ * of its control points if it keeps within that distance, and if it does not, that is a problem, too. */
+static cagd_status compete_within(const cagd_fit_data *data, const cagd_fit_options *options, double within,
+                                  const char *name, cagd_fit_result *one, cagd_fit_result **best, cagd_fit_found *found)
+{
+    int problems;
+    REQUIRE(one != NULL, CAGD_OK);
+    const cagd_status status = fit_problems_of(data, options, one, &problems);
+    REQUIRE(status == CAGD_OK, (cagd_fit_free(one), status));
+    const int counts = fit_is_good(data, options, one) && (within == 0 || one->largest <= within);
+    const double score = !counts ? INFINITY : within > 0 ? own_count(one) : fit_score(data, one);
+    cagd_fit_candidate c = {
+        "", (int)lrint(one->effective), cagd_fit_is_minimum(one), counts ? problems : ~0, score, one->rms};
+    snprintf(c.name, sizeof c.name, "%s", name);
+    cagd_fit_candidate *b = &found->candidate[0];
+    if (*best != NULL && within == 0) {
+        b->problems |= shows_simple(&c, b) ? CAGD_FIT_SIMPLE : 0;
+        c.problems |= shows_simple(b, &c) ? CAGD_FIT_SIMPLE : 0;
+    }
+    const int first = *best == NULL || is_better(data, options, &c, one, b, *best);
+    enter(&c, first, found);
+    cagd_fit_free(first ? *best : one);
+    *best = first ? one : *best;
+    return CAGD_OK;
+}
+
+static cagd_status compete(const cagd_fit_data *data, const cagd_fit_options *options, const char *name,
+                           cagd_fit_result *one, cagd_fit_result **best, cagd_fit_found *found)
+{
+    return compete_within(data, options, 0, name, one, best, found);
 }
 
 /* The degrees from 2 to 5, each with the number of control points that is given or that it asks for. */
@@ -117,9 +131,63 @@ static cagd_status choose_degree(const cagd_fit_data *data, const cagd_fit_optio
             break;
         REQUIRE(status == CAGD_OK, status);
         snprintf(name, sizeof name, "degree %d with %d control points", p, own_count(one));
-        compete_within(data, &own, choices->within, name, one, result, found);
+        status = compete_within(data, &own, choices->within, name, one, result, found);
+        REQUIRE(status == CAGD_OK, status);
     }
     return *result != NULL ? CAGD_OK : CAGD_BAD_OPTION;
+}
+
+/* A conic in one segment, and where it is hardly bent or there is none, a straight line. */
+static cagd_status try_conic(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                             cagd_fit_found *found, int *where)
+{
+    cagd_fit_result *one = NULL;
+    cagd_status status = fit_plainly(data, options, &one, where);
+    REQUIRE(status == CAGD_OK, status);
+    const int straight = !cagd_fit_is_minimum(one) || cagd_fit_conic_of(one).kind == CAGD_FIT_STRAIGHT;
+    status = compete(data, options, "a conic in one segment", one, result, found);
+    if (status == CAGD_OK && straight && options->free & CAGD_FIT_END_POINTS) {
+        cagd_fit_options chord = *options;
+        chord.degree = 1;
+        status = fit_plainly(data, &chord, &one, where);
+        REQUIRE(status == CAGD_OK, status);
+        status = compete(data, options, "a straight line", one, result, found);
+    }
+    return status;
+}
+
+static cagd_status try_ellipse(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                               cagd_fit_found *found)
+{
+    cagd_fit_result *one = NULL;
+    const int free_ends =
+        options->closed || (options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED);
+    REQUIRE(free_ends && !options->monotone && data->count * (data->dim - 1) > 3 * data->dim, CAGD_OK);
+    const cagd_status status = fit_ellipse_result(data, options, &one);
+    REQUIRE(status == CAGD_OK, status);
+    return compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse",
+                   one, result, found);
+}
+
+/* A cubic spline.  One that is good with a smoothing term alone is not sought where a curve stands that nothing is said against. */
+static cagd_status try_spline(const cagd_fit_data *data, const cagd_fit_options *options,
+                              const cagd_fit_choices *choices, cagd_fit_result **result, cagd_fit_found *found,
+                              int *where)
+{
+    cagd_fit_options spline = *options;
+    cagd_fit_choices own = *choices;
+    cagd_fit_result *one = NULL;
+    char name[64];
+    spline.degree = 3;
+    spline.free &= ~CAGD_FIT_WEIGHTS;
+    if (own.smooth == 2 && *result != NULL && found->candidate[0].problems == 0)
+        own.smooth = 0;
+    cagd_status status = fit_refined(data, &spline, &own, &one, where);
+    if (status == CAGD_OK && choices->weights)
+        status = fit_test_weights(data, &spline, choices->within, &one, where);
+    REQUIRE(status == CAGD_OK, *result != NULL && status != CAGD_NO_MEMORY ? CAGD_OK : status);
+    snprintf(name, sizeof name, "a cubic spline with %d control points", own_count(one));
+    return compete(data, &spline, name, one, result, found);
 }
 
 /* A conic in one segment, an ellipse, a cubic spline, in this order, until one does. */
@@ -127,56 +195,20 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
                                const cagd_fit_choices *choices, cagd_fit_result **result, cagd_fit_found *found,
                                int *where)
 {
-    cagd_fit_result *one = NULL;
-    cagd_fit_options spline = *options;
     cagd_status status = CAGD_OK;
-    int enough = 0;
     if (!options->closed) {
-        status = fit_plainly(data, options, &one, where);
-        REQUIRE(status == CAGD_OK, status);
-        const int straight = !cagd_fit_is_minimum(one) || cagd_fit_conic_of(one).kind == CAGD_FIT_STRAIGHT;
-        compete(data, options, "a conic in one segment", one, result, found);
-        if (straight && options->free & CAGD_FIT_END_POINTS) {
-            cagd_fit_options chord = *options;
-            chord.degree = 1;
-            status = fit_plainly(data, &chord, &one, where);
-            REQUIRE(status == CAGD_OK, status);
-            compete(data, options, "a straight line", one, result, found);
-        }
-        if (*result != NULL)
-            status = find_enough(data, options, *result, &enough);
-        REQUIRE(status == CAGD_OK && !enough, status);
+        status = try_conic(data, options, result, found, where);
+        REQUIRE(status == CAGD_OK && !is_enough(data, found, *result), status);
     }
     if (options->loss != CAGD_FIT_SQUARES) { /* scores of different scales do not compare */
-        if (*result != NULL)
-            return CAGD_OK;
+        cagd_fit_options spline = *options;
         spline.degree = 3;
-        return fit_refined(data, &spline, choices, result, where);
+        return *result != NULL ? CAGD_OK : fit_refined(data, &spline, choices, result, where);
     }
-    const int free_ends =
-        options->closed || (options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED);
-    if (free_ends && !options->monotone && data->count * (data->dim - 1) > 3 * data->dim) {
-        status = fit_ellipse_result(data, options, &one);
-        REQUIRE(status == CAGD_OK, status);
-        compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse",
-                one, result, found);
-        if (*result != NULL && (*result)->found.ellipse.known)
-            status = find_enough(data, options, *result, &enough);
-        REQUIRE(status == CAGD_OK && !enough, status);
-    }
-    spline.degree = 3;
-    spline.free &= ~CAGD_FIT_WEIGHTS;
-    one = NULL;
-    status = fit_refined(data, &spline, choices, &one, where);
-    if (status == CAGD_OK && choices->weights)
-        status = fit_test_weights(data, &spline, choices->within, &one, where);
-    REQUIRE(status == CAGD_OK || (*result != NULL && status != CAGD_NO_MEMORY), status);
-    if (status == CAGD_OK) {
-        char name[64];
-        snprintf(name, sizeof name, "a cubic spline with %d control points", own_count(one));
-        compete(data, &spline, name, one, result, found);
-    }
-    return CAGD_OK;
+    status = try_ellipse(data, options, result, found);
+    REQUIRE(status == CAGD_OK, status);
+    REQUIRE(*result == NULL || !(*result)->found.ellipse.known || !is_enough(data, found, *result), CAGD_OK);
+    return try_spline(data, options, choices, result, found, where);
 }
 
 /* What `found` holds of the choice becomes that of the result. */
@@ -225,10 +257,6 @@ static cagd_status choose_plainly(const cagd_fit_data *data, const void *how, ca
         if (asked.knots != NULL)
             return CAGD_BAD_OPTION;
         status = choose_degree(&own, &asked, &all, result, &found, where);
-        if (status != CAGD_OK) {
-            cagd_fit_free(*result);
-            *result = NULL;
-        }
     } else if (choices->form)
         status = choose_form(&own, &asked, choices, result, &found, where);
     else {
@@ -243,6 +271,10 @@ static cagd_status choose_plainly(const cagd_fit_data *data, const void *how, ca
     }
     if (status == CAGD_OK)
         keep_found(*result, &found);
+    else {
+        cagd_fit_free(*result);
+        *result = NULL;
+    }
     return status;
 }
 

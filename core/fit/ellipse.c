@@ -331,7 +331,30 @@ static int fill_inverse(work *w, int circle, const double x[], fit_ellipse *e)
     return 1;
 }
 
-int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *e, double phi[])
+/* -(J^T J)^+ J^T b, b_i = -s_i n.E''/(2 |E'|^2) in the directions n across the curve. */
+static void fill_bias(const work *w, const double x[], const double phi[], fit_ellipse *e)
+{
+    const int dim = w->dim;
+    double E[3][3], n[2][3], g[MOST] = {0};
+    for (int i = 0; i < w->data->count; i++) {
+        ellipse_at(dim, x, phi[i], E);
+        const double share[3] = {1, cos(phi[i]), sin(phi[i])};
+        const int count = normals(dim, E[1], n);
+        for (int r = 0; r < count; r++) {
+            const double off =
+                -inner(dim, n[r], E[2]) / (2 * inner(dim, E[1], E[1])); /* over s_i^2, as the row is times s_i */
+            for (int k = 0; k < w->n; k++)
+                g[k] -= share[k / dim] * n[r][k % dim] * off;
+        }
+    }
+    for (int k = 0; k < w->n; k++) {
+        e->bias[k] = 0;
+        for (int l = 0; l < w->n; l++)
+            e->bias[k] -= e->inverse[k * w->n + l] * g[l];
+    }
+}
+
+int fit_ellipse_of(const cagd_fit_data *data, int circle, const fit_ellipse *from, fit_ellipse *e, double phi[])
 {
     const int dim = data->dim, count = data->count;
     const size_t numbers = (size_t)count * (size_t)dim;
@@ -361,7 +384,9 @@ int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *e, double
     cagd_fit_data near = {count, dim, Q, sigma};
     double x[MOST] = {0};
     w.data = &near;
-    good = good && first_ellipse(&w, x);
+    for (int k = 0; from != NULL && k < w.n; k++)
+        x[k] = (from->x[k] - (k < dim ? low[k] / 2 + high[k] / 2 : 0)) / unit;
+    good = good && (from != NULL || first_ellipse(&w, x));
     if (good && circle)
         make_round(dim, x);
     good = good && descend(&w, circle, x, phi, e);
@@ -370,9 +395,11 @@ int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *e, double
         evaluate(&w, x, phi);
         e->chi_squared = w.cost;
         good = fill_inverse(&w, circle, x, e);
+        fill_bias(&w, x, phi, e);
     }
     for (int k = 0; good && k < w.n; k++) {
         e->x[k] = x[k] * unit + (k < dim ? low[k] / 2 + high[k] / 2 : 0);
+        e->bias[k] *= unit;
         for (int l = 0; l < w.n; l++)
             e->inverse[k * w.n + l] *= unit * unit;
         e->converged = e->converged && isfinite(e->x[k]);

@@ -19,14 +19,20 @@ typedef struct fit_ellipse {
     int dim, circle;    /* circle: asked for one */
     double x[9];        /* c, a, b: dim numbers each; a the longer principal semi-axis, b the other one */
     double inverse[81]; /* (J^T J)^+ of x, 3 dim x 3 dim by rows, J the Jacobian of distances over s_i */
-    int unknowns;       /* that count                                                         */
+    double
+        bias[9]; /* of x, for s_i the standard deviations: what errors along the curve make of it, see fit_ellipse_of */
+    int unknowns; /* that count                                                         */
     int converged, iterations;
     double chi_squared; /* the sum that was minimised                                        */
 } fit_ellipse;
 
-/* Both ellipse and circle; phi: the N parameters of the feet on the ellipse, between -pi and pi.  The points are
- * finite.  Returns 0 when there is no memory. */
-int fit_ellipse_of(const cagd_fit_data *data, int circle, fit_ellipse *ellipse, double phi[]);
+/* Both ellipse and circle; from: where to begin, NULL: with the first ellipse; phi: the N parameters of the feet on the ellipse, between -pi and pi.  The points are
+ * finite.  Returns 0 when there is no memory.
+ *
+ * Bias.  A point that is off by errors of s alike in all directions is by k s^2/2 farther in the mean from a curve of curvature k, on the
+ * side away from its centre: these distances b_i, over s_i, make -(J^T J)^+ J^T b of x.  Of a whole circle s^2/(2 R) of the radius, however many
+ * points there are.  Source: berman-1989. */
+int fit_ellipse_of(const cagd_fit_data *data, int circle, const fit_ellipse *from, fit_ellipse *ellipse, double phi[]);
 
 /* The arc from phi0 to phi1 > phi0 as a rational curve of degree 2 whose segments are no longer than a quarter turn; a whole turn begins and
  * ends in one point.  The arrays belong to the caller: free(points) frees all.  Returns 0 when there is no memory. */

@@ -70,7 +70,7 @@ static cagd_status fit_once(const cagd_fit_data *data, const cagd_fit_options *o
     cagd_status status = fit_problem_make(data, options, strategy, &p, where);
     for (int end = 0; end < 2 && ends != NULL; end++)
         p.end_point[end] = ends[end];
-    if (status == CAGD_OK && fit_problem_equations(&p) < p.unknowns)
+    if (status == CAGD_OK && !(p.smooth > 0) && fit_problem_equations(&p) < p.unknowns)
         status = CAGD_TOO_FEW;
     if (status == CAGD_OK && (*result = solve(data, &p)) == NULL)
         status = CAGD_NO_MEMORY;

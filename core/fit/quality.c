@@ -138,7 +138,9 @@ static cagd_status find_gap(const cagd_fit_result *r, const polygon *p, cagd_fit
     return CAGD_OK;
 }
 
-/* Feet that fall behind the one before, along the curve, by more than errors explain. */
+/* Feet that fall behind the one before, along the curve, by more than errors explain.  Neighbours with errors of rms along the curve differ
+ * by sqrt(2) rms, the most of n of them by 2 sqrt(log n) rms, 6 rms of 8000, and where the curve bends towards them by a few times as much: one
+ * alone has to go back twice as far. */
 static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_quality *q)
 {
     const double length = p->way[p->corners - 1];
@@ -150,7 +152,7 @@ static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_
         q->backwards += back > DEVIATIONS * r->rms + length * 1e-9;
         farthest = fmax(farthest, back);
     }
-    if (q->backwards >= MANY * r->count || (q->backwards > 0 && farthest > PART * length))
+    if (q->backwards >= MANY * r->count || (farthest > 2 * DEVIATIONS * r->rms && farthest > PART * length))
         q->problems |= CAGD_FIT_BACKWARDS;
 }
 

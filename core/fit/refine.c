@@ -114,7 +114,8 @@ typedef struct search {
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
     int shapely;    /* whether a curve with excursions, loops or gaps is passed over        */
-    int dense;      /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
+    int scattered; /* how many neighbours it takes until points do not scatter by more than they are apart, see means.h */
+    int dense;     /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
     knots at; /* of the best one */
 } search;
@@ -142,24 +143,6 @@ static cagd_status fit_step(const cagd_fit_data *data, const cagd_fit_options *o
     if (o.max_iterations > ITERATIONS)
         o.max_iterations = ITERATIONS;
     return fit_candidate(data, &o, result, where);
-}
-
-/* The chosen curve once more, with all that is said of it; the one that was chosen, where that leads from a good curve to none. */
-static cagd_status finish(const search *s, const cagd_fit_options *options, cagd_fit_result **result)
-{
-    cagd_fit_result *last = *result;
-    cagd_fit_options o = *options;
-    o.initial = &last->curve;
-    o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
-    o.free &= ~CAGD_FIT_WEIGHTS;
-    o.without_intervals = options->without_intervals || last->found.knots_chosen;
-    cagd_status status = fit_plainly(s->data, &o, result, s->where);
-    REQUIRE(status == CAGD_OK, (cagd_fit_free(last), status));
-    const int worse = fit_is_good(s->data, options, last) && !fit_is_good(s->data, options, *result);
-    (*result)->found = last->found;
-    cagd_fit_free(worse ? *result : last);
-    *result = worse ? last : *result;
-    return CAGD_OK;
 }
 
 /* The spline on these knots, from the one before if there is one. */
@@ -200,11 +183,9 @@ enum {
 /* What is not good about a fit; all of it where it is no minimum or has excursions. */
 static int problems_of(const search *s, const cagd_fit_result *r)
 {
-    cagd_fit_quality quality;
-    REQUIRE(fit_is_good(s->data, s->options, r), ~0);
-    const cagd_status status = cagd_fit_quality_of(s->data, s->options, r, &quality);
-    *s->without_memory |= status == CAGD_NO_MEMORY;
-    return status == CAGD_OK ? quality.problems : ~0;
+    int problems;
+    *s->without_memory |= fit_problems_of(s->data, s->options, r, &problems) == CAGD_NO_MEMORY;
+    return problems;
 }
 
 /* A good fit that crosses itself no more often than its points do. */
@@ -220,12 +201,20 @@ static int may_be_best(const search *s, const cagd_fit_result *r)
 /* Whether it keeps every point within the distance that is asked for. */
 static int is_within(const search *s, const cagd_fit_result *r) { return s->within > 0 && r->largest <= s->within; }
 
+/* The score of a curve; one that is not good has to be better by what is very strong evidence.  It is not looked at where its score alone is
+ * higher than that of the best one. */
+static double score_of_shape(const search *s, const cagd_fit_result *r)
+{
+    const double score = fit_score(s->data, r);
+    return s->best != NULL && score >= s->score ? score : score + (problems_of(s, r) != 0 ? FIT_VERY_STRONG : 0);
+}
+
 /* The smaller the better, and infinite of what may not be best: with a tolerance the number of points, once it is met. */
 static double score_of(const search *s, const knots *k, const cagd_fit_result *r)
 {
     if (!may_be_best(s, r))
         return HUGE_VAL;
-    return !(s->within > 0) ? fit_score(s->data, r) : is_within(s, r) ? k->inner - 1e6 : r->largest;
+    return !(s->within > 0) ? score_of_shape(s, r) : is_within(s, r) ? k->inner - 1e6 : r->largest;
 }
 
 /* Takes the result for the best one if it is; whether it is.  It is not released. */
@@ -236,6 +225,26 @@ static int is_best(search *s, const knots *k, const cagd_fit_result *r)
     if (better)
         s->score = score, s->at = *k;
     return better;
+}
+
+/* The chosen curve once more, with all that is said of it; the one that was chosen, where that leads from a good curve to none. */
+static cagd_status finish(const search *s, const cagd_fit_options *options, cagd_fit_result **result)
+{
+    cagd_fit_result *last = *result;
+    cagd_fit_options o = *options;
+    o.initial = &last->curve;
+    o.smooth = last->found.smooth > 0 ? last->found.smooth : options->smooth;
+    o.free &= ~CAGD_FIT_WEIGHTS;
+    o.without_intervals = options->without_intervals || last->found.knots_chosen;
+    cagd_status status = fit_plainly(s->data, &o, result, s->where);
+    REQUIRE(status == CAGD_OK, (cagd_fit_free(last), status));
+    const int worse =
+        (fit_is_good(s->data, options, last) && !fit_is_good(s->data, options, *result)) ||
+        (last->found.smoothed == 3 && (is_within(s, *result) < is_within(s, last) || !has_no_loops(s, *result)));
+    (*result)->found = last->found;
+    cagd_fit_free(worse ? *result : last);
+    *result = worse ? last : *result;
+    return CAGD_OK;
 }
 
 /* ---- where a knot goes ---------------------------------------------------------------------------------- */
@@ -293,9 +302,11 @@ static int divide(const search *s, const cagd_fit_result *r, knots *k)
 /* ---- the search ------------------------------------------------------------------------------------------- */
 
 /* Even knots, or those that are put in one by one, from these, over which `last` is a fit unless it is NULL, until `patience` more have not
- * helped. */
+ * helped, or there are more than MOST_VAIN without any that may be best; of scattered points, of which means have led to none, FEW. */
 static cagd_status put_into(search *s, knots k, cagd_fit_result *last, int even, int patience)
 {
+    enum { MOST_VAIN = 30, FEW = 5 };
+    const int vain = s->scattered > 1 ? FEW : MOST_VAIN;
     cagd_status status = CAGD_OK;
     double lowest = HUGE_VAL;
     for (int idle = 0; idle < patience && status == CAGD_OK;) {
@@ -312,7 +323,7 @@ static cagd_status put_into(search *s, knots k, cagd_fit_result *last, int even,
                 cagd_fit_free(s->best);
             s->best = next;
         }
-        idle = score < lowest ? 0 : idle + (lowest < HUGE_VAL || k.inner > 30);
+        idle = score < lowest ? 0 : idle + (lowest < HUGE_VAL || k.inner > vain);
         lowest = fmin(lowest, score);
         if (last != s->best)
             cagd_fit_free(last);
@@ -449,17 +460,19 @@ static knots without(const knots *from, int i, int shift)
     return k;
 }
 
+/* Inner knots that a curve has at least. */
+static int fewest_knots(const search *s) { return s->options->closed ? s->options->degree : 0; }
+
 /* Knots are taken out of the best curve, that first without which it is best, as long as it becomes better.  Where it does not, the neighbours of
  * the one that is taken out move towards its place. */
 static cagd_status take_out_idle(search *s)
 {
     enum { SHIFTS = 4 };
-    const int fewest = s->options->closed ? s->options->degree : 0;
     for (int better = 1; better;) {
         better = 0;
         const knots from = s->at;
         cagd_fit_result *lowest = s->best;
-        for (int shift = 0; shift < SHIFTS && !better && from.inner > fewest; shift++) {
+        for (int shift = 0; shift < SHIFTS && !better && from.inner > fewest_knots(s); shift++) {
             const int first = shift & 1, last = from.inner - (shift & 2 ? 2 : 1);
             if ((double)s->data->count * from.inner * from.inner * (shift ? SHIFTS : 1) > MOST_WORK)
                 break;
@@ -616,6 +629,43 @@ static int most_points(const search *s)
     return count_of(&k, s->options->degree, s->options->closed);
 }
 
+/* The same of scattered points, by means of neighbours: all points could gain by a curve that goes to and fro between them.  The weight of
+ * the term and the curve are those of the means, from where the curve is led to all points; where that comes to no minimum, as of fewer means
+ * than control points, all points say them.  chosen: the number of control points is not given. */
+static cagd_status smooth_by_means(const search *s, const cagd_fit_options *options, int how, int chosen,
+                                   cagd_fit_result **result)
+{
+    cagd_fit_data means;
+    cagd_fit_options o = *options;
+    cagd_fit_result *first = NULL, *all = NULL;
+    cagd_status status = fit_means(s->data, s->scattered, &means);
+    search of_means = *s;
+    of_means.data = &means, of_means.scattered = 1;
+    if (status == CAGD_OK && chosen)
+        o.count = most_points(&of_means);
+    if (status == CAGD_OK)
+        status = smooth_best(&of_means, &o, how, &first);
+    if (status == CAGD_OK && first != NULL) {
+        o.smooth = first->found.smooth * precision_of(s->data) / precision_of(&means);
+        o.initial = &first->curve;
+        o.free &= ~CAGD_FIT_WEIGHTS;
+        status = fit_candidate(s->data, &o, &all, s->where);
+    }
+    const int led = status == CAGD_OK && all != NULL && cagd_fit_is_minimum(all);
+    if (led) {
+        all->found.smoothed = how;
+        all->found.smooth = o.smooth;
+        cagd_fit_free(*result);
+        *result = all;
+    } else
+        cagd_fit_free(all);
+    cagd_fit_free(first);
+    fit_means_free(&means);
+    o = *options;
+    o.count = chosen ? most_points(s) : o.count;
+    return led || (status != CAGD_OK && status != CAGD_TOO_FEW) ? status : smooth_best(s, &o, how, result);
+}
+
 /* ---- all of it --------------------------------------------------------------------------------------------- */
 
 /* Of a tolerance that is not met, the distance that is: the fewest control points that are found to keep every point within that one. */
@@ -683,6 +733,54 @@ static cagd_status search_from_smooth(search *s)
     return status;
 }
 
+/* The spline over these even knots with as large a smoothing term, to a factor of 10, as lets it keep within the distance without loops.  It,
+ * or the one that comes nearest to that, becomes the best one if it comes nearer than the one before; *met says whether it keeps within. */
+static cagd_status smooth_within(search *s, const knots *k, int *met)
+{
+    enum { TENTHS = 14 };
+    cagd_fit_options o = *s->options;
+    cagd_fit_result *last = NULL;
+    cagd_status status = CAGD_OK;
+    o.count = count_of(k, o.degree, o.closed);
+    o.smooth = precision_of(s->data) * pow(o.count, -4);
+    *met = 0;
+    for (int tenth = 0; tenth < TENTHS && status == CAGD_OK && !*met; tenth++) {
+        cagd_fit_result *next = NULL;
+        o.smooth = tenth > 0 ? o.smooth / 10 : o.smooth;
+        o.initial = last != NULL ? &last->curve : NULL;
+        status = fit_candidate(s->data, &o, &next, s->where);
+        if (last != s->best)
+            cagd_fit_free(last);
+        last = next;
+        if (status != CAGD_OK || !has_no_loops(s, last) || last->degrees_of_freedom <= 0 ||
+            (s->best != NULL && last->largest >= s->best->largest))
+            continue;
+        cagd_fit_free(s->best);
+        s->best = last, s->at = *k;
+        s->best->found.smoothed = 3, s->best->found.smooth = o.smooth;
+        *met = is_within(s, last);
+    }
+    if (last != s->best)
+        cagd_fit_free(last);
+    return status;
+}
+
+/* With a tolerance that no curve keeps without a smoothing term: even knots, a quarter more of them each time, with one. */
+static cagd_status search_smoothed(search *s)
+{
+    enum { FEWEST = 4 };
+    cagd_status status = CAGD_OK;
+    int met = 0;
+    knots k;
+    make_even(s->options->closed ? s->options->degree + 1 : FEWEST, &k);
+    while (status == CAGD_OK && !met && count_of(&k, s->options->degree, s->options->closed) <= s->data->count &&
+           k.inner < MOST_KNOTS && (double)s->data->count * k.inner * k.inner <= MOST_WORK) {
+        status = smooth_within(s, &k, &met);
+        make_even(k.inner + k.inner / 4, &k);
+    }
+    return status == CAGD_TOO_FEW ? CAGD_OK : status;
+}
+
 /* Whether the best curve keeps within the distance that is asked for, without loops. */
 static int answers(const search *s)
 {
@@ -702,7 +800,7 @@ static cagd_status drop_a_knot(const search *s, knots *k, cagd_fit_result **fit)
 {
     const knots from = *k;
     cagd_fit_result *best = NULL;
-    for (int i = 0; i < from.inner; i++) {
+    for (int i = 0; i < from.inner && from.inner > fewest_knots(s); i++) {
         const knots one = without(&from, i, 0);
         cagd_fit_result *next;
         const cagd_status status = fit_on(s, &one, *fit, &next);
@@ -741,12 +839,11 @@ static cagd_status from_means(search *s, search *of_means)
  * more of them by all points, as long as each helps and brings no excursions, loops or gaps.  Otherwise nothing is the best one. */
 static cagd_status search_by_means(search *s)
 {
-    const int neighbours = s->options->unordered || s->within > 0 ? 1 : fit_neighbours(s->data);
-    REQUIRE(neighbours > 1, CAGD_OK);
+    REQUIRE(s->scattered > 1, CAGD_OK);
     cagd_fit_data means;
-    cagd_status status = fit_means(s->data, neighbours, &means);
+    cagd_status status = fit_means(s->data, s->scattered, &means);
     search of_means = *s;
-    of_means.data = &means, of_means.shapely = s->shapely = 1;
+    of_means.data = &means, of_means.scattered = 1, of_means.shapely = s->shapely = 1;
     if (status == CAGD_OK)
         status = search_knots(&of_means);
     if (status == CAGD_OK)
@@ -762,10 +859,10 @@ static cagd_status search_by_means(search *s)
 }
 
 /* Minima that are not good lead with a tolerance to good ones by what is taken out of them.  Where they do not, good ones alone are sought; where
- * these do not keep within it, with knots as dense as the points, placed by these and then even. */
+ * these do not keep within it, with knots as dense as the points, placed by these and then even, and at last with a smoothing term. */
 static cagd_status find_knots(search *s)
 {
-    enum { GOOD, PLACED, EVEN, WAYS };
+    enum { GOOD, PLACED, EVEN, SMOOTHED, WAYS };
     cagd_status status = search_by_means(s);
     if (status == CAGD_OK && s->best == NULL)
         status = search_knots(s);
@@ -774,7 +871,9 @@ static cagd_status find_knots(search *s)
             continue;
         search again = *s;
         again.best = NULL, again.within = s->choices->within, again.good_alone = 1, again.dense = way != GOOD;
-        status = way == EVEN ? search_from_smooth(&again) : search_knots(&again);
+        status = way == SMOOTHED ? search_smoothed(&again)
+                 : way == EVEN   ? search_from_smooth(&again)
+                                 : search_knots(&again);
         const int taken = status == CAGD_OK && answers_better(&again, s);
         cagd_fit_free(taken ? s->best : again.best);
         if (taken)
@@ -797,6 +896,7 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
                 .where = where,
                 .without_memory = &without_memory,
                 .within = choices->within};
+    s.scattered = own.unordered || s.within > 0 ? 1 : fit_neighbours(data);
     const int chosen = choices->count || choices->within > 0;
     if (chosen || choices->smooth == 1)
         own.free &= ~CAGD_FIT_WEIGHTS;
@@ -816,7 +916,8 @@ cagd_status fit_refined(const cagd_fit_data *data, const cagd_fit_options *optio
         cagd_fit_options smoothed = own;
         if (chosen)
             smoothed.count = most_points(&s);
-        status = smooth_best(&s, &smoothed, choices->smooth, &s.best);
+        status = s.scattered > 1 ? smooth_by_means(&s, &own, choices->smooth, chosen, &s.best)
+                                 : smooth_best(&s, &smoothed, choices->smooth, &s.best);
     }
     if (status == CAGD_OK && without_memory)
         status = CAGD_NO_MEMORY;

@@ -9,6 +9,6 @@
  * over d is distributed as F.  Where that is less probable than once in twenty times the weights are fitted, between 1/16 and 16, and
  * kept if the score of cagd_fit_choose becomes lower; *result is replaced.  within > 0: not where the spline keeps every
  * point within that distance and with weights does not.  What was found stands in found. */
-cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *options, double within, cagd_fit_result **result,
-                             int *where);
+cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *options, double within,
+                             cagd_fit_result **result, int *where);
 #endif

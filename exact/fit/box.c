@@ -80,6 +80,8 @@ static void box_fill(struct box *b, const double radius[])
     for (int m = 0; m < curve->count * curve->dim; m++) {
         int a = b->of_coordinate[m];
         b->point[m] = a < 0 ? from_double_i(curve->points[m]) : around_i(curve->points[m], radius[a]);
+        if (b->rest != NULL)
+            b->point[m] = add_i(b->point[m], from_double_i(b->rest[m]));
     }
     for (int a = 0; a < b->n; a++) {
         mpfr_set_zero(b->gradient[a].lo, 1);
@@ -115,24 +117,63 @@ static void loss_derivatives(const cagd_stationary_problem *problem, num_i s, nu
 
 /* An unknown that counts at this point. */
 struct entry {
-    int unknown, m, c; /* c = -1: the weight of m                                             */
-    num_i slope, turn; /* D.C_a, and C_a.C' + D.C_a' at phi = 0                               */
+    int unknown, m, c;     /* c = -1: the weight of m                                             */
+    num_i slope, turn;     /* D.C_a, and C_a.C' + D.C_a' at phi = 0                               */
+    num_i along, lean;     /* these two, C_a.C' and D.C_a'                                        */
+    num_i across[MAX_DIM]; /* C_a x C', of the plane one number                               */
 };
 
-/* C_e.C_f + D.C_ef for e <= f. */
-static num_i second_part(const struct view *v, int dim, const num_i *away, const num_i *A, const struct entry *e,
+/* C_a = R_m d, C_a' = R_m' d and what is made of them: d is P_m - C, of a weight, or e_c. */
+static struct entry entry_of(const struct view *v, int dim, int unknown, int m, int c, const num_i d[], num_i inner)
+{
+    struct entry e = {.unknown = unknown, .m = m, .c = c};
+    e.slope = mul_i(v->R[0][m], inner);
+    e.along = mul_i(v->R[0][m], c < 0 ? inner_i(dim, v->C1, d) : v->C1[c]);
+    e.lean = mul_i(v->R[1][m], inner);
+    e.turn = add_i(e.along, e.lean);
+    for (int k = 0; k < (dim == 2 ? 1 : 3); k++) {
+        const int x = dim == 2 ? 0 : (k + 1) % 3, y = dim == 2 ? 1 : (k + 2) % 3;
+        e.across[k] = mul_i(v->R[0][m], sub_i(mul_i(d[x], v->C1[y]), mul_i(d[y], v->C1[x])));
+    }
+    return e;
+}
+
+/* What does not cancel of C_e.C_f - (C_e.C' + D.C_e')(C_f.C' + D.C_f')/phi', the same by
+ *
+ *     (C_e x C').(C_f x C')/|C'|^2 + (C_e.C')(C_f.C') D.C''/(|C'|^2 phi') - (C_e.C' D.C_f' + D.C_e' (C_f.C' + D.C_f'))/phi'.
+ *
+ * Where one coordinate is much larger than the other, most of C_e.C_f is along the curve.  speed: |C'|^2; bend: D.C''/(|C'|^2 phi'). */
+static num_i across_part(const struct view *v, int dim, num_i speed, num_i bend, const struct entry *e,
                          const struct entry *f)
 {
-    num_i both = mul_i(v->R[0][e->m], v->R[0][f->m]), sum;
+    num_i sum = e == f && dim == 2 ? square_i(e->across[0]) : inner_i(dim == 2 ? 1 : 3, e->across, f->across);
+    sum = add_i(div_i(sum, speed), mul_i(mul_i(e->along, f->along), bend));
+    return sub_i(sum, div_i(add_i(mul_i(e->along, f->lean), mul_i(e->lean, f->turn)), v->slope));
+}
+
+/* C_e.C_f for e <= f. */
+static num_i first_part(const struct view *v, int dim, const num_i *away, const struct entry *e, const struct entry *f)
+{
+    const num_i both = mul_i(v->R[0][e->m], v->R[0][f->m]);
     if (e->c >= 0 && f->c >= 0)
         return e->c == f->c ? both : from_double_i(0);
+    if (e->c < 0 && f->c < 0)
+        return mul_i(both, inner_i(dim, away + e->m * dim, away + f->m * dim));
+    return mul_i(both, away[(e->c < 0 ? e->m : f->m) * dim + (e->c < 0 ? f->c : e->c)]);
+}
+
+/* D.C_ef for e <= f. */
+static num_i second_part(const struct view *v, const num_i *A, const struct entry *e, const struct entry *f)
+{
+    if (e->c >= 0 && f->c >= 0)
+        return from_double_i(0);
+    const num_i both = mul_i(v->R[0][e->m], v->R[0][f->m]);
     if (e->c < 0 && f->c < 0) {
-        sum = inner_i(dim, away + e->m * dim, away + f->m * dim);
-        sum = mul_i(both, sub_i(sum, add_i(A[e->m], A[f->m])));
+        const num_i sum = neg_i(mul_i(both, add_i(A[e->m], A[f->m])));
         return e->m == f->m ? add_i(sum, mul_i(v->R[0][e->m], A[e->m])) : sum;
     }
     const struct entry *w = e->c < 0 ? e : f, *x = e->c < 0 ? f : e;
-    sum = mul_i(both, sub_i(away[w->m * dim + x->c], v->D[x->c]));
+    const num_i sum = neg_i(mul_i(both, v->D[x->c]));
     return w->m == x->m ? add_i(sum, mul_i(v->R[0][x->m], v->D[x->c])) : sum;
 }
 
@@ -142,15 +183,21 @@ static int add_point(struct box *b, int i)
     const cagd_stationary_problem *problem = b->problem;
     struct view v;
     struct entry entry[ENTRIES];
-    num_i away[WIDTH * MAX_DIM], A[WIDTH], first, second;
+    num_i away[WIDTH * MAX_DIM], A[WIDTH], first, second, speed = from_double_i(0), unit[MAX_DIM][MAX_DIM];
     int dim = problem->curve->dim, entries = 0;
     enum foot foot = cagd_stationary_enclose_foot(b, i, &v);
     if (foot == NO_FOOT || foot == FOOT_ON_FIXED_END)
         return foot == FOOT_ON_FIXED_END;
     num_i sigma = from_double_i(problem->data->sigma != NULL ? problem->data->sigma[i] : 1), s = from_double_i(0);
     num_i precision = div_i(from_double_i(1), square_i(sigma));
-    for (int c = 0; c < dim; c++)
+    for (int c = 0; c < dim; c++) {
         s = add_i(s, square_i(v.D[c]));
+        speed = add_i(speed, square_i(v.C1[c]));
+        for (int k = 0; k < dim; k++)
+            unit[c][k] = from_double_i(k == c);
+    }
+    const int inside = foot == FOOT_INSIDE && sign_i(speed) > 0;
+    const num_i bend_along = inside ? div_i(inner_i(dim, v.D, v.C2), mul_i(speed, v.slope)) : from_double_i(0);
     loss_derivatives(problem, mul_i(s, precision), &first, &second);
     first = mul_i(first, precision);
     second = mul_i(mul_i(from_double_i(2), second), square_i(precision));
@@ -160,29 +207,27 @@ static int add_point(struct box *b, int i)
             for (int c = 0; c < dim; c++)
                 away[m * dim + c] = sub_i(v.X[m * dim + c], v.D[c]);
             A[m] = inner_i(dim, v.D, away + m * dim);
-            num_i turn = mul_i(v.R[0][m], inner_i(dim, v.C1, away + m * dim));
-            turn = add_i(turn, mul_i(v.R[1][m], A[m]));
-            entry[entries++] = (struct entry){a, m, -1, mul_i(v.R[0][m], A[m]), turn};
+            entry[entries++] = entry_of(&v, dim, a, m, -1, away + m * dim, A[m]);
         }
         for (int c = 0; c < dim; c++) {
             a = b->of_coordinate[index * dim + c];
-            if (a >= 0) {
-                num_i turn = add_i(mul_i(v.R[0][m], v.C1[c]), mul_i(v.R[1][m], v.D[c]));
-                entry[entries++] = (struct entry){a, m, c, mul_i(v.R[0][m], v.D[c]), turn};
-            }
+            if (a >= 0)
+                entry[entries++] = entry_of(&v, dim, a, m, c, unit[c], v.D[c]);
         }
     }
     for (int k = 0; k < entries; k++) {
         struct entry *e = &entry[k];
         cagd_accumulate(&b->gradient[e->unknown], mul_i(first, e->slope));
         int moves = foot == FOOT_INSIDE || foot == FOOT_NEAR_END;
-        num_i turn = moves ? div_i(e->turn, v.slope) : from_double_i(0);
+        num_i turn = moves && !inside ? div_i(e->turn, v.slope) : from_double_i(0);
         num_i bend = mul_i(second, e->slope);
         for (int l = k; l < entries; l++) {
             struct entry *f = &entry[l];
             int low = e->unknown < f->unknown ? e->unknown : f->unknown, high = e->unknown + f->unknown - low;
-            num_i part = second_part(&v, dim, away, A, e, f);
-            if (moves) {
+            num_i part = second_part(&v, A, e, f);
+            part =
+                add_i(part, inside ? across_part(&v, dim, speed, bend_along, e, f) : first_part(&v, dim, away, e, f));
+            if (moves && !inside) {
                 num_i quotient = k == l ? div_i(square_i(e->turn), v.slope) : mul_i(turn, f->turn);
                 part = sub_i(part, foot == FOOT_INSIDE ? quotient : hull_i(from_double_i(0), quotient));
             }

@@ -12,10 +12,11 @@
 
 struct box {
     const cagd_stationary_problem *problem;
-    int n;                                    /* unknowns                                                        */
-    const double *radius;                     /* of each unknown                                                 */
-    int *of_weight, *of_coordinate;           /* the unknown that a weight or coordinate is, or -1               */
-    num_i *knot, *point, *weight;             /* in intervals                                                    */
+    int n;                          /* unknowns                                                        */
+    const double *radius;           /* of each unknown                                                 */
+    const double *rest;             /* the centre's coordinates are the points of the curve and these; NULL: none */
+    int *of_weight, *of_coordinate; /* the unknown that a weight or coordinate is, or -1               */
+    num_i *knot, *point, *weight;   /* in intervals                                                    */
     struct cagd_interval *gradient, *hessian; /* of which the upper triangle is filled                         */
     int is_point;                             /* all radii are 0                                               */
     const char *reason;

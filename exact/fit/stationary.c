@@ -250,14 +250,14 @@ static void check_bounds_alone(struct box *b, double radius[], cagd_stationary_v
 
 /* What the check works with, besides the box; arrays of unknowns numbers each, in one piece of memory. */
 struct workspace {
-    double *W, *inverse, *radius, *reach, *step, *newton, *unit, *moved, *points, *weights, *memory;
+    double *W, *inverse, *radius, *reach, *step, *newton, *unit, *moved, *points, *rest, *weights, *memory;
     int *sign;
 };
 
 static int workspace_new(struct workspace *s, const cagd_stationary_problem *problem)
 {
     size_t n = (size_t)problem->unknowns, count = (size_t)problem->curve->count, dim = (size_t)problem->curve->dim;
-    s->memory = calloc(2 * n * n + 6 * n + count * (dim + 1) + 1, sizeof(double));
+    s->memory = calloc(2 * n * n + 6 * n + count * (2 * dim + 1) + 1, sizeof(double));
     s->sign = malloc((n + 1) * sizeof(int));
     if (s->memory == NULL || s->sign == NULL)
         return 0;
@@ -270,15 +270,17 @@ static int workspace_new(struct workspace *s, const cagd_stationary_problem *pro
     s->unit = s->newton + n;
     s->moved = s->unit + n;
     s->points = s->moved + n;
-    s->weights = s->points + count * dim;
+    s->rest = s->points + count * dim;
+    s->weights = s->rest + count * dim;
     memcpy(s->points, problem->curve->points, count * dim * sizeof(double));
     for (size_t i = 0; i < count; i++)
         s->weights[i] = problem->curve->weights != NULL ? problem->curve->weights[i] : 1;
     return 1;
 }
 
-/* The centre moves by Newton's step, in binary64; moved[a] is no smaller than the way from the reported unknown to it:
- * for a weight |log(v/w)| <= |v - w|/min(v, w). */
+/* The centre moves by Newton's step: a coordinate is the sum of two numbers in binary64, since where one coordinate is much larger than the
+ * other one number would not come near enough.  moved[a] is no smaller than the way from the reported unknown to it: for a weight
+ * |log(v/w)| <= |v - w|/min(v, w). */
 static void move_centre(const cagd_stationary_problem *problem, struct workspace *s)
 {
     for (int a = 0; a < problem->unknowns; a++) {
@@ -290,15 +292,21 @@ static void move_centre(const cagd_stationary_problem *problem, struct workspace
                                                         : 1;
         if (is_held(problem, a))
             continue;
-        *x = u->is_weight ? *x * exp(s->newton[a]) : *x + s->newton[a];
-        s->moved[a] = nextafter(fabs(*x - from), INFINITY);
-        if (u->is_weight)
-            s->moved[a] = nextafter(s->moved[a] / fmin(*x, from), INFINITY);
+        if (u->is_weight) {
+            *x *= exp(s->newton[a]);
+            s->moved[a] = nextafter(nextafter(fabs(*x - from), INFINITY) / fmin(*x, from), INFINITY);
+        } else {
+            double *rest = &s->rest[x - s->points], before = *x, way = *rest + s->newton[a];
+            *x += way;
+            *rest = (before - *x) + way;
+            s->moved[a] = nextafter(nextafter(fabs(*x - from), INFINITY) + fabs(*rest), INFINITY);
+        }
     }
     const int dim = problem->curve->dim;
     for (int i = 0; problem->period > 0 && i < problem->curve->count; i++) { /* the same points once more */
         const int from = own_point(problem, i) + problem->shift;
         memmove(s->points + i * dim, s->points + from * dim, (size_t)dim * sizeof *s->points);
+        memmove(s->rest + i * dim, s->rest + from * dim, (size_t)dim * sizeof *s->rest);
         s->weights[i] = s->weights[from];
     }
 }
@@ -334,6 +342,7 @@ cagd_stationary_verdict cagd_stationary_check(const cagd_stationary_problem *pro
     double size = size_of_data(problem->data), largest = 0;
     centre.points = s.points;
     centre.weights = s.weights;
+    b.rest = s.rest;
     for (int a = 0; room && a < b.n; a++)
         s.unit[a] = problem->unknown[a].is_weight ? 1 : size;
     for (int move = 0; room && !verdict.verified && move <= MOVES; move++) {

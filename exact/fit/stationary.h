@@ -13,7 +13,8 @@
  *     gradient    of F: by the envelope theorem sum_i rho'(s_i)/sigma_i^2 D_i.C_a, D_i = C(t_i) - Q_i,
  *                 s_i = |D_i|^2/sigma_i^2.
  *     Hessian     sum_i rho'/sigma_i^2 (C_a.C_b + D.C_ab - (C_a.C' + D.C_a')(C_b.C' + D.C_b')/phi')
- *                 + 2 rho''/sigma_i^4 D.C_a D.C_b, without the quotient where the foot stays at an end.  Where rho''
+ *                 + 2 rho''/sigma_i^4 D.C_a D.C_b, without the quotient where the foot stays at an end; C_a.C_b less the quotient
+ *                 is computed as what of them is across the curve.  Where rho''
  *                 or a second derivative by t jumps, or a foot comes to an end, the gradient is still Lipschitz, and
  *                 the hull of both values is taken: that is enough for the mean value theorem that follows.
  *     Krawczyk    theta = theta_0 + W y, with W chosen such that S W^T H W is nearly 1, S a diagonal of signs.  If

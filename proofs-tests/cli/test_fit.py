@@ -1295,6 +1295,64 @@ class Fits(Case):
         self.assertFalse(conic["quality"]["good"])
         self.assertIn("the distances are no noise", " ".join(conic["quality"]["problems"]))
 
+    def scattered(self, truth, count, sigma, seed):
+        r = random.Random(seed)
+        return [[float(f"{x + r.gauss(0, sigma):.9g}") for x in truth(i / (count - 1))] for i in range(count)]
+
+    def test_good_comes_before_a_low_score(self):
+        """What goes to and fro between the points is nearer to them, and is left where something good was tried; not for a line through a wave."""
+        line = self.fit(table(self.scattered(lambda u: (3 * u, u), 60, 0.1, 4000072)))
+        tried = line["choice"]["candidates"]
+        self.assertEqual((tried[0]["name"], [c["good"] for c in tried], line["quality"]["good"]), ("a straight line", [True, False, False, False], True))
+        self.assertLess(min(c["score"] for c in tried[1:] if c["score"] is not None), tried[0]["score"])
+        wave = self.fit(table(self.scattered(lambda u: (math.pi * u, math.sin(2 * math.pi * u)), 60, 0.2, 7000081)))
+        tried = wave["choice"]["candidates"]
+        self.assertIn("a cubic spline", tried[0]["name"])
+        self.assertFalse(any(c["good"] for c in tried), tried)
+        self.assertGreater(min(c["score"] for c in tried[1:] if c["score"] is not None), tried[0]["score"] + 10)
+
+    def test_an_arc_that_scatters(self):
+        """A third of a circle; without means 44 control points after a minute, and a flat ellipse about the points where the first one is no circle."""
+        for count, sigma, seed in (501, 0.1, 3000510), (501, 0.1, 4000513), (2001, 0.1, 1002004):
+            with self.subTest(count=count, seed=seed):
+                d = self.fit(table(self.scattered(lambda u: (math.cos(2 * math.pi / 3 * u), math.sin(2 * math.pi / 3 * u)), count, sigma, seed)), "--no-verify")
+                e = d["ellipse"]
+                self.assertEqual((d["quality"]["good"], e["whole"]), (True, False))
+                self.assertLess(abs(e["radius"]["value"] - 1), 4 * e["radius"]["standard_error"])
+                self.assertLess(e["radius"]["standard_error"], 0.05)
+                self.assertEqual((e["radius"]["low"], e["radius"]["high"]), (None, None))  # they covered 90 to 92 %
+
+    def test_a_line_that_scatters_is_no_circle(self):
+        """Not one with a radius of 10^6, which the points do not determine."""
+        d = self.fit(table(self.scattered(lambda u: (3 * u, u), 501, 0.1, 4000513)), "--no-verify")
+        self.assertEqual((d["choice"]["candidates"][0]["name"], d["ellipse"], d["quality"]["good"]), ("a straight line", None, True))
+
+    def test_bias_of_a_circle(self):
+        """Errors along a circle of radius R put points farther out by s^2/(2 R): the interval of the radius lies about what is left."""
+        rows = self.scattered(lambda u: (math.cos(2 * math.pi * 1999 / 2000 * u), math.sin(2 * math.pi * 1999 / 2000 * u)), 2000, 0.1, 5)
+        d = self.fit(table(rows), "--no-verify")
+        r, s2 = d["ellipse"]["radius"], d["statistics"]["scale_squared"]
+        self.assertAlmostEqual(r["value"] - (r["low"] + r["high"]) / 2, s2 / (2 * r["value"]), delta=1e-4)
+        self.assertTrue(r["low"] < 1 < r["high"], r)
+
+    def test_a_scattered_curve_is_smoothed_by_means(self):
+        """All points together would be come nearer to by a curve that goes to and fro between them."""
+        wave = self.scattered(lambda u: (math.pi * u, math.sin(2 * math.pi * u)), 501, 0.1, 1000504)
+        d = self.fit(table(wave), "--smooth", "auto", "--no-verify")
+        self.assertLess(d["choice"]["smoothing"]["effective_unknowns"], 20)
+        self.assertLess(d["length_ratio"], 1.1)
+        self.assertTrue(0.09 < d["distances"]["rms"] < 0.105, d["distances"]["rms"])
+
+    def test_a_scattered_section_is_closed(self):
+        """Of means of few neighbours no knots are taken out that a closed curve has at least."""
+        def section(u):
+            x = (2 * u - 1) ** 2
+            y = 0.9 * (0.2969 * math.sqrt(x) - 0.126 * x - 0.3516 * x * x + 0.2843 * x**3 - 0.1036 * x**4)
+            return 4 * x, 4 * math.copysign(y, 1 - 2 * u)
+        d = self.fit(table(self.scattered(section, 120, 0.05, 1000123)))
+        self.assertEqual((d["choice"]["closed"], d["quality"]["good"]), (True, True))
+        self.assertIn(len(d["curve"]["points"]) - 3, (4, 5))
+
     def test_a_tolerance_is_met(self):
         """By the fewest control points that are found; one fewer over even knots does not meet it."""
         rows = [[x, math.sin(x)] for x in (6 * i / 99 for i in range(100))]
