@@ -154,10 +154,10 @@ CLAIM(equal_nodes_have_no_interpolant)
 :data: t = 0 0
 :instead: t = 0 1
 :result: the determinant = 0
-:given: two ends $t_0$, $t_1$ that are equal; cubics $c_0+c_1t+c_2t^2+c_3t^3$ with a value and a derivative at each
+:given: two ends $t_0$, $t_1$ that are equal, and cubics with a value and a derivative at each
 :then: the determinant of the four conditions is 0: if the values and the derivatives are equal, infinitely many cubics satisfy them, and if not, none
   does
-:method: The determinant of the system with the rows $(1,t_i,t_i^2,t_i^3)$ and $(0,1,2t_i,3t_i^2)$; that it is not 0 is refuted.
+:method: The determinant of the system whose rows are the powers of $t_i$ and their derivatives; that it is not 0 is refuted.
 :control: different ends
 :::
 */

@@ -62,7 +62,7 @@ its pairs have the point $\mathbf r(t_0)$.
 :confirmed-by: first_level_condition_factors
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$: where a member stands still the condition is satisfied, and the
   member may have another direction
-:meant: [18] is not at hand; this is the usual notion of an envelope | A curve $\mathbf r^{[k-1]}(t(s),\tau(s))$ that passes from member to member, $\tau'\ne0$, and is tangent
+:meant: the usual notion of an envelope, as [18] is not at hand | A curve $\mathbf r^{[k-1]}(t(s),\tau(s))$ that passes from member to member, $\tau'\ne0$, and is tangent
   to each member where it passes it.
 :figure: nurbs_second_line
 

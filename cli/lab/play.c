@@ -67,6 +67,7 @@ static void bound(void)
         ALLOW(rt_sigaction),
         ALLOW(rt_sigprocmask),
         ALLOW(rt_sigreturn),
+        ALLOW(sigaltstack), /* of which a sanitizer asks at the end */
         ALLOW(getpid),
         ALLOW(gettid),
         ALLOW(getrandom),
