@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { FIRST_POINTS = 3, MOST_SHRINKING = 200, HINT_POINTS = 4, ROUNDED = 12, MOST_KNOWN = 20000 };
+enum { FIRST_POINTS = 3, MOST_SHRINKING = 200, HINT_POINTS = 4, ROUNDED = 12, MOST_SOLUTIONS = 16, MOST_KNOWN = 20000 };
 enum { SECONDS = 1, FIELD_SECONDS = 10, SHOWN = 6, SHORT = 60 };
 
 /* What is known while one submission is judged. */
@@ -840,11 +840,11 @@ static void add_run(struct cost *c, const json_t *outcome)
     c->runs++;
 }
 
-/* The same numbers for everybody. */
+/* The same numbers for everybody, until a run does not come to its end. */
 static void add_runs(const struct lab *lab, struct lab_player *player, struct cost *cost)
 {
     const struct lab_case *c = &lab->at[lab->cases - 1];
-    for (long k = 0; k < ROUNDED; k++) {
+    for (long k = 0; k < ROUNDED && cost->runs == k; k++) {
         struct cagd_code_point *p = cagd_code_point_new(c->h, k, 1);
         json_t *job = job_of(c, p, "rounding", "lab_entry");
         lab_ask(player, job);
@@ -896,7 +896,7 @@ static void find_best(struct lab_bench *b)
     struct dirent **entry = NULL;
     int count = scandir(path, &entry, NULL, alphasort);
     for (int k = 0; k < count; k++) {
-        if (entry[k]->d_name[0] != '.')
+        if (entry[k]->d_name[0] != '.' && k < MOST_SOLUTIONS)
             add_solution(b, entry[k]->d_name, k);
         free(entry[k]);
     }
