@@ -145,7 +145,7 @@ static void begin(const struct run *r, const struct part *p, cagd_context *c)
 {
     *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     c->untied = r->untied, c->has_roots = 1;
-    c->whole_angles = !cagd_has_half_angles(r->scope, r->statement);
+    c->whole_angles = r->out->whole_angles = !cagd_has_half_angles(r->scope, r->statement);
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
     memcpy(c->piece, p->piece, sizeof p->piece);

@@ -24,6 +24,7 @@ typedef struct cagd_finding {
     cagd_answer answer;
     cagd_strength strength;
     long cases, failing, undecided; /* choices of the whole numbers; how many of them fail, or are not decided  */
+    int whole_angles; /* the tangents among the names are those of halves, not of quarters (angle.h)      */
     long pieces, comparisons;
     int first_alone; /* of a range without end the first cases hold, and of the others nothing is known */
     int out_of_time; /* not all cases were reached                                              */

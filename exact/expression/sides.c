@@ -11,6 +11,7 @@ static cagd_context *at_example(const cagd_scope *scope, const cagd_finding *f, 
     if (c == NULL)
         return NULL;
     *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS}; /* in the field what is derived is */
+    c->whole_angles = f->whole_angles;
     for (int k = 0; k < f->given; k++)
         cagd_bind(c, f->example[k].name, cagd_value_q(k == name ? x : f->example[k].value));
     return c;

@@ -281,6 +281,15 @@ g(s,t) = s^2 t^3
             self.assertIn("holds as printed", page)
             self.assertEqual("wherever both sides are defined" not in " ".join(page.split()), is_everywhere, page)
 
+    def test_a_picture_over_a_tangent(self):
+        """Of a half, and of a quarter where angles are halved."""
+        for printed, words in (("\\cos s > 0", "tan(s/2)"), ("\\cos\\frac{s}{2} > 0", "tan(s/4)")):
+            with tempfile.TemporaryDirectory() as folder:
+                picture = pathlib.Path(folder) / "p.svg"
+                r = check(document(printed, "n = 1", "s \\in \\mathbb{R}\n"), "--svg", picture)
+                self.assertEqual((r.returncode, r.stderr), (1, ""))
+                self.assertIn(words, picture.read_text())
+
     def test_bounds_of_angles(self):
         """Multiples of a quarter turn, of half of one where angles are halved; what no tangent reaches belongs to them where it does."""
         self.all_angles((
