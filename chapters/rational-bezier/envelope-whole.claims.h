@@ -38,7 +38,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   $\mathbf R$ alone when the $\mathbf R_i$ are, in this order, the corners of a strictly convex polygon, so always for $n=2$ and a true triangle; for $r=1$
   and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
-  triangle_of_powers_consists_of_powers convex_polygon_has_one_envelope_in_every_degree
+  triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power convex_polygon_has_one_envelope_in_every_degree
   determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels triangle_has_one_envelope
 :confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
 :figure: envelope_extra

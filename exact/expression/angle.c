@@ -330,13 +330,21 @@ static void add_angle(cagd_context *c, const cagd_tree *t, num_q times, const ca
         add_angle(c, t->at[0], neg_q(times), f, sum);
     } else if (t->kind == CAGD_NUMBER && cagd_is_zero_q(t->number)) {
         return;
-    } else if (t->kind == CAGD_QUOTIENT || (t->kind == CAGD_PRODUCT && t->count == 2)) {
-        int by = t->kind == CAGD_QUOTIENT;
-        cagd_value factor = cagd_evaluate_in(c, t->at[by], f);
-        if (region_faults == 0 && (!factor.rational || (by && cagd_sign_q(factor.q) == 0)))
+    } else if (t->kind == CAGD_QUOTIENT) {
+        cagd_value divisor = cagd_evaluate_in(c, t->at[1], f);
+        if (region_faults == 0 && (!divisor.rational || cagd_sign_q(divisor.q) == 0))
             refuse(c, t);
         else if (region_faults == 0)
-            add_angle(c, t->at[!by], by ? div_q(times, factor.q) : mul_q(times, factor.q), f, sum);
+            add_angle(c, t->at[0], div_q(times, divisor.q), f, sum);
+    } else if (t->kind == CAGD_PRODUCT && t->count > 0) { /* 2 j \pi */
+        for (int k = 0; k + 1 < t->count && region_faults == 0; k++) {
+            cagd_value factor = cagd_evaluate_in(c, t->at[k], f);
+            if (region_faults == 0 && factor.rational)
+                times = mul_q(times, factor.q);
+            else
+                refuse(c, t);
+        }
+        add_angle(c, t->at[t->count - 1], times, f, sum);
     } else if (t->kind == CAGD_NAME &&
                (angle_of_letter(c, t, f, &is_letter) != NULL || is_letter || cagd_defined(c->scope, t->head) == NULL)) {
         add_named(c, t, times, f, sum);

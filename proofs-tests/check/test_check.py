@@ -259,6 +259,7 @@ g(s,t) = s^2 t^3
             ("f(0) = 1", "holds"), ("f(0) = 0", "fails"), ("f(1) = \\cos s", "undecided"), ("f(q) = \\cos q", "holds"), ("f(q) = \\cos s", "fails"), ("f(q+s) = f(q) f(s) - \\sin q \\sin s", "holds"),
             ("f(q+s) = f(q) f(s) + \\sin q \\sin s", "fails"), ("f(-s) = f(s)", "holds"), ("f(s + \\pi) = -f(s)", "holds"), ("f(s + \\frac{2\\pi}{3}) + f(s + \\frac{4\\pi}{3}) + f(s) = 0", "holds"),
             ("f(\\frac{\\pi}{12}) = \\frac{\\sqrt 6 + \\sqrt 2}{4}", "holds"), ("f(\\frac{\\pi}{12}) = \\frac{\\sqrt 6 - \\sqrt 2}{4}", "fails"), ("f(\\frac{\\pi}{5}) = \\frac{1 + \\sqrt 5}{4}", "undecided"),
+            ("\\sum_{j=0}^{2} f(s + \\frac{2 j \\pi}{3}) = 0", "holds"), ("\\sum_{j=0}^{2} f(s + \\frac{j \\pi}{3}) = 0", "fails"), ("f(\\frac12 2 s) = \\cos s", "holds"), ("f(2 q s) = \\cos(2 q s)", "undecided"),
             ("r(s)^2 = \\frac{1 + \\cos s}{2}", "holds"), ("r(2s) = f(s)", "holds"), ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "fails"), ("m(0) = 0", "holds"), ("m(s) = s \\cos s", "undecided"),
             ("u(0) = 1", "undecided"), ("u(s) = 1", "holds"), ("C(q) \\cdot C(s) = \\cos(q - s)", "holds"), ("|C(q) - C(s)|^2 = 4 \\sin^2 \\frac{q-s}{2}", "holds"), ("\\pi > 3", "undecided"))])
         for k in range(25):  # multiples of pi/12 beside their sines in floating point
