@@ -191,8 +191,7 @@ char *lab_build_driver(const struct lab *lab, const struct lab_place *place)
     return cause;
 }
 
-/* The driver and a source of the lab itself, of which an object is made. */
-static char *with_driver(const struct lab_place *place, const char *source)
+char *lab_with_driver(const struct lab_place *place, const char *source)
 {
     char path[LAB_MOST_PATH + 32], *text = NULL;
     size_t size;
@@ -243,7 +242,7 @@ char *lab_build(const struct lab *lab, const struct lab_place *place, const stru
                           (char *)(uintptr_t) "--",
                           (char *)(uintptr_t) "-w",
                           NULL};
-    char *made_of = reason == NULL ? with_driver(place, source) : NULL;
+    char *made_of = reason == NULL ? lab_with_driver(place, source) : NULL;
     int kept = made_of != NULL && lab_take_kept(place, object, made_of);
     char *cause = kept ? NULL : compiled(place, word, source);
     if (cause == NULL && made_of != NULL && !kept)
@@ -614,7 +613,7 @@ static int take_driver(const struct lab_place *place, const struct sanitizer *s,
     char path[LAB_MOST_PATH + 32];
     snprintf(path, sizeof path, "%s/%s", ready->folder, s->driver);
     if (access(path, R_OK) != 0) {
-        char *made_of = with_driver(ready, "");
+        char *made_of = lab_with_driver(ready, "");
         int code = 0;
         if (!lab_take_kept(ready, s->driver, made_of)) {
             code = compile_native(ready, s, "driver.c", s->driver, "-DLAB_NATIVE");

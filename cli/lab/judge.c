@@ -885,22 +885,70 @@ static void add_solution(struct lab_bench *b, const char *name, int number)
     free(source);
 }
 
+/* The names of the right solutions that the lab has, and their texts as one; the caller frees both. */
+static char *solutions(const struct lab *lab, struct dirent ***entry, int *count)
+{
+    char path[LAB_MOST_PATH + 300], *all = NULL;
+    size_t size;
+    FILE *out = open_memstream(&all, &size);
+    snprintf(path, sizeof path, "%s/right", lab->folder);
+    *entry = NULL;
+    *count = scandir(path, entry, NULL, alphasort);
+    for (int k = 0; k < *count && k < MOST_SOLUTIONS; k++) {
+        snprintf(path, sizeof path, "%s/right/%s", lab->folder, (*entry)[k]->d_name);
+        char *source = lab_file(path);
+        fprintf(out, "%s\n%s\n", (*entry)[k]->d_name, source != NULL ? source : "");
+        free(source);
+    }
+    fclose(out);
+    return all;
+}
+
+/* The file in the place of what is the best known, read, or written. */
+static int read_best(struct lab_bench *b, const char *path)
+{
+    FILE *in = fopen(path, "r");
+    int good = in != NULL && fscanf(in, "%lf %ld", &b->best.ulps, &b->best.operations) == 2;
+    if (in != NULL)
+        fclose(in);
+    b->best.is_known = good;
+    return good;
+}
+
+static void write_best(const struct lab_bench *b, const char *path)
+{
+    FILE *out = fopen(path, "w");
+    if (out == NULL)
+        return;
+    fprintf(out, "%.17g %ld\n", b->best.ulps, b->best.operations);
+    fclose(out);
+}
+
 /* What is the best known: of the reference and of the right solutions that the lab has. */
 static void find_best(struct lab_bench *b)
 {
     char path[LAB_MOST_PATH + 16];
     struct cost cost = {0};
-    add_runs(b->lab, &b->right, &cost);
-    take_best(b, &cost);
-    snprintf(path, sizeof path, "%s/right", b->lab->folder);
-    struct dirent **entry = NULL;
-    int count = scandir(path, &entry, NULL, alphasort);
-    for (int k = 0; k < count; k++) {
-        if (entry[k]->d_name[0] != '.' && k < MOST_SOLUTIONS)
-            add_solution(b, entry[k]->d_name, k);
-        free(entry[k]);
+    struct dirent **entry;
+    int count;
+    char *texts = solutions(b->lab, &entry, &count), *made_of = lab_with_driver(&b->own, texts);
+    snprintf(path, sizeof path, "%s/best", b->own.folder);
+    if (!lab_take_kept(&b->own, "best", made_of) || !read_best(b, path)) {
+        add_runs(b->lab, &b->right, &cost);
+        take_best(b, &cost);
+        for (int k = 0; k < count && k < MOST_SOLUTIONS; k++)
+            if (entry[k]->d_name[0] != '.')
+                add_solution(b, entry[k]->d_name, k);
+        if (b->best.is_known) {
+            write_best(b, path);
+            lab_keep(&b->own, "best", made_of);
+        }
     }
+    for (int k = 0; k < count; k++)
+        free(entry[k]);
     free(entry);
+    free(texts);
+    free(made_of);
 }
 
 /* It is stable where it loses no decimal digit more than the best known does: its error is less than ten times as large, or than ten

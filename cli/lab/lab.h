@@ -166,6 +166,8 @@ void lab_keep(const struct lab_place *p, const char *name, const char *text);
 
 /* Why nothing became of a source: it has no place in an assignment, or it is no C. */
 enum lab_reason { LAB_NO_REASON, LAB_REFUSED, LAB_NOT_EXPANDED };
+/* The driver in the place and a source of the lab itself, of which something is made; the caller frees. */
+char *lab_with_driver(const struct lab_place *place, const char *source);
 /* A program that is installed with this one. */
 const char *lab_program(const char *name, char path[LAB_MOST_PATH]);
 /* The driver of the lab in its place, compiled once: all answers are linked with it.  NULL, or the cause, which the caller frees. */
