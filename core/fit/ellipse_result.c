@@ -53,7 +53,7 @@ static void leave_intervals_out(int count, cagd_fit_number x[])
 }
 
 /* Centre, semi-axes and angle.  With principal a = A u, b = B v:  dA = u.da,  dB = v.db,  and the angle turns by
- * (A v.da + B u.db)/(A^2 - B^2). */
+ * (A v.da + B u.db)/(A^2 - B^2), where v is u turned to the left. */
 static void describe(const fit_ellipse *e, double scale_squared, double quantile, cagd_fit_ellipse *to)
 {
     const int dim = e->dim;
@@ -72,8 +72,10 @@ static void describe(const fit_ellipse *e, double scale_squared, double quantile
     to->minor = number(e, B, h, scale_squared, quantile);
     if (dim == 2) {
         double angle = atan2(a[1], a[0]) * 180 / PI;
+        const double degrees =
+            a[0] * b[1] > a[1] * b[0] ? 180 / PI : -180 / PI; /* v is u turned to the left, or to the right */
         for (int k = 0; k < 3 * dim; k++)
-            turn[k] *= 180 / PI;
+            turn[k] *= degrees;
         angle = angle > 90 ? angle - 180 : angle <= -90 ? angle + 180 : angle;
         to->angle = number(e, angle, turn, scale_squared, quantile);
         if (!(A > B))

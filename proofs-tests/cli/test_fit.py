@@ -1332,8 +1332,18 @@ class Fits(Case):
         rows = self.scattered(lambda u: (math.cos(2 * math.pi * 1999 / 2000 * u), math.sin(2 * math.pi * 1999 / 2000 * u)), 2000, 0.1, 5)
         d = self.fit(table(rows), "--no-verify")
         r, s2 = d["ellipse"]["radius"], d["statistics"]["scale_squared"]
-        self.assertAlmostEqual(r["value"] - (r["low"] + r["high"]) / 2, s2 / (2 * r["value"]), delta=1e-4)
+        self.assertAlmostEqual(r["value"] - (r["low"] + r["high"]) / 2, s2 / (2 * r["value"]), delta=1e-12)  # but for rounding: of a whole circle it is that
         self.assertTrue(r["low"] < 1 < r["high"], r)
+
+    def test_the_other_direction_gives_the_same_ellipse(self):
+        """Of a whole one and of an arc the numbers, their errors and intervals do not know in which order the points were measured."""
+        for turn, sigma, seed in ((1999 / 2000, 0.03, 8), (0.6, 0.01, 9)):
+            rows = self.scattered(lambda u: (3 * math.cos(2 * math.pi * turn * u), math.sin(2 * math.pi * turn * u)), 400, sigma, seed)
+            one, other = (self.fit(table(list(r)), "--no-verify")["ellipse"] for r in (rows, reversed(rows)))
+            for name in ("major", "minor", "angle", "radius"):
+                for key in ("value", "standard_error", "low", "high"):
+                    self.assertIsNotNone(one[name][key], (name, key))
+                    self.assertAlmostEqual(one[name][key], other[name][key], delta=1e-3 * one[name]["standard_error"], msg=(name, key))  # where the minimiser stops
 
     def test_a_scattered_curve_is_smoothed_by_means(self):
         """All points together would be come nearer to by a curve that goes to and fro between them."""

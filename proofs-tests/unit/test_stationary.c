@@ -97,6 +97,37 @@ static void a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radiu
         }
 }
 
+/* The arc from (63, 16) to (16, 63), whose middle point has the coordinates 65^2/(63+16), and whose weight is 79/(65 sqrt 2): no numbers in
+ * binary64.  How far the nearest one is from them belongs to the radius, though it is less than half of a last digit. */
+static void a_place_between_two_numbers(void **state)
+{
+    (void)state;
+    circle(1);
+    control[0] = control[5] = 63, control[1] = control[4] = 16, control[2] = control[3] = 4225.0 / 79;
+    weights[1] = 79 / (65 * sqrt(2)), weights[2] = 1;
+    data.count -= 4; /* without the ends of the arc, each twice */
+    memmove(points, points + 4, (size_t)data.count * 2 * sizeof *points);
+    for (int i = 0; i < data.count; i++) { /* (1-t)^2 (63 y - 16 x) + 2 t (1-t) w m (y - x) + t^2 (16 y - 63 x) = 0 */
+        double low = 0, high = 1, x = points[2 * i], y = points[2 * i + 1];
+        for (int k = 0; k < 60; k++) {
+            double t = (low + high) / 2;
+            double side = (1 - t) * (1 - t) * (63 * y - 16 * x) + t * t * (16 * y - 63 * x) +
+                          2 * t * (1 - t) * weights[1] * control[2] * (y - x);
+            *(side > 0 ? &low : &high) = t;
+        }
+        feet[i] = low;
+    }
+    num_q off = sub_q(from_double_q(control[2]), from_ratio_q(4225, 79));
+    if (cagd_sign_q(off) < 0)
+        off = neg_q(off);
+    assert_true(cagd_sign_q(off) > 0);
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
+    if (!v.verified)
+        print_error("%s\n", v.reason);
+    assert_true(v.verified && v.minimum);
+    assert_true(cagd_compare_q(from_double_q(v.point_radius), off) >= 0 && v.point_radius < 0x1p-46);
+}
+
 /* One unknown alone: the box has one direction. */
 static void one_unknown_is_enough(void **state)
 {
@@ -666,6 +697,7 @@ int main(void)
         cmocka_unit_test(the_circle_is_found_at_its_place),
         cmocka_unit_test(what_is_no_minimum_is_not_called_one),
         cmocka_unit_test(a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius),
+        cmocka_unit_test(a_place_between_two_numbers),
         cmocka_unit_test(one_unknown_is_enough),
         cmocka_unit_test(a_fit_is_checked_about_its_origin),
         cmocka_unit_test(a_circle_elsewhere_is_found_from_farther_away),
