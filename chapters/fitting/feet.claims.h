@@ -236,6 +236,44 @@ CLAIM(reduced_gauss_newton_matrix_is_the_part_across_the_curve)
 }
 
 /*
+The whole second derivative has that part, too.  Where one coordinate is much larger than the other nearly all of $C_a\cdot C_b$ lies along the curve
+and is subtracted again; written without it, intervals stay narrow.
+
+:::{claim} reduced_hessian_without_the_part_along_the_curve
+:title: The second derivative of the reduced distance, without what cancels along the curve
+:zh: 约化距离的二阶导数：去掉沿曲线相消的部分
+:given: vectors $C_a$, $C_b$ and $C'\ne0$ of the plane or of space; any numbers $p$, $q$, $s$ for $D\cdot C_a'$, $D\cdot C_b'$, $D\cdot C''$; $\varphi'=|C'|^2+s\ne0$
+:where: $C'\ne0$, $\varphi'\ne0$
+:then: $C_a\cdot C_b-\frac{(C_a\cdot C'+p)(C_b\cdot C'+q)}{\varphi'}=\frac{(C_a\times C')\cdot(C_b\times C')}{|C'|^2}+
+  \frac{(C_a\cdot C')(C_b\cdot C')\,s}{|C'|^2\varphi'}-\frac{(C_a\cdot C')\,q+p\,(C_b\cdot C'+q)}{\varphi'}$
+:method: All coordinates and numbers are variables; the products of vectors by their definition.  The degree is the dimension.
+:degrees: d = 2..3 sampled 3
+:over: a# b# c#: vectors; p q s: value of p, q and s
+:control: $s$ of the opposite sign on the right
+:::
+*/
+CLAIM(reduced_hessian_without_the_part_along_the_curve)
+{
+    int d = T->degree;
+    num a[3], b[3], c[3], across = from_int(0), zero = from_int(0);
+    for (int k = 0; k < 3; k++) {
+        a[k] = k < d ? unknown(T, "a", k) : zero;
+        b[k] = k < d ? unknown(T, "b", k) : zero;
+        c[k] = k < d ? positive(T, "c", k) : zero;
+    }
+    num p = unknown(T, "p", 0), q = unknown(T, "q", 0), s = positive(T, "s", 0);
+    num cc = G(dot)(d, c, c), ac = G(dot)(d, a, c), bc = G(dot)(d, b, c), slope = add(cc, s);
+    for (int k = 0; k < 3; k++) {
+        int x = (k + 1) % 3, y = (k + 2) % 3;
+        num u = sub(mul(a[x], c[y]), mul(a[y], c[x])), v = sub(mul(b[x], c[y]), mul(b[y], c[x]));
+        across = add(across, mul(u, v));
+    }
+    num right = add(div(across, cc), div(mul(mul(ac, bc), fault(T, s, neg(s))), mul(cc, slope)));
+    right = sub(right, div(add(mul(ac, q), mul(p, add(bc, q))), slope));
+    same(T, sub(G(dot)(d, a, b), div(mul(add(ac, p), add(bc, q)), slope)), right);
+}
+
+/*
 ## How many feet a point has
 */
 
