@@ -422,6 +422,15 @@ static void list_points(struct singular_list *s, int count, const num_f P[])
     }
 }
 
+/* The curve F = 0, with the points listed first that are given as P, one by its homogeneous coordinates. */
+static struct singular_list curve_with_point(trial *T, num_f F, num_f P[3])
+{
+    struct singular_list s = curve_of(F);
+    given_points(T, "P", 1, 3, P);
+    list_points(&s, 1, P);
+    return s;
+}
+
 /* The comparison of the counterexamples: the count is 0 exactly if the curve is rational. */
 static void count_against(trial *T, const struct singular_list *s, struct census c, int g, int rational)
 {
@@ -548,9 +557,7 @@ CLAIM(conic_without_real_points)
 CLAIM(rational_quartic_with_a_triple_point)
 {
     num_f F = given_polynomial(T, "α, i, j", 3), P[3], t = variable_f("t");
-    given_points(T, "P", 1, 3, P);
-    struct singular_list s = curve_of(F);
-    list_points(&s, 1, P);
+    struct singular_list s = curve_with_point(T, F, P);
     struct census c = census_of(&s);
     int rational = is_the_given_curve(T, 4, F);
     /* F(t, t y) = t^3 f_3(1, y) + ... */
@@ -592,11 +599,9 @@ CLAIM(rational_quartic_with_a_higher_cusp)
 {
     enum { n = 4 };
     num_f F = given_polynomial(T, "α, i, j", 4), P[3], R[2 * n + 2], w[n + 1];
-    given_points(T, "P", 1, 3, P);
+    struct singular_list s = curve_with_point(T, F, P);
     given_points(T, "R", n + 1, 2, R);
     given_points(T, "ω", n + 1, 1, w);
-    struct singular_list s = curve_of(F);
-    list_points(&s, 1, P);
     struct census c = census_of(&s);
     int node, cusp, order = order_at(&s, 0, &node, &cusp);
     num_q numerator[3][n + 1]; /* X, Y and W of the curve, in Bernstein form */
@@ -633,9 +638,7 @@ CLAIM(rational_quartic_with_a_higher_cusp)
 CLAIM(cuspidal_cubic_at_infinity)
 {
     num_f F = given_polynomial(T, "α, i, j", 2), P[3];
-    given_points(T, "P", 1, 3, P);
-    struct singular_list s = curve_of(F);
-    list_points(&s, 1, P);
+    struct singular_list s = curve_with_point(T, F, P);
     struct census c = census_of(&s);
     int rational = is_the_given_curve(T, 3, F), finite = finite_singular_points(&s);
     found_whole(T, "finite singular points", finite);
@@ -662,9 +665,7 @@ CLAIM(cuspidal_cubic_at_infinity)
 CLAIM(cusp_counted_twice)
 {
     num_f F = given_polynomial(T, "α, i, j", 2), P[3];
-    given_points(T, "P", 1, 3, P);
-    struct singular_list s = curve_of(F);
-    list_points(&s, 1, P);
+    struct singular_list s = curve_with_point(T, F, P);
     struct census c = census_of(&s);
     int rational = is_the_given_curve(T, 3, F), double_points = given_whole(T, "d");
     if (c.nodes == 0 && c.cusps == 1 && c.others == 0)
@@ -718,11 +719,9 @@ CLAIM(isolated_point_is_on_no_arc)
 {
     enum { n = 3 };
     num_f F = given_polynomial(T, "α, i, j", 4), P[3], R[2 * n + 2], w[n + 1];
-    given_points(T, "P", 1, 3, P);
+    struct singular_list s = curve_with_point(T, F, P);
     given_points(T, "R", n + 1, 2, R);
     given_points(T, "ω", n + 1, 1, w);
-    struct singular_list s = curve_of(F);
-    list_points(&s, 1, P);
     struct census c = census_of(&s);
     poly common = poly_constant(from_int_q(0)); /* of X - P_x W and Y - P_y W */
     for (int axis = 0; axis < 2; axis++) {

@@ -470,12 +470,8 @@ CLAIM(common_zero_makes_the_equation_vanish)
     G(implicit_coefficients)(n, R, w, 1, y, b);
     G(sylvester)(n, a, n, b, M);
     about(T, "the rows of the matrix times the powers of the common zero");
-    for (int i = 0; i < 2 * n; i++) {
-        num row = from_int(0);
-        for (int j = 0; j < 2 * n; j++)
-            row = add(mul(row, rho), M[i * 2 * n + j]);
-        vanishes(T, row);
-    }
+    for (int i = 0; i < 2 * n; i++)
+        vanishes(T, G(horner)(2 * n - 1, &M[i * 2 * n], rho));
     w[0] = from_int(0);
     G(implicit_coefficients)(n, R, w, 0, x, a);
     G(implicit_coefficients)(n, R, w, 1, y, b);

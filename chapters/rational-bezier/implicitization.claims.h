@@ -431,12 +431,8 @@ CLAIM(equation_vanishes_on_the_curve)
     G(implicit_coefficients)(n, R, w, 1, point[1], b);
     G(sylvester)(n, a, n, b, M);
     about(T, "the rows of the matrix times the powers of u");
-    for (int i = 0; i < 2 * n; i++) {
-        num row = from_int(0);
-        for (int j = 0; j < 2 * n; j++)
-            row = add(mul(row, u), M[i * 2 * n + j]);
-        vanishes(T, row);
-    }
+    for (int i = 0; i < 2 * n; i++)
+        vanishes(T, G(horner)(2 * n - 1, &M[i * 2 * n], u));
     G(implicit_coefficients)(n, R, w, 0, R[0], a);
     G(implicit_coefficients)(n, R, w, 1, R[1], b);
     G(sylvester)(n, a, n, b, M);
