@@ -413,7 +413,8 @@ scope scope_of(const claim_result *r)
 
 static void put_range(FILE *out, const whole_range *r, const char *letter)
 {
-    int is_degree = r->letter[0] == '\0', is_order = is_degree && strcmp(letter, "k") * strcmp(letter, "order") == 0;
+    int is_degree = r->letter[0] == '\0',
+        is_order = is_degree && (strcmp(letter, "k") == 0 || strcmp(letter, "order") == 0);
     int endless = r->high == WITHOUT_END;
     int low = r->low + (is_order && !(endless && r->low == 0)), high = r->high + (is_order && !endless);
     const char *name = is_degree ? letter : r->letter;
