@@ -1147,15 +1147,14 @@ static int certify_cases(const cagd_scope *scope, const cagd_tree *statement, do
 }
 
 /* The two sides at the example, and that their order is not the one that is printed. */
-static int certify_example(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found,
-                           cagd_take_case *take, void *data)
+static int certify_example(const cagd_scope *scope, const cagd_finding *found, cagd_take_case *take, void *data)
 {
     static const char *const printed[] = {NULL, "!=", "<", "<=", ">", ">="};
     cagd_context *c = region_bytes(sizeof *c);
     if (c == NULL || !found->has_example || found->has_root || found->of_left == NULL)
         return 0;
     *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
-    c->whole_angles = !cagd_has_half_angles(scope, statement);
+    c->whole_angles = found->whole_angles;
     field_open(FIELD_ROOM);
     cagd_trace_open(MOST_NOTED);
     for (int k = 0; k < found->given; k++) {
@@ -1188,7 +1187,7 @@ static int certify_example(const cagd_scope *scope, const cagd_tree *statement, 
 int cagd_certify(const cagd_scope *scope, const cagd_tree *statement, const cagd_finding *found, double seconds,
                  cagd_take_case *take, void *data)
 {
-    return found->answer == CAGD_FAILS   ? certify_example(scope, statement, found, take, data)
+    return found->answer == CAGD_FAILS   ? certify_example(scope, found, take, data)
            : found->answer == CAGD_HOLDS ? certify_cases(scope, statement, seconds, take, data)
                                          : 0;
 }
