@@ -664,7 +664,9 @@ def in_binary64(code, case, job, results):
         rounded += [answer[row["name"]]] if row["count"] == 0 else list(answer[row["name"]])
     for row, x in zip(results, rounded):
         want = Q(row["got"])
-        if math.isfinite(x):
+        if not math.isfinite(x):
+            row["lost"] = True
+        elif want != 0 or x == 0:
             row["ulps"] = float(abs(Q(x) - want) / Q(math.ulp(float(want))))
 
 

@@ -114,15 +114,14 @@ static struct pair ask(struct trial *t, json_t *job, json_t *for_reference)
     return p;
 }
 
-/* What is right is told by formulas, where the requirement has them; how rounding turns out, by the reference. */
+/* What is right is told by formulas, where the requirement has them. */
 static json_t *for_reference(const struct trial *t, json_t *job)
 {
     static const char entry[] = "lab_entry_";
     char name[40];
     const char *asked = json_string_value(json_object_get(job, "entry"));
     int number = strncmp(asked, entry, sizeof entry - 1) == 0 ? atoi(asked + sizeof entry - 1) : -1;
-    if (number < 0 || t->lab->at[number].formula == NULL ||
-        strcmp(json_string_value(json_object_get(job, "numbers")), "rounding") == 0)
+    if (number < 0 || t->lab->at[number].formula == NULL)
         return json_incref(job);
     json_t *other = json_copy(job);
     snprintf(name, sizeof name, "lab_formula_%d", number);
@@ -842,16 +841,25 @@ struct cost {
     int runs;
 };
 
+/* Whether each of its results is a number in binary64. */
+static int keeps_numbers(const json_t *outcome)
+{
+    size_t k;
+    const json_t *row;
+    json_array_foreach(json_object_get(outcome, "results"), k, row) if (json_object_get(row, "lost") != NULL) return 0;
+    return 1;
+}
+
 static void add_run(struct cost *c, const json_t *outcome)
 {
-    if (outcome == NULL || !finished(outcome))
+    if (outcome == NULL || !finished(outcome) || !keeps_numbers(outcome))
         return;
     c->ulps = worst_of(outcome) > c->ulps ? worst_of(outcome) : c->ulps;
     c->operations = json_integer_value(json_object_get(outcome, "operations"));
     c->runs++;
 }
 
-/* The same numbers for everybody, until a run does not come to its end. */
+/* The same numbers for everybody, until a run has no number for its result. */
 static void add_runs(const struct lab *lab, struct lab_player *player, struct cost *cost)
 {
     const struct lab_case *c = &lab->at[lab->cases - 1];
@@ -962,13 +970,15 @@ static void find_best(struct lab_bench *b)
     free(made_of);
 }
 
-/* It is stable where it loses no decimal digit more than the best known does: its error is less than ten times as large, or than ten
- * ulps. */
+/* It is stable where it loses no decimal digit more than the best known does at these numbers: its error is less than ten times as large, or
+ * than ten ulps.  NULL where at some of them no number comes out. */
 static json_t *measure(struct trial *t)
 {
     enum { DIGIT = 10 };
     struct cost ours = {0};
     add_runs(t->lab, &t->student, &ours);
+    if (ours.runs < ROUNDED)
+        return NULL;
     if (!t->bench->best.is_known)
         find_best(t->bench);
     int none = !t->bench->best.is_known;
@@ -977,9 +987,21 @@ static json_t *measure(struct trial *t)
     json_int_t operations = t->bench->best.operations;
     if (none || ours.operations < operations)
         operations = ours.operations;
-    return json_pack("{s:s, s:f, s:f, s:b, s:I, s:I}", "case", t->lab->at[t->lab->cases - 1].label, "ulps", ours.ulps,
-                     "best_ulps", best, "stable", ours.ulps < DIGIT * least, "operations", ours.operations,
-                     "best_operations", operations);
+    return json_pack("{s:s, s:i, s:f, s:f, s:b, s:I, s:I}", "case", t->lab->at[t->lab->cases - 1].label, "points",
+                     ROUNDED, "ulps", ours.ulps, "best_ulps", best, "stable", ours.ulps < DIGIT * least, "operations",
+                     ours.operations, "best_operations", operations);
+}
+
+static void tell_measured(struct trial *t, json_t *result)
+{
+    json_t *measured = measure(t);
+    if (measured != NULL)
+        json_object_set_new(result, "measured", measured);
+    else
+        json_array_append_new(
+            json_object_get(result, "notes"),
+            json_pack("{s:i, s:s}", "line", 0, "text",
+                      "in binary64 no number comes out at some point that was drawn, where exactly one does"));
 }
 
 /* Where rounding turns a comparison, so that the result is another one exactly, in no way the fault of the last digits: told, as exact
@@ -1153,7 +1175,7 @@ json_t *lab_judge(struct lab_bench *b, const char *source, int shut)
             judge_all(&t, rows);
             mark(result);
             if (json_equal(json_object_get(result, "points"), json_object_get(result, "of"))) {
-                json_object_set_new(result, "measured", measure(&t));
+                tell_measured(&t, result);
                 look_for_turns(&t, json_object_get(result, "notes"));
             }
             lab_player_close(&t.student);

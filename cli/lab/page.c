@@ -104,9 +104,11 @@ void lab_print(const struct lab *lab, const json_t *result)
     if (measured != NULL) {
         char text[300];
         snprintf(text, sizeof text,
-                 "%s: %.3g ulps from the exact value at worst, the best known %.3g; %d operations, the best known "
+                 "%s at %d points that were drawn: %.3g ulps from the exact value at worst, the best known %.3g; %d "
+                 "operations, the best known "
                  "%d%s%.100s",
                  json_is_true(json_object_get(measured, "stable")) ? "stable" : "not stable",
+                 (int)json_integer_value(json_object_get(measured, "points")),
                  json_real_value(json_object_get(measured, "ulps")),
                  json_real_value(json_object_get(measured, "best_ulps")),
                  (int)json_integer_value(json_object_get(measured, "operations")),

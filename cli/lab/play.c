@@ -4,9 +4,10 @@
  *     {"entry": "lab_entry_3", "numbers": "rational|field|rounding", "seconds": 5,
  *      "inputs": [{"name": "p", "count": 2, "value": ["1", "2/3"], "like": [0, 1]}]}
  * and its outcome
- *     {"end": "finished", "message": "", "line": 0, "results": [{"name", "got", "field", "ulps"}], "conditions": [...],
+ *     {"end": "finished", "message": "", "line": 0, "results": [{"name", "got", "field", "ulps", "lost"}], "conditions": [...],
  *      "denominators": ["t-1"], "operations": 12, "path": "1f...", "printed": 0, "kept": "", "kept_line": 0}
- * with "note": true in the job also "computed": [["3/4", 12, 7], ...], what each operation of the code came to, in line 12, with a number
+ * of rounding: "ulps" where the exact value is not 0, and "lost": true where binary64 has no number.
+ * With "note": true in the job also "computed": [["3/4", 12, 7], ...], what each operation of the code came to, in line 12, with a number
  * for that operation.  Here kept is a variable of static storage that the code puts something into; "turned", where rounding turned a comparison, its line;
  * "whole", where a whole number is made of what varies, its line. */
 #include "cli/lab/lab.h"
@@ -139,7 +140,7 @@ static int read_job(const json_t *j, struct arrays *a, struct cagd_code_job *job
     return 1;
 }
 
-static json_t *results_of(const struct cagd_code_outcome *o)
+static json_t *results_of(const struct cagd_code_outcome *o, int rounds)
 {
     json_t *list = json_array();
     int count = 0;
@@ -151,6 +152,8 @@ static json_t *results_of(const struct cagd_code_outcome *o)
             json_object_set_new(row, "field", json_string(r->got_field));
         if (isfinite(r->ulps))
             json_object_set_new(row, "ulps", json_real(r->ulps));
+        if (rounds && !isfinite(r->computed)) /* no number in binary64 */
+            json_object_set_new(row, "lost", json_true());
         json_array_append_new(list, row);
     }
     return list;
@@ -192,17 +195,18 @@ static json_t *computed_of(const struct cagd_code_outcome *o)
     return list;
 }
 
-static json_t *outcome_json(const struct cagd_code_outcome *o, long printed)
+static json_t *outcome_json(const struct cagd_code_outcome *o, int rounds, long printed)
 {
     static const char *const ends[] = {"finished", "outside", "undefined", "refused", "bound", "crashed"};
     char path[32];
     snprintf(path, sizeof path, "%llx", o->path);
     const int of_the_call = strcmp(o->file, LAB_DRIVER) == 0; /* its lines are none of the answer */
-    json_t *row = json_pack("{s:s, s:s, s:i, s:o, s:o, s:o, s:I, s:s, s:I, s:s, s:i}", "end",
-                            (unsigned)o->end <= CAGD_CODE_CRASHED ? ends[o->end] : "crashed", "message", o->message,
-                            "line", of_the_call ? 0 : o->line, "results", results_of(o), "conditions", conditions_of(o),
-                            "denominators", denominators_of(o), "operations", (json_int_t)o->operations, "path", path,
-                            "printed", (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
+    json_t *row =
+        json_pack("{s:s, s:s, s:i, s:o, s:o, s:o, s:I, s:s, s:I, s:s, s:i}", "end",
+                  (unsigned)o->end <= CAGD_CODE_CRASHED ? ends[o->end] : "crashed", "message", o->message, "line",
+                  of_the_call ? 0 : o->line, "results", results_of(o, rounds), "conditions", conditions_of(o),
+                  "denominators", denominators_of(o), "operations", (json_int_t)o->operations, "path", path, "printed",
+                  (json_int_t)printed, "kept", o->kept, "kept_line", o->kept_line);
     if (row != NULL && o->whole_line > 0)
         json_object_set_new(row, "whole", json_integer(o->whole_line));
     if (row != NULL && o->computed != NULL)
@@ -235,7 +239,7 @@ int lab_play(const char *object)
             struct cagd_code_outcome *o = cagd_code_run(p, &job);
             if (o == NULL)
                 return 1;
-            row = outcome_json(o, lseek(printed, 0, SEEK_END));
+            row = outcome_json(o, job.numbers == CAGD_CODE_ROUNDING, lseek(printed, 0, SEEK_END));
             cagd_code_outcome_free(o);
         } else {
             row = json_pack("{s:s, s:s}", "end", "refused", "message", "the job is not understood");

@@ -50,6 +50,20 @@ class Student(InFolder):
         for r in rows:
             self.assertTrue(r["title"] and r["zh"] and r["chapter"] and r["learn"] and r["points"] > 0, r)
 
+    def test_places_in_the_texts_are_there(self):
+        """The same in both languages of every assignment, and `cagd show` has them."""
+        for page in sorted(LABS.glob("*/README.md")):
+            parts, lab = re.split(r"(?m)^# ", page.read_text())[1:], (page.parent / "lab.md").read_text()
+            english, chinese = (re.findall(r"`cagd show ([^`]+)`", part) for part in parts)
+            with self.subTest(page.parent.name):
+                self.assertEqual(english, chinese)
+                if page.parent.name.startswith("mistake-"):  # it would show what is wrong; the text is named
+                    self.assertEqual([english, *(bool(re.search(r"`(wang-ch3|deng-zhang-2022)`", part)) for part in parts)], [[], True, True])
+                else:
+                    self.assertTrue(english or ":chapter: fitting" in lab)
+                for name in english:
+                    self.assertEqual(subprocess.run([CAGD, "show", name], capture_output=True).returncode, 0, name)
+
     def test_from_start_to_full_marks(self):
         place = self.folder / "mine"
         self.assertEqual(run("start", "de-casteljau", place).returncode, 0)
@@ -122,7 +136,11 @@ class Student(InFolder):
         self.assertNotEqual(lossy, RIGHT)
         result = self.checked(lossy)
         self.assertEqual((result["points"], result["measured"]["stable"], result["measured"]["best_ulps"]), (10, False, plain["best_ulps"]))
-        self.assertIn("not stable: ", run("check", self.folder).stdout)
+        self.assertIn("not stable at 12 points that were drawn: ", " ".join(run("check", self.folder).stdout.split()))
+        lost = self.checked(RIGHT.replace("right[n - r] = b[n - r];", "right[n - r] = b[n - r] + (t * 1e300 * 1e300 - t * 1e300 * 1e300);"))
+        self.assertEqual(lost["points"], 10)
+        self.assertNotIn("measured", lost)
+        self.assertIn("in binary64 no number comes out at some point that was drawn, where exactly one does", [n["text"] for n in lost["notes"]])
 
     def test_a_picture_of_what_is_wrong(self):
         picture = self.folder / "difference.svg"
