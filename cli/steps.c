@@ -62,6 +62,39 @@ static int is_the_same(const char *words, const char *all)
     return words[n] == '\0' && (all[n] == '\0' || strncmp(all + n, more, sizeof more - 1) == 0);
 }
 
+/* The number of the step in which the claim of this name of n letters is told, 0 where it is no step here. */
+static int number_of_step(const struct steps *at, const char *name, size_t n)
+{
+    int number = 0;
+    for (const statement_link *l = at->statement->links; l->claim != NULL || l->text != NULL; l++)
+        if (l->role == at->role && l->claim != NULL && ++number > 0 && strlen(l->claim) == n && strncmp(l->claim, name, n) == 0)
+            return number;
+    return 0;
+}
+
+/* The words of a step; where they name the claim of another one, as `claim`, it is called "step 2". */
+static void step_prose(const struct steps *at, const char *label, const char *words)
+{
+    char *text = NULL;
+    size_t room;
+    FILE *out = text_open(&text, &room);
+    for (const char *p = words; *p != '\0';) {
+        size_t n = *p == '`' ? strcspn(p + 1, "`") : 0;
+        int number = n > 0 && at->all > 1 ? number_of_step(at, p + 1, n) : 0;
+        if (number > 0)
+            fprintf(out, "step %d", number);
+        else
+            fputc(*p, out);
+        p += number > 0 ? n + 2 : 1;
+    }
+    text_close(out, &text);
+    if (label[0] != '\0')
+        labelled(label, text, at->indent);
+    else
+        prose(text, at->indent);
+    free(text);
+}
+
 /* What the claim computes, and why that suffices; how it is known, where that is not what is said of all steps together. */
 static void print_computed_step(struct steps *at, const claim_result *c)
 {
@@ -70,8 +103,8 @@ static void print_computed_step(struct steps *at, const claim_result *c)
     begin_step(at, c->claim->title);
     print_kind(at, c->claim->kind, is_the_same(words, all) ? "" : words);
     print_sentence(c->claim, at->indent);
-    prose(c->claim->method, at->indent);
-    labelled("An argument:", c->claim->argued, at->indent);
+    step_prose(at, "", c->claim->method);
+    step_prose(at, "An argument:", c->claim->argued);
     if (strstr(words, "the stated ") != NULL) /* the page is to state it */
         print_numbers(c, at->indent);
     free(words), free(all), free_finding(&alone);
@@ -85,7 +118,7 @@ static void print_step_in_words(struct steps *at, const statement_link *l)
     if (asprintf(&title, "%s%s%s", what, l->place[0] == '\0' ? "" : l->role == CITES ? ": " : " ", l->place) < 0)
         abort();
     begin_step(at, title);
-    prose(l->text, at->indent);
+    step_prose(at, "", l->text);
     free(title);
 }
 

@@ -199,7 +199,7 @@ every degree.
 :then: $\sum_iB_i^n(t)=(1-t)S+tS=S$; for $t$ in $(0,1)$ and $a,b>0$, or one of them absent, $B_i^n(t)>0$; at $t=0$ it is $a$, at $t=1$
   it is $b$, so that $B_0^n(0)=B_n^n(1)=1$ and the others are 0 there; and with $a'=B_i^{n-1}(1-t)$, $b'=B_{i-1}^{n-1}(1-t)$, the
   mirror images of $b$ and $a$ of index $n-i$, $B_i^n(1-t)=(1-(1-t))a'+(1-t)b'=(1-t)b'+ta'=B_{n-i}^n(t)$
-:method: One step of `bernstein_recurrence`, with the values of degree $n-1$ variables, $t=\frac s{1+s}$, $s>0$, for the signs; $B_0^0=1$
+:method: The recurrence once, `bernstein_recurrence`, with the values of degree $n-1$ variables, $t=\frac s{1+s}$, $s>0$, for the signs; $B_0^0=1$
   has all four properties, and the step is an induction.
 :degrees: all
 :over: t; s a b S: -

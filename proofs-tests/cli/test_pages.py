@@ -31,6 +31,14 @@ def show(*ids, width=92):
     return r.stdout
 
 
+def words_of(entry, key):
+    return " ".join(text for name, text in entry["options"] if name == key)
+
+
+def words(entry, key):
+    return words_of(entry, key).split()
+
+
 class Width(unittest.TestCase):
     def test_no_line_is_wider_than_the_page(self):
         ids = [s["id"] for s in REGISTER["statements"] if s["id"] not in SLOW]
@@ -196,6 +204,17 @@ class Words(unittest.TestCase):
         for step in steps[2::2]:
             self.assertRegex(step, r"(?m)^        (An identity|A decision)[,. ]|^(An argument|Cited)")
         self.assertIn(" decide it together.", page.split("\n\n")[0])
+
+    def test_a_step_names_another_by_its_number(self):
+        claims = {c["name"] for c in REGISTER["claims"]}
+        leaning = [s["id"] for s in REGISTER["statements"] if len(words(s, "holds-by")) > 1 and any(
+            set(re.findall(r"`(\w+)`", words_of(c, "method"))) & set(words(s, "holds-by"))
+            for c in REGISTER["claims"] if c["name"] in words(s, "holds-by"))]
+        self.assertGreater(len(leaning), 20)
+        for name in sorted(set(leaning) - SLOW)[::12]:
+            why = re.split("\n(?=[A-Z])", show(name).split("\nWhy\n")[1])[0]
+            self.assertRegex(why, r"(?s)\bstep\s+[1-9]", name)
+            self.assertEqual(set(re.findall(r"`(\w+)`", why)) & claims, set(), name)
 
 
 class Tables(unittest.TestCase):

@@ -152,6 +152,14 @@ class Lemmas(unittest.TestCase):
                             leant += 1
         self.assertGreater(leant, 80)
 
+    def test_no_lemma_leans_on_itself(self):
+        """Claims that lean on one another, however many are between, prove nothing."""
+        lean = {name: {word for key in ("method", "argued") for word in re.findall(r"`(\w+)`", words_of(block.get(key, "")))} & set(CLAIM_BLOCKS)
+                for name, block in CLAIM_BLOCKS.items()}
+        self.assertGreater(sum(map(len, lean.values())), 30)
+        while free := {name for name, on in lean.items() if not on & set(lean)}:
+            lean = {name: on for name, on in lean.items() if name not in free}
+        self.assertEqual(lean, {})
 
     def test_what_any_text_leans_on_is_among_the_claims(self):
         """Of an entry its note and every text of its options, of its claims all that is written in them: a claim that is named there to say that
