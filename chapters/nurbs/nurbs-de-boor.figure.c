@@ -25,7 +25,7 @@ FIGURE(deboor_triangle)
             for (int m = 0; m < 4 - level; m++) {
                 static const enum svg_direction towards[4][3] = {
                     {SVG_N}, {SVG_W, SVG_N, SVG_E}, {SVG_W, SVG_E}, {SVG_S}};
-                char name[24];
+                char name[40];
                 snprintf(name, sizeof name, "r_%d^{[%d]}", level + 1 + m, level);
                 svg_mark(s, svg_pair(R + 2 * m), level == 3 ? SVG_CURVE : SVG_POINT, SVG_USUAL);
                 if (panel == 0 || level == 3)
