@@ -7,9 +7,8 @@ are printed, or `arm64`, Debian 12 compiled for that processor and run by an emu
 folder of its own by debootstrap, as root; the committed sources are compiled there;
 everything is decided, in every number type, drawn and certified, here and there; and every file is compared, without the
 times.  A certificate lists operations in the order in which a compiler evaluates the arguments of a call, which C leaves open:
-on arm64 gcc has another one, so those of arm64 are not compared but rechecked.  `newer` takes two minutes on two cores that
-have nothing else to do, `arm64` six.  `testing`, with gcc 16.1 and FLINT 3.6, was never run to its end: a part was compiled, with one
-warning that is mended since.
+on arm64 gcc has another one, so those of arm64 are not compared but rechecked.  `newer` takes two minutes on two cores
+that have nothing else to do, `arm64` six.  The last run of `testing` had gcc 16.1, FLINT 3.6 and MPFR 4.2.2: of 2164 files none differed.
 """
 import argparse
 import filecmp
