@@ -402,9 +402,9 @@ CLAIM(printed_lines_step_a_cubic)
 :zh: 任意步之后的差分表
 :given: any four rows $d_0,\dots,d_3$, one coordinate, any number $i$ of steps, $\binom ij$ as a polynomial in $i$; and the rows of a cubic, $D$,
   $A\delta^3+B\delta^2+C\delta$, $6A\delta^3+2B\delta^2$, $6A\delta^3$, any $A,B,C,D$ and $\delta$
-:then: if the rows after $i$ steps are $\sum_j\binom ijd_{k+j}$, they are these sums with $i+1$ after one more; the first row of the cubic is then
+:then: if the rows after $i$ steps are $\sum_j\binom ijd_{k+j}$, as they are for $i=0$, they are these sums with $i+1$ after one more; the first row of the cubic is then
   $P(i\delta)$, so for $i\delta=1$ it is $P(1)=A+B+C+D$
-:method: One step of the table with everything a variable; then induction.
+:method: No step, and one step of the table with everything a variable; then induction.
 :degrees: 3..3
 :scope: every number of steps
 :over: d#: differences; i e: -; c#: coefficients
@@ -437,8 +437,11 @@ CLAIM(table_after_any_number_of_steps)
         d[k] = unknown(T, "d", k);
         c[k] = unknown(T, "c", k);
     }
-    for (int k = 0; k < 4; k++)
+    about(T, "no step");
+    for (int k = 0; k < 4; k++) {
+        same(T, G(row_after)(T, d, k, from_int(0)), d[k]);
         row[k] = G(row_after)(T, d, k, i);
+    }
     G(power_difference_step)(3, 1, row);
     about(T, "one more step");
     for (int k = 0; k < 4; k++)
