@@ -387,7 +387,7 @@ in each, the denominator is the third power of the length of the first.
 :::{claim} printed_condition_divides_the_curvature
 :title: With the ratio a the printed condition divides the curvature by the square of a
 :zh: 仅二阶导矢相等时曲率缩为 1/a^2
-:given: $P'\ne0$ and $P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
+:given: $P'\ne0$ and $P''$ at the joint, in the plane and in space, $a>0$; $Q'=aP'$, $Q''=P''$
 :where: $a>0$; $P'\ne0$
 :then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
 :method: An identity with everything a variable.
@@ -397,16 +397,22 @@ in each, the denominator is the third power of the length of the first.
 */
 CLAIM(printed_condition_divides_the_curvature)
 {
-    num d1[dim], d2[dim], e1[dim], a = positive(T, "a", 0), square = mul(a, a);
-    for (int c = 0; c < dim; c++) {
+    enum { space = 3 };
+    num d1[space], d2[space], e1[space], before[space], after[space], a = positive(T, "a", 0), square = mul(a, a);
+    for (int c = 0; c < space; c++) {
         d1[c] = unknown(T, "u", c);
         d2[c] = unknown(T, "v", c);
         e1[c] = mul(a, d1[c]);
     }
     /* Q' x Q'' = a P' x P'', and a^4 times the square of the one curvature is that of the other */
     same(T, G(cross2)(e1, d2), mul(a, G(cross2)(d1, d2)));
+    G(cross3)(d1, d2, before);
+    G(cross3)(e1, d2, after);
+    for (int c = 0; c < space; c++)
+        same(T, after[c], mul(a, before[c]));
     num factor = fault(T, mul(square, square), square);
-    same(T, mul(factor, G(curvature_squared)(dim, e1, d2)), G(curvature_squared)(dim, d1, d2));
+    for (int coordinates = dim; coordinates <= space; coordinates++)
+        same(T, mul(factor, G(curvature_squared)(coordinates, e1, d2)), G(curvature_squared)(coordinates, d1, d2));
 }
 
 /*

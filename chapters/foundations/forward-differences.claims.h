@@ -182,10 +182,11 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
 :title: A difference takes each of Newton's functions to the one before
 :zh: 差分将 Newton 基函数降一次
 :given: any $k\ge1$ and $x$, $c=\binom x{k-1}$, so that $\binom xk=c\frac{x-k+1}k$ and $\binom{x+1}k=c\frac{x+1}k$
-:then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
+:then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; $x\binom xk=(k+1)\binom x{k+1}+k\binom xk$, and $x\binom x0=\binom x1$, so that the
+  powers of $x$ are sums of these functions, one after the other; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
   step $\delta\ne0$ is the constant $a_n$, and every further one is 0
-:method: An identity with $k$, $x$ and $c$ variables, $x=t/\delta$.  The functions $\binom{t/\delta}0,\dots,\binom{t/\delta}n$ have the degrees
-  $0,\dots,n$, so that every polynomial of degree at most $n$ is such a sum.  With $\delta=0$ all differences are 0.
+:method: Identities with $k$, $x$ and $c$ variables, $x=t/\delta$.  By the second one every polynomial of degree at most $n$ in $t$ is a sum of
+  $\binom{t/\delta}0,\dots,\binom{t/\delta}n$, by induction.  With $\delta=0$ all differences are 0.
 :degrees: all
 :over: k c: -; x: t
 :control: $\frac{x-k}k$ in the place of $\frac{x-k+1}k$
@@ -195,7 +196,11 @@ CLAIM(differences_lower_the_newton_functions)
 {
     num k = whole(T, "k", 1, 20), x = unknown(T, "x", 0), c = unknown(T, "c", 0), one = from_int(1);
     num here = mul(c, div(sub(x, fault(T, sub(k, one), k)), k)), there = mul(c, div(add(x, one), k));
+    about(T, "the difference");
     same(T, sub(there, here), c);
+    num next = mul(here, div(sub(x, k), add(k, one))); /* binom(x, k+1) */
+    about(T, "the next power");
+    same(T, mul(x, here), add(mul(add(k, one), next), mul(k, here)));
 }
 
 /*
