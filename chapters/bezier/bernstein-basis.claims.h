@@ -164,7 +164,7 @@ its derivative has the sign of $i-nt$.
   $(\frac in,1)$, $s>0$
 :then: $i-nt$ is positive in the first interval and negative in the second, so that $\frac in$ is the only maximum of
   $B_i^n$ in $[0,1]$
-:method: The numerators and denominators of $\pm(i-nt)$ are polynomials in $i$, $n-i$ and $s$ with positive
+:method: Inside the interval the derivative has the sign of $i-nt$ by `bernstein_derivative`.  The numerators and denominators of $\pm(i-nt)$ are polynomials in $i$, $n-i$ and $s$ with positive
   coefficients.  If $i=0$ or $i=n$ one of the two intervals is empty.
 :degrees: all
 :scope: 0 < i < n, 0 < t < 1

@@ -91,9 +91,9 @@ CLAIM(elevated_points_in_closed_form)
 :given: $i=xN$, $N=\frac1h$
 :then: $w_j(i,N)=\binom nj\prod_{k<j}(x-kh)\prod_{k<n-j}(1-x-kh)\,/\,\prod_{k<n}(1-kh)$, and for $h=0$ this is
   $B_j^n(x)$; hence $b_i^{(N)}-b(\tfrac iN)\to0$ as $N\to\infty$, uniformly in $i$, at least as fast as $\frac1N$
-:method: Equalities in the field, $x$ and $h$ variables.  The denominator is not $0$ for $0\le h\le\frac1{2n}$, so that on
-  the compact set $0\le x\le1$, $0\le h\le\frac1{2n}$ the weight has bounded derivatives; and between its vertices, whose
-  distances tend to $0$, the polygon is linear.
+:method: Equalities in the field, $x$ and $h$ variables.  The difference $w_j-B_j^n(x)$, divided by $h$ and multiplied by $\prod_{k<n}(1-kh)$, is a
+  polynomial in $x$ and $h$, so that it is bounded for $0\le x\le1$, $0\le h\le\frac1{2n}$, where the product is at least $2^{-n}$; and between its
+  vertices, whose distances tend to $0$, the polygon is linear.
 :types: field
 :degrees: 1..6
 :scope: 0 ≤ t ≤ 1, N ≥ 2n
@@ -111,13 +111,18 @@ CLAIM(elevated_polygons_converge_to_curve)
             product = mul(product, sub(x, mul(from_int(k), h)));
         for (int k = 0; k < n - j; k++)
             product = mul(product, sub(sub(one, x), mul(from_int(k), h)));
+        num below = one;
         for (int k = 0; k < n; k++)
-            product = div(product, sub(one, mul(from_int(k), h)));
+            below = mul(below, sub(one, mul(from_int(k), h)));
+        product = div(product, below);
         about(T, "the weight");
         same(T, weight, product);
         about(T, "its limit");
         num limit = fault(T, from_int(0), from_ratio(1, 2 * n));
         same(T, substitute_f(weight, h, limit), G(basis)(n, j, x));
+        num quotient = mul(div(sub(weight, G(basis)(n, j, x)), h), below);
+        about(T, "whether the difference, over h and times the denominator, is a polynomial");
+        agree(T, denominator_degree_f(quotient, h) == 0 && denominator_degree_f(quotient, x) == 0);
     }
 }
 #endif

@@ -48,10 +48,10 @@ The $n$-th derivative is $n!$ times the $n$-th difference of the points.
 :given: integers $0\le r<n$, $m=n-r$, any numbers $p_0,p_1,\dots$, one coordinate of the differences $\Delta^rP_0,\Delta^rP_1,\dots$, and
   $\beta_i=B_i^{m-1}(t)$, any numbers, $\beta_{-1}=0$; $N=n!$ and $g=(m-1)!$, any numbers, so that $m!=mg$; the sum
   $E=\sum_{i<k}\beta_i(p_{i+1}-p_i)$ of some terms
-:then: $\frac N{mg}\sum_{i\le k}m(\beta_{i-1}-\beta_i)p_i=\frac Ng(E-\beta_kp_k)$ for one more term, if it is so for the terms before; so with
-  $\beta_m=0$ the derivative of $\frac{n!}{(n-r)!}\sum_iB_i^{n-r}(t)\Delta^rP_i$ is
+:then: $\frac N{mg}\sum_{i\le k}m(\beta_{i-1}-\beta_i)p_i=\frac Ng(E-\beta_kp_k)$ for the first term, where $E=0$, and for one more term, if it is so for
+  the terms before; so with $\beta_m=0$ the derivative of $\frac{n!}{(n-r)!}\sum_iB_i^{n-r}(t)\Delta^rP_i$ is
   $\frac{n!}{(n-r-1)!}\sum_iB_i^{n-r-1}(t)\Delta^{r+1}P_i$
-:method: One step in the number of terms, everything a variable; then induction over the terms.  That $m(\beta_{i-1}-\beta_i)$ is the derivative of
+:method: The first term, and one step in the number of terms, everything a variable; then induction over the terms.  That $m(\beta_{i-1}-\beta_i)$ is the derivative of
   $B_i^m$ is `bernstein_derivative`.  For $r=0$ the sum is the curve, so by induction over $r$ every derivative is such a sum: the $n$-th is
   $n!\,\Delta^nP_0$, and at the ends, where one of the functions is 1 and the others are 0, the $r$-th is $\frac{n!}{(n-r)!}\Delta^rP_0$ and
   $\frac{n!}{(n-r)!}\Delta^rP_{n-r}$.
@@ -63,11 +63,14 @@ The $n$-th derivative is $n!$ times the $n$-th difference of the points.
 CLAIM(derivatives_go_down_through_the_differences)
 {
     num m = whole(T, "m", 1, 8), N = positive(T, "N", 0), g = positive(T, "g", 0), E = unknown(T, "E", 0);
-    num p = unknown(T, "P", 0), q = unknown(T, "Q", 0);   /* p_k, p_{k+1} */
-    num b = unknown(T, "b", 0), c = unknown(T, "c", 0);   /* beta_k, beta_{k+1} */
-    num so_far = mul(div(N, g), sub(E, mul(b, p)));       /* the terms up to k */
-    num slope = mul(fault(T, m, from_int(1)), sub(b, c)); /* the derivative of the function k+1 */
-    num added = mul(div(N, mul(m, g)), mul(slope, q));
+    num p = unknown(T, "P", 0), q = unknown(T, "Q", 0); /* p_k, p_{k+1} */
+    num b = unknown(T, "b", 0), c = unknown(T, "c", 0); /* beta_k, beta_{k+1} */
+    num factor = fault(T, m, from_int(1)), share = div(N, mul(m, g));
+    about(T, "the first term");
+    same(T, mul(share, mul(mul(factor, neg(b)), p)), neg(mul(div(N, g), mul(b, p)))); /* beta_{-1} = 0, E = 0 */
+    num so_far = mul(div(N, g), sub(E, mul(b, p)));                                   /* the terms up to k */
+    num added = mul(share, mul(mul(factor, sub(b, c)), q));                           /* that of the function k+1 */
+    about(T, "one term more");
     num edges = sub(add(E, mul(b, sub(q, p))), mul(c, q));
     same(T, add(so_far, added), mul(div(N, g), edges));
 }
@@ -116,6 +119,8 @@ CLAIM(equally_spaced_points_make_a_line)
 :confirmed-by: bernstein_at_ends
 :needs: zero_power_zero_takes_away_the_end | the line itself, with $0^0=1$ | $0^0=1$: with $0^0=0$ the curve would not begin in
   $P_0$
+:needs: zero_factorial_zero_divides_by_zero | the line itself, with $0!=1$ | $0!=1$: with $0!=0$ the first function and the last would be
+  divided by 0
 
 With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.
 :::
@@ -145,6 +150,29 @@ CLAIM(zero_power_zero_takes_away_the_end)
     about(T, "the sum and P_0");
     for (int c = 0; c < dim; c++)
         same(T, sum[c], P[c]);
+}
+
+/*
+:::{claim} zero_factorial_zero_divides_by_zero
+:title: With 0! = 0 the first function and the last are divided by 0
+:zh: 若约定 0!=0 则首末基函数分母为零
+:kind: counterexample
+:data: n = 3; 0! = 0
+:instead: 0! = 1
+:result: denominators = 0 0
+:given: the functions $\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}$ of degree $n$ with $i=0$ and $i=n$; the factorial of 0 is given the value $0!$
+:then: with $0!=0$ both are divided by 0
+:method: The denominators $0!\,n!$ and $n!\,0!$; that they are not 0 is refuted.
+:control: $0!=1$
+:::
+*/
+CLAIM(zero_factorial_zero_divides_by_zero)
+{
+    num of_n = G(factorial)(given_whole(T, "n")), of_zero = given(T, "0!");
+    num below[2] = {mul(of_zero, of_n), mul(of_n, of_zero)};
+    found_points(T, "denominators", 2, 1, below);
+    about(T, "whether the denominators are not 0");
+    refute(T, is_zero_q(below[0]) && is_zero_q(below[1]));
 }
 #endif
 
@@ -259,7 +287,7 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :title: With three points the curve does not end in the second
 :zh: 曲线终点不是 P1
 :kind: counterexample
-:data: n = 2; P = 0 0 1
+:data: n = 2; P = 0 2 1
 :instead: n = 1
 :result: P(1) = 1
 :given: the curve of degree $n$ on a line whose points are the first $n+1$ of the numbers $P$
@@ -301,9 +329,9 @@ ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial
 :zh: 分部求和:基函数之差乘点即基函数乘边
 :given: any numbers $\beta_0,\beta_1,\dots$ and points $P_0,P_1,\dots$, one coordinate; $\beta_{-1}=0$; the sum
   $E=\sum_{i<k}\beta_i(P_{i+1}-P_i)$ of some terms
-:then: if $\sum_{i\le k}(\beta_{i-1}-\beta_i)P_i=E-\beta_kP_k$ then the same is true of $k+1$; it is true of $k=0$, so for every $n$ with
+:then: if $\sum_{i\le k}(\beta_{i-1}-\beta_i)P_i=E-\beta_kP_k$ then the same is true of $k+1$; it is true of $k=0$, where $E=0$, so for every $n$ with
   $\beta_n=0$ $\sum_{i=0}^n(\beta_{i-1}-\beta_i)P_i=\sum_{i=0}^{n-1}\beta_i(P_{i+1}-P_i)$
-:method: One step, everything a variable; then induction.  With $\beta_i=n\,B_i^{n-1}(t)$ and `bernstein_derivative` the left side is the
+:method: The first term and one step, everything a variable; then induction.  With $\beta_i=n\,B_i^{n-1}(t)$ and `bernstein_derivative` the left side is the
   derivative of $\sum_iP_iB_i^n(t)$ term by term, and the right side is that by the edges.
 :degrees: all
 :over: E# b# c#: -; P# Q#: points
@@ -315,6 +343,9 @@ CLAIM(sums_by_parts_give_the_edges)
     num E = unknown(T, "E", 0), P = unknown(T, "P", 0), Q = unknown(T, "Q", 0); /* P_k, P_{k+1} */
     num b = unknown(T, "b", 0), c = unknown(T, "c", 0);                         /* beta_k, beta_{k+1} */
     num so_far = sub(E, mul(b, P)), edges = add(E, mul(b, sub(Q, P)));
+    about(T, "the first term");
+    same(T, mul(sub(from_int(0), b), P), sub(from_int(0), mul(b, P))); /* beta_{-1} = 0, E = 0 */
+    about(T, "one term more");
     same(T, add(so_far, mul(sub(b, c), Q)), sub(edges, mul(fault(T, c, neg(c)), Q)));
 }
 
@@ -362,22 +393,27 @@ CLAIM(derivative_in_three_steps)
 #if RATIONAL
 /*
 :::{claim} first_term_divides_by_zero
-:title: At t = 0 the first term of the derivative is no number
-:zh: t=0 处首项含 0^{-1}
+:title: At t = 0 the first term of the derivative is no number, at t = 1 the last
+:zh: t=0 处首项含 0^{-1},t=1 处末项亦然
 :kind: counterexample
-:data: t = 0
-:instead: t = 1/2
-:given: the term with $i=0$ in the first sum, whose factor $i\,t^{i-1}$ is $0\cdot t^{-1}$, at the parameter $t$ of the first end
-:then: the denominator $t$ of $t^{-1}$ is 0
-:method: The denominator; that it is not 0 is refuted.
+:data: t = 0 1
+:instead: t = 1/2 1/2
+:result: denominators = 0 0
+:given: the term with $i=0$ in the first sum, whose factor $i\,t^{i-1}$ is $0\cdot t^{-1}$, at the parameter $t$ of the first end; and that with $i=n$,
+  whose factor $(n-i)(1-t)^{n-i-1}$ is $0\cdot(1-t)^{-1}$, at that of the last one
+:then: the denominators, $t$ and $1-t$, are 0
+:method: The denominators; that they are not 0 is refuted.
 :control: a parameter inside the interval
 :::
 */
 CLAIM(first_term_divides_by_zero)
 {
-    num t = given(T, "t");
-    about(T, "whether the denominator of t^{-1} is not 0");
-    refute(T, is_zero_q(t));
+    num t[2];
+    given_points(T, "t", 2, 1, t);
+    num below[2] = {t[0], sub(from_int(1), t[1])};
+    found_points(T, "denominators", 2, 1, below);
+    about(T, "whether the denominators of t^{-1} and (1-t)^{-1} are not 0");
+    refute(T, is_zero_q(below[0]) && is_zero_q(below[1]));
 }
 
 /*

@@ -7,6 +7,10 @@ chapter.  Here are the sentences of the slides, and their proof line by line.
 */
 #include "chapters/bezier/definition.h"
 
+#if RATIONAL
+#include "exact/record/sign.h"
+#endif
+
 #include "chapters/judge/claims_on.h"
 
 enum { dim = 2 };
@@ -109,8 +113,10 @@ CLAIM(enough_equal_steps_bring_the_polyline_near)
 :result: t = 3/4; δ = 1/16
 :given: the parabola $(t,t^2)$, whose points are $R$, and a polyline through its points at $t=0$ and $t=2^{-k}$ for as many $k=0,1,2,\dots$
   as one likes; its last chord begins at the parameter $a$ and ends at 1; $\varepsilon$, the distance that one likes
-:then: that chord stays where it is, however many points there are, and half way between its ends, at $t$, it lies above the curve by $\delta$
-:method: The point of the curve and that of the chord; that they are within $\varepsilon$ is refuted.
+:then: that chord stays where it is, however many points there are, and half way between its ends, at $t$, it lies above the curve by $\delta$; no
+  point of the whole curve is within $\varepsilon$ of the middle of the chord
+:method: The point of the curve and that of the chord; then the square of the distance of the middle of the chord from the curve, less $\varepsilon^2$, a
+  polynomial whose sign on $[0,1]$ is found by root counts.  That it is not positive somewhere is refuted.
 :control: a chord between the last two of a thousand points in equal steps
 :::
 */
@@ -122,11 +128,18 @@ CLAIM(many_points_may_crowd)
     G(bezier_casteljau)(2, dim, R, a, P[0]);
     G(bezier_casteljau)(2, dim, R, one, P[1]);
     G(bezier_casteljau)(2, dim, R, t, P[2]);
-    num gap = sub(mul(half, add(P[0][1], P[1][1])), P[2][1]);
+    poly beyond = poly_constant(neg(mul(most, most))); /* |P(s) - middle|² - ε² */
+    num middle[dim];
+    for (int c = 0; c < dim; c++) {
+        middle[c] = mul(half, add(P[0][c], P[1][c]));
+        poly gone =
+            poly_sub(poly_from_bernstein(2, (num[]){R[c], R[dim + c], R[2 * dim + c]}), poly_constant(middle[c]));
+        beyond = poly_add(beyond, poly_mul(gone, gone));
+    }
     found(T, "t", t);
-    found(T, "δ", gap);
-    about(T, "whether δ is at most ε");
-    nonnegative(T, sub(most, gap));
+    found(T, "δ", sub(middle[1], P[2][1]));
+    about(T, "whether a point of the curve is within ε of the middle of the chord");
+    refute(T, sign_on(beyond, from_int(0), one, CLOSED) == SIGN_POSITIVE);
 }
 #endif
 

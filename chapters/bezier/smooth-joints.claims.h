@@ -78,7 +78,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :title: The three forms of the condition are one
 :zh: G1 条件的三种形式等价
 :given: two curves of degree $n$ of the plane, the points $p_0,\dots,p_n$ of the first, $q_1,\dots,q_n$ of the second any, $q_0=p_n$; $a>0$
-:where: $a>0$
+:where: the curves meet; $a>0$
 :then: the derivatives at the joint have $Q'-aP'=n\bigl(q_1-q_0-a(p_n-p_{n-1})\bigr)$, so that $Q'=aP'$ and $q_1-q_0=a(p_n-p_{n-1})$ are one condition;
   with it $q_0=\frac{q_1+a\,p_{n-1}}{1+a}$, and with $q_0$ from this formula, $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
 :method: Derivatives at the ends by the kernel; everything a variable.
@@ -296,8 +296,8 @@ With the condition for $G^1$ in the place of equal first derivatives it divides 
 :title: With three points the next cubic joins in C2, and only so
 :zh: C2 连接由三点确定
 :given: any $P_0,\dots,P_3$, $Q_3$ of the plane; $Q_0=P_3$, $Q_1=2P_3-P_2$, $Q_2=P_1+2(Q_1-P_2)$
-:then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$, then
-  $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
+:then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$ and $Q_2$, then
+  $Q'(0)-P'(1)=3(Q_1-2P_3+P_2)$ and $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
 :method: Derivatives at the ends by the kernel; everything a variable.
 :over: q#: points
 :control: $Q_2=P_1-2(Q_1-P_2)$
@@ -321,14 +321,17 @@ CLAIM(three_points_make_c2)
         }
         G(bezier_derivatives)(3, dim, p, from_int(1), 2, D);
         G(bezier_derivatives)(3, dim, q, from_int(0), 2, E);
-        about(T, smooth ? "the derivatives at the joint" : "the gap of the second derivatives");
+        about(T, smooth ? "the derivatives at the joint" : "the gaps of the derivatives");
         for (int c = 0; c < dim; c++) {
             for (int k = 0; k <= 2 && smooth; k++)
                 same(T, E[k * dim + c], D[k * dim + c]);
+            if (smooth)
+                continue;
+            /* Q'(0) - P'(1) = 3 (Q_1 - 2P_3 + P_2),   Q''(0) - P''(1) = 6 (Q_2 - P_1 - 2 (Q_1 - P_2)) */
+            num first = add(sub(q[dim + c], mul(two, p[3 * dim + c])), p[2 * dim + c]);
             num wanted = add(p[dim + c], mul(two, sub(q[dim + c], p[2 * dim + c])));
-            /* Q''(0) - P''(1) = 6 (Q_2 - P_1 - 2 (Q_1 - P_2)) */
-            if (!smooth)
-                same(T, sub(E[2 * dim + c], D[2 * dim + c]), mul(from_int(6), sub(q[2 * dim + c], wanted)));
+            same(T, sub(E[dim + c], D[dim + c]), mul(from_int(3), first));
+            same(T, sub(E[2 * dim + c], D[2 * dim + c]), mul(from_int(6), sub(q[2 * dim + c], wanted)));
         }
     }
 }
@@ -384,7 +387,7 @@ in each, the denominator is the third power of the length of the first.
 :::{claim} printed_condition_divides_the_curvature
 :title: With the ratio a the printed condition divides the curvature by the square of a
 :zh: 仅二阶导矢相等时曲率缩为 1/a^2
-:given: $P'\ne0$ and $P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
+:given: $P'\ne0$ and $P''$ at the joint, in the plane and in space, $a>0$; $Q'=aP'$, $Q''=P''$
 :where: $a>0$; $P'\ne0$
 :then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
 :method: An identity with everything a variable.
@@ -394,16 +397,22 @@ in each, the denominator is the third power of the length of the first.
 */
 CLAIM(printed_condition_divides_the_curvature)
 {
-    num d1[dim], d2[dim], e1[dim], a = positive(T, "a", 0), square = mul(a, a);
-    for (int c = 0; c < dim; c++) {
+    enum { space = 3 };
+    num d1[space], d2[space], e1[space], before[space], after[space], a = positive(T, "a", 0), square = mul(a, a);
+    for (int c = 0; c < space; c++) {
         d1[c] = unknown(T, "u", c);
         d2[c] = unknown(T, "v", c);
         e1[c] = mul(a, d1[c]);
     }
     /* Q' x Q'' = a P' x P'', and a^4 times the square of the one curvature is that of the other */
     same(T, G(cross2)(e1, d2), mul(a, G(cross2)(d1, d2)));
+    G(cross3)(d1, d2, before);
+    G(cross3)(e1, d2, after);
+    for (int c = 0; c < space; c++)
+        same(T, after[c], mul(a, before[c]));
     num factor = fault(T, mul(square, square), square);
-    same(T, mul(factor, G(curvature_squared)(dim, e1, d2)), G(curvature_squared)(dim, d1, d2));
+    for (int coordinates = dim; coordinates <= space; coordinates++)
+        same(T, mul(factor, G(curvature_squared)(coordinates, e1, d2)), G(curvature_squared)(coordinates, d1, d2));
 }
 
 /*
@@ -425,9 +434,9 @@ It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is $a=1$, it is $Q_2=P_1-4P
 :title: Without a common point the formula for Q2 misses the condition
 :zh: 不相接时公式不成立
 :kind: counterexample
-:data: P_1 = 0; P_2 = 0; P_3 = 0; Q_0 = 1; Q_1 = 1
-:instead: Q_0 = 0
-:result: Q_2 = 2; P_1 - 2P_2 + P_3 = 0; Q_0 - 2Q_1 + Q_2 = 1
+:data: P_1 = 0; P_2 = 1; P_3 = 2; Q_0 = 3; Q_1 = 4
+:instead: Q_0 = 2
+:result: Q_2 = 6; P_1 - 2P_2 + P_3 = 0; Q_0 - 2Q_1 + Q_2 = 1
 :given: points of a line with $Q_0\ne P_3$, and $Q_2=P_1+2(Q_1-P_2)$ by the printed formula
 :then: the two second differences are not equal
 :method: Both sides of the condition.

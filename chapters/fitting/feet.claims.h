@@ -110,6 +110,7 @@ $\varphi'$, which lowers the curvature of the distance.
 :zh: 消去垂足后距离的二阶导数
 :given: the conic with points $(0,0)$, $(x,y)$, $(1,0)$ and weights $1,w,1$; a point $Q=C(t)+k\,n$ with $n\perp C'(t)$; $w$ and the foot growing to
   $w(1+\varepsilon+\frac{\varepsilon^2}2)$ and $t+t_1\varepsilon+t_2\varepsilon^2$
+:where: $\varphi'\ne0$
 :let: $\varphi'=|C'|^2+D\cdot C''$, and $t_1=-\bigl(C_\lambda\cdot C'+D\cdot C_\lambda'\bigr)/\varphi'$, as differentiation of $D\cdot C'=0$ gives
 :then: the second derivative of $\frac12|C-Q|^2$ by $\lambda$ is
   $|C_\lambda|^2+D\cdot C_{\lambda\lambda}-\frac{(C_\lambda\cdot C'+D\cdot C_\lambda')^2}{\varphi'}$, whatever $t_2$ is
@@ -142,6 +143,7 @@ $\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}$ with $\Delta$ diagonal, for no foo
 :title: Newton's step with the feet eliminated is Newton's step of the whole problem
 :zh: 消去垂足后的牛顿步与整体牛顿步相同
 :given: a symmetric $A$ (2 by 2), $B$ (2 by $n$), a diagonal $\Delta$ of $n$ numbers other than 0, right sides $g$ and $h$
+:where: the numbers of $\Delta$ are not 0, and $S$ has an inverse
 :let: $S=A-B\Delta^{-1}B^T$ and $x=S^{-1}(g-B\Delta^{-1}h)$, $y=\Delta^{-1}(h-B^Tx)$
 :then: $Ax+By=g$ and $B^Tx+\Delta y=h$; the determinants satisfy $\det\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}=\det S\,\prod\Delta_i$.  At feet $h=0$
 :method: The four sides, everything variables; the determinant by the kernel from the whole matrix.

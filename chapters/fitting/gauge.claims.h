@@ -66,7 +66,7 @@ CLAIM(weights_have_flat_directions)
 :then: with $D=C-Q$ the squared distance $|D|^2$ is the same at $u$ and $t$, and $D\cdot\frac{dC}{du}=D\cdot\frac{dC}{dt}\cdot\frac{ab}{(au+b(1-u))^2}$, so that a foot is a foot
 :method: The two curves by their weights, everything variables.
 :degrees: 1..3 sampled 8
-:over: y# q#: points; a b: parameter change
+:over: x# y# q#: points; a b: parameter change
 :control: the parameter $u$ for both
 :::
 */
@@ -78,7 +78,7 @@ CLAIM(feet_and_distances_do_not_see_the_gauge)
     num below = add(mul(a, t), mul(b, sub(one, t))), image = div(mul(a, t), below); /* t is the book's u here */
     for (int i = 0; i <= n; i++) {
         w[i] = positive(T, "w", i);
-        R[2 * i] = from_int(i * i);
+        R[2 * i] = unknown(T, "x", i);
         R[2 * i + 1] = unknown(T, "y", i);
     }
     Q[0] = unknown(T, "q", 0), Q[1] = unknown(T, "q", 1);
@@ -162,8 +162,8 @@ A conic is five numbers.  A rational quadratic with free points and one weight i
 #if RATIONAL
 /*
 :::{claim} free_ends_slide_along_the_conic
-:title: With free ends the rank of a conic is five of seven
-:zh: 端点自由时二次曲线的秩为五
+:title: With free ends the rank of an arc of a circle is five of seven
+:zh: 端点自由时圆弧的秩为五
 :kind: decision
 :data: R = (65,0) (65,65) (0,65); ω = 1 1 2; N = 12
 :result: rank = 5
@@ -246,7 +246,7 @@ CLAIM(a_straight_curve_leaves_its_speed_undetermined)
 #if RATIONAL
 /*
 :::{claim} points_on_a_line_leave_rank_three
-:title: A conic fitted to points on a line has rank three of seven, and with given ends one of three
+:title: A conic with its points on a line has rank three of seven, and with given ends one of three
 :zh: 共线点拟合二次曲线时的秩
 :kind: decision
 :data: R = (0,0) (2,0) (3,0); ω = 1 2 1; N = 12

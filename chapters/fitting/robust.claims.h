@@ -62,8 +62,9 @@ then tends to 0, so that a point far away is forgotten.
 :given: $a>0$ and $r\ge0$
 :where: $a>0$ and $r\ge0$
 :let: $\rho'(s)=\frac1{1+s/a^2}$ at $s=r^2$, so that the pull is $\frac{r}{1+r^2/a^2}$
-:then: $\frac a2-\frac r{1+r^2/a^2}=\frac{(a-r)^2}{2a\,(1+r^2/a^2)}\ge0$
-:method: The identity in the field; what is squared is not negative.
+:then: $\frac a2-\frac r{1+r^2/a^2}=\frac{(a-r)^2}{2a\,(1+r^2/a^2)}\ge0$; and $\frac{a^2}r-\frac r{1+r^2/a^2}=\frac{a^2}{r\,(1+r^2/a^2)}>0$ for $r>0$, so that
+  the pull tends to 0
+:method: The identities in the field; what is squared is not negative.
 :over: a; r
 :control: $a$ in the place of $\frac a2$
 :::
@@ -74,7 +75,10 @@ CLAIM(cauchy_pull_has_its_greatest_value_at_its_scale)
     num below = add(one, div(mul(r, r), mul(a, a))), gap = sub(a, r);
     num bound = fault(T, div(a, two), a);
     /* a/2 - r/(1 + r^2/a^2) = (a-r)^2 / (2a (1 + r^2/a^2)) */
+    about(T, "the greatest value");
     same(T, sub(bound, div(r, below)), div(mul(gap, gap), mul(mul(two, a), below)));
+    about(T, "far away");
+    same(T, sub(div(mul(a, a), r), div(r, below)), div(mul(a, a), mul(r, below))); /* a²/r - r/(1 + r²/a²) > 0 */
 }
 
 #if RATIONAL

@@ -72,11 +72,32 @@ apart; neither depends on where the point began.
 :holds-by: rotated_points_are_equally_spaced
 :confirmed-by: rotation_matrix_adds_the_angle
 :needs: centre_is_never_turned | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
+:needs: angle_zero_turns_no_point | the words before it, an angle of suitable size (适当大小的 $\Delta\theta$) | $\Delta\theta\ne0$
 :figure: three_generators
 :::
 */
 
 #if RATIONAL
+/* Whether one step with the given matrix moves the given point. */
+static void refute_that_it_moves(trial *T, const num M[])
+{
+    num first[2], P[2];
+    given_points(T, "P_0", 1, 2, first);
+    P[0] = first[0], P[1] = first[1];
+    G(steps)(1, M, P);
+    found_points(T, "P_1", 1, 2, P);
+    about(T, "whether P_1 is not P_0");
+    refute(T, equal_q(P[0], first[0]) && equal_q(P[1], first[1]));
+}
+
+/* The same of the rotation whose angle has the given tangent a of its half. */
+static void refute_that_a_turn_moves(trial *T)
+{
+    num M[4];
+    G(rotation)(G(turn_by)(given(T, "a")), M);
+    refute_that_it_moves(T, M);
+}
+
 /*
 :::{claim} centre_is_never_turned
 :title: The centre stays under a rotation
@@ -91,17 +112,23 @@ apart; neither depends on where the point began.
 :control: a point beside the centre
 :::
 */
-CLAIM(centre_is_never_turned)
-{
-    num M[4], first[2], P[2];
-    given_points(T, "P_0", 1, 2, first);
-    P[0] = first[0], P[1] = first[1];
-    G(rotation)(G(turn_by)(given(T, "a")), M);
-    G(steps)(1, M, P);
-    found_points(T, "P_1", 1, 2, P);
-    about(T, "whether the point moves");
-    refute(T, equal_q(P[0], first[0]) && equal_q(P[1], first[1]));
-}
+CLAIM(centre_is_never_turned) { refute_that_a_turn_moves(T); }
+
+/*
+:::{claim} angle_zero_turns_no_point
+:title: A rotation by the angle 0 leaves every point where it is
+:zh: 零转角不动任何点
+:kind: counterexample
+:given: one step from $P_0$ to $P_1$ of the rotation about the origin whose angle has the tangent $a$ of its half
+:data: a = 0; P_0 = (3,4)
+:instead: a = 1
+:then: $P_1=P_0$: the points are one
+:result: P_1 = (3,4)
+:method: One step; that it moves the point is refuted.
+:control: a right angle
+:::
+*/
+CLAIM(angle_zero_turns_no_point) { refute_that_a_turn_moves(T); }
 #endif
 
 /*
@@ -500,14 +527,9 @@ CLAIM(turn_of_small_steps_gains_a_fifth)
 /* Whether one step with the given ε moves the given point. */
 static void refute_that_a_step_moves(trial *T)
 {
-    num M[4], first[2], P[2];
+    num M[4];
     G(small_step)(given(T, "ε"), M);
-    given_points(T, "P_0", 1, 2, first);
-    P[0] = first[0], P[1] = first[1];
-    G(steps)(1, M, P);
-    found_points(T, "P_1", 1, 2, P);
-    about(T, "whether P_1 is not P_0");
-    refute(T, equal_q(P[0], first[0]) && equal_q(P[1], first[1]));
+    refute_that_it_moves(T, M);
 }
 
 /*
@@ -594,13 +616,13 @@ with equal factors make a logarithmic spiral (对数螺线).
 :title: The points of the simplified circle are on a spiral
 :zh: 所得曲线为螺线
 :printed: The curve obtained is really not an exact arc of a circle, but a spiral.
-:holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius
+:holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
 :needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
 :needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
 :figure: three_generators
 
 It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by
-$\sqrt{1+\varepsilon^2}$.
+$\sqrt{1+\varepsilon^2}$.  All points are on no circle, about whatever centre, because their distances from the origin exceed every bound.
 :::
 
 :::{claim} small_steps_are_powers_of_a_complex_number

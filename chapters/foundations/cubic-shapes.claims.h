@@ -232,6 +232,27 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
     *delta = G(cubic_delta)(m);
 }
 
+/* Compare: where delta is 0 the derivative vanishes at the double root of the polynomial of the double point; elsewhere all roots of
+ * that polynomial are parameters of one point. */
+static void decide_cusp_or_loop(trial *T, const num c[])
+{
+    num m[3], g[3], D[2 * dim], N[dim];
+    G(cubic_minors)(c, m);
+    G(cubic_double_point_polynomial)(m, g);
+    if (is_zero_q(G(cubic_delta)(m))) {
+        about(T, "the derivative at the cusp");
+        G(power_derivatives)(3, dim, c, div(m[1], mul(from_int(-2), m[0])), 1, D);
+        for (int j = 0; j < dim; j++)
+            vanishes(T, D[dim + j]);
+        return;
+    }
+    about(T, "whether the parameters of the double point have one point");
+    G(cubic_double_point)(c, m, N);
+    for (int j = 0; j < dim; j++)
+        agree(T,
+              poly_divides(poly_from_q(3, g), poly_from_q(4, (num[]){sub(c[j], N[j]), c[2 + j], c[4 + j], c[6 + j]})));
+}
+
 /*
 :::{claim} each_form_occurs
 :title: With the same ends and directions all forms occur
@@ -242,15 +263,16 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
   $a=A\times B$, $b=A\times C$, $c=B\times C$
 :data: R = (0,0) (1,2) (3,0); (α,β) = (1/2,1/2) (1,3) (2,2) (3,3) (4,4); forms = (0,0,-1) (1,0,1) (2,0,1) (1,1,0) (0,2,-1)
 :instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
-:then: on the open arc no, one and two inflections; a cusp, where $\delta=0$; a loop, whose double point has two parameters in $(0,1)$
-:method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
+:then: on the open arc no, one and two inflections; a cusp, where $\delta=0$ and $P'=0$; a loop, whose double point has two parameters in $(0,1)$
+:method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.  At the cusp the derivative at the double root
+  $-\frac b{2a}$ of that polynomial; of the loop, that the polynomial divides $P-N$ with one point $N$, in both coordinates.
 :control: the second pair twice
 :::
 */
 CLAIM(each_form_occurs)
 {
     enum { FORMS = 5 };
-    num R[6], lengths[2 * FORMS], wanted[3 * FORMS];
+    num R[6], lengths[2 * FORMS], wanted[3 * FORMS], c[8];
     given_points(T, "R", 3, 2, R);
     given_points(T, "(α,β)", FORMS, 2, lengths);
     given_points(T, "forms", FORMS, 3, wanted);
@@ -259,7 +281,12 @@ CLAIM(each_form_occurs)
         num delta;
         events_of(R, lengths[2 * k], lengths[2 * k + 1], &inflections, &doubles, &delta);
         int as_wanted = equal_q(from_int(inflections), wanted[3 * k]) && equal_q(from_int(doubles), wanted[3 * k + 1]);
+        about(T, "the numbers of inflections and of parameters, and the sign");
         agree(T, as_wanted && equal_q(from_int(sign_q(delta)), wanted[3 * k + 2]));
+        if (doubles > 0) {
+            G(cubic_of_triangle)(R, lengths[2 * k], lengths[2 * k + 1], c);
+            decide_cusp_or_loop(T, c);
+        }
     }
 }
 #endif

@@ -182,10 +182,11 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
 :title: A difference takes each of Newton's functions to the one before
 :zh: 差分将 Newton 基函数降一次
 :given: any $k\ge1$ and $x$, $c=\binom x{k-1}$, so that $\binom xk=c\frac{x-k+1}k$ and $\binom{x+1}k=c\frac{x+1}k$
-:then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
+:then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; $x\binom xk=(k+1)\binom x{k+1}+k\binom xk$, and $x\binom x0=\binom x1$, so that the
+  powers of $x$ are sums of these functions, one after the other; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
   step $\delta\ne0$ is the constant $a_n$, and every further one is 0
-:method: An identity with $k$, $x$ and $c$ variables, $x=t/\delta$.  The functions $\binom{t/\delta}0,\dots,\binom{t/\delta}n$ have the degrees
-  $0,\dots,n$, so that every polynomial of degree at most $n$ is such a sum.  With $\delta=0$ all differences are 0.
+:method: Identities with $k$, $x$ and $c$ variables, $x=t/\delta$.  By the second one every polynomial of degree at most $n$ in $t$ is a sum of
+  $\binom{t/\delta}0,\dots,\binom{t/\delta}n$, by induction.  With $\delta=0$ all differences are 0.
 :degrees: all
 :over: k c: -; x: t
 :control: $\frac{x-k}k$ in the place of $\frac{x-k+1}k$
@@ -195,7 +196,11 @@ CLAIM(differences_lower_the_newton_functions)
 {
     num k = whole(T, "k", 1, 20), x = unknown(T, "x", 0), c = unknown(T, "c", 0), one = from_int(1);
     num here = mul(c, div(sub(x, fault(T, sub(k, one), k)), k)), there = mul(c, div(add(x, one), k));
+    about(T, "the difference");
     same(T, sub(there, here), c);
+    num next = mul(here, div(sub(x, k), add(k, one))); /* binom(x, k+1) */
+    about(T, "the next power");
+    same(T, mul(x, here), add(mul(add(k, one), next), mul(k, here)));
 }
 
 /*
@@ -402,9 +407,9 @@ CLAIM(printed_lines_step_a_cubic)
 :zh: 任意步之后的差分表
 :given: any four rows $d_0,\dots,d_3$, one coordinate, any number $i$ of steps, $\binom ij$ as a polynomial in $i$; and the rows of a cubic, $D$,
   $A\delta^3+B\delta^2+C\delta$, $6A\delta^3+2B\delta^2$, $6A\delta^3$, any $A,B,C,D$ and $\delta$
-:then: if the rows after $i$ steps are $\sum_j\binom ijd_{k+j}$, they are these sums with $i+1$ after one more; the first row of the cubic is then
+:then: if the rows after $i$ steps are $\sum_j\binom ijd_{k+j}$, as they are for $i=0$, they are these sums with $i+1$ after one more; the first row of the cubic is then
   $P(i\delta)$, so for $i\delta=1$ it is $P(1)=A+B+C+D$
-:method: One step of the table with everything a variable; then induction.
+:method: No step, and one step of the table with everything a variable; then induction.
 :degrees: 3..3
 :scope: every number of steps
 :over: d#: differences; i e: -; c#: coefficients
@@ -437,8 +442,11 @@ CLAIM(table_after_any_number_of_steps)
         d[k] = unknown(T, "d", k);
         c[k] = unknown(T, "c", k);
     }
-    for (int k = 0; k < 4; k++)
+    about(T, "no step");
+    for (int k = 0; k < 4; k++) {
+        same(T, G(row_after)(T, d, k, from_int(0)), d[k]);
         row[k] = G(row_after)(T, d, k, i);
+    }
     G(power_difference_step)(3, 1, row);
     about(T, "one more step");
     for (int k = 0; k < 4; k++)

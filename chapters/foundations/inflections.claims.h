@@ -120,7 +120,7 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :refuted-by: printed_letter_spoils_the_curvature
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed, at points with $\dot P\ne0$
-:corrected-by: curvature_and_torsion_belong_to_arc_length
+:corrected-by: curvature_by_the_vector_product curvature_and_torsion_belong_to_arc_length
 :meant: the letter, and the formula of the torsion below it, in which $\ddot P$ stands for the third derivative, too | $s$ is the length of the arc, and a dot
   over it is missing.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc
@@ -173,6 +173,38 @@ CLAIM(printed_letter_spoils_the_curvature)
 #endif
 
 /*
+:::{claim} curvature_by_the_vector_product
+:title: The square of the curvature is that of the vector product over the sixth power of the speed
+:zh: 用矢量积表示的曲率
+:given: derivatives $P'\ne0$ and $P''$ of a curve, in the plane and in space
+:where: $\dot P\ne0$
+:then: $\frac{|P'\times P''|^2}{|P'|^6}=\frac{|P'|^2|P''|^2-(P'\cdot P'')^2}{|P'|^6}$, so that with $\dot s=|P'|$ the root of the one is that of the other, and $K=0$ where
+  $P'\times P''=0$ and nowhere else
+:method: The determinant in the plane and the vector product in space, against the kernel of the square of the curvature, everything a variable.
+:over: u# v#: derivatives
+:control: the fourth power of the speed
+:::
+*/
+CLAIM(curvature_by_the_vector_product)
+{
+    for (int coordinates = dim; coordinates <= space; coordinates++) {
+        num d1[space], d2[space], n[space], square;
+        for (int j = 0; j < coordinates; j++) {
+            d1[j] = unknown(T, "u", j);
+            d2[j] = unknown(T, "v", j);
+        }
+        if (coordinates == dim) {
+            square = G(power)(G(cross2)(d1, d2), 2);
+        } else {
+            G(cross3)(d1, d2, n);
+            square = G(norm_squared)(space, n);
+        }
+        num speed = G(power)(G(norm_squared)(coordinates, d1), fault(T, 3, 2)); /* |P'|^6 */
+        same(T, div(square, speed), G(curvature_squared)(coordinates, d1, d2));
+    }
+}
+
+/*
 In the curvature the dot is lost on the speed $\dot s$.  A quotient that should not depend on the parameter, but has the
 length of the arc in its denominator, depends on where the length begins.  The example is chosen so that the length is a
 polynomial and everything can be compared in rational numbers.
@@ -182,7 +214,7 @@ polynomial and everything can be compared in rational numbers.
 :zh: 拐点的定义
 :definition: yes
 :printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
-:checked-by: curvature_and_torsion_belong_to_arc_length turning_of_a_cubic_is_quadratic merged_inflections_are_a_cusp
+:checked-by: curvature_and_torsion_belong_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic merged_inflections_are_a_cusp
 :confirmed-by: fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 

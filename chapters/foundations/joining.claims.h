@@ -277,26 +277,31 @@ CLAIM(negative_ratio_turns_back)
 :title: At a singular end of a straight piece no ratio satisfies the condition
 :zh: 奇异端点处条件失效
 :kind: counterexample
-:given: two pieces of one straight line without any corner, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
-:data: P_I = (-1,0) (2,0) (-1,0); P_II = (0,0) (1,0)
-:instead: P_I = (-1,0) (1,0) (0,0)
-:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it
-:result: P_I'(1) = (0,0); P_II'(0) = (1,0)
+:given: two pieces of one straight line without any corner, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, and two others, $R_{\mathrm I}$ and $R_{\mathrm{II}}$, by
+  their coefficients of $1,t,t^2,\dots$
+:data: P_I = (-1,0) (2,0) (-1,0); P_II = (0,0) (1,0) (0,0); R_I = (-1,0) (1,0) (0,0); R_II = (0,0) (0,0) (1,0)
+:instead: P_I = (-1,0) (1,0) (0,0); R_II = (0,0) (1,0) (0,0)
+:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it; and $\dot R_{\mathrm{II}}(0)$ is 0, so that it is a multiple of
+  $\dot R_{\mathrm I}(1)$ with the factor 0 only
+:result: P_I'(1) = (0,0); P_II'(0) = (1,0); R_I'(1) = (1,0); R_II'(0) = (0,0)
 :method: The derivatives by the kernel.
-:control: the first piece with its natural parameter
+:control: every piece with its natural parameter
 :::
 */
 CLAIM(singular_end_has_no_ratio)
 {
-    num first[6], second[4], D[4], E[4];
-    given_points(T, "P_I", 3, 2, first);
-    given_points(T, "P_II", 2, 2, second);
-    G(power_derivatives)(2, dim, first, from_int(1), 1, D);
-    G(power_derivatives)(1, dim, second, from_int(0), 1, E);
-    found_points(T, "P_I'(1)", 1, 2, D + dim);
-    found_points(T, "P_II'(0)", 1, 2, E + dim);
-    about(T, "whether P' of the second piece is a multiple of that of the first");
-    refute(T, !is_zero_q(E[2]) && is_zero_q(D[2]));
+    static const char *const piece[4] = {"P_I", "P_II", "R_I", "R_II"}, *const slope[4] = {"P_I'(1)", "P_II'(0)",
+                                                                                           "R_I'(1)", "R_II'(0)"};
+    num c[6], D[4][4];
+    for (int k = 0; k < 4; k++) {
+        given_points(T, piece[k], 3, 2, c);
+        G(power_derivatives)(2, dim, c, from_int(k % 2 == 0), 1, D[k]);
+    }
+    for (int k = 0; k < 4; k++)
+        found_points(T, slope[k], 1, 2, D[k] + dim);
+    int no_ratio = is_zero_q(D[0][2]) && !is_zero_q(D[1][2]), ratio_is_zero = !is_zero_q(D[2][2]) && is_zero_q(D[3][2]);
+    about(T, "whether P' of a second piece is a multiple of that of the first, with a factor that is not 0");
+    refute(T, no_ratio && ratio_is_zero);
 }
 #endif
 
@@ -538,10 +543,11 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
 :refuted-by: equal_curvatures_to_different_sides
 :class: false
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and
-  sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the curvature with its sign.
-:corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector second_derivative_splits_along_the_first
-  signed_curvature_is_that_of_the_vector
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The conditions (1-5-2) and (1-5-3), with one $\lambda>0$, are together
+  necessary and sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the unit tangent and of the
+  curvature with its sign.
+:corrected-by: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
+  second_derivative_splits_along_the_first signed_curvature_is_that_of_the_vector
 :needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector: without it the condition does not suffice.
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.

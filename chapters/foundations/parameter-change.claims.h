@@ -239,13 +239,49 @@ one of them.  The price is that the curve becomes a rational one, whose weights 
 :zh: 双线性(同形)参数变换
 :printed: More generally the parameter can be changed by, for example, a bilinear or homographic transformation, a rational one, as in the formula
   that follows.
-:holds-by: bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
-:confirmed-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
+:holds-by: fractional_linear_change_makes_a_rational_curve
+:confirmed-by: bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor fractional_change_of_a_power_curve
+  fractional_change_keeps_curve
 :hypothesis: fractional_change_with_a_pole | the denominator has no zero on the interval.
 :figure: fractional_parameter
 
 The text that is at hand ends before the formula.
 :::
+
+:::{claim} fractional_linear_change_makes_a_rational_curve
+:title: Any fractional linear change of the parameter makes a polynomial curve rational and keeps its points apart, in every degree
+:zh: 一般分式线性参数变换(任意次数)
+:given: $t=\frac{pu+q}{ru+s}$, $w=ru+s$; a sum $\sum_{k\le n}c_kt^k$ of some terms, which is $\frac N{w^n}$, one more coefficient $c$, and $V=(pu+q)^{n+1}$; and two
+  parameters $u_0$, $u_1$
+:where: the change is not constant
+:then: with the term $c\,t^{n+1}$ the sum is $\frac{Nw+cV}{w^{n+1}}$: so, from $c_0$ on, $P(t)$ is a polynomial in $u$ over a power of $w$; and
+  $t_1-t_0=\frac{(ps-qr)(u_1-u_0)}{w_0w_1}$, so that where $w$ has no zero on the interval and $ps\ne qr$ the new parameter runs through the old one
+  once and never back
+:method: Identities with everything a variable; by induction for any number of terms.
+:degrees: all
+:over: p q r s: fractional linear change; N# c#: coefficients; w V: -; u#: parameter values
+:control: $ps+qr$
+:::
+*/
+CLAIM(fractional_linear_change_makes_a_rational_curve)
+{
+    num p = unknown(T, "p", 0), q = unknown(T, "q", 0), r = unknown(T, "r", 0), s = unknown(T, "s", 0);
+    num N = unknown(T, "N", 0), c = unknown(T, "c", 0), V = unknown(T, "V", 0), before = unknown(T, "w", 0); /* w^n */
+    num u[2], t[2], w[2];
+    for (int k = 0; k < 2; k++) {
+        u[k] = unknown(T, "u", k);
+        w[k] = add(mul(r, u[k]), s);
+        t[k] = div(add(mul(p, u[k]), q), w[k]);
+    }
+    num power = mul(before, w[0]), sum = add(div(N, before), mul(c, div(V, power)));
+    about(T, "one term more");
+    same(T, mul(sum, power), add(mul(N, w[0]), mul(c, V)));
+    num ps = mul(p, s), qr = mul(q, r), determinant = fault(T, sub(ps, qr), add(ps, qr));
+    about(T, "the difference of two values");
+    same(T, sub(t[1], t[0]), div(mul(determinant, sub(u[1], u[0])), mul(w[0], w[1])));
+}
+
+/*
 
 :::{claim} fractional_change_of_a_power_curve
 :title: A fractional change of the parameter makes the curve rational and keeps its points

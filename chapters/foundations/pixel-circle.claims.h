@@ -16,6 +16,8 @@ should be as far as one pixel (象素).
   $x_{n+1}=\cos\theta\,x_n-\sin\theta\,y_n$, $y_{n+1}=\sin\theta\,x_n+\cos\theta\,y_n$; turning a point
   continually, here about the $z$-axis, gives a circle as well.
 :holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
+:needs: centre_is_never_turned | $A_0$ has the distance $r$ from the centre | $A_0\ne(0,0)$
+:needs: angle_zero_turns_no_point | the angle of the sentence after it, $\theta=\sin^{-1}\frac1r$ | $\theta\ne0$
 :figure: three_generators
 :::
 
@@ -50,9 +52,9 @@ For $0<\theta<\frac\pi2$ and $r\sin\theta=1$ the square of the distance is betwe
 :zh: 高度为一而距离大于一
 :kind: counterexample
 :given: the radius $r$, $A_0=(r,0)$, and the cosine of the angle $\theta$ by which it is turned to $A_1$
-:data: r = 1; cos θ = 0
+:data: r = 5/4; cos θ = 3/5
 :then: $A_1$ has the height $r\sin\theta=1$, and $|A_0A_1|$ is more than 1
-:result: (r sin θ)² = 1; |A_0A_1|² = 2
+:result: (r sin θ)² = 1; |A_0A_1|² = 5/4
 :method: $|A_0A_1|^2=2r^2(1-\cos\theta)$, exactly.
 :control: $\cos\theta=1-\frac1{2r^2}$
 :::
