@@ -134,8 +134,9 @@ curve. The triangle that arises is de Boor's: to evaluate and to insert a knot a
 :zh: 重复插入节点至 p 重得曲线上的点
 :given: several segments, the distinct knots variables, points, $p\ge1$; $x$ in every interval and at every knot of multiplicity
   $s\le p$ of the domain
-:then: after $p-s$ insertions of $x$ one of the points is $s(x)$; the points are those of de Boor's triangle at $x$
-:method: The kernel again and again; the point with the index of the last knot of the span in which $x$ was, minus $s$, against
+:then: after $r$ insertions of $x$, $r=1,\dots,p-s$, the points $\mu-p+r,\dots,\mu-s$ are those of level $r$ of de Boor's triangle at $x$; after $p-s$ of them
+  one of the points is $s(x)$
+:method: The kernel again and again, against `bspline_deboor_level`; in the end the point with the index of the last knot of the span in which $x$ was, minus $s$, against
   the sum of all B-splines from the recursion by its letter.
 :degrees: 1..6 sampled 8
 :scope: the distinct knots variables up to order 5, numbers above
@@ -148,7 +149,7 @@ CLAIM(repeated_insertion_is_deboor)
 {
     int p = T->degree;
     struct G(knot_vector) K = {0}, L;
-    num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], e[MOST_KNOTS * dim], w[MOST_KNOTS];
+    num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], e[MOST_KNOTS * dim], w[MOST_KNOTS], level[(MAX_DEGREE + 1) * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
         for (int place = K.place[p]; place < K.place[K.n]; place++) {
@@ -158,13 +159,21 @@ CLAIM(repeated_insertion_is_deboor)
             num x = G(knot_for)(T, &K, place, "s");
             for (int i = 0; i < K.n * dim; i++)
                 d[i] = c[i];
+            for (int i = 0; i < (p + 1) * dim; i++)
+                level[i] = c[(mu - p) * dim + i];
             L = K;
+            about(T, "the levels of de Boor's triangle");
             for (int more = 0; more < p - s; more++) {
                 G(bspline_insert)(spline(p, K.n + more, dim, L.u, d), mu + more, x, w, e);
                 G(put_knot)(&L, place, x, &L);
                 for (int i = 0; i < (K.n + more + 1) * dim; i++)
                     d[i] = e[i];
+                int r = more + 1, first = mu - p + r;
+                G(bspline_deboor_level)(G(on_span)(p, dim, K.u, mu, NULL), r, level, x);
+                for (int i = 0; i < (mu - s - first + 1) * dim; i++)
+                    same(T, d[first * dim + i], level[i]);
             }
+            about(T, "the point of the curve");
             for (int i = 0; i < dim; i++)
                 same(T, d[fault(T, mu - s, mu - s + 1) * dim + i],
                      G(spline_value)(K.n, p, dim, K.u, K.place, c, i, place, x));
