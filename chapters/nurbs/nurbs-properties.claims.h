@@ -178,9 +178,10 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 :::{claim} nurbs_moves_with_its_points
 :title: An affine map of the points is the same map of the curve
 :zh: 仿射不变性
-:given: several segments, the distinct knots variables; weights, points of the plane; any interval of the domain; any affine map, any $t$
+:given: several segments, the distinct knots variables; weights, points of space; any interval of the domain; an affine map, of whose coordinates
+  one is taken, $m_0x+m_1y+m_2z+v$; any $t$
 :then: the curve of the mapped points with the same weights is the mapped curve
-:method: The definition, everything a variable.
+:method: The definition, everything a variable; every coordinate of an affine map is such a form.
 :degrees: 1..6 sampled 6
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
   the distinct knots variables up to order 3, numbers above
@@ -191,26 +192,28 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 */
 CLAIM(nurbs_moves_with_its_points)
 {
+    enum { dim = 3 };
     int p = T->degree;
     struct G(knot_vector) K = {.kind = FIELD && p > 2 ? INTEGERS : 0};
-    num R[2 * MOST_KNOTS], S[2 * MOST_KNOTS], w[MOST_KNOTS], M[4], v[2], P[2], Q[2], t = unknown(T, "t", 0);
-    for (int k = 0; k < 4; k++)
-        M[k] = unknown(T, "m", k);
-    v[0] = unknown(T, "v", 0);
-    v[1] = unknown(T, "v", 1);
+    num R[dim * MOST_KNOTS], S[MOST_KNOTS], w[MOST_KNOTS], m[dim], v = unknown(T, "v", 0), P[dim], Q, t = unknown(T, "t", 0);
+    for (int c = 0; c < dim; c++)
+        m[c] = unknown(T, "m", c);
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
-        G(weighted_points)(T, K.n, 2, R, w);
+        G(weighted_points)(T, K.n, dim, R, w);
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             int mu = G(span_of_interval)(K.count, K.place, interval);
-            for (int i = 0; i < K.n; i++)
-                for (int c = 0; c < 2; c++) {
-                    num image = add(add(mul(M[2 * c], R[2 * i]), mul(M[2 * c + 1], R[2 * i + 1])), v[c]);
-                    S[2 * i + c] = fault(T, image, i == mu ? R[2 * i + c] : image);
-                }
-            G(nurbs_by_definition)(K.n, p, 2, K.u, K.place, R, w, interval, t, P);
-            G(nurbs_by_definition)(K.n, p, 2, K.u, K.place, S, w, interval, t, Q);
-            for (int c = 0; c < 2; c++)
-                same(T, Q[c], add(add(mul(M[2 * c], P[0]), mul(M[2 * c + 1], P[1])), v[c]));
+            for (int i = 0; i < K.n; i++) {
+                S[i] = v;
+                for (int c = 0; c < dim; c++)
+                    S[i] = add(S[i], mul(m[c], R[dim * i + c]));
+                S[i] = fault(T, S[i], i == mu ? R[dim * i] : S[i]);
+            }
+            G(nurbs_by_definition)(K.n, p, dim, K.u, K.place, R, w, interval, t, P);
+            G(nurbs_by_definition)(K.n, p, 1, K.u, K.place, S, w, interval, t, &Q);
+            num image = v;
+            for (int c = 0; c < dim; c++)
+                image = add(image, mul(m[c], P[c]));
+            same(T, Q, image);
         }
     }
 }
