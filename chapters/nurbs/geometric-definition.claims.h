@@ -11,6 +11,8 @@ envelope.
 */
 #include "chapters/nurbs/family.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -124,10 +126,10 @@ quotient runs through the leg once, forwards.  For positive weights it does, at 
 :title: A leg is run through from one end to the other
 :zh: 每段从一端到另一端单调
 :given: $w_{j-1},w_j>0$ and $t=(t_j+t_{j+1}x)/(1+x)$, $x\ge0$
-:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which increases from
-  0 to 1
-:method: An identity; the derivative of $\lambda$ is $\frac{w_{j-1}w_j}{(w_{j-1}+xw_j)^2}>0$, compared by
-  $\lambda(x+h)-\lambda(x)$ being nonnegative for $h>0$.
+:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which is 0 for $x=0$, increases strictly and has the
+  limit 1
+:method: An identity for $x=0$ and for $x>0$; $\lambda(x+h)-\lambda(x)>0$ for $h>0$ by the signs of the coefficients; and
+  $1-\lambda=\frac{w_{j-1}}{w_{j-1}+xw_j}$, which tends to 0 with growing $x$.
 :types: field rational
 :over: x h: ratio in which t divides its span; u: knot; g: length of the span
 :control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
@@ -137,18 +139,22 @@ CLAIM(legs_are_run_through)
 {
     num a = unknown(T, "a", 0), b = unknown(T, "a", 1), v = positive(T, "w", 0), w = positive(T, "w", 1),
         one = from_int(1);
-    num x = positive(T, "x", 0), more = add(x, positive(T, "h", 0)), u = unknown(T, "u", 0),
-        length = positive(T, "g", 0);
-    num t = div(add(u, mul(x, add(u, length))), add(one, x));
-    num left = mul(sub(add(u, length), t), v), right = mul(sub(t, u), w);
-    num leg = div(add(mul(left, a), mul(right, b)), add(left, right));
-    num lambda = div(mul(x, w), add(v, mul(x, w))), later = div(mul(more, w), add(v, mul(more, w)));
-    num share = fault(T, lambda, div(x, add(one, x)));
-    about(T, "the leg");
-    /* leg = r_j-1 + λ (r_j - r_j-1) */
-    same(T, leg, add(a, mul(share, sub(b, a))));
-    about(T, "the growth of λ");
-    nonnegative(T, sub(later, lambda));
+    num h = positive(T, "h", 0), u = unknown(T, "u", 0), length = positive(T, "g", 0);
+    for (int begun = 0; begun <= 1; begun++) {
+        num x = begun ? positive(T, "x", 0) : from_int(0), more = add(x, h);
+        num t = div(add(u, mul(x, add(u, length))), add(one, x));
+        num left = mul(sub(add(u, length), t), v), right = mul(sub(t, u), w);
+        num leg = div(add(mul(left, a), mul(right, b)), add(left, right));
+        num lambda = div(mul(x, w), add(v, mul(x, w))), later = div(mul(more, w), add(v, mul(more, w)));
+        num share = fault(T, lambda, div(x, add(one, x)));
+        about(T, "the leg");
+        /* leg = r_j-1 + λ (r_j - r_j-1) */
+        same(T, leg, add(a, mul(share, sub(b, a))));
+        about(T, "the growth of λ");
+        G(must_be_positive)(T, sub(later, lambda));
+        about(T, "what is missing to 1");
+        same(T, sub(one, lambda), div(v, add(v, mul(x, w))));
+    }
 }
 #endif
 
@@ -380,7 +386,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 :meant: theorems 4.3.1 to 4.3.3, which it sums up | All three: for every $r$, for all joint solutions, for every
   family.
 :corrected: where the members exist and $\mathbf r'\ne0$, the curve is among the envelopes, as the points with $\tau=t$
-:corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
+:corrected-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal whole_member_is_polar_on_every_span
 :figure: nurbs_polygons_extra
 :::
 */
@@ -487,13 +493,16 @@ of knots.
 :::{claim} quadratic_legs_have_one_envelope
 :title: For k = 3 a segment turns unless three neighbouring points are on a line
 :zh: k=3 时仅当三点共线包络条件才处处成立
-:given: $k=3$; a span with every pattern of the knots around it, the distinct knots variables; three points of the plane with weights; any $\tau$
+:given: $k=3$; a span with every pattern of the knots around it, the distinct knots variables; three points with weights, any two coordinates of them; any $\tau$
 :then:
   $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$,
   a constant
-:method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
-  span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
-  zero.
+:method: The left side by the derivatives of the segment; everything a variable.  $w^3\,\mathbf r'\times\mathbf r''=\det(P,P',P'')$ by the quotient
+  rule, for any $P$.  The coordinates are any two, so in space each component of $\mathbf r'\times\mathbf r''$ is such a determinant over $w^3$, and those
+  of $(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})$ are not all 0 if the points are not on a line: then $\mathbf r'\times\mathbf r''$ is $0$ for no $\tau$,
+  inside the span or not.
+:over: f# g# h#: derivatives of numerator and denominator
+:where: $w(\tau)\ne0$
 :scope: every pattern of the knots around a span
 :control: the factor 2
 :::
@@ -508,7 +517,14 @@ CLAIM(quadratic_legs_have_one_envelope)
         a[c] = sub(R[2 + c], R[c]);
         b[c] = sub(R[4 + c], R[c]);
     }
-    num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b));
+    num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b)), P[9], quotient[6];
+    static const char *const derivative[] = {"f", "g", "h"};
+    for (int i = 0; i < 9; i++) /* P, P', P'' of any curve, the weight last and not 0 */
+        P[i] = i == 2 ? positive(T, "f", 2) : unknown(T, derivative[i / 3], i % 3);
+    G(rational_quotient_derivatives)(2, P, 2, quotient);
+    about(T, "r' x r'' and the determinant");
+    same(T, mul(mul(P[2], mul(P[2], P[2])), G(cross2)(quotient + 2, quotient + 4)), G(det3)(P, P + 3, P + 6));
+    about(T, "the determinant");
     for (int shape = 0; shape < G(shapes)(2); shape++) {
         G(knots_of_span)(T, 2, shape, u, place);
         G(bspline_derivatives)(G(span_alone)(2, 3, u, 2, H), tau, 2, D);

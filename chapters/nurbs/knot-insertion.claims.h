@@ -50,6 +50,7 @@ static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
 :method: Both splines in powers of $t$ minus the knot on the left of each new interval, from the recursion of de Boor and Cox
   by its letter; $x$, knots and points are variables.
 :degrees: 0..4 sampled 8
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
 :over: s: new knot
 :defines: bspline_insert
 :control: the last of the new points is replaced by its neighbour
@@ -69,7 +70,8 @@ CLAIM(boehm_insertion_keeps_curve) { G(check_boehm_insertion_keeps_curve)(T, 0);
   by its letter.
 :types: field
 :degrees: 6..6
-:scope: the distinct knots $0,1,3,6,10,\dots$
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends;
+  the distinct knots $0,1,3,6,10,\dots$
 :over: s: new knot
 :control: the last of the new points is replaced by its neighbour
 :::
@@ -90,7 +92,8 @@ $y$ in different spans and with different multiplicities, depending on which cam
 :then: inserting $x$ and then $y$ gives the points that inserting $y$ and then $x$ gives
 :method: Both by `bspline_insert`, everything a variable.
 :degrees: 0..6 sampled 8
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :harmless: with $x<y$ | also the same knot, and the other order is what is compared
 :over: r s q: new knot
 :control: the second order inserts $y$ at the mean of $x$ and $y$
@@ -134,11 +137,13 @@ curve. The triangle that arises is de Boor's: to evaluate and to insert a knot a
 :zh: 重复插入节点至 p 重得曲线上的点
 :given: several segments, the distinct knots variables, points, $p\ge1$; $x$ in every interval and at every knot of multiplicity
   $s\le p$ of the domain
-:then: after $p-s$ insertions of $x$ one of the points is $s(x)$; the points are those of de Boor's triangle at $x$
-:method: The kernel again and again; the point with the index of the last knot of the span in which $x$ was, minus $s$, against
+:then: after $r$ insertions of $x$, $r=1,\dots,p-s$, the points $\mu-p+r,\dots,\mu-s$ are those of level $r$ of de Boor's triangle at $x$; after $p-s$ of them
+  one of the points is $s(x)$
+:method: The kernel again and again, against `bspline_deboor_level`; in the end the point with the index of the last knot of the span in which $x$ was, minus $s$, against
   the sum of all B-splines from the recursion by its letter.
 :degrees: 1..6 sampled 8
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :harmless: $s\le p$ | a knot of multiplicity $p+1$ needs no insertion
 :over: s: new knot
 :control: the next point
@@ -148,7 +153,7 @@ CLAIM(repeated_insertion_is_deboor)
 {
     int p = T->degree;
     struct G(knot_vector) K = {0}, L;
-    num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], e[MOST_KNOTS * dim], w[MOST_KNOTS];
+    num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], e[MOST_KNOTS * dim], w[MOST_KNOTS], level[(MAX_DEGREE + 1) * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
         for (int place = K.place[p]; place < K.place[K.n]; place++) {
@@ -158,13 +163,21 @@ CLAIM(repeated_insertion_is_deboor)
             num x = G(knot_for)(T, &K, place, "s");
             for (int i = 0; i < K.n * dim; i++)
                 d[i] = c[i];
+            for (int i = 0; i < (p + 1) * dim; i++)
+                level[i] = c[(mu - p) * dim + i];
             L = K;
+            about(T, "the levels of de Boor's triangle");
             for (int more = 0; more < p - s; more++) {
                 G(bspline_insert)(spline(p, K.n + more, dim, L.u, d), mu + more, x, w, e);
                 G(put_knot)(&L, place, x, &L);
                 for (int i = 0; i < (K.n + more + 1) * dim; i++)
                     d[i] = e[i];
+                int r = more + 1, first = mu - p + r;
+                G(bspline_deboor_level)(G(on_span)(p, dim, K.u, mu, NULL), r, level, x);
+                for (int i = 0; i < (mu - s - first + 1) * dim; i++)
+                    same(T, d[first * dim + i], level[i]);
             }
+            about(T, "the point of the curve");
             for (int i = 0; i < dim; i++)
                 same(T, d[fault(T, mu - s, mu - s + 1) * dim + i],
                      G(spline_value)(K.n, p, dim, K.u, K.place, c, i, place, x));
@@ -189,7 +202,8 @@ weights.
   fractions with positive coefficients only, and the two of a new point sum to 1.
 :types: field rational
 :degrees: 1..6 sampled 8
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :over: x: -; a b: distance of the new knot from the ends of its interval
 :control: the coefficient of the point before
 :::
@@ -296,6 +310,7 @@ segment a point is computed, though neighbouring segments have different polar f
 :method: Both splines in powers, from the recursion by its letter; the points against those of `bspline_insert`; once with the
   first admissible span for every point, once with the last.
 :degrees: 0..4 sampled 8
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
 :over: s r: new knot
 :defines: bspline_refine
 :control: one point computed with the knots of its neighbour
@@ -316,7 +331,8 @@ CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
   first admissible span for every point, once with the last.
 :types: field
 :degrees: 6..6
-:scope: the distinct knots $0,1,3,6,10,\dots$
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends;
+  the distinct knots $0,1,3,6,10,\dots$
 :over: s r: new knot
 :control: one point computed with the knots of its neighbour
 :::

@@ -318,7 +318,8 @@ CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
 :title: The determinant of G is not 0
 :zh: det G ≠ 0
 :printed: \det\mathbf G_{r,k,T}\ne0
-:holds-by: marsden_determinant_is_product
+:holds-by: marsden_determinant_is_product marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: marsden_determinant_is_positive
 :argued: every k | $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$ by (4.4.21), which is true for every $k$, and so $c=0$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
@@ -445,6 +446,8 @@ CLAIM(empty_span_makes_g_singular)
 :corrected: by the linear independence of the powers on the left of (4.4.21), $\det\mathbf G_{r,k,T}\ne0$: a vector $c$ with
   $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$
 :corrected-by: singular_g_makes_powers_dependent
+:needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
+  empty
 
 The independence of $k$ functions does not say that $k$ combinations of them are independent.
 :::

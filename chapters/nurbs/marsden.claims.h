@@ -528,7 +528,7 @@ CLAIM(one_level_needs_the_span)
 :title: For the coefficients of the identity one level takes off a factor
 :zh: ω 经一层递推降一阶
 :printed: let $W_i^0=\omega_{i\,\iota}(x)$; then $W_i^1=(x-t)\,\omega_{i,k-1}(x)$
-:holds-by: marsden_step_for_every_order
+:holds-by: marsden_step_for_every_order one_level_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_takes_off_a_factor
 :figure: marsden_identity
@@ -649,7 +649,8 @@ What is compared is the same for every order: a factor more, and every coefficie
 :then: (1) the numbers with $b$ have $\mathrm{Sym}_j=S_j+bS_{j-1}$, and $(x-b)\bigl(\dots+\sigma S_jx^{m-j}-\sigma S_{j-1}x^{m-j+1}+\dots\bigr)$ has at $x^{m+1-j}$
   the coefficient $\sigma(S_j+bS_{j-1})$; (2) of $m+1$ numbers $t$ it is $\binom{m+1}jt^j=\binom mjt^j+t\binom m{j-1}t^{j-1}$; (3)
   $\frac{\sigma j!}{(k-1)!}\,\sigma(k-1-j)!\,S_j=S_j\big/\binom{k-1}j$
-:method: (1) and (2) are the steps of inductions on the number of factors, in which all letters are variables: $\omega_{i,k}(x)=\sum_j(-1)^j\mathrm{Sym}_j\,x^{k-1-j}$,
+:method: (1) and (2) are the steps of inductions on the number of factors, in which all letters are variables; without factors both products are 1; for $j=0$
+  both coefficients are 1, and for $j=m+1$, where $S_j$ and $\binom mj$ are 0, they are $\sigma bS_m$ and $t\cdot t^m$: $\omega_{i,k}(x)=\sum_j(-1)^j\mathrm{Sym}_j\,x^{k-1-j}$,
   and $(x-t)^{k-1}=\sum_j(-1)^j\binom{k-1}jt^jx^{k-1-j}$.  A polynomial that is differentiated $k-1-j$ times has at 0 the value $(k-1-j)!$ times
   its coefficient of $x^{k-1-j}$, which for $\omega_{i,k}$ is $\sigma\,\mathrm{Sym}_j$.  So by (3) the coefficients on both sides of Marsden's identity are those of
   (4.4.20) and of (4.4.22).
@@ -672,6 +673,8 @@ CLAIM(coefficients_of_marsden_in_every_order)
         about(T, "derivatives and symmetric functions");
         same(T, mul(div(mul(sign, A), C), mul(mul(sign, B), S[0])), div(S[0], div(C, mul(A, B))));
     }
+    about(T, "no factor"); /* Sym_0 of no numbers, and (x - t)^0 */
+    same(T, G(symmetric_sum)(0, &t, 0), G(power)(t, 0));
     about(T, "equal numbers"); /* U = t^{j-1} */
     same(T, add(mul(c, mul(t, U)), mul(t, mul(div(mul(c, j), h), U))), mul(div(mul(c, add(j, h)), h), mul(t, U)));
 }

@@ -18,7 +18,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :printed: if the control polygon $\Gamma_k^{(T)}(\Phi)$ is a plane convex curve, then the plane NURBS curve that belongs to it is a
   convex curve
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
-  inserted_parameters_become_vertices insertion_ratios_are_between_zero_and_one
+  inserted_parameters_become_vertices insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through part of the boundary of a convex set once
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points there
   coincide; else the curve is not continuous
@@ -28,7 +28,8 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :reading: curve_may_be_convex_alone | this direction only: the converse, which is not printed, fails
 :argued: | Insert three parameters $k-1$ times each: the three points of the curve are vertices, and they turn as
   the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
-  linearly independent; it goes straight on, and so does the curve, since a line across it crosses it no more often than the polygon, by theorem 4.2.2.
+  linearly independent; it goes straight on, and so does each polygon with parameters inserted, whose new vertices are on the edges before, one on each and in
+  their order: three points of the curve, being vertices, follow one another on the line.
 :figure: convex_polygon_convex_spline
 :::
 
@@ -230,6 +231,7 @@ another.
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
 :corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for a polygon that runs through its points once, or with the hulls for the $A$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
+  steps_of_refinement_compose
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.
 :figure: hulls_of_knot_sets
 
@@ -242,13 +244,14 @@ corollary 4.1.1 is that of the $T'_m$.
 :zh: 凸包的极限
 :printed: hence $A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))$ is a closed convex set, too
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
+  steps_of_refinement_compose
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
-:argued: | The limit of a decreasing sequence of compact sets is their intersection, and an intersection of closed convex sets is
+:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.  The limit of a decreasing sequence of compact sets is their intersection, and an intersection of closed convex sets is
   closed and convex.
 :figure: hulls_of_knot_sets
 :::

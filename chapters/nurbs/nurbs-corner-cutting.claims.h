@@ -25,7 +25,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and $A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))$
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares knots_outside_the_domain_cut_corners
-  inserted_points_divide_the_edges clamped_start_inserted_again_repeats_the_first_point
+  inserted_points_divide_the_edges clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
 :confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
@@ -36,7 +36,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:argued: straight polygons, every order and every number of points and knots | The knots are inserted one after the other, and the triangles and the
+:argued: straight polygons, every order and every number of points and knots | The knots are inserted one after the other, by (4.1.7), and the triangles and the
   identities of one insertion are the same for every order and every number of points.  Where all triangles are 0, the polygon goes straight on; its
   new vertices are on its edges, one on each and in their order, so that the new polygon does.
 :figure: cutting_corners
@@ -761,7 +761,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -771,7 +771,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
-:argued: | One knot after the other: the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
+:argued: | One knot after the other, by (4.1.7): the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
   the set.
 :figure: hulls_of_knot_sets
 :::

@@ -515,8 +515,9 @@ hide unequal weights, independent ones cannot.
 :zh: 权相等时退化为 B 样条曲线
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
-:reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do | No $N_{i,k}$ of the span is 0, so every
-  $w_i$ is $w(t)$, and all are equal.
+:reading: only_proportional_weights_give_the_bspline | as a criterion: no other weights do, if the points of a span are independent, or if $\sum N_{i,k}r_i$ is of no
+  less than degree $k-1$ on it | Independent points: no $N_{i,k}$ of the span is 0, so every $w_i$ is $w(t)$, and all are equal.  In space $k\ge4$ points are not: there the numerator, of
+  degree $k-1$ at most, is $w(t)$ times a polynomial of degree $k-1$, so that $w(t)$ is constant, and the $N_{i,k}$ being independent and of sum 1, every $w_i$ is this constant.
 :figure: nurbs_definition
 
 At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.
@@ -615,7 +616,7 @@ but of other points; the star in the printed formula leaves open which is meant.
 :::{claim} bezier_knots_give_rational_bezier
 :title: Over (k-1)-fold knots the curve is the rational Bézier curve of its points and weights
 :zh: 两端 k-1 重节点时即为以原顶点与权因子的有理 Bézier 曲线
-:given: $n=k$, knots $x_0,x_1^{k-1},x_2^{k-1},x_3$, values variables; weights and points; any $t$
+:given: $n=k$, knots $x_0,x_1^{k-1},x_2^{k-1},x_3$, values variables, also with $x_0=x_1$, with $x_2=x_3$ and with both; weights and points; any $t$
 :then: $r(t)$ is the rational Bézier curve of $r_1,\dots,r_k$ and $w_1,\dots,w_k$ at $(t-t_k)/(t_{k+1}-t_k)$
 :method: The curve from the definition against the kernel for rational Bézier curves.
 :degrees: 1..6 sampled 9
@@ -626,17 +627,20 @@ but of other points; the star in the printed formula leaves open which is meant.
 CLAIM(bezier_knots_give_rational_bezier)
 {
     int p = T->degree, place[MOST_KNOTS];
-    char pattern[] = {'1', (char)('0' + p), (char)('0' + p), '1', '\0'};
     num x[4], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], v[MOST_KNOTS], P[2], Q[2], t = unknown(T, "t", 0);
     G(distinct_knots)(T, 4, 6, x);
-    G(knots_at)(pattern, x, u, place);
     G(weighted_points)(T, p + 1, 2, R, w);
     for (int i = 0; i <= p; i++)
         v[i] = w[fault(T, i, p - i)];
-    G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, 1, t, P);
     G(rational_point)(p, 2, R, v, div(sub(t, x[1]), sub(x[2], x[1])), Q);
-    for (int c = 0; c < 2; c++)
-        same(T, P[c], Q[c]);
+    for (int joined = 0; joined < 4; joined++) { /* whether t_1 is one of the knots of the left end, t_2k one of the right end */
+        int left = joined % 2, right = joined / 2;
+        char pattern[] = {(char)('1' - left), (char)('0' + p + left), (char)('0' + p + right), (char)('1' - right), '\0'};
+        G(knots_at)(pattern, x, u, place);
+        G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, 1, t, P);
+        for (int c = 0; c < 2; c++)
+            same(T, P[c], Q[c]);
+    }
 }
 
 /*

@@ -18,7 +18,7 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 :title: With equal weights the family is that of the B-spline curve
 :zh: 权相等时即 B 样条曲线的包络定理
 :printed: when the $w_i$ are constant, theorem 2.2.2 results
-:holds-by: equal_weights_give_the_polynomial_family member_of_span_touches_curve
+:holds-by: equal_weights_give_the_polynomial_family member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
 :meant: theorem 2.2.2 is not at hand; it belongs to the section on B-spline curves | The same theorem for B-spline curves: the curve is the envelope of the family
   that de Boor's algorithm without weights gives.
@@ -68,7 +68,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :title: Between (k-1)-fold knots the theorem on rational Bézier curves results
 :zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
 :printed: or when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
-:holds-by: bezier_span_gives_the_bezier_family member_of_span_touches_curve
+:holds-by: bezier_span_gives_the_bezier_family member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
 :meant: it is a corollary of theorem 4.3.1, which says that the curve is the envelope of a family, and nothing about the order of contact | What theorem 3.3.2
   says of the envelope, (3.3.4): the first and the second reading.
@@ -138,7 +138,7 @@ CLAIM(bezier_span_gives_the_bezier_family)
 :title: For k-r = 2 the curve is an envelope of straight lines
 :zh: k-r=2 时曲线是直线族的包络
 :printed: for $k-r=2$ one learns that $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
-:holds-by: member_of_span_touches_curve lines_of_the_family_by_two_points
+:holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal lines_of_the_family_by_two_points
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
 :figure: nurbs_envelope_families
 

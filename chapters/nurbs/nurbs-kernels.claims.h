@@ -28,7 +28,8 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
   `nurbs_point` and `nurbs_deboor` give $R(t)$
 :method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :over: q#: weights
 :defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
 :control: the weights taken backwards
@@ -89,7 +90,8 @@ edges; the first is cheaper. They are the same curve level by level.
   with $r$ arguments $\tau$ and $p-r$ arguments $t$; the last point and weight of each level are left as they were
 :method: The sums, with the B-splines from the recursion by its letter, against the polar forms in elementary symmetric polynomials.
 :degrees: 1..6 sampled 8
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above;
+  the distinct knots variables up to order 5, numbers above
 :over: a: tau; q#: weights
 :defines: nurbs_deboor_level
 :control: the parameter of the last level is $t$
@@ -148,6 +150,7 @@ insertion of the section before, applied to homogeneous points, in higher ones.
   their quotients by the variables $w_i$.  From degree 4 on it is left to
   `nurbs_insertion_is_that_of_homogeneous_points`, whose time grows less.
 :degrees: 0..3 sampled 6
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
 :over: q#: weights; s: new knot
 :defines: nurbs_insert
 :control: the last of the new weights is replaced by its neighbour
@@ -196,7 +199,8 @@ CLAIM(nurbs_insertion_keeps_curve)
 :method: Two kernels that share no code.  That the second keeps splines is known from `boehm_insertion_keeps_curve` and
   `boehm_insertion_in_higher_degrees`, so the first keeps curves in the same degrees.
 :degrees: 0..6 sampled 8
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :over: q#: weights; s: new knot
 :control: the last of the new weights is replaced by its neighbour
 :::
@@ -274,7 +278,8 @@ of the curve numerator and denominator have no derivatives left, but their quoti
   coefficients of numerator and denominator in powers about $t$, and the points are the values of their polar forms: every
   segment has such coefficients.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables up to order 5, numbers above
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above;
+  the distinct knots variables up to order 5, numbers above
 :defines: nurbs_derivatives
 :control: $w'(t)$ doubled in the division
 :::
@@ -497,6 +502,7 @@ that it could lack.
   and `nurbs_weight` give the same for the knots $au_i+b$ and the parameter $at+b$ as for $u_i$ and $t$
 :method: Every kernel twice, elevation and reduction where there is one inner knot at most.
 :degrees: 0..4 sampled 7
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
 :where: the factor of the knots is not 0
 :over: a: factor; b: shift; q#: weights
 :control: the parameter is moved by $b$ and not stretched; in degree 0, the points are moved

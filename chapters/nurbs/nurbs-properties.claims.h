@@ -96,7 +96,7 @@ CLAIM(moved_point_changes_its_support)
 :title: A point of the curve is a mean of the k points of its span, with shares that are not negative
 :zh: 分段凸包性
 :types: field rational
-:given: several segments, with any positive gaps of the knots; positive weights, points of the plane; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval
+:given: several segments, with any positive gaps of the knots; positive weights, points of the plane; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval, and both its ends, the right one as a limit from the left
 :then: $r(t)=\sum_{i=j-k+1}^j\lambda_ir_i$ with $\lambda_i=N_{i,k}(t)w_i/w(t)\ge0$ and $\sum_{i=j-k+1}^j\lambda_i=1$: $r(t)$ is in the convex hull of
   $r_{j-k+1},\dots,r_j$
 :method: The point by the kernel; the shares by the recursion by its letter, $w(t)$ being the sum of all $n$ terms; signs are read off coefficients in $s$, the gaps and
@@ -117,24 +117,27 @@ CLAIM(point_is_in_the_hull_of_k_points)
         G(weighted_points)(T, K.n, 2, R, w);
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             int mu = G(span_of_interval)(K.count, K.place, interval), first = mu - p;
-            num t = add(K.u[mu], mul(sub(K.u[mu + 1], K.u[mu]), inside(T, "s")));
-            num total = G(spline_value)(K.n, p, 1, K.u, K.place, w, 0, interval, t), sum = from_int(0);
-            num mean[2] = {sum, sum};
-            for (int i = first; i <= mu; i++) {
-                int from = fault(T, i, i == first + 1 ? first : i);
-                num share = div(mul(G(cox_de_boor)(p, K.u, K.place, from, interval, t), w[from]), total);
-                about(T, "the sign of a share");
-                nonnegative(T, share);
-                sum = add(sum, share);
+            num at[3] = {add(K.u[mu], mul(sub(K.u[mu + 1], K.u[mu]), inside(T, "s"))), K.u[mu], K.u[mu + 1]};
+            for (int end = 0; end < 3; end++) { /* inside, and at both ends */
+                num t = at[end];
+                num total = G(spline_value)(K.n, p, 1, K.u, K.place, w, 0, interval, t), sum = from_int(0);
+                num mean[2] = {sum, sum};
+                for (int i = first; i <= mu; i++) {
+                    int from = fault(T, i, i == first + 1 ? first : i);
+                    num share = div(mul(G(cox_de_boor)(p, K.u, K.place, from, interval, t), w[from]), total);
+                    about(T, "the sign of a share");
+                    nonnegative(T, share);
+                    sum = add(sum, share);
+                    for (int c = 0; c < 2; c++)
+                        mean[c] = add(mean[c], mul(share, R[2 * i + c]));
+                }
+                about(T, "the sum of the shares");
+                same(T, sum, from_int(1));
+                about(T, "the point");
+                G(nurbs_point)(G(nurbs_on_span)(p, 2, K.u, mu, R, w), t, P);
                 for (int c = 0; c < 2; c++)
-                    mean[c] = add(mean[c], mul(share, R[2 * i + c]));
+                    same(T, P[c], mean[c]);
             }
-            about(T, "the sum of the shares");
-            same(T, sum, from_int(1));
-            about(T, "the point");
-            G(nurbs_point)(G(nurbs_on_span)(p, 2, K.u, mu, R, w), t, P);
-            for (int c = 0; c < 2; c++)
-                same(T, P[c], mean[c]);
         }
     }
 }
@@ -175,66 +178,83 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 :::{claim} nurbs_moves_with_its_points
 :title: An affine map of the points is the same map of the curve
 :zh: 仿射不变性
-:given: a span with simple knots, values variables; weights, points of the plane; any affine map, any $t$
+:given: several segments, the distinct knots variables; weights, points of space; any interval of the domain; an affine map, of whose coordinates
+  one is taken, $m_0x+m_1y+m_2z+v$; any $t$
 :then: the curve of the mapped points with the same weights is the mapped curve
-:method: The definition, everything a variable.
+:method: The definition, everything a variable; every coordinate of an affine map is such a form.
 :degrees: 1..6 sampled 6
-:scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 3, numbers above
 :over: m# v#: affine maps
 :where: $w(t)\ne0$
-:control: the last point is not moved
+:control: the last point of the span is not moved
 :::
 */
 CLAIM(nurbs_moves_with_its_points)
 {
-    int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
-    num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], M[4], v[2], P[2], Q[2], t = unknown(T, "t", 0);
-    G(simple_knots)(T, count, 4, u, place);
-    G(weighted_points)(T, p + 1, 2, R, w);
-    for (int k = 0; k < 4; k++)
-        M[k] = unknown(T, "m", k);
-    v[0] = unknown(T, "v", 0);
-    v[1] = unknown(T, "v", 1);
-    G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, p, t, P);
-    for (int i = 0; i <= fault(T, p, p - 1); i++) {
-        num a = R[2 * i], b = R[2 * i + 1];
-        for (int c = 0; c < 2; c++)
-            R[2 * i + c] = add(add(mul(M[2 * c], a), mul(M[2 * c + 1], b)), v[c]);
+    enum { dim = 3 };
+    int p = T->degree;
+    struct G(knot_vector) K = {.kind = FIELD && p > 2 ? INTEGERS : 0};
+    num R[dim * MOST_KNOTS], S[MOST_KNOTS], w[MOST_KNOTS], m[dim], v = unknown(T, "v", 0), P[dim], Q, t = unknown(T, "t", 0);
+    for (int c = 0; c < dim; c++)
+        m[c] = unknown(T, "m", c);
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(weighted_points)(T, K.n, dim, R, w);
+        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
+            int mu = G(span_of_interval)(K.count, K.place, interval);
+            for (int i = 0; i < K.n; i++) {
+                S[i] = v;
+                for (int c = 0; c < dim; c++)
+                    S[i] = add(S[i], mul(m[c], R[dim * i + c]));
+                S[i] = fault(T, S[i], i == mu ? R[dim * i] : S[i]);
+            }
+            G(nurbs_by_definition)(K.n, p, dim, K.u, K.place, R, w, interval, t, P);
+            G(nurbs_by_definition)(K.n, p, 1, K.u, K.place, S, w, interval, t, &Q);
+            num image = v;
+            for (int c = 0; c < dim; c++)
+                image = add(image, mul(m[c], P[c]));
+            same(T, Q, image);
+        }
     }
-    G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, p, t, Q);
-    for (int c = 0; c < 2; c++)
-        same(T, Q[c], add(add(mul(M[2 * c], P[0]), mul(M[2 * c + 1], P[1])), v[c]));
 }
 
 /*
 :::{claim} reversed_data_reverse_the_nurbs
 :title: Points, weights and knots in the opposite order give the curve backwards
 :zh: 数据反序,曲线反向
-:given: a span with simple knots, values variables; points, weights, any $t$
+:given: several segments, the distinct knots variables; points, weights; any interval of the domain, any $t$
 :then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
 :method: The definition, everything a variable.
 :degrees: 1..6 sampled 6
-:scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+  the distinct knots variables up to order 5, numbers above
 :where: $w(t)\ne0$
 :control: the weights are not reversed
 :::
 */
 CLAIM(reversed_data_reverse_the_nurbs)
 {
-    int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
-    num u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
+    int p = T->degree, place[MOST_KNOTS];
+    struct G(knot_vector) K = {0};
+    num R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
     num y[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS];
-    G(simple_knots)(T, count, 4, u, place);
-    G(weighted_points)(T, p + 1, 1, R, w);
-    for (int i = 0; i < count; i++)
-        y[i] = neg(u[count - 1 - i]);
-    for (int i = 0; i <= p; i++) {
-        S[i] = R[p - i];
-        z[i] = w[fault(T, p - i, i)];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        int n = K.n, last = K.place[K.count - 1];
+        G(weighted_points)(T, n, 1, R, w);
+        for (int i = 0; i < K.count; i++) {
+            y[i] = neg(K.u[K.count - 1 - i]);
+            place[i] = last - K.place[K.count - 1 - i];
+        }
+        for (int i = 0; i < n; i++) {
+            S[i] = R[n - 1 - i];
+            z[i] = w[fault(T, n - 1 - i, i)];
+        }
+        for (int interval = K.place[p]; interval < K.place[n]; interval += 2) { /* from `last` - 2 - `interval` backwards */
+            G(nurbs_by_definition)(n, p, 1, K.u, K.place, R, w, interval, t, &P);
+            G(nurbs_by_definition)(n, p, 1, y, place, S, z, last - 2 - interval, neg(t), &Q);
+            same(T, Q, P);
+        }
     }
-    G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, p, t, &P);
-    G(nurbs_by_definition)(p + 1, p, 1, y, place, S, z, p, neg(t), &Q);
-    same(T, Q, P);
 }
 
 /*

@@ -397,7 +397,7 @@ change can arise.
   the plane $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
-  knots_outside_the_domain_cut_corners clamped_start_inserted_again_repeats_the_first_point
+  knots_outside_the_domain_cut_corners clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
   of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
@@ -405,14 +405,14 @@ change can arise.
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
-:reading: averages_between_neighbours_keep_sign_changes | of crossings
-:reading: cut_corners_meet_a_line_no_more | of common points, a piece on the line counting once
+:reading: averages_between_neighbours_keep_sign_changes | the step for crossings: a mean put between two neighbours, and a number left out
+:reading: cut_corners_meet_a_line_no_more | the step for common points, a piece on the line counting once: the same of a vertex
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before the domain: an edge $r_0r_1$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof of lemma 4.2.1, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: every order and every number of points and knots | An insertion puts a point on each of some edges and takes the old
-  vertices away; one after the other these are the cases that were decided.
+  vertices away; one after the other, by (4.1.7), these are the cases that were decided.
 :figure: line_and_cut_corners
 
 The source gives no proof; the index $t$ of the curve is $k$, see `notation-order`.
@@ -508,6 +508,7 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :printed: plane NURBS curves are variation diminishing: with the notation of lemma 4.2.2
   $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
@@ -757,7 +758,8 @@ $\mu_i+(i-1)(k-1)$.
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
-:argued: every curve | The points are common points of the line and of the polygon, being vertices.
+:argued: every curve | The points are common points of the line and of the polygon, being vertices.  Two of them that belong to different intersections are not joined by edges on the
+  line: the curve between is a mean of the vertices from one to the other, and would be on the line with them.
 :figure: points_of_the_line_as_vertices
 :::
 
@@ -767,6 +769,9 @@ $\mu_i+(i-1)(k-1)$.
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+:argued: every order and every number of points and knots | As for lemma 4.2.2: one knot after the other, by (4.1.7), and each insertion puts a point on each
+  of some edges and takes the old vertices away.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; for points of the plane
   the lemma fails
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -780,8 +785,10 @@ $\mu_i+(i-1)(k-1)$.
 :title: The earlier properties are special cases
 :zh: 性质 1.3.10、3.2.7 与定理 2.11.2
 :printed: properties 1.3.10, 3.2.7 and theorem 2.11.2 are obviously direct corollaries of these theorems
-:holds-by: bezier_curves_are_nurbs_curves averages_between_neighbours_keep_sign_changes
-  inserted_parameters_become_vertices
+:holds-by: bezier_curves_are_nurbs_curves averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
+  inserted_parameters_become_vertices line_form_of_a_nurbs_curve
+:needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted in the theorem as
   in the corollary; property 3.2.7 counts crossings, and does not follow from a count of points
 :argued: | They are the theorem for curves that are NURBS curves; that they say nothing else is read from the chapters on Bézier curves

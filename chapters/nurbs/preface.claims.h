@@ -83,7 +83,8 @@ this can be computed is decided here.
 :confirmed-by: tangent_conics_are_rational_quadratics bezier_knots_give_rational_bezier circle_is_a_nurbs_curve
   circle_is_run_through_once
 :argued: | About any point of an ellipse, parabola or hyperbola there are two tangents that meet, and the frame of their two points and
-  of the point where they meet may be any triangle, as an affine map takes one into the other.
+  of the point where they meet may be any triangle, as an affine map takes one into the other.  For points near one another the arc between them is inside the triangle, so that $\nu/\mu<0$ and the
+  weights are positive; the curve goes from one to the other without leaving the conic and the triangle, and so all along the arc.
 :reading: ellipse_carries_no_polynomial_arc | as an advantage over B-spline curves, for ellipses: a polynomial arc on an ellipse is
   a point | A polynomial that is 0 for infinitely many $t$ is 0, and so is the coefficient of its highest power.
 :reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
@@ -95,14 +96,14 @@ A whole circle is one NURBS curve with rational points and weights, whatever the
 
 /*
 :::{claim} tangent_conics_are_curves_of_order_three
-:title: Every conic that touches two sides of a triangle at their ends is a NURBS curve of order 3
-:zh: 切于三角形两边的二次曲线都是三阶 NURBS 曲线
+:title: A conic that touches two sides of a triangle at their ends has its arc inside as a NURBS curve of order 3
+:zh: 切于三角形两边端点的二次曲线,其三角形内的弧是三阶 NURBS 曲线
 :given: order three, $n=3$, knots $x_0,x_1^2,x_2^2,x_3$, variables; the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights
   $1,1,-\frac{4\nu}\mu$; any $t$
 :where: the conic is no pair of lines; $w(t)\ne0$
 :then: $\mu\,xy+\nu(x+y-1)^2=0$ with the coordinates $x,y$ of $r(t)$
-:method: The point of the curve from the definition, all terms, put into the equation of the conic.  Where the arc between the
-  tangents is inside the triangle, $xy>0$, so that $\nu/\mu<0$, and the three weights are positive.
+:method: The point of the curve from the definition, all terms, put into the equation of the conic.  If there is an arc inside the
+  triangle, it has $xy>0$, so that $\nu/\mu<0$, and the three weights are positive; else the last weight is negative.
 :degrees: 2..2
 :over: m: μ; k: ν; x#: knots
 :control: the last weight $-2\nu/\mu$

@@ -231,6 +231,37 @@ CLAIM(printed_weights_give_the_negative_basis)
 }
 #endif
 
+#if RATIONAL
+/*
+:::{claim} printed_expansion_gives_the_negative_basis
+:title: For k = 3 the printed expansion is the negative B-spline
+:zh: k=3 时印出的展开式为负的 B 样条基
+:kind: counterexample
+:given: $k=3$, the simple knots $t_i$, numbered from 0, the span $[t_r,t_{r+1})$, the function $N_{i,k}$ and a $u$ of the span
+:data: t_i = 0 1 3 4 6 7; r = 2; i = 1; u = 1/2
+:then: the printed sum of the powers $u^j$ is the negative of $N_{i,k}(t)$
+:result: the sum = -5/6; N_i,k(t) = 5/6
+:method: The printed formula by its letter, the exponents $k-1-j$; the B-spline by its definition.
+:control: the factors $t_l-t_\alpha$
+:::
+*/
+CLAIM(printed_expansion_gives_the_negative_basis)
+{
+    num x[6], sum = from_int(0);
+    given_points(T, "t_i", 6, 1, x);
+    int r = given_whole(T, "r"), i = given_whole(T, "i"), k = r + 1;
+    num u = given(T, "u");
+    struct G(span) S = G(span_of_pattern)(k, G(patterns)(k) - 1, x);
+    for (int j = 0; j < k; j++)
+        sum = add(sum, mul(G(printed_entry)(&S, i, j, 0, fault(T, 0, 1)), G(power)(u, j)));
+    num value = G(basis_value)(&S, i, k, G(at_parameter)(&S, u));
+    found(T, "the sum", sum);
+    found(T, "N_i,k(t)", value);
+    about(T, "the sum, and N_i,k(t)");
+    same(T, sum, value);
+}
+#endif
+
 /*
 :::{statement} wang-ch4:simple-basis-expanded
 :title: The B-spline of simple knots in powers of u
@@ -238,7 +269,7 @@ CLAIM(printed_weights_give_the_negative_basis)
 :printed: N_{i,k}(t)=\sum_{j=0}^{k-1}u^j\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-1-j}
   \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r
 :class: misprint
-:refuted-by: printed_weights_give_the_negative_basis
+:refuted-by: printed_expansion_gives_the_negative_basis
 :corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
 :figure: simple_knots_sign
@@ -552,9 +583,9 @@ CLAIM(last_sum_gives_the_uniform_matrix)
 :zh: 由印出的 (4.4.23) 推不出第一式
 :kind: counterexample
 :given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$
-:data: k = 1; r = 0; i = 0; j = 0
-:then: (4.4.23) gives the negative of the first sum of the chain; the exponents are 0 with either reading
-:result: (4.4.23) = -1; the first sum = 1
+:data: k = 3; r = 2; i = 1; j = 0
+:then: (4.4.23) gives the negative of the first sum of the chain, with the printed exponents $k-l-j$ in both and with $k-1-j$ in both
+:result: (4.4.23) = 5/4; the first sum = -5/4; with k-1-j: (4.4.23) = -1/2; with k-1-j: the first sum = 1/2
 :method: Both by their letter.
 :control: the factors $t_l-t_\alpha$ in (4.4.23)
 :::
@@ -563,11 +594,16 @@ CLAIM(uniform_chain_does_not_follow)
 {
     int k = given_whole(T, "k"), r = given_whole(T, "r"), i = given_whole(T, "i"), j = given_whole(T, "j");
     struct G(span) S = G(uniform_span)(k, r);
-    num entry = G(printed_entry)(&S, i - r + k - 1, j, 0, fault(T, 0, 1)), sum = G(uniform_line)(1, k, r, i, j, 1);
-    found(T, "(4.4.23)", entry);
-    found(T, "the first sum", sum);
-    about(T, "(4.4.23), and the first sum of the chain");
-    same(T, entry, sum);
+    static const char *const name[][2] = {{"(4.4.23)", "the first sum"},
+                                          {"with k-1-j: (4.4.23)", "with k-1-j: the first sum"}};
+    for (int digit = 0; digit <= 1; digit++) { /* the letter l in the exponents, then the digit 1; r = k-1 numbers l alike in both */
+        num entry = G(printed_entry)(&S, i - r + k - 1, j, !digit, fault(T, 0, 1)),
+            sum = G(uniform_line)(1, k, r, i, j, digit);
+        found(T, name[digit][0], entry);
+        found(T, name[digit][1], sum);
+        about(T, "(4.4.23), and the first sum of the chain");
+        same(T, entry, sum);
+    }
 }
 
 /*
