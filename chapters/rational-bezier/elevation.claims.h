@@ -357,9 +357,9 @@ CLAIM(elevation_cuts_corners)
     about(T, "the printed weight");
     same(T, we, div(weight, count));
     about(T, "signs");
-    nonnegative(T, a);
-    nonnegative(T, b);
-    nonnegative(T, we);
+    G(must_be_positive)(T, a);
+    G(must_be_positive)(T, b);
+    G(must_be_positive)(T, we);
 }
 
 #if RATIONAL
@@ -478,7 +478,8 @@ them are.
   after $m$ steps $\hat\omega_i=\sum_jc_j(i,m)\omega_j$ and $\hat\omega_i\hat R_i=\sum_jc_j(i,m)\omega_jR_j$
 :method: Induction on $m$: both sides are divided by $\binom nj$, $p=i-j$, and every binomial coefficient is written as a
   quotient times $\binom mp$ or $\binom{n+m}i$, by the definition with factorials.  $N=n+m$, $i$, $m$, $p$ are variables.
-  The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves.
+  The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves, and so is the last
+  point, $i=N+1$, where $p=m+1$ and all three binomial coefficients that are left are 1.
 :degrees: all
 :over: i r p q b c: -
 :control: $\frac i{n+m+1}$ taken as $\frac i{n+m}$
@@ -505,6 +506,9 @@ CLAIM(repeated_elevation_in_one_formula)
 
     about(T, "p = m + 1: C(m,m+1) = 0");
     same(T, mul(share, div(one, down_before)), div(one, down_next));
+
+    about(T, "i = N + 1: C(N,N+1) = 0, C(N,N) = C(N+1,N+1) = 1");
+    same(T, mul(div(next, count), div(one, one)), div(one, one));
 }
 
 /*

@@ -40,6 +40,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
   triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power convex_polygon_has_one_envelope_in_every_degree
   determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels triangle_has_one_envelope
+:argued: | Three corners of a strictly convex polygon, taken in their order, turn to one side, $D_{ijk}\ne0$ with one sign for all.
 :confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
 :figure: envelope_extra
 
