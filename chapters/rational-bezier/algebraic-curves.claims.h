@@ -160,8 +160,8 @@ the equation.
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the curve has no base point; else $F$ may be 0 and theorem 3.4.2 says nothing
-:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors; in the example, a
-  parabola that is run through twice, though the arc is not, $F$ is a square; the source does not ask that a parametrisation run through its curve once
+:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors; in the example, where
+  $t$ and $-1-t$ give one point though the arc is run through once, $F$ is a square; the source does not ask that a parametrisation run through its curve once
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it
 :figure: arc_of_a_parabola
 
@@ -169,7 +169,7 @@ Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is
 :::
 
 :::{claim} doubled_parameter_halves_the_degree
-:title: A quartic that runs through a parabola twice
+:title: A quartic whose parameters t and −1−t have the same point of a parabola
 :zh: 非正常参数化使次数降低
 :kind: counterexample
 :types: field

@@ -21,10 +21,10 @@ FIGURE(degree_of_a_hyperbola)
 FIGURE(arc_of_a_parabola)
 {
     enum { n = 4 };
-    svg *s = svg_new("arc_of_a_parabola", "A quartic whose equation is that of a parabola",
-                     "Five different points with weights 1 give an arc of the parabola y = x², which the parameter "
-                     "runs through twice.  The "
-                     "determinant is (x² - y)² up to a factor: its curve is the parabola, of degree 2.");
+    svg *s = svg_new(
+        "arc_of_a_parabola", "A quartic whose equation is that of a parabola",
+        "Five different points with weights 1 give an arc of the parabola y = x²; the parameters t and -1 - t have the "
+        "same point.  The determinant is (x² - y)² up to a factor: its curve is the parabola, of degree 2.");
     num_q R[2 * (n + 1)];
     data_of("doubled_parameter_halves_the_degree", "R", n + 1, 2, R);
     const num_q whole[6] = {r(-5, 4), r(25, 16), q(0), r(-25, 16), r(5, 4), r(25, 16)};

@@ -640,7 +640,7 @@ CLAIM(powers_in_every_degree)
   \frac{(\hat P-P)-\frac P\omega(\hat\omega-\omega)}{\hat\omega}$, and $\hat\omega\ge\min\omega_j$ because every elevated weight is
   a mean of earlier ones.  Between the vertices the polygon is as near, since $R$ has a bounded derivative.
 :degrees: all
-:over: A# B#: points; a b: -; w# we#: weights; p r l j q: -
+:over: A# B#: points; a b: -; w# we#: weights; p r s l j q: -
 :control: $N(N-l)$ in (1) taken as $N^2$
 :::
 */
@@ -649,8 +649,9 @@ CLAIM(elevated_polygons_converge)
     num p = whole(T, "p", 1, 5), r = whole(T, "r", 1, 9), l = whole(T, "l", 1, 4);
 
     about(T, "(1), l < i");
-    num i = add(l, p), N = add(i, r), x = div(i, N), gap = sub(x, div(sub(i, l), sub(N, l)));
-    same(T, gap, div(mul(l, r), mul(N, fault(T, sub(N, l), N))));
+    num beyond_i = whole(T, "s", 0, 9), i = add(l, p), N = add(i, beyond_i), x = div(i, N);
+    num gap = sub(x, div(sub(i, l), sub(N, l)));
+    same(T, gap, div(mul(l, beyond_i), mul(N, fault(T, sub(N, l), N))));
     nonnegative(T, gap);
     nonnegative(T, sub(div(l, sub(N, l)), gap));
 
