@@ -348,9 +348,9 @@ CLAIM(start_is_the_point_of_no_number)
 :data: R = (0,0) (1,0) (0,-1) (1,1); ω = 1 1/3 -1/3 -1; P = (5,7); u = 1
 :instead: ω = 1 1 1 1
 :result: a_0, …, a_3 = -5 -4 5 4; b_0, …, b_3 = -7 -7 8 6; the sums = 0 0
-:given: $n=3$, four different points $R$ that are not on a line, with weights of both signs, for which the curve is on the parabola $y=x^2$ and numerators and denominator of
+:given: a cubic of four different points $R$ that are not on a line, with weights of both signs, for which the curve is on the parabola $y=x^2$ and numerators and denominator of
   (3.4.4) vanish at the parameter $u$; and a point $P$ off the parabola
-:then: $\sum a_iu^{3-i}=\sum b_iu^{3-i}=0$ although $P$ is not on the curve
+:then: $\sum a_iu^{n-i}=\sum b_iu^{n-i}=0$ although $P$ is not on the curve
 :method: Both sums are computed; that one of them differs from 0 is what is compared, where the numerators $X$, $Y$ and the denominator $W$ satisfy $YW=X^2$ and the
   coordinates of $P$ do not satisfy $y=x^2$.
 :control: equal weights
