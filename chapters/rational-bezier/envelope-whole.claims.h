@@ -40,7 +40,6 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
   triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power convex_polygon_has_one_envelope_in_every_degree
   determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels triangle_has_one_envelope
-:argued: | Three corners of a strictly convex polygon, taken in their order, turn to one side, $D_{ijk}\ne0$ with one sign for all.
 :confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
 :figure: envelope_extra
 
@@ -540,10 +539,11 @@ CLAIM(inflections_give_the_other_envelopes)
 :method: (1) The eight have columns in the same order, or two equal ones, when $j-1=i$ or $k-1=j$.  So no determinant $\det(B_i,B_j,B_k)$, $i<j<k$, is negative: there is none for $\beta=1$, whose only one
   that is not 0 is $\det(B_0,B_1,B_2)=1$, and so on factor by factor; and $\det(B_0,B_1,B_2)=(1-c)^{3(r-1)}(1-t)^{3(n-r-1)}>0$.  (2) The polar form of $b_i=Z^i$ is the product of the $D(x)=1-x+xZ$; so
   $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ are $\beta(Z)$ times $1$, $Z-1$, $(Z-1)^2$, and the determinant with these columns is the one with $1$, $Z$, $Z^2$.  By
-  `determinant_of_three_sums_goes_by_triples` $w_r$ is the sum of the $\det(B_i,B_j,B_k)\,\omega_i\omega_j\omega_kD_{ijk}$, and for the corners of a strictly convex polygon, in their order, all $D_{ijk}$ have one strict
-  sign; so $w_r\ne0$ for $c,t<1$, and by symmetry for $c,t>0$; for $c=0$, $t=1$ and the like $\beta$ is a power of $z$ and one determinant is 1.
+  `determinant_of_three_sums_goes_by_triples` $w_r$ is the sum of the $\det(B_i,B_j,B_k)\,\omega_i\omega_j\omega_kD_{ijk}$; where all $D_{ijk}$ have one strict
+  sign, $w_r\ne0$ for $c,t<1$, and by symmetry for $c,t>0$; for $c=0$, $t=1$ and the like $\beta$ is a power of $z$ and one determinant is 1.
 :degrees: all
 :over: A# B# C# L# M# N# a# b# d# s: -
+:argued: | Three corners of a strictly convex polygon, taken in their order, turn to one side, the same one for all: all $D_{ijk}$ have one strict sign.
 :scope: 0 ≤ c ≤ 1; 0 ≤ t ≤ 1
 :control: one of the eight determinants left out
 :::
