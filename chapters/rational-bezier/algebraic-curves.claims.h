@@ -160,36 +160,36 @@ the equation.
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the curve has no base point; else $F$ may be 0 and theorem 3.4.2 says nothing
-:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors, though
-  $F$ is a power unless the parametrisation is proper, one parameter for almost every point; the source does not ask
-  for a proper parametrisation
+:reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors; in the example, where
+  $t$ and $-1-t$ give one point though the arc is run through once, $F$ is a square; the source does not ask that a parametrisation run through its curve once
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it
-:figure: arc_of_a_line
+:figure: arc_of_a_parabola
 
 Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.
 :::
 
 :::{claim} doubled_parameter_halves_the_degree
-:title: A quadratic that runs to and fro on a line
+:title: A quartic whose parameters t and −1−t have the same point of a parabola
 :zh: 非正常参数化使次数降低
 :kind: counterexample
 :types: field
-:data: R = (0,0) (0,0) (1,1); ω = 1 1 1
-:instead: R = (0,0) (0,1) (1,0)
-:result: F = "x^2-2*x*y+y^2"; Res_x(F, F_x) = "0"
-:given: $n=2$, the points $R$ of the curve $(t^2,t^2)$, and equal weights: a curve without base point
-:then: $F$ is the square of a linear form, so the curve is on an algebraic curve of degree 1
+:data: R = (0,0) (1/8,0) (1/3,1/24) (5/8,1/4) (1,1); ω = 1 1 1 1 1
+:instead: R = (0,0) (1/8,0) (1/3,1/24) (5/8,1/4) (1,2)
+:result: F = "(x^4-2*x^2*y+y^2)/256"; Res_x(F, F_x) = "0"
+:given: $n=4$, the points $R$ of the curve $(s,s^2)$ with $s=\frac{t+t^2}2$, all different, and equal weights: a curve without base point, whose arc is run through once
+:then: $F$ is a multiple of the square of $x^2-y$, so the curve is on an algebraic curve of degree 2
 :method: The discriminant $\operatorname{Res}_x(F,F_x)$ is 0 exactly if $F$, which is not 0, has a repeated factor
   (containing $x$); that it is not 0 is what is compared.
-:control: a middle point, and a last one, that are not on the line
+:control: another last point
 :::
 */
 CLAIM(doubled_parameter_halves_the_degree)
 {
-    num x = variable_f("x"), y = variable_f("y"), R[6], w[3];
-    given_points(T, "R", 3, 2, R);
-    given_points(T, "ω", 3, 1, w);
-    num F = implicit_value_f(2, R, w, x, y), discriminant = resultant_by_f(F, derivative_f(F, x), x);
+    enum { n = 4 };
+    num x = variable_f("x"), y = variable_f("y"), R[2 * n + 2], w[n + 1];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    num F = implicit_value_f(n, R, w, x, y), discriminant = resultant_by_f(F, derivative_f(F, x), x);
     found_text(T, "F", to_string_f(F));
     found_text(T, "Res_x(F, F_x)", to_string_f(discriminant));
     about(T, "F has no repeated factor");

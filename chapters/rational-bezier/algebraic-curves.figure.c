@@ -18,24 +18,26 @@ FIGURE(degree_of_a_hyperbola)
     return s;
 }
 
-FIGURE(arc_of_a_line)
+FIGURE(arc_of_a_parabola)
 {
+    enum { n = 4 };
     svg *s = svg_new(
-        "arc_of_a_line", "A quadratic whose equation is that of a line",
-        "The points (0, 0), (0, 0), (1, 1) with weights 1 give the curve (t², t²), the segment from (0, 0) to (1, "
-        "1).  The determinant is (x - y)² up to a factor: its curve is the line, of degree 1.");
-    num_q R[6];
-    data_of("doubled_parameter_halves_the_degree", "R", 3, 2, R);
-    svg_panel(s, window(r(-1, 2), r(-1, 2), r(3, 2), r(3, 2)), 300, 0, "$n=2$, $F=(x-y)^2$");
+        "arc_of_a_parabola", "A quartic whose equation is that of a parabola",
+        "Five different points with weights 1 give an arc of the parabola y = x²; the parameters t and -1 - t have the "
+        "same point.  The determinant is (x² - y)² up to a factor: its curve is the parabola, of degree 2.");
+    num_q R[2 * (n + 1)];
+    data_of("doubled_parameter_halves_the_degree", "R", n + 1, 2, R);
+    const num_q whole[6] = {r(-5, 4), r(25, 16), q(0), r(-25, 16), r(5, 4), r(25, 16)};
+    svg_panel(s, window(r(-5, 4), r(-1, 4), r(3, 2), r(3, 2)), 300, 0, "$n=4$, $256F=(x^2-y)^2$");
     svg_axes(s, q(1), q(1), "x", "y");
-    svg_line(s, svg_at(0, 0), svg_at(1, 1), SVG_CURVE_2);
-    svg_bezier(s, 2, R, SVG_CURVE);
-    svg_mark(s, svg_at(0, 0), SVG_POINT, SVG_USUAL);
-    svg_mark(s, svg_at(1, 1), SVG_POINT, SVG_USUAL);
-    svg_label(s, svg_at(0, 0), SVG_NW, SVG_POINT, "R_0=R_1");
-    svg_label(s, svg_at(1, 1), SVG_NW, SVG_POINT, "R_2");
+    svg_bezier(s, 2, whole, SVG_CURVE_2);
+    svg_bezier(s, n, R, SVG_CURVE);
+    for (int i = 0; i <= n; i++)
+        svg_mark(s, svg_pair(R + 2 * i), SVG_POINT, SVG_USUAL);
+    svg_label(s, svg_at(0, 0), SVG_NW, SVG_POINT, "R_0");
+    svg_label(s, svg_at(1, 1), SVG_NW, SVG_POINT, "R_4");
     svg_legend_line(s, SVG_CURVE, "the curve");
-    svg_legend_line(s, SVG_CURVE_2, "$F=0$, a line");
+    svg_legend_line(s, SVG_CURVE_2, "$F=0$, a parabola");
     return s;
 }
 

@@ -102,6 +102,7 @@ static num G(scalar)(const num o[], const num a[], const num b[])
   sides of the chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
 :defines: circular_arc_circle
 :scope: 0 ≤ t ≤ 1
+:where: $R_0\ne R_2$
 :over: M# p# q#: points; k: ratio of height and half base; t: -
 :control: $\omega_2$ doubled
 :::
@@ -198,6 +199,7 @@ For a true triangle $I_1<1$ follows and is not needed; for three points on a lin
 :method: The angle is taken from scalar products of the points.  An identity in $M$, $p$, $q$ and $k$; the kernel depends
   on $h:l$ alone and is given $1$ and $k$, and once more in special coordinates $l$ and $h$.
 :defines: circular_arc_invariant
+:where: $R_0\ne R_2$
 :over: M# p# q#: points; k: ratio of height and half base; l
 :control: the angle at $R_1$ in place of the one at $R_0$
 :::
@@ -350,7 +352,7 @@ a quantity has been lost: none of them says how high the triangle is.
   $\|R_0R_1\|=\|R_2R_1\|$, $\|R_0R_2\|=2l$, $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
 :class: missing-hypothesis
 :refuted-by: isosceles_triangle_with_another_angle
-:corrected: The rational quadratic Bézier curve (3.1.5) with positive weights is an arc of a circle with the central angle
+:corrected: For $l>0$ the rational quadratic Bézier curve (3.1.5) with positive weights is an arc of a circle with the central angle
   $2\theta$, $0<\theta<\frac\pi2$, and the radius $l\csc\theta$ if and only if $\|R_0R_1\|=\|R_2R_1\|=l\sec\theta$,
   $\|R_0R_2\|=2l$, $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
 :corrected-by: arc_and_its_central_angle curve_on_a_circle_has_five_conditions arcs_satisfy_the_three_equations

@@ -6,6 +6,8 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 #include "exact/record/roots.h"
 #include "exact/record/sturm.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
@@ -373,8 +375,8 @@ CLAIM(sign_of_the_discriminant)
         same(T, G(conic_delta)(S), mul(expected[k], mul(mul(ww, ww), mul(area, area))));
     }
     about(T, "the signs");
-    nonnegative(T, expected[0]);
-    nonnegative(T, neg(expected[2]));
+    G(must_be_positive)(T, expected[0]);
+    G(must_be_positive)(T, neg(expected[2]));
 }
 
 #if RATIONAL

@@ -501,15 +501,18 @@ common points is now a matter of how the four lines lie.
 :needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | the four points are different.
 :hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3l_4=0$ is missing.
 :figure: pencil_of_conics
+
+That no three of the four points are on a line follows when they are four different ones.
 :::
 
 :::{claim} line_pairs_share_four_points
 :title: Every member passes through the four points where the pairs meet
 :zh: 直线偶曲线束过四交点
 :given: lines $l_1,l_2,l_3,l_4$ such that $l_i$ and $l_j$ meet for $i=1,2$ and $j=3,4$, and a number $\lambda$
-:then: $(1-\lambda)l_1l_2+\lambda l_3l_4$ vanishes at the four common points
+:then: $(1-\lambda)l_1l_2+\lambda l_3l_4$ vanishes at the four common points; and of the points $l_i\times l_j$, $l_i\times l_m$, $l_h\times l_j$ with $\{h,i\}=\{1,2\}$,
+  $\{j,m\}=\{3,4\}$, in homogeneous coordinates, the determinant is $\det(l_i,l_j,l_m)\det(l_i,l_h,l_j)$
 :method: The points are computed from the lines by Cramer's rule, all twelve coefficients and $\lambda$ being
-  variables.
+  variables.  Three of the four points are on a line only if one of the two determinants is 0, three of the lines have a point in common, and two of the four points are one.
 :over: l#: lines; k: λ
 :control: the pairs taken as $(l_1,l_3)$ and $(l_2,l_4)$
 :::
@@ -529,7 +532,15 @@ CLAIM(line_pairs_share_four_points)
             /* l_i × l_j, as a point */
             num x = div(sub(mul(l[i][1], l[j][2]), mul(l[i][2], l[j][1])), z);
             num y = div(sub(mul(l[i][2], l[j][0]), mul(l[i][0], l[j][2])), z);
+            about(T, "a member at a common point");
             vanishes(T, G(form)(S, x, y));
+            const num *a = l[i], *b = l[j], *c = l[5 - j], *d = l[1 - i];
+            num P[3][3];
+            G(cross3)(a, b, P[0]);
+            G(cross3)(a, c, P[1]);
+            G(cross3)(d, b, P[2]);
+            about(T, "three of the points on a line");
+            same(T, G(det3)(P[0], P[1], P[2]), mul(G(det3)(a, b, c), G(det3)(a, d, b)));
         }
 }
 

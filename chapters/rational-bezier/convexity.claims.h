@@ -98,7 +98,7 @@ CLAIM(wronskian_of_three_bernstein_functions)
     num wanted = div(product, fault(T, mul(both, mul(both, both)), mul(both, both)));
     /* det/(B_i B_j B_k) = (j-i)(k-i)(k-j)/(t³ (1-t)³) */
     same(T, det, wanted);
-    nonnegative(T, wanted);
+    G(must_be_positive)(T, wanted);
 }
 
 /* The determinant of three homogeneous points of the plane. */
@@ -510,11 +510,14 @@ CLAIM(mixed_weights_lose_convexity)
 :title: The way of proof: subdivide, and cut corners
 :zh: 证明途径: 离散割角
 :printed: The property can be proved by (3.3.1), imitating the proof of theorem 1.4.2.
-:holds-by: one_cut_of_corners_has_no_negative_minor determinant_of_three_sums_goes_by_triples
+:holds-by: one_cut_of_corners_has_no_negative_minor determinant_of_three_sums_goes_by_triples cut_coefficients_are_convex
 :confirmed-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
 :needs: subdivision_fails_for_mixed_weights | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive
-:argued: | Repeated, the subdivided polygons converge to the curve, and a limit of convex polygons is convex.
+:hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
+  boundary of a convex region once: as for the property itself, which fails without it and so has no proof
+:argued: | The points of such a polygon have no triangle that turns to the other side.  Repeated, the subdivided polygons converge to the curve, and a
+  limit of convex polygons is convex.
 :figure: convex_halves
 
 Theorem 1.4.2 is not at hand.  What is decided is that the two polygons of the halves, joined, have no triangle that turns to the

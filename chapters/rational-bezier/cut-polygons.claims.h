@@ -6,6 +6,8 @@ converge, and how fast.  In homogeneous coordinates the answer is that of polyno
 the square of the length of the interval, and they bound the distance of the polygon from its curve.  What is new is the
 projection to points of space, which divides by weights; it does no harm as long as these stay away from 0.
 */
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -280,8 +282,8 @@ CLAIM(linear_weights_of_both_signs_have_a_pole)
     num p = positive(T, "p", 0), q = positive(T, "q", 0), w[] = {p, fault(T, neg(q), q)}, t = div(p, add(p, q));
     show_points(T, "ω", 2, 1, w);
     show(T, "t", t);
-    nonnegative(T, t);
-    nonnegative(T, sub(from_int(1), t));
+    G(must_be_positive)(T, t);
+    G(must_be_positive)(T, sub(from_int(1), t));
     vanishes(T, G(rational_weight)(1, w, t));
 }
 

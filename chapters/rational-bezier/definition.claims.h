@@ -685,7 +685,7 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :printed: The rational Bézier curves $\mathbf R(t)$ have geometric properties similar to those of Bézier curves.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor positive_terms_make_a_convex_mean
   first_power_decides_the_end_derivative end_direction_has_a_positive_factor bernstein_function_in_the_next_degree
-  bernstein_sum_of_powers_is_a_power
+  elevation_cuts_corners bernstein_sum_of_powers_is_a_power
 :argued: | That two kinds of curves are similar is a judgement.  It rests here on the properties that both have: invariance, symmetry, the ends, the
   convex hull, elevation, each as in the list that follows.
 :meant: the list that follows | The properties of that list, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.

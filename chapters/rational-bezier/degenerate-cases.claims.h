@@ -7,6 +7,8 @@ arise so.
 */
 #include "exact/record/polynomial.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -301,8 +303,8 @@ CLAIM(negative_alpha_has_a_pole)
     int n = T->degree;
     num w[MAX_DEGREE + 1], beta = positive(T, "beta", 0), one = from_int(1), u = div(one, add(one, beta));
     num alpha = fault(T, neg(beta), beta);
-    nonnegative(T, u);
-    nonnegative(T, sub(one, u));
+    G(must_be_positive)(T, u);
+    G(must_be_positive)(T, sub(one, u));
     vanishes(T, add(sub(one, u), mul(alpha, u)));
     show(T, "α", alpha);
     show(T, "u_0", u);

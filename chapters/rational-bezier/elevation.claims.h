@@ -357,9 +357,9 @@ CLAIM(elevation_cuts_corners)
     about(T, "the printed weight");
     same(T, we, div(weight, count));
     about(T, "signs");
-    nonnegative(T, a);
-    nonnegative(T, b);
-    nonnegative(T, we);
+    G(must_be_positive)(T, a);
+    G(must_be_positive)(T, b);
+    G(must_be_positive)(T, we);
 }
 
 #if RATIONAL
@@ -478,7 +478,8 @@ them are.
   after $m$ steps $\hat\omega_i=\sum_jc_j(i,m)\omega_j$ and $\hat\omega_i\hat R_i=\sum_jc_j(i,m)\omega_jR_j$
 :method: Induction on $m$: both sides are divided by $\binom nj$, $p=i-j$, and every binomial coefficient is written as a
   quotient times $\binom mp$ or $\binom{n+m}i$, by the definition with factorials.  $N=n+m$, $i$, $m$, $p$ are variables.
-  The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves.
+  The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves, and so is the last
+  point, $i=N+1$, where $p=m+1$ and all three binomial coefficients that are left are 1.
 :degrees: all
 :over: i r p q b c: -
 :control: $\frac i{n+m+1}$ taken as $\frac i{n+m}$
@@ -505,6 +506,9 @@ CLAIM(repeated_elevation_in_one_formula)
 
     about(T, "p = m + 1: C(m,m+1) = 0");
     same(T, mul(share, div(one, down_before)), div(one, down_next));
+
+    about(T, "i = N + 1: C(N,N+1) = 0, C(N,N) = C(N+1,N+1) = 1");
+    same(T, mul(div(next, count), div(one, one)), div(one, one));
 }
 
 /*
@@ -636,7 +640,7 @@ CLAIM(powers_in_every_degree)
   \frac{(\hat P-P)-\frac P\omega(\hat\omega-\omega)}{\hat\omega}$, and $\hat\omega\ge\min\omega_j$ because every elevated weight is
   a mean of earlier ones.  Between the vertices the polygon is as near, since $R$ has a bounded derivative.
 :degrees: all
-:over: A# B#: points; a b: -; w# we#: weights; p r l j q: -
+:over: A# B#: points; a b: -; w# we#: weights; p r s l j q: -
 :control: $N(N-l)$ in (1) taken as $N^2$
 :::
 */
@@ -645,8 +649,9 @@ CLAIM(elevated_polygons_converge)
     num p = whole(T, "p", 1, 5), r = whole(T, "r", 1, 9), l = whole(T, "l", 1, 4);
 
     about(T, "(1), l < i");
-    num i = add(l, p), N = add(i, r), x = div(i, N), gap = sub(x, div(sub(i, l), sub(N, l)));
-    same(T, gap, div(mul(l, r), mul(N, fault(T, sub(N, l), N))));
+    num beyond_i = whole(T, "s", 0, 9), i = add(l, p), N = add(i, beyond_i), x = div(i, N);
+    num gap = sub(x, div(sub(i, l), sub(N, l)));
+    same(T, gap, div(mul(l, beyond_i), mul(N, fault(T, sub(N, l), N))));
     nonnegative(T, gap);
     nonnegative(T, sub(div(l, sub(N, l)), gap));
 

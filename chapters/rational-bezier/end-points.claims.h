@@ -394,6 +394,8 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
 :corrected-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_one_with_repeated_points two_multiplicities_leave_an_edge
+:needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  $\omega_n\ne0$; the example is to be read in reversed order.
 :striking: 3
 :figure: end_derivatives
 

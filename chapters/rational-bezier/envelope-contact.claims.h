@@ -32,8 +32,8 @@ binomial coefficients.
 :reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections; in the example there are two
 :reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count; in the example there are two
   for either level
-:reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights
-  (`unweighted_derivatives_are_parallel`), but not for others
+:reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights,
+  whose derivatives are the homogeneous ones (`members_are_flatter_powers`; computed for $n\le6$ in `unweighted_derivatives_are_parallel`), but not for the others of the example
 :reading: members_are_flatter_powers | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
   and in the plane empty from dimension 2 on | By (1) and the binomial theorem the homogeneous derivatives of order $k\le n-r$ of member and curve are
   $\frac{(n-r)!}{(n-r-k)!}$ and $\frac{n!}{(n-k)!}$ times one vector; the factors are not 0, so the derivatives of the member span what those of the curve do.

@@ -39,7 +39,8 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
   triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power convex_polygon_has_one_envelope_in_every_degree
-  determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels triangle_has_one_envelope
+  corners_of_a_strictly_convex_polygon_turn_one_way determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels
+  triangle_has_one_envelope
 :confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
 :figure: envelope_extra
 
@@ -530,6 +531,39 @@ CLAIM(inflections_give_the_other_envelopes)
 }
 
 /*
+:::{claim} corners_of_a_strictly_convex_polygon_turn_one_way
+:title: Any three corners of a strictly convex polygon, in their order, turn to the side of its edges
+:zh: 严格凸多边形依次任取三顶点转向相同
+:given: vectors $p$, $a$, $b$, $c$ of the plane; positive numbers $A$, $B$, $C$, $E$, $F$ in the place of $p\times a$, $p\times b$, $p\times c$, $a\times b$, $b\times c$
+:harmless: positive numbers $A$, $B$, $C$, $E$, $F$ | the sides of the edges of a strictly convex polygon that turns to the left
+:then: $(p\times b)(a\times c)=(p\times a)(b\times c)+(p\times c)(a\times b)$, and $\frac{AF+CE}B>0$
+:method: A polygon is strictly convex if all corners but two are strictly on one side of each of its edges, here the left one: $D_{i,i+1,k}>0$ and $D_{i,k,k+1}>0$.  With $p=R_{i+1}-R_i$,
+  $a=R_j-R_i$, $b=R_k-R_i$ and $c=R_{k+1}-R_i$ it is the step of an induction on $k$: from $D_{ijk}>0$ follows $D_{i,j,k+1}>0$, $i+1<j<k$; it begins with $D_{i,j,j+1}>0$, and for
+  $j=i+1$ nothing is left to be shown.  So all $D_{ijk}$, $i<j<k$, are positive; for a polygon that turns to the right, with its corners in the opposite order, all are negative.
+:degrees: all
+:over: p# a# b# c#: points; A B C E F: -
+:control: $(p\times c)(a\times b)$ with the other sign
+:::
+*/
+CLAIM(corners_of_a_strictly_convex_polygon_turn_one_way)
+{
+    num p[2], a[2], b[2], c[2];
+    for (int k = 0; k < 2; k++) {
+        p[k] = unknown(T, "p", k);
+        a[k] = unknown(T, "a", k);
+        b[k] = unknown(T, "b", k);
+        c[k] = unknown(T, "c", k);
+    }
+    num first = mul(G(cross2)(p, a), G(cross2)(b, c)), second = mul(G(cross2)(p, c), G(cross2)(a, b));
+    about(T, "four vectors of the plane");
+    same(T, mul(G(cross2)(p, b), G(cross2)(a, c)), fault(T, add(first, second), sub(first, second)));
+    num A = positive(T, "A", 0), B = positive(T, "B", 0), C = positive(T, "C", 0), E = positive(T, "E", 0),
+        F = positive(T, "F", 0);
+    about(T, "the sign");
+    G(must_be_positive)(T, div(add(mul(A, F), mul(C, E)), B));
+}
+
+/*
 :::{claim} convex_polygon_has_one_envelope_in_every_degree
 :title: A strictly convex polygon with positive weights has the curve as its only envelope, in every degree and for every level
 :zh: 严格凸控制多边形且权为正时包络只有曲线本身(任意次数、任意层)
@@ -539,8 +573,8 @@ CLAIM(inflections_give_the_other_envelopes)
 :method: (1) The eight have columns in the same order, or two equal ones, when $j-1=i$ or $k-1=j$.  So no determinant $\det(B_i,B_j,B_k)$, $i<j<k$, is negative: there is none for $\beta=1$, whose only one
   that is not 0 is $\det(B_0,B_1,B_2)=1$, and so on factor by factor; and $\det(B_0,B_1,B_2)=(1-c)^{3(r-1)}(1-t)^{3(n-r-1)}>0$.  (2) The polar form of $b_i=Z^i$ is the product of the $D(x)=1-x+xZ$; so
   $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ are $\beta(Z)$ times $1$, $Z-1$, $(Z-1)^2$, and the determinant with these columns is the one with $1$, $Z$, $Z^2$.  By
-  `determinant_of_three_sums_goes_by_triples` $w_r$ is the sum of the $\det(B_i,B_j,B_k)\,\omega_i\omega_j\omega_kD_{ijk}$, and for the corners of a strictly convex polygon, in their order, all $D_{ijk}$ have one strict
-  sign; so $w_r\ne0$ for $c,t<1$, and by symmetry for $c,t>0$; for $c=0$, $t=1$ and the like $\beta$ is a power of $z$ and one determinant is 1.
+  `determinant_of_three_sums_goes_by_triples` $w_r$ is the sum of the $\det(B_i,B_j,B_k)\,\omega_i\omega_j\omega_kD_{ijk}$, which all have one strict sign by
+  `corners_of_a_strictly_convex_polygon_turn_one_way`; so $w_r\ne0$ for $c,t<1$, and by symmetry for $c,t>0$; for $c=0$, $t=1$ and the like $\beta$ is a power of $z$ and one determinant is 1.
 :degrees: all
 :over: A# B# C# L# M# N# a# b# d# s: -
 :scope: 0 ≤ c ≤ 1; 0 ≤ t ≤ 1

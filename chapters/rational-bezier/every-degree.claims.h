@@ -24,7 +24,7 @@ static inline num G(factor_at)(num t, num Z) { return add(sub(from_int(1), t), m
 :zh: 系数成等比数列时 Bernstein 和是一个幂
 :given: $n\ge0$, any $t$ and $Z$
 :then: $\sum_{i=0}^nB_i^n(t)Z^i=(1-t+tZ)^n$
-:method: Induction on $n$: multiplied by $1-t+tZ$ the sum of degree $n$ has at $Z^i$ the factor
+:method: Induction on $n$, which begins with $1=1$ for $n=0$: multiplied by $1-t+tZ$ the sum of degree $n$ has at $Z^i$ the factor
   $(1-t)B_i^n(t)+tB_{i-1}^n(t)$, which must be $B_i^{n+1}(t)$.  With $C(n,i)=c$ and $k=n+1-i$ the definition by factorials
   gives $C(n,i-1)=c\frac ik$ and $C(n+1,i)=c\frac{i+k}k$; $i$, $k$, $c$, $t$ and $t^{i-1}(1-t)^{k-1}=u$ are variables.  For
   $i=0$ and $i=n+1$ there is one term on either side.  Outside the field $i$ and $k$ are random integers, the binomial
@@ -88,7 +88,7 @@ CLAIM(bernstein_sum_of_powers_is_a_power)
 :zh: Bernstein 和在起点的 Taylor 系数(任意次数)
 :given: $b_i=Z^i$, whose differences are $\Delta^jb_0=(Z-1)^j$; $n\ge0$
 :then: $\sum_iB_i^n(t)b_i=\sum_j\binom nj\Delta^jb_0\,t^j$
-:method: Induction on $n$: the step multiplies either side by $1-t+tZ=1+t(Z-1)$.  On the left it makes $B_i^{n+1}(t)=(1-t)B_i^n(t)+tB_{i-1}^n(t)$ the factor of $Z^i$, on the right
+:method: Induction on $n$, which begins with $b_0=b_0$ for $n=0$: the step multiplies either side by $1-t+tZ=1+t(Z-1)$.  On the left it makes $B_i^{n+1}(t)=(1-t)B_i^n(t)+tB_{i-1}^n(t)$ the factor of $Z^i$, on the right
   $\binom nj+\binom n{j-1}=\binom{n+1}j$ that of $t^j(Z-1)^j$.  With $C(n,i)=c$ and $k=n+1-i$ the definition by factorials gives $C(n,i-1)=c\frac ik$ and
   $C(n+1,i)=c\frac{i+k}k$; $i$, $k$, $c$, $t$, $Z$ and $t^{i-1}(1-t)^{k-1}=u$ are variables.  For $i=0$ and $i=n+1$ there is one term on either side.  The equation is linear in
   the $b_i$ and holds for all of them, since the powers of $Z$ are independent.  Outside the field $i$ and $k$ are random integers, and the two sums are compared as well.
@@ -348,8 +348,8 @@ CLAIM(more_weight_moves_a_mean_to_its_point)
     num moved = div(add(mul(W, M), mul(c, R)), total);
     about(T, "straight to the point");
     same(T, sub(moved, R), mul(fault(T, q, sub(one, q)), sub(M, R)));
-    nonnegative(T, q);
-    nonnegative(T, sub(one, q));
+    G(must_be_positive)(T, q);
+    G(must_be_positive)(T, sub(one, q));
     about(T, "a large weight");
     same(T, div(add(mul(mul(e, W), M), R), add(mul(e, W), one)), moved);
     about(T, "the limit");
@@ -364,16 +364,17 @@ CLAIM(more_weight_moves_a_mean_to_its_point)
 :title: The derivative of the order of the first power, for every order
 :zh: 首项幂次决定端点导矢(任意阶)
 :given: $k\ge1$, a function $g$ with the value $g$ and the derivative $g'$ at $t$; $n\ge k$
-:then: $(t^kg)'=t^{k-1}(kg+tg')$, where $kg+tg'$ is $kg(0)$ at $t=0$; and with $C(n,k)=\frac{n!}{k!\,(n-k)!}$ it is
-  $k!\,C(n,k)=\frac{n!}{(n-k)!}$
+:then: $(t^kg)'=t^{k-1}(kg+tg')$, where $kg+tg'$ is $kg(0)$ at $t=0$; with $C(n,k)=\frac{n!}{k!\,(n-k)!}$ it is
+  $k!\,C(n,k)=\frac{n!}{(n-k)!}$; and with $s=1-t$ in place of $t$, if the derivative of order $k-1$ by $t$ is $\sigma$ times that by $s$, the next one
+  is $-\sigma$ times that by $s$, and $-\sigma(R_{n-k}-R_n)=\sigma(R_n-R_{n-k})$
 :method: The step of an induction on $k$: $t^kg$ has at $0$ the derivatives $0,\dots,0$ and, of order $k$, $k!\,g(0)$.  With
   $t^{k-1}$ and the factorials variables.  If $R_0=\dots=R_{k-1}$, then by `mean_grows_by_one_term`
   $R(t)-R_0=\sum_{i\ge k}B_i^n(t)\omega_i(R_i-R_0)/\omega(t)$, which is $t^kg$ with $g(0)=\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$.  At
-  $t=1$ the same with $s=1-t$ in place of $t$ and the polygon reversed: every derivative by $t$ is minus that by $s$, and $R_{n-h}-R_n=-(R_n-R_{n-h})$,
-  which makes the sign $(-1)^{h+1}$.
+  $t=1$ the same with $s=1-t$ in place of $t$ and the polygon reversed.  The sign $\sigma$ begins with 1, so that it is $(-1)^h$ for the order $h$, and
+  $-(-1)^h=(-1)^{h+1}$ is what stands before $R_n-R_{n-h}$.
 :degrees: all
 :scope: every multiplicity of the end points
-:over: k g# U F# t: -
+:over: k g# U F# t E: -; x#: points
 :control: $k-1$ for $k$
 :::
 */
@@ -390,6 +391,18 @@ CLAIM(first_power_decides_the_end_derivative)
     about(T, "the factorials");
     num all = positive(T, "F", 0), of_k = positive(T, "F", 1), of_rest = positive(T, "F", 2);
     same(T, mul(of_k, div(all, mul(of_k, of_rest))), div(all, of_rest));
+    num s = sub(from_int(1), t), sign = unknown(T, "E", 0);
+#if FIELD
+    num inner = derivative_f(s, t);
+#else
+    num inner = from_int(-1);
+#endif
+    about(T, "the sign at t = 1");
+    /* d/dt σ (s^k g) = -σ d/ds (s^k g), and -σ (R_{n-k} - R_n) = σ (R_n - R_{n-k}) */
+    num by_s = mul(before, add(mul(factor, g), mul(s, slope)));
+    same(T, mul(sign, mul(inner, add(mul(k, mul(before, g)), mul(mul(s, before), slope)))), mul(neg(sign), by_s));
+    num other = unknown(T, "x", 0), last = unknown(T, "x", 1);
+    same(T, mul(neg(sign), sub(other, last)), mul(sign, sub(last, other)));
 }
 
 /*

@@ -183,17 +183,19 @@ CLAIM(quartic_with_three_double_points_is_rational)
 :given: a cubic $(1+at^3:t+bt^3:t^2+ct^3)$, to which a projective map and a change of the parameter bring every curve
   $(A:B:W)$ with independent $A,B,W$
 :let: $q(t)=(ac-b^2)t^2+(a+bc)t-(b+c^2)$, $s$ and $s'$ its zeros, $\infty$ among them where a leading coefficient of $q$ is 0
-:then: the points of the parameters $s$ and $s'$ are one
+:then: the points of the parameters $s$ and $s'$ are one; the linear form $L$ with the values $a,b,c,-1$ at $1,t,t^2,t^3$ is 0 for $A$, $B$ and $W$; $L(p)$ and $L(tp)$ for
+  $p=p_0+p_1t+p_2t^2$ are the products of $(p_0,p_1,p_2)$ with $(a,b,c)$ and $(b,c,-1)$, whose cross product is $q$; and for $(a,b,c)=-c\,(b,c,-1)$ it is $A=(1+ct)(1-ct+c^2t^2)$,
+  $B=t(1+ct)(1-ct)$, $W=t^2(1+ct)$
 :method: The three minors of the two points, divided by $s-s'$, are symmetric; written in $\sigma=s+s'$ and
   $\pi=ss'$, the coefficients of $q$ inserted, they vanish identically in $a,b,c$; multiplied by the square of the
   leading coefficient of $q$ they are polynomials, so $\infty$ is included.  There is no other pair: a
   relation $\lambda P(s)+\mu P(s')=0$ is a linear form on cubic polynomials that kills $A,B,W$, so it is a multiple
-  of the one with the values $a,b,c,-1$ at $1,t,t^2,t^3$; its products with $q$ and $tq$ vanish, and $q$ is up to a
+  of $L$; it is 0 for $p=(t-s)(t-s')$ and $tp$, and $q$ is up to a
   factor the only such polynomial when the vectors $(a,b,c)$ and $(b,c,-1)$ are independent.  They are dependent
   exactly for $q=0$, when $1+ct$ divides $A$, $B$ and $W$ and the curve is a conic.  For $s=s'$ the divided minors
   say that $P$ and $P'$ are parallel there: a cusp.  So $d+s=1$, $g=0$, for $n=3$.
 :scope: every rational cubic (n = 3)
-:over: a# b# c#: coefficients
+:over: a# b# c#: coefficients; t: -
 :control: the sign of the middle coefficient of $q$
 :::
 */
@@ -228,6 +230,24 @@ CLAIM(rational_cubic_has_one_double_point)
                 }
             vanishes(T, sum);
         }
+    const num form[4] = {a, b, c, neg(one)}, second[3] = {b, c, neg(one)};
+    about(T, "the linear form that is 0 for A, B and W");
+    for (int k = 0; k < 3; k++) {
+        num value = zero;
+        for (int j = 0; j < 4; j++)
+            value = add(value, mul(P[k][j], form[j]));
+        vanishes(T, value);
+    }
+    num only[3], t = parameter(T, "t"), ct = mul(c, t), tt = mul(t, t), cube = mul(t, tt), more = add(one, ct);
+    G(cross3)(abc, second, only);
+    about(T, "the only polynomial, up to a factor");
+    for (int k = 0; k < 3; k++)
+        same(T, only[k], q[k]);
+    about(T, "dependent vectors: the common factor of A, B and W");
+    num cc = mul(c, c);
+    same(T, add(one, mul(mul(c, cc), cube)), mul(more, add(sub(one, ct), mul(ct, ct))));
+    same(T, sub(t, mul(cc, cube)), mul(t, mul(more, sub(one, ct))));
+    same(T, add(tt, mul(c, cube)), mul(tt, more));
 }
 
 #if FIELD

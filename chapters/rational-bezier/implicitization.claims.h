@@ -345,31 +345,39 @@ CLAIM(start_is_the_point_of_no_number)
 :title: Where numerators and denominator vanish together both equations hold at a point off the curve
 :zh: 基点处两方程对曲线外的点也成立
 :kind: counterexample
-:data: R = (0,0) (0,0); ω = 1 -1; P = (5,7); u = 1
-:instead: ω = 1 1
-:result: a_0, a_1 = -5 5; b_0, b_1 = -7 7; the sums = 0 0
-:given: $n=1$, a polygon $R$ of one point, two weights whose sum is 0, so that numerators and denominator of (3.4.4) vanish at the parameter $u$;
-  and another point $P$
-:then: $\sum a_iu^{1-i}=\sum b_iu^{1-i}=0$ although $P$ is not on the curve, which is the point $R_0$
-:method: Both sums are computed; that one of them differs from 0 is what is compared.
+:data: R = (0,0) (1,0) (0,-1) (1,1); ω = 1 1/3 -1/3 -1; P = (5,7); u = 1
+:instead: ω = 1 1 1 1
+:result: a_0, …, a_3 = -5 -4 5 4; b_0, …, b_3 = -7 -7 8 6; the sums = 0 0
+:given: a cubic of four different points $R$ that are not on a line, with weights of both signs, for which the curve is on the parabola $y=x^2$ and numerators and denominator of
+  (3.4.4) vanish at the parameter $u$; and a point $P$ off the parabola
+:then: $\sum a_iu^{n-i}=\sum b_iu^{n-i}=0$ although $P$ is not on the curve
+:method: Both sums are computed; that one of them differs from 0 is what is compared, where the numerators $X$, $Y$ and the denominator $W$ satisfy $YW=X^2$ and the
+  coordinates of $P$ do not satisfy $y=x^2$.
 :control: equal weights
 :::
 */
 CLAIM(base_point_satisfies_the_equations)
 {
-    num R[4], w[2], P[2], a[2], b[2];
-    given_points(T, "R", 2, 2, R);
-    given_points(T, "ω", 2, 1, w);
+    enum { n = 3 };
+    num R[2 * n + 2], w[n + 1], P[2], a[n + 1], b[n + 1], x[n + 1], y[n + 1];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
     given_points(T, "P", 1, 2, P);
     num u = given(T, "u");
-    G(implicit_coefficients)(1, R, w, 0, P[0], a);
-    G(implicit_coefficients)(1, R, w, 1, P[1], b);
-    num sum[2] = {G(horner)(1, a, u), G(horner)(1, b, u)};
-    found_points(T, "a_0, a_1", 2, 1, a);
-    found_points(T, "b_0, b_1", 2, 1, b);
+    G(implicit_coefficients)(n, R, w, 0, P[0], a);
+    G(implicit_coefficients)(n, R, w, 1, P[1], b);
+    num sum[2] = {G(horner)(n, a, u), G(horner)(n, b, u)};
+    for (int i = 0; i <= n; i++) {
+        x[i] = mul(w[i], R[2 * i]);
+        y[i] = mul(w[i], R[2 * i + 1]);
+    }
+    poly X = poly_from_bernstein(n, x), Y = poly_from_bernstein(n, y), W = poly_from_bernstein(n, w);
+    int on_parabola = poly_equal(poly_mul(Y, W), poly_mul(X, X)), off = !equal_q(P[1], mul(P[0], P[0]));
+    found_points(T, "a_0, …, a_3", n + 1, 1, a);
+    found_points(T, "b_0, …, b_3", n + 1, 1, b);
     found_points(T, "the sums", 2, 1, sum);
     about(T, "one of the sums differs from 0");
-    refute(T, is_zero_q(sum[0]) && is_zero_q(sum[1]));
+    refute(T, on_parabola && off && is_zero_q(sum[0]) && is_zero_q(sum[1]));
 }
 #endif
 
