@@ -142,63 +142,43 @@ static void take(struct coordinates *x, int k, cagd_limit limit)
         add_limit(x, sub_f(from_rational_f(before.high), value), before.high_open);
 }
 
-/* Whether the limit says nothing that the sides do not say: all coefficients and the constant are positive, the coordinates too. */
-static int is_said(const struct coordinates *x, cagd_limit limit)
+/* a x + b > 0 for a single coordinate x is a bound of it.  There is no other one on that side: of the two one would follow. */
+static void bound(struct coordinates *x, cagd_limit limit)
 {
-    num_q q;
-    int positive = 0;
-    num_f rest = limit.form;
-    for (int k = 0; k < x->count; k++) {
-        const cagd_side_of_box *s = &x->side[k];
-        if (cagd_degree_f(limit.form, s->variable) < 1)
-            continue;
-        if (!is_constant_f(cagd_coefficient_f(limit.form, s->variable, 1), &q) || !s->has_low ||
-            cagd_sign_q(s->low) < 0 || cagd_sign_q(q) < 0)
-            return 0;
-        positive |= s->low_open;
-        rest = cagd_coefficient_f(rest, s->variable, 0);
-    }
-    return is_constant_f(rest, &q) && cagd_sign_q(q) >= 0 && (!limit.strict || positive || cagd_sign_q(q) > 0);
-}
-
-/* a x + b > 0 for a single coordinate x is a bound of it.  0 where it says more than the bound that is there. */
-static int bounds_one(struct coordinates *x, cagd_limit limit)
-{
-    num_q a, b;
+    num_q a = from_int_q(0), b = a;
     int k = 0;
     while (cagd_degree_f(limit.form, x->side[k].variable) < 1)
         k++;
     cagd_side_of_box *s = &x->side[k];
-    if (!is_constant_f(cagd_coefficient_f(limit.form, s->variable, 1), &a) ||
-        !is_constant_f(cagd_coefficient_f(limit.form, s->variable, 0), &b))
-        return 0;
+    is_constant_f(cagd_coefficient_f(limit.form, s->variable, 1), &a);
+    is_constant_f(cagd_coefficient_f(limit.form, s->variable, 0), &b);
     num_q r = neg_q(div_q(b, a));
-    if (cagd_sign_q(a) > 0 ? s->has_low : s->has_high)
-        return 0;
     if (cagd_sign_q(a) > 0)
         s->has_low = 1, s->low = r, s->low_open = limit.strict;
     else
         s->has_high = 1, s->high = r, s->high_open = limit.strict;
-    return 1;
 }
 
 /* Limits of one name first: they are bounds.  Of the others each makes an increment. */
 static void find_coordinates(const cagd_context *c, num_f p, struct coordinates *x)
 {
     begin(c, p, x);
-    int done[CAGD_MOST_LIMITS] = {0};
-    for (int k = 0; k < x->limits; k++)
-        done[k] = names_in(x, x->limit[k].form) == 1 && bounds_one(x, x->limit[k]);
+    int is_bound[CAGD_MOST_LIMITS] = {0};
+    for (int k = 0; k < x->limits; k++) {
+        is_bound[k] = names_in(x, x->limit[k].form) == 1;
+        if (is_bound[k])
+            bound(x, x->limit[k]);
+    }
     for (int next = 0; next < x->limits && region_faults == 0; next++) {
         cagd_limit limit = x->limit[next];
-        int names = names_in(x, limit.form);
-        if (done[next] || names == 0 || is_said(x, limit) || (names == 1 && bounds_one(x, limit)))
-            continue;
+        int names = is_bound[next] ? 0 : names_in(x, limit.form);
         int k = names > 1 ? pivot_of(x, limit.form) : -1;
-        if (k >= 0)
+        if (names == 1)
+            bound(x, limit);
+        else if (k >= 0)
             take(x, k, limit);
         else
-            x->leaves_out = 1;
+            x->leaves_out |= names > 1;
     }
 }
 

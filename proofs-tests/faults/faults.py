@@ -1,6 +1,6 @@
 """Planted faults: one operator, operand, condition, statement or constant at a time is changed, and a test must notice.
 
-    faults.py ROOM [--per-function N] [--one-in N] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
+    faults.py ROOM [--per-function N] [--one-in N] [--seed WORD] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
               [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
 ROOM is kernels, exact, expression, code, check, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
@@ -11,7 +11,7 @@ behind the end of an array and changes no result.  A fault that survives is prin
 
 Without --one-in and --per-function every fault is tried.  Both choose by the hash of a fault's name, which is made of file, function,
 kind and the line before and after: whether it is chosen does not depend on what is edited elsewhere.  --one-in N takes those whose hash is
-divisible by N; --per-function N takes from each function N of them, of kinds as different as possible.  --slow tries the tests that take long as well.  equivalent.txt lists the faults that no test can notice, each with
+divisible by N, with --seed another choice of as many for each word; --per-function N takes from each function N of them, of kinds as different as possible.  --slow tries the tests that take long as well.  equivalent.txt lists the faults that no test can notice, each with
 its reason; they are left out, and with --equivalent they alone are tried.  --again tries those that survived in the output of
 a former run.  For the kernels, --chapters builds only these
 chapters, with those whose claims they name, for faults in the kernels that they define, and --types only these number types.
@@ -211,15 +211,15 @@ def clang(root, flags, *more):
     return ["clang", "-std=c17", "-w", "-I.", *moved, *flags.get(more[-1], []), *more]
 
 
-def all_faults(room, flags):
-    """Every fault of a room with its number and its hash; faults of one name differ in which of them it is."""
+def all_faults(room, flags, seed=""):
+    """Every fault of a room with its number and its hash; faults of one name differ in which of them it is.  The seed stands before the name."""
     found, named = [], collections.Counter()
     for unit, files in room.units().items():
         command = clang(ROOT, flags, "-Xclang", "-ast-dump=json", "-fsyntax-only", unit)
         for f in planter.Planter(planter.Tree(command, ROOT, set(files))).found:
             name = " | ".join(f[key] for key in ("file", "function", "kind", "old", "new"))
             named[name] += 1
-            digest = hashlib.sha256(f"{name} | {named[name]}".encode()).digest()
+            digest = hashlib.sha256(f"{seed}{name} | {named[name]}".encode()).digest()
             found.append({**f, "unit": unit, "number": len(found) + 1, "hash": int.from_bytes(digest[:8], "big")})
     return found
 
@@ -363,6 +363,7 @@ def main():
     comma = {"type": lambda text: text.split(","), "default": []}
     parser.add_argument("--per-function", type=int)
     parser.add_argument("--one-in", type=int, metavar="N", help="only the faults whose hash is divisible by N")
+    parser.add_argument("--seed", default="", metavar="WORD", help="another choice of --one-in and --per-function for each word")
     parser.add_argument("--file", **comma, help="only faults in these files; the end of the path suffices")
     parser.add_argument("--function", **comma)
     parser.add_argument("--shard", help="K/N: only the K-th of N parts")
@@ -379,7 +380,7 @@ def main():
     register, room, known = load(a.register), ROOMS[a.room](), equivalents()
     flags = include_flags(pathlib.Path(a.register).resolve().parents[2])
     defining = definitional_claims(register, a.chapters)
-    every = all_faults(room, flags)
+    every = all_faults(room, flags, a.seed)
     is_known = lambda f: (f["file"], f["old"], f["new"]) in known or (f["file"], f["old"], "*") in known
     chosen = [f for f in every if not a.file or f["file"].endswith(tuple(a.file))]
     chosen = [f for f in chosen if not a.function or f["function"] in a.function]

@@ -207,8 +207,6 @@ class Planter:
     def visit(self, node):
         if node is None or node.file != self.function.file:
             return
-        if node.kind == "VarDecl" and node.name:
-            self.locals.append(node)
         if not (node.macro and node.kind not in ("DeclRefExpr", "CallExpr", "IntegerLiteral", "ImplicitCastExpr")):
             handler = getattr(self, "on_" + node.kind, None)
             if handler:
@@ -219,6 +217,8 @@ class Planter:
             if not (shielded and k == 0) and not is_static:
                 self.visit(child)
                 self.statement(node, child, k)
+        if node.kind == "VarDecl" and node.name:
+            self.locals.append(node)  # behind its first value, in which it has none
 
     def statement(self, parent, child, k):
         """A statement is what stands in a block or is the body of an if or a loop."""

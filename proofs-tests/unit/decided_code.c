@@ -1,7 +1,7 @@
 /* decided_code.c -- code as it is once it is rewritten, by hand: what test_decide.c asks about.  The input `which` says which. */
 #include "exact/code/machine.h"
 
-enum { SAME = 1, GREATER = 2, LESS = 4 };
+enum { SAME = 1, GREATER = 2, LESS = 4, MOST_NUMBERS = 16 };
 
 static double input(const char *name)
 {
@@ -20,12 +20,12 @@ static double limited(int is_open)
 }
 static void put(double got, double wanted) { cagd_code_expect("r", 1, &got, &wanted); }
 
-/* r = x, on each side of 0 of nine numbers. */
-static void many_ways(void)
+/* r = x, on each side of 0 of so many numbers. */
+static void many_ways(int many)
 {
-    double y[9];
-    cagd_code_input("y", 9, y);
-    for (int k = 0; k < 9; k++)
+    double y[MOST_NUMBERS];
+    cagd_code_input("y", many, y);
+    for (int k = 0; k < many; k++)
         cagd_code_compare(y[k], 0, LESS);
     put(y[0], y[0]);
 }
@@ -71,6 +71,22 @@ static void one_number(int which, double x)
 /* r = x + 1 where x > 7, else x. */
 static void wrong_above(double x) { put(cagd_code_compare(x, 7, GREATER) ? cagd_code_add(x, 1) : x, x); }
 
+/* r = x + 1 where x^2 > 400, else x. */
+static void wrong_beyond_a_square(double x)
+{
+    put(cagd_code_compare(cagd_code_mul(x, x), 400, GREATER) ? cagd_code_add(x, 1) : x, x);
+}
+
+/* What rounding costs in x is nothing, in x / 7 something: whichever comes first. */
+static void two_results(double x)
+{
+    double seventh = cagd_code_div(x, 7);
+    for (int k = 0; k < 2; k++) {
+        cagd_code_output(k ? "seventh" : "same", 1, k ? &seventh : &x);
+        cagd_code_output(k ? "same again" : "seventh again", 1, k ? &x : &seventh);
+    }
+}
+
 static void precondition(int can_be_true)
 {
     double x = input("x");
@@ -85,7 +101,7 @@ void cagd_code_entry(void)
 {
     switch ((int)input("which")) {
     case 0:
-        many_ways();
+        many_ways(9);
         break;
     case 1:
         equal_at_one_number(1);
@@ -108,6 +124,15 @@ void cagd_code_entry(void)
     case 11:
     case 12:
         one_number(0, limited((int)input("which") == 12));
+        break;
+    case 13:
+        many_ways(11);
+        break;
+    case 14:
+        wrong_beyond_a_square(input("x"));
+        break;
+    case 15:
+        two_results(input("x"));
         break;
     default:
         precondition(input("which") == 9);

@@ -107,6 +107,47 @@ static void borders_are_zeros(void **state)
     }
 }
 
+/* Products of a t - b, which have rational zeros, and of t^2 - c, which have two that are none, over others of both kinds: how many there
+ * are is known, which of them are rational, and that the values are zeros, poles, or none. */
+static void zeros_of_drawn_products(void **state)
+{
+    (void)state;
+    static const int not_square[] = {2, 3, 5, 6, 7, 10, -1, -2};
+    for (int n = 0; n < 60; n++) {
+        char text[300] = "1";
+        num_q rational[6];
+        int linear = 0, pairs = 0, used = 0, poles = random_int(0, 1);
+        for (int k = 0; k < 5; k++) {
+            size_t at = strlen(text);
+            const char *by = poles && k == 4 ? "/" : "*";
+            if (random_int(0, 2) > 0) {
+                int a = random_int(1, 9), b = random_int(-9, 9), known = 0;
+                num_q x = from_ratio_q(b, a);
+                for (int j = 0; j < linear; j++)
+                    known |= cagd_equal_q(rational[j], x);
+                if (known)
+                    continue;
+                rational[linear++] = x;
+                snprintf(text + at, sizeof text - at, "%s(%d*t - (%d))", by, a, b);
+            } else {
+                int which = random_int(0, 7);
+                if (used >> which & 1)
+                    continue;
+                used |= 1 << which, pairs += not_square[which] > 0;
+                snprintf(text + at, sizeof text - at, "%s(t^2 - (%d))", by, not_square[which]);
+            }
+        }
+        struct cagd_code_border b = cagd_code_border(text, &point, 0, 0);
+        if (b.zeros != linear + 2 * pairs || b.rational != linear)
+            fail_msg("%s has %d zeros, %d rational", text, b.zeros, b.rational);
+        int exact = 0;
+        for (int j = 0; j < b.values; j++)
+            for (int m = 0; m < linear; m++)
+                exact += cagd_equal_q(b.at[j], rational[m]);
+        assert_int_equal(exact, linear);
+    }
+}
+
 /* Among the values are some of every sign that the difference has, however near its zeros lie. */
 static void values_show_all_signs(void **state)
 {
@@ -152,6 +193,6 @@ static void values_show_all_signs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(expressions_have_their_values), unit(borders_are_zeros),
-                                       unit(values_show_all_signs)};
+                                       unit(zeros_of_drawn_products), unit(values_show_all_signs)};
     return run_unit_tests(tests);
 }

@@ -505,7 +505,8 @@ static void pages_say(void **state)
         {"book:1",
          {"It holds as printed: argued, each step for its own cases (the stated instance).",
           "An identity, proved for all points, all other positive data.", "A decision, argued for the stated instance.",
-          "An identity, a decision and an argument in words decide it together."}},
+          "An identity, a decision and an argument in words decide it together.",
+          "Ann Author et al.: 书 (A book), chapter 1, 1999"}},
         {"book:2",
          {"It fails as printed: a misprint (decided).",
           "It holds: argued for every n; computed for the stated instance.",
@@ -515,7 +516,8 @@ static void pages_say(void **state)
           "y > 0", "page 7"}},
         {"paper:4",
          {"A definition, with what is checked of it: argued for the stated instance.",
-          "A decision, an argument in words and a cited theorem check it together.", "a theorem"}},
+          "A decision, an argument in words and a cited theorem check it together.", "a theorem",
+          "A paper, pages 1 to 9"}},
         {"paper:5", {"A definition."}},
         {"paper:6",
          {"True: another way (2). False: one way (1).", "1 false one way decided by a counterexample",
@@ -547,6 +549,33 @@ static void pages_say(void **state)
     SAYS(EXIT_NOT_AS_EXPECTED, show, &bad, "show-bad-statement.txt", "book:2");
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-claim.json", "--json", "three_is_four");
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-statement.json", "--json", "book:3");
+}
+
+/* The example of a statement, under the word for it: what one instance of a definition is, and of others that one is enough. */
+static void examples_of_statements(void **state)
+{
+    (void)state;
+    enum { COUNT = sizeof good_statements / sizeof *good_statements };
+    static const char *const word[] = {"One instance is enough:", "An example:"};
+    statement with[COUNT];
+    memcpy(with, good_statements, sizeof with);
+    cagd_register reg = good;
+    reg.statements = with;
+    for (int k = 0; k < COUNT - 1; k++) {
+        char *out;
+        (void)CALL(show, &reg, &out, with[k].id);
+        assert_null(strstr(out, word[0]));
+        assert_null(strstr(out, word[1]));
+        free(out);
+        with[k].example = "x = 17";
+        (void)CALL(show, &reg, &out, with[k].id);
+        squeeze(out);
+        const char *at = strstr(out, word[with[k].is_definition]);
+        if (at == NULL || strncmp(strchr(at, ':'), ": x = 17", 8) != 0 ||
+            strstr(out, word[!with[k].is_definition]) != NULL)
+            fail_msg("%s:\n%s", with[k].id, out);
+        free(out);
+    }
 }
 
 /* Everything that is written to files: certificates with their manifest, the report, JUnit. */
@@ -613,6 +642,7 @@ int main(void)
         unit(ledger_says),
         unit(what_few_claims_have),
         unit(pages_say),
+        unit(examples_of_statements),
         unit(files_say),
     };
     for (claim *c = claims; c->name != NULL; c++)

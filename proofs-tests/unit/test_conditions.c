@@ -100,25 +100,28 @@ static void what_follows_is_implied(void **state)
         }
 }
 
-/* More texts than are compared: then nothing follows by chains. */
+/* More texts than are compared: then nothing follows by chains, whether both sides have no room or one of them. */
 static void more_texts_than_are_compared(void **state)
 {
     (void)state;
-    enum { MANY = 300 };
-    static char room[MANY][4][16];
-    static condition c[MANY];
-    for (int k = 0; k < MANY; k++) {
-        char text[32];
-        snprintf(text, sizeof text, "a%d <= b%d", k, k);
-        c[k] = condition_of(text, room[k]);
-        c[k].polynomial = "";
-        if (k > 0)
-            c[k - 1].next = &c[k];
+    enum { MANY = 210, WITH_SHARED = 400, RIGHTS = 16 };
+    static char room[WITH_SHARED][4][16];
+    static condition c[WITH_SHARED];
+    for (int shared = 0; shared < 2; shared++) {
+        const int many = shared ? WITH_SHARED : MANY;
+        for (int k = 0; k < many; k++) {
+            char text[32];
+            snprintf(text, sizeof text, "a%d <= b%d", k, shared ? k % RIGHTS : k);
+            c[k] = condition_of(text, room[k]);
+            c[k].polynomial = "";
+            if (k > 0)
+                c[k - 1].next = &c[k];
+        }
+        struct cagd_code_outcome o = {.conditions = c};
+        cagd_code_simplify(&o);
+        for (int k = 0; k < many; k++)
+            assert_false(c[k].implied);
     }
-    struct cagd_code_outcome o = {.conditions = c};
-    cagd_code_simplify(&o);
-    for (int k = 0; k < MANY; k++)
-        assert_false(c[k].implied);
 }
 
 /* x != y is x < y where x <= y is known, with the smaller one to the left and the difference that belongs to it. */

@@ -37,6 +37,10 @@ static const struct asked {
     {8, ":input: most = 7; x in [0, most]", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
     {8, ":input: most = 9; x in [8, most]", CAGD_CODE_DIFFERS, 0, 0, 0, 1, 0, "", "", "*"},
     {9, ":input: x", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
+    /* more ways than are run; a square, of which a point by chance shows where it is larger */
+    {13, ":input: y[11]\n:points: 40", CAGD_CODE_PROVED, 256, 256, 0, 40, 0, "",
+     "there are more ways than are followed", NULL},
+    {14, ":input: x", CAGD_CODE_DIFFERS, 2, 1, 0, 20, 0, "", "", "*"},
     {10, ":input: x", CAGD_CODE_UNDECIDED, 0, 0, 0, 0, 0, "no point was found where the preconditions are true", "",
      NULL},
 };
@@ -69,6 +73,33 @@ static void one(const struct cagd_code_program *p, int number, const struct aske
     cagd_code_harness_free(h);
 }
 
+/* The worst of each result, in whatever order they are told. */
+static void the_worst_of_each_result(void **state)
+{
+    (void)state;
+    char message[400];
+    struct cagd_code_harness_error error;
+    struct cagd_code_program *p = cagd_code_load(DECIDED, sizeof message, message);
+    struct cagd_code_harness *h =
+        cagd_code_read_harness(":::{exactly} it\n:input: which = 15\n:input: x\n:call: double r = 1;\n"
+                               ":output: same\n:output: seventh\n:output: seventh again\n:output: same again\n:::\n",
+                               &error);
+    assert_non_null(p);
+    if (h == NULL)
+        fail_msg("%s", error.cause);
+    struct cagd_code_verdict *v = cagd_code_decide(p, h, 20, 200);
+    assert_int_equal(v->worsts, 4);
+    for (int k = 0; k < v->worsts; k++) {
+        int is_rounded = strncmp(v->worst[k].name, "seventh", 7) == 0;
+        assert_true(is_rounded ? v->worst[k].ulps > 0.25 && v->worst[k].ulps <= 0.5 : v->worst[k].ulps == 0);
+        assert_true(is_rounded ? v->worst[k].mean > 0.1 : v->worst[k].mean == 0);
+        assert_int_equal(v->worst[k].by_chance, v->worst[0].by_chance);
+    }
+    cagd_code_verdict_free(v);
+    cagd_code_harness_free(h);
+    cagd_code_unload(p);
+}
+
 static void verdicts(void **state)
 {
     (void)state;
@@ -83,6 +114,6 @@ static void verdicts(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(verdicts)};
+    const struct CMUnitTest tests[] = {unit(verdicts), unit(the_worst_of_each_result)};
     return run_unit_tests(tests);
 }

@@ -328,8 +328,9 @@ static void the_driver_is_what_the_block_says(void **state)
 static void formulas_are_handed_over_as_they_are_printed(void **state)
 {
     (void)state;
-    struct cagd_code_harness *h = block(":input: x; c[2]\n:output: R[2]\n:output: s\n:output: R[0] + 1\n:let: h = \\frac{x}{2}\n"
-                                        ":printed: R_j\n = h + c_j\n:for: j = 0..1\n:printed: s = x");
+    struct cagd_code_harness *h =
+        block(":input: x; c[2]\n:output: R[2]\n:output: s\n:output: R[0] + 1\n:let: h = \\frac{x}{2}\n"
+              ":printed: R_j\n = h + c_j\n:for: j = 0..1\n:printed: s = x");
     char *text = driver_of(h);
     const char *own = strstr(text, "cagd_code_name(\"R\"");
     assert_non_null(own);
@@ -344,6 +345,39 @@ static void formulas_are_handed_over_as_they_are_printed(void **state)
                              "}\n");
     free(text);
     cagd_code_harness_free(h);
+}
+
+/* Names of letters alone: one stands by itself, a Greek one as TeX has it, others upright; with anything else in them, in whatever place,
+ * they are no names of formulas. */
+static void names_in_formulas(void **state)
+{
+    (void)state;
+    static const char *const list[][2] = {
+        {"t", "t"}, {"lambda", "\\lambda"}, {"knot", "\\mathrm{knot}"}, {"to", "\\mathrm{to}"}, {"", NULL}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (long count = 0; count < 3; count++) {
+            char name[80];
+            const char *head = cagd_code_formula_head(list[k][0], count);
+            assert_int_equal(head != NULL, list[k][1] != NULL);
+            if (head == NULL)
+                continue;
+            snprintf(name, sizeof name, "%s%s", list[k][1], count > 0 ? "_" : "");
+            assert_string_equal(head, name);
+            for (size_t at = 0; at <= strlen(list[k][0]); at++)
+                for (const char *other = "0_9 \\$.{"; *other != '\0'; other++) {
+                    snprintf(name, sizeof name, "%.*s%c%s", (int)at, list[k][0], *other, list[k][0] + at);
+                    assert_null(cagd_code_formula_head(name, count));
+                }
+        }
+    char longest[100];
+    int known = 0;
+    for (size_t n = 1; n < sizeof longest - 1; n++) { /* where the text has no room there is none, and no half of one */
+        memset(longest, 'a', n), longest[n] = '\0';
+        const char *head = cagd_code_formula_head(longest, 1);
+        assert_true(head == NULL || strstr(head, longest) != NULL);
+        known += head != NULL;
+    }
+    assert_true(known >= 64 && known < 80);
 }
 
 static void numbers(void **state)
@@ -563,10 +597,12 @@ int main(void)
     const struct CMUnitTest tests[] = {unit(inputs_have_the_shapes_that_are_written),
                                        unit(the_language_is_that_of_a_source),
                                        unit(numbers),
+                                       unit(names_in_formulas),
                                        unit(mistakes_have_their_lines),
                                        unit(texts_that_are_no_blocks),
                                        unit(blocks_say_what_they_ask),
-                                       unit(the_driver_is_what_the_block_says), unit(formulas_are_handed_over_as_they_are_printed),
+                                       unit(the_driver_is_what_the_block_says),
+                                       unit(formulas_are_handed_over_as_they_are_printed),
                                        unit(points_are_what_is_asked),
                                        unit(points_are_drawn_widely),
                                        unit(ends_of_ranges_are_met),

@@ -272,6 +272,60 @@ static void orders_are_one_more(void **state)
     assert_scope("four_orders", "n", "n = 0 to 3");
 }
 
+/* n and p are letters of the degree: what is said with one of them meets what is said with the other, or with none. */
+static void letters_of_the_degree(void **state)
+{
+    (void)state;
+    const char *const letter[] = {NULL, "", "n", "p"};
+    enum { LETTERS = sizeof letter / sizeof *letter };
+    for (int one = 0; one < LETTERS; one++)
+        for (int other = 0; other < LETTERS; other++) {
+            const claim c[] = {{.name = "one", .scope = "", .letter = letter[one]},
+                               {.name = "other", .scope = "", .letter = letter[other]}};
+            const claim_result r[] = {IN_FIELD(c[0], 1, 4), IN_FIELD(c[1], 2, 9)};
+            const statement_link links[] = {{HOLDS_BY, "one", NULL, "", NULL},
+                                            {HOLDS_BY, "other", NULL, "", NULL},
+                                            {HOLDS_BY, NULL, NULL, NULL, NULL}};
+            const statement s = {.id = "source:1", .links = links};
+            statement_result both = derive(&s, r, 2);
+            assert_string_equal(both.as_printed.scope, "n = 2 to 4");
+            free_statement_result(&both);
+        }
+}
+
+/* In which cases a variable is asked for, and which names begin as another one, is no matter: each is told, and once. */
+static const int asked_for[][3] = {{12, 12, 12}, {1, 1, 1}, {2, 12, 21}, {10, 100, 120}, {3, 123, 3}, {9, 90, 99}};
+enum { ASKING = sizeof asked_for / sizeof *asked_for };
+static void of_many_names_f(trial *T)
+{
+    num_f product = from_int_f(1);
+    for (int k = 0; k < 3; k++)
+        product = mul_f(product, unknown_f(T, "x", asked_for[T->degree - 1][k]));
+    same_f(T, product, T->planted ? from_int_f(1) : product);
+}
+static void every_variable_of_any_case_is_told(void **state)
+{
+    (void)state;
+    const claim c = {
+        .name = "names", .scope = "", .body = {[FIELD_TYPE] = of_many_names_f}, .degree_low = 1, .degree_high = ASKING};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    int told[128] = {0};
+    for (const char *at = r->by[FIELD_TYPE].variables; *at != '\0'; at += strspn(at, " ")) {
+        char *end;
+        assert_int_equal(*at, 'x');
+        told[strtol(at + 1, &end, 10)]++;
+        at = end;
+    }
+    for (int index = 0; index < 128; index++) {
+        int wanted = 0;
+        for (int k = 0; k < ASKING * 3; k++)
+            wanted |= asked_for[k / 3][k % 3] == index;
+        assert_int_equal(told[index], wanted);
+    }
+    free_results(r, 1);
+}
+
 /* A name is among others as a whole: x1 is not, where x10 is. */
 static void names_are_whole_words(void **state)
 {
@@ -407,8 +461,9 @@ static void links_are_a_list(void **state)
 {
     (void)state;
     for (int first = 0; first < ROLES; first++) {
-        const statement_link links[] = {
-            {first, "against", "", "", NULL}, {HOLDS_BY, "low", "", "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
+        const statement_link links[] = {{(role)first, "against", "", "", NULL},
+                                        {HOLDS_BY, "low", "", "", NULL},
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
         const statement s = {.id = "source:1", .class = "", .corrected = "", .links = links};
         statement_result r = derive(&s, results, RESULTS);
         char *text = certificate_of_statement(&r);
@@ -431,6 +486,36 @@ static void the_search_for_a_witness_leaves_the_faults(void **state)
     assert_true(count > 0);
     forget_exhibits(shown, count);
     region_faults = 0;
+}
+
+/* The number of each rank is of its kind, and no two ranks have the same one until those of a range of whole numbers are all there. */
+static void simple_numbers_are_of_their_kind(void **state)
+{
+    (void)state;
+    enum { RANKS = 12 };
+    static const int range[][2] = {{0, 0}, {0, 2}, {-3, 1}, {5, 7}, {7, 7}, {2, 40}};
+    for (size_t m = 0; m < sizeof range / sizeof *range; m++)
+        for (enum input_kind kind = ANY_NUMBER; kind <= WHOLE_NUMBER; kind++) {
+            const int least = range[m][0], most = range[m][1];
+            num_q number[RANKS];
+            for (int rank = 0; rank < RANKS; rank++) {
+                struct small_input in = {.rank = rank};
+                struct small_data data = {.at = &in, .count = 1};
+                trial T = {.small = &data};
+                num_q a = number[rank] = small_number(&T, "a", -1, kind, least, most);
+                assert_string_equal(in.value, to_string_q(a));
+                free(in.value);
+                if (kind == POSITIVE_NUMBER || kind == FRACTION)
+                    assert_true(cagd_sign_q(a) > 0);
+                if (kind == FRACTION)
+                    assert_true(cagd_compare_q(a, from_int_q(1)) < 0);
+                if (kind == WHOLE_NUMBER)
+                    assert_true(cagd_equal_q(a, from_int_q(rank < most - least ? least + rank : most)));
+                for (int k = 0; k < rank; k++)
+                    assert_true(!cagd_equal_q(number[k], a) || (kind == WHOLE_NUMBER && k >= most - least) ||
+                                kind == PARAMETER || kind == FRACTION); /* 1/2 = 2/4 */
+            }
+        }
 }
 
 /* More inputs than the search remembers. */
@@ -466,6 +551,9 @@ int main(void)
                                        unit(of_instances_the_fewest_are_told),
                                        unit(a_correction_needs_a_case),
                                        unit(orders_are_one_more),
+                                       unit(letters_of_the_degree),
+                                       unit(every_variable_of_any_case_is_told),
+                                       unit(simple_numbers_are_of_their_kind),
                                        unit(names_are_whole_words),
                                        unit(every_greek_letter_is_known),
                                        unit(a_condition_that_says_nothing_is_none),
