@@ -24,4 +24,7 @@ void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *
 
 /* The relation a >= b, a > b, a = b, or a \ne b as a constraint of the parameter, d being a - b; HOLDS if that is all it says. */
 cagd_answer cagd_collected(cagd_run *r, cagd_context *c, cagd_relation relation, cagd_value d);
+/* The alternative t of relations of two sides (clauses.h) as a clause of constraints.  Where it is not defined it is not true, but for alternatives of which another
+ * one is. */
+cagd_answer cagd_collect_clause(cagd_run *r, cagd_context *c, const cagd_tree *t);
 #endif

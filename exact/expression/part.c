@@ -4,7 +4,9 @@
 #include "exact/expression/angle.h"
 #include "exact/expression/cell.h"
 #include "exact/expression/certify.h"
+#include "exact/expression/clauses.h"
 #include "exact/expression/compare.h"
+#include "exact/expression/find.h"
 #include "exact/expression/refute.h"
 #include "exact/expression/suppose.h"
 #include "exact/record/trace.h"
@@ -182,12 +184,22 @@ static cagd_answer decide_chain(cagd_run *r, cagd_context *c, const cagd_tree *t
     return answer;
 }
 
+/* One of several relations of two sides. */
+static int is_alternative(const cagd_tree *t)
+{
+    int is = t->kind == CAGD_ANY && t->count <= CAGD_MOST_LITERALS;
+    for (int k = 0; k < t->count && is; k++)
+        is = t->at[k]->kind == CAGD_RELATION && t->at[k]->count == 2;
+    return is;
+}
+
 /* Any other truth: it is decided in each part of the cell in which its relations are; what decides none of them is a fault. */
 static cagd_answer decide_truth(cagd_run *r, cagd_context *c, const cagd_tree *t)
 {
     r->unnoted = 1;
     if (r->into != NULL)
-        return cagd_note_undecided(r, c, "a relation that is not understood with :find:");
+        return is_alternative(t) ? cagd_collect_clause(r, c, t)
+                                 : cagd_note_undecided(r, c, "a relation that is not understood with :find:");
     int is = cagd_truth(c, t);
     if (is < 0 && region_faults == 0 && !is_to_be_cut(c))
         return cagd_note_undecided(r, c, "a condition that depends on variables");
