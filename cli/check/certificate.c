@@ -2,6 +2,7 @@
 
 #include "chapters/judge/memory_text.h"
 #include "cli/check/verdict.h"
+#include "exact/expression/certify.h"
 #include "exact/words.h"
 
 #include <ctype.h>

@@ -4,7 +4,7 @@
 
 #include "cli/certify.h"
 #include "cli/check/document.h"
-#include "exact/expression/check.h"
+#include "exact/expression/finding.h"
 
 /* The certificate of what was found, where there is one: its name in the region goes to *name, NULL otherwise.  0, or -1 and a line on
  * stderr where it cannot be written. */

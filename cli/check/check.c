@@ -11,6 +11,7 @@
 #include "cli/refuse.h"
 #include "cli/report.h"
 #include "core/clock.h"
+#include "exact/expression/check.h"
 #include "exact/words.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #define CAGD_CLI_CHECK_COUNTEREXAMPLE_H
 
 #include "cli/check/document.h"
-#include "exact/expression/check.h"
+#include "exact/expression/finding.h"
 #include "figures/svg.h"
 
 /* A panel: both sides of the relation that fails over one name of its counterexample (cagd_free_name), the others being as in it,

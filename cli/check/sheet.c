@@ -7,6 +7,7 @@
 #include "cli/terminal.h"
 #include "cli/tex.h"
 #include "core/clock.h"
+#include "exact/expression/check.h"
 #include "exact/words.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #define CAGD_CLI_CHECK_SHEET_H
 
 #include "cli/check/document.h"
-#include "exact/expression/check.h"
+#include "exact/expression/finding.h"
 #include "figures/svg.h"
 
 #include <jansson.h>

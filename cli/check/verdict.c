@@ -4,6 +4,7 @@
 #include "cli/layout.h"
 #include "cli/terminal.h"
 #include "cli/tex.h"
+#include "exact/expression/depends.h"
 #include "exact/words.h"
 
 #include <stdarg.h>

@@ -3,7 +3,7 @@
 #define CAGD_CLI_CHECK_VERDICT_H
 
 #include "cli/check/document.h"
-#include "exact/expression/check.h"
+#include "exact/expression/find.h"
 
 #include <jansson.h>
 

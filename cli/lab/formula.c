@@ -8,7 +8,7 @@
 #include "cli/lab/lab.h"
 
 #include "exact/code/formula.h"
-#include "exact/expression/check.h"
+#include "exact/expression/depends.h"
 #include "exact/expression/evaluate.h"
 #include "exact/expression/read.h"
 

@@ -2,7 +2,7 @@
 #include "exact/code/formula.h"
 
 #include "exact/code/value.h"
-#include "exact/expression/check.h"
+#include "exact/expression/depends.h"
 #include "exact/expression/evaluate.h"
 #include "exact/expression/read.h"
 #include "exact/expression/standard.h"

@@ -250,7 +250,8 @@ static cagd_side_of_box parameter_of(const cagd_basis *b)
 /* A value of the parameter is no pole. */
 static cagd_constraint no_pole(const cagd_basis *b, num_f poles)
 {
-    return (cagd_constraint){mul_f(poles, poles), CAGD_MORE_THAN_ZERO, {.variable = parameter_of(b).variable}};
+    return (cagd_constraint){
+        .p = mul_f(poles, poles), .demand = CAGD_MORE_THAN_ZERO, .t = {.variable = parameter_of(b).variable}};
 }
 
 /* Where a function is not defined, nothing is true of it. */
@@ -283,7 +284,7 @@ static cagd_constraint has_no_zero(const cagd_basis *b)
 {
     num_f p[CAGD_MOST_FUNCTIONS], common = over_common_denominator(b, p);
     cagd_side_of_box x = {.variable = b->t.variable, .has_low = 1, .low_open = 1, .low = from_int_q(0)};
-    return (cagd_constraint){mul_f(common, common), CAGD_MORE_THAN_ZERO, x};
+    return (cagd_constraint){.p = mul_f(common, common), .demand = CAGD_MORE_THAN_ZERO, .t = x};
 }
 
 void cagd_basis_defined(const cagd_basis *b, cagd_found *out)
@@ -391,8 +392,8 @@ void cagd_basis_totally_positive(const cagd_basis *b, double seconds, cagd_found
                 return;
             }
             num_f w = wronskian(b, p, i, order);
-            one_of[count] = (cagd_constraint){w, CAGD_AT_LEAST_ZERO, x};
-            one_of[blocks + count] = (cagd_constraint){w, CAGD_MORE_THAN_ZERO, x};
+            one_of[count] = (cagd_constraint){.p = w, .demand = CAGD_AT_LEAST_ZERO, .t = x};
+            one_of[blocks + count] = (cagd_constraint){.p = w, .demand = CAGD_MORE_THAN_ZERO, .t = x};
             first[count] = i * (CAGD_MOST_FUNCTIONS + 1) + order;
         }
     one_of[2 * blocks] = no_pole(b, poles);

@@ -5,7 +5,7 @@
 #ifndef CAGD_BASIS_H
 #define CAGD_BASIS_H
 
-#include "exact/expression/check.h"
+#include "exact/expression/find.h"
 
 enum { CAGD_MOST_FUNCTIONS = 33, CAGD_END_ORDERS = 3 };
 

@@ -1,6 +1,6 @@
 #include "exact/expression/induction.h"
 
-#include "exact/expression/check.h"
+#include "exact/expression/depends.h"
 #include "exact/expression/radical.h"
 #include "exact/words.h"
 

@@ -2,7 +2,7 @@
 #ifndef CAGD_SIDES_H
 #define CAGD_SIDES_H
 
-#include "exact/expression/check.h"
+#include "exact/expression/finding.h"
 
 /* The name of the example over which the two sides are told apart best: a number that is no whole one, on which a side depends; of several
  * one with bounds.  Its place in example[], or -1; and its range: the bounds, where they are numbers when the others are, and otherwise

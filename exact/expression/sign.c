@@ -1,12 +1,14 @@
 #include "exact/expression/sign.h"
 
+#include "core/clock.h"
+#include "exact/decide/cylinders.h"
 #include "exact/decide/resultant.h"
 #include "exact/words.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12 };
+enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12, SECONDS_FOR_A_NUMBER = 2 };
 
 /* ---- numbers between numbers --------------------------------------------------------------------------- */
 
@@ -240,6 +242,128 @@ static cagd_answer holds_between(const cagd_constraint *c, num_f parameter, cons
     return some ? CAGD_HOLDS : CAGD_UNDECIDED; /* p >= 0 on one side, and so in the limit */
 }
 
+/* ---- alternatives -------------------------------------------------------------------------------------- */
+
+/* How many constraints the clause has that begins with that one. */
+static int length_of_clause(const cagd_constraint *c)
+{
+    int n = 1;
+    while (c[n - 1].or_next)
+        n++;
+    return n;
+}
+
+static int is_of_parameter(const cagd_constraint *c, num_f parameter) { return equal_f(c->t.variable, parameter); }
+
+/* Those of the clause from number i on that have the same other variable as it, if it is the first of them; alone where it has none. */
+static int group_of(int n, const cagd_constraint c[], int i, num_f parameter, int of[])
+{
+    int count = 0, alone = is_of_parameter(&c[i], parameter);
+    for (int k = 0; k < n; k++) {
+        if (k != i && (alone || !equal_f(c[k].t.variable, c[i].t.variable)))
+            continue;
+        if (k < i)
+            return 0;
+        of[count++] = k;
+    }
+    return count;
+}
+
+/* That the constraint is false, as a sign. */
+static unsigned signs_against(const cagd_constraint *c)
+{
+    return c->demand == CAGD_AT_LEAST_ZERO    ? CAGD_IS_NEGATIVE
+           : c->demand == CAGD_MORE_THAN_ZERO ? CAGD_IS_NEGATIVE | CAGD_IS_ZERO
+                                              : CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE;
+}
+
+enum { MOST_OF_GROUP = 40 };
+
+/* Whether at every t of the side one of the constraints is true, besides `count` conditions of the parameter, which is x[1] if variables is 2 and
+ * otherwise the number `at`. */
+static cagd_answer one_is_true(int members, const int of[], const cagd_constraint c[], int count,
+                               cagd_sign_condition given[], int variables, const num_f x[], num_q at, num_q *witness,
+                               int *rational)
+{
+    const cagd_side_of_box *t = &c[of[0]].t;
+    cagd_algebraic_point point;
+    *rational = 0;
+    if (t->has_low)
+        given[count++] = (cagd_sign_condition){sub_f(x[0], from_rational_f(t->low)),
+                                               CAGD_IS_POSITIVE | (t->low_open ? 0 : CAGD_IS_ZERO)};
+    if (t->has_high)
+        given[count++] = (cagd_sign_condition){sub_f(from_rational_f(t->high), x[0]),
+                                               CAGD_IS_POSITIVE | (t->high_open ? 0 : CAGD_IS_ZERO)};
+    for (int k = 0; k < members; k++)
+        given[count++] = (cagd_sign_condition){variables == 2 ? c[of[k]].p : at_number(c[of[k]].p, x[1], at),
+                                               signs_against(&c[of[k]])};
+    cagd_sign_condition last = given[--count];
+    last.signs = (CAGD_IS_NEGATIVE | CAGD_IS_ZERO | CAGD_IS_POSITIVE) & ~last.signs;
+    enum cagd_implication is = region_faults == 0 ? cagd_implies(count, given, last, variables, x,
+                                                                 cagd_seconds() + SECONDS_FOR_A_NUMBER, &point)
+                                                  : CAGD_IMPLICATION_NOT_KNOWN;
+    if (is == CAGD_NOT_IMPLIED) {
+        struct cagd_root r = cagd_algebraic_coordinate(&point, 0);
+        *witness = r.lo, *rational = is_number(&r);
+    }
+    return is == CAGD_IMPLIED ? CAGD_HOLDS : is == CAGD_NOT_IMPLIED ? CAGD_FAILS : CAGD_UNDECIDED;
+}
+
+/* A number, or a root with the numbers beside it, at which clauses are asked. */
+struct place {
+    num_q at;
+    const struct cagd_root *root; /* NULL: the number */
+    int count;
+    const num_q *beside;
+};
+
+static cagd_answer group_at(int members, const int of[], const cagd_constraint c[], num_f parameter,
+                            const struct place *p, num_q *witness, int *rational)
+{
+    if (members == 1 && p->root == NULL)
+        return holds_for(&c[of[0]], parameter, p->at, witness, rational);
+    *rational = 0;
+    if (members == 1)
+        return holds_between(&c[of[0]], parameter, p->root, p->count, p->beside);
+    num_f x[] = {c[of[0]].t.variable, parameter}, f = from_int_f(0);
+    cagd_sign_condition given[MOST_OF_GROUP];
+    if (p->root == NULL)
+        return one_is_true(members, of, c, 0, given, 1, x, p->at, witness, rational);
+    for (int e = cagd_poly_degree(p->root->factor); e >= 0; e--)
+        f = add_f(mul_f(f, parameter), from_rational_f(cagd_poly_coefficient(p->root->factor, e)));
+    given[0] = (cagd_sign_condition){f, CAGD_IS_ZERO};
+    given[1] = (cagd_sign_condition){sub_f(parameter, from_rational_f(p->root->lo)), CAGD_IS_POSITIVE};
+    given[2] = (cagd_sign_condition){sub_f(from_rational_f(p->root->hi), parameter), CAGD_IS_POSITIVE};
+    return one_is_true(members, of, c, 3, given, 2, x, p->at, witness, rational);
+}
+
+/* The clause of n constraints: what has different other variables is asked one by one.  *which is the constraint with the witness. */
+static cagd_answer clause_at(int n, const cagd_constraint c[], num_f parameter, const struct place *p, num_q *witness,
+                             int *rational, int *which)
+{
+    cagd_answer answer = CAGD_FAILS;
+    int of[MOST_OF_GROUP], with_witness = 0;
+    *which = 0, *rational = 0;
+    if (n > MOST_OF_GROUP - 5)
+        return CAGD_UNDECIDED;
+    for (int i = 0; i < n && answer != CAGD_HOLDS; i++) {
+        num_q t;
+        int has_witness, members = group_of(n, c, i, parameter, of);
+        cagd_answer one = members > 0 ? group_at(members, of, c, parameter, p, &t, &has_witness) : CAGD_FAILS;
+        answer = one == CAGD_FAILS ? answer : one == CAGD_HOLDS ? one : CAGD_UNDECIDED;
+        if (members > 0 && one == CAGD_FAILS && !is_of_parameter(&c[i], parameter)) {
+            with_witness++;
+            *which = i, *rational = has_witness;
+            if (has_witness)
+                *witness = t;
+        }
+    }
+    *rational &= with_witness == 1 || n == 1;
+    return answer;
+}
+
+/* ---- cells of a parameter -------------------------------------------------------------------------------- */
+
 /* A number where an answer may change, and the irreducible polynomial that is 0 there. */
 struct cut {
     struct cagd_root root;
@@ -317,25 +441,29 @@ static int cut_into_cells(num_f c, const cagd_side_of_box *parameter, cagd_cells
     return 1;
 }
 
-/* The first constraint that does not hold in a cell, and at a cut. */
+/* The first clause that does not hold in a cell, and at a cut. */
 static void answer_cell(int constraints, const cagd_constraint constraint[], num_f lambda, int k, cagd_cells *out)
 {
-    for (int i = 0; i < constraints && !out->empty[k] && out->cell[k] == CAGD_HOLDS; i++) {
-        out->cell[k] = holds_for(&constraint[i], lambda, out->sample[k], &out->witness[k], &out->has_witness[k]);
-        out->broken[k] = i;
+    struct place here = {.at = out->sample[k]};
+    int which;
+    for (int i = 0, n; i < constraints && !out->empty[k] && out->cell[k] == CAGD_HOLDS; i += n) {
+        n = length_of_clause(&constraint[i]);
+        out->cell[k] = clause_at(n, &constraint[i], lambda, &here, &out->witness[k], &out->has_witness[k], &which);
+        out->broken[k] = i + which;
     }
 }
 static void answer_cut(int constraints, const cagd_constraint constraint[], num_f lambda, int k, cagd_cells *out)
 {
     const struct cagd_root *r = &out->root[k];
     num_q witness, beside[2];
-    int rational, near = 0;
+    int rational, which;
+    struct place here = {.at = r->lo, .root = is_number(r) ? NULL : r, .beside = beside};
     for (int side = k; side <= k + 1; side++)
         if (!out->empty[side])
-            beside[near++] = out->sample[side];
-    for (int i = 0; i < constraints && out->at[k] != CAGD_FAILS; i++) {
-        cagd_answer answer = is_number(r) ? holds_for(&constraint[i], lambda, r->lo, &witness, &rational)
-                                          : holds_between(&constraint[i], lambda, r, near, beside);
+            beside[here.count++] = out->sample[side];
+    for (int i = 0, n; i < constraints && out->at[k] != CAGD_FAILS; i += n) {
+        n = length_of_clause(&constraint[i]);
+        cagd_answer answer = clause_at(n, &constraint[i], lambda, &here, &witness, &rational, &which);
         out->at[k] = answer == CAGD_HOLDS ? out->at[k] : answer;
     }
 }
@@ -351,22 +479,38 @@ void cagd_answer_cells(int constraints, const cagd_constraint constraint[], cons
         answer_cut(constraints, constraint, lambda, k, out);
 }
 
-/* *product times the polynomials of the parameter at whose roots the answer to the constraint does change. */
-static int changes_of(const cagd_constraint *one_of, const cagd_side_of_box *parameter, num_f *product)
+/* *product times a polynomial of the parameter at whose roots the answer to the clause can change. */
+static int critical_of_clause(int n, const cagd_constraint c[], num_f lambda, num_f *product)
 {
-    num_f lambda = parameter->variable, c = from_int_f(1), factor[CAGD_MOST_CUTS];
+    int of[MOST_OF_GROUP];
+    if (n == 1 && c->demand == CAGD_ZERO) {
+        *product = times(*product, some_coefficient(c->p, lambda), lambda);
+        return 1;
+    }
+    for (int i = 0; i < n; i++) {
+        int members = n <= MOST_OF_GROUP ? group_of(n, c, i, lambda, of) : 0;
+        num_f all = from_int_f(1);
+        for (int k = 0; k < members; k++)
+            all = mul_f(all, c[of[k]].p);
+        if (members > 0 && !critical(all, &c[i].t, lambda, product))
+            return 0;
+    }
+    return n <= MOST_OF_GROUP;
+}
+
+/* *product times the polynomials of the parameter at whose roots the answer to the clause does change, or to one of several constraints may. */
+static int changes_of(int n, const cagd_constraint c[], const cagd_side_of_box *parameter, num_f *product)
+{
+    num_f lambda = parameter->variable, cuts = from_int_f(1), factor[CAGD_MOST_CUTS];
     cagd_cells *cells = region_bytes(sizeof *cells);
-    if (one_of->demand == CAGD_ZERO)
-        c = times(c, some_coefficient(one_of->p, lambda), lambda);
-    else if (!critical(one_of->p, &one_of->t, lambda, &c))
+    if (!critical_of_clause(n, c, lambda, &cuts) || cells == NULL || !cut_into_cells(cuts, parameter, cells, factor))
         return 0;
-    if (cells == NULL || !cut_into_cells(c, parameter, cells, factor))
-        return 0;
-    cagd_answer_cells(1, one_of, parameter, cells);
+    cagd_answer_cells(n, c, parameter, cells);
     for (int k = 0; k < cells->count; k++) {
         int same = (cells->empty[k] || cells->cell[k] == cells->at[k]) &&
                    (cells->empty[k + 1] || cells->cell[k + 1] == cells->at[k]);
-        if (!same && degree_f(cagd_denominator_f(div_f(*product, factor[k])), lambda) > 0)
+        /* Of several constraints one may change where another one holds: then it is not the same as in the cell that would be left. */
+        if ((!same || n > 1) && degree_f(cagd_denominator_f(div_f(*product, factor[k])), lambda) > 0)
             *product = mul_f(*product, factor[k]);
     }
     return region_faults == 0;
@@ -377,9 +521,11 @@ int cagd_cells_of(int constraints, const cagd_constraint constraint[], const cag
 {
     num_f c = from_int_f(1), factor[CAGD_MOST_CUTS];
     *out = (cagd_cells){0};
-    for (int i = 0; i < constraints; i++)
-        if (!changes_of(&constraint[i], parameter, &c))
+    for (int i = 0, n; i < constraints; i += n) {
+        n = length_of_clause(&constraint[i]);
+        if (!changes_of(n, &constraint[i], parameter, &c))
             return 0;
+    }
     if (!cut_into_cells(c, parameter, out, factor))
         return 0;
     cagd_answer_cells(constraints, constraint, parameter, out);
@@ -406,7 +552,7 @@ static cagd_answer positive_in_rectangle(num_f p, int strict, const cagd_side_of
                                          num_q *at_t, num_q *at_lambda, int *rational)
 {
     cagd_cells *cells = region_bytes(sizeof *cells);
-    cagd_constraint c = {p, strict ? CAGD_MORE_THAN_ZERO : CAGD_AT_LEAST_ZERO, *t};
+    cagd_constraint c = {.p = p, .demand = strict ? CAGD_MORE_THAN_ZERO : CAGD_AT_LEAST_ZERO, .t = *t};
     cagd_answer answer = CAGD_HOLDS;
     if (cells == NULL || !cagd_cells_of(1, &c, lambda, cells))
         return CAGD_UNDECIDED;

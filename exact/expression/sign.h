@@ -43,9 +43,10 @@ typedef struct cagd_constraint {
     cagd_num_f p;
     cagd_demand demand;
     cagd_side_of_box t; /* where p is free of other variables, that of the parameter */
+    int or_next;        /* this or the next one is asked: so several in a row are one clause */
 } cagd_constraint;
 
-/* For which values of the parameter all constraints hold: its side is cut by `count` numbers root[k]; cell[k] is the answer below
+/* For which values of the parameter all constraints, or clauses of them, hold: its side is cut by `count` numbers root[k]; cell[k] is the answer below
  * root[k], cell[count] the one above the last; at[k] the answer for root[k] itself, all in increasing order.  0 where there are too
  * many cuts. */
 enum { CAGD_MOST_CUTS = 200 };
@@ -53,9 +54,10 @@ typedef struct cagd_cells {
     int count;
     struct cagd_root root[CAGD_MOST_CUTS];
     cagd_answer cell[CAGD_MOST_CUTS + 1], at[CAGD_MOST_CUTS];
-    int empty[CAGD_MOST_CUTS + 1];          /* the first and the last cell may be                                  */
-    cagd_num_q sample[CAGD_MOST_CUTS + 1];  /* a number of each cell                                               */
-    int broken[CAGD_MOST_CUTS + 1];         /* the first constraint that does not hold in the cell                 */
+    int empty[CAGD_MOST_CUTS + 1];         /* the first and the last cell may be                                  */
+    cagd_num_q sample[CAGD_MOST_CUTS + 1]; /* a number of each cell                                               */
+    int broken[CAGD_MOST_CUTS +
+               1]; /* the first constraint that does not hold in the cell; of a clause the one with the witness */
     cagd_num_q witness[CAGD_MOST_CUTS + 1]; /* a t for which it does not, if has_witness                           */
     int has_witness[CAGD_MOST_CUTS + 1];
 } cagd_cells;

@@ -1094,7 +1094,28 @@ class Ranges(unittest.TestCase):
             self.assertEqual(s["values"].replace("− ", "−"), values or "", printed)
             self.assertEqual(s["verdict"], "found" if values else "undecided")
 
+    def test_alternatives(self):
+        """Implications, amounts, the greatest of several: unions, also of what holds for some t and of what holds for the others; roots and poles are looked at apart."""
+        unit, joint = "0 \\le t \\le 1", "0 \\le t \\le 1, -1 \\le y \\le 1"
+        for printed, ranges, values in (("x \\ge 1 \\Rightarrow x t^2 - t + 1/4 \\ge 0", unit, "all x"), ("x > 0 \\Rightarrow x t^2 - t + 1/4 \\ge 0", unit, "x ≤ 0 and x ≥ 1"),
+                                        ("x^2 \\le 2 \\Rightarrow x^2 < 2", unit, "x < −1.414213…, −1.414213… < x < 1.414213… and x > 1.414213…"), ("x^2 \\ne 2 \\Rightarrow x = x + 1", unit, "x = −1.414213… and x = 1.414213…"),
+                                        ("x \\ge 0 \\iff x^3 \\ge 0", unit, "all x"), ("x \\ge 0 \\iff x^2 \\ge 0", unit, "x ≥ 0"), ("x \\ge 2 \\lor x \\le -1", unit, "x ≤ −1 and x ≥ 2"), ("\\neg(0 < x \\le 1)", unit, "x ≤ 0 and x > 1"),
+                                        ("|x| \\le 2 + t", unit, "−2 ≤ x ≤ 2"), ("|x| \\ge 2 + t", unit, "x ≤ −3 and x ≥ 3"), ("|x - t| > 0", unit, "x < 0 and x > 1"), ("|x - t| + |x - 1| = 1 - t", unit, "x = 1"),
+                                        ("\\max(x, t) \\le 2", unit, "x ≤ 2"), ("\\min(x, t) \\le 1/2", unit, "x ≤ 1/2"), ("\\max(t, 1 - t) \\ge x", unit, "x ≤ 1/2"), ("t \\ge x \\lor t \\le 2 x", unit, "all x"), ("t \\ge x \\lor 2 t \\le x", unit, "x ≤ 0 and x ≥ 2"),
+                                        ("t \\ge x \\lor y \\le x", joint, "x ≤ 0 and x ≥ 1"), ("t (t - x) = 0 \\lor x t = 0", unit, "x = 0"), ("|t^2 - x| + |x^2 - 1/2| > 0", unit, "x < 0.707106… and x > 0.707106…"),
+                                        ("\\frac{1}{x} > 0 \\Rightarrow \\frac{1}{x} > -1", unit, "x < 0 and x > 0"), ("x > 1 \\Rightarrow \\frac{1}{x} \\le 1", unit, "all x"),
+                                        ("|x \\sin y| \\le 1/2 + \\cos y", "0 \\le y \\le \\pi/2", "−1/2 ≤ x ≤ 1/2")):
+            self.assertEqual(self.found(printed, "x", ranges)["values"].replace("− ", "−"), values, printed)
+        s = self.found("|x - 2 t| \\le 1", "x", unit)
+        self.assertEqual(s["values"], "x = 1")
+        for one in s["fails_for"]:
+            f = {k: fractions.Fraction(v) for k, v in one.items()}
+            self.assertGreater(abs(f["x"] - 2 * f["t"]), 1)
+
     def test_what_is_not_found_is_told(self):
+        self.assertIn("may be 0, in an alternative", self.found("x > 1 \\Rightarrow \\frac{1}{x - t} \\ge 0", "x", "0 \\le t \\le 1")["reason"])
+        self.assertIn("not understood", self.found("\\exists i = 1..2: x > i", "x")["reason"])
+        self.assertIn("more than one name", self.found("y \\ge x + t \\lor t \\ge 0", "x", "0 \\le t \\le 1, y \\le 1")["reason"])
         self.assertIn("more than one name", self.found("x + t + y \\ge 0", "x", "0 \\le t \\le 1")["reason"])
         for parameter, words in (("z", "not defined"), ("x_1", "variable"), ("2", "variable"), ("n", "variable")):
             r = check(document("x = x").replace(":for:", f":find: {parameter}\n:for:"))

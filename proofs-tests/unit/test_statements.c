@@ -2,6 +2,7 @@
 #include "proofs-tests/unit/unit_exact.h"
 
 #include "exact/expression/basis.h"
+#include "exact/expression/certify.h"
 #include "exact/expression/check.h"
 #include "exact/expression/read.h"
 

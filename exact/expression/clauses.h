@@ -1,0 +1,14 @@
+/* clauses.h -- a statement as clauses (合取范式), each of them an alternative of relations: A => B is "not A, or B".
+ *
+ * An amount, a greatest or a least of several goes into clauses, too: a statement S of |a| is (a < 0, or S of a) and (a > 0, or S of -a). */
+#ifndef CAGD_EXPRESSION_CLAUSES_H
+#define CAGD_EXPRESSION_CLAUSES_H
+
+#include "exact/expression/tree.h"
+
+enum { CAGD_MOST_LITERALS = 8 };
+
+/* A tree that says the same: the statement itself where it is relations, or several of them; otherwise relations of two sides and CAGD_ANY of at most CAGD_MOST_LITERALS of them, all together in CAGD_ALL.  NULL where there are
+ * too many, or where the statement has other parts, as "there is". */
+const cagd_tree *cagd_in_clauses(const cagd_tree *statement);
+#endif
