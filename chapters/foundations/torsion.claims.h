@@ -63,7 +63,7 @@ static num G(sarrus)(const num r0[], const num r1[], const num r2[])
 :kind: counterexample
 :given: the cubic $P(t)=\sum_kc_kt^k$ in space, and $t$, where its speed is 1
 :data: c = (0,0,0) (1,0,0) (0,1,0) (0,0,1); t = 0
-:then: $[P'\,P''\,P'']$ is 0, and with it the printed quotient, whatever number $s$ is; the torsion is not
+:then: $[P'\,P''\,P'']$ is 0, and with it the printed quotient, whatever number $s\ne0$ is; the torsion is not
 :result: P', P'', P''' = (1,0,0) (0,2,0) (0,0,6); printed quotient = 0; τ = 3
 :method: The derivatives by the kernel; at $t$ the speed is 1, so that its power does not matter.
 :control: $P'''$ in the last place
@@ -278,11 +278,13 @@ three powers of the parameter one by one, so when the determinant vanishes $P(t)
 :title: The cubic is plane exactly when the determinant of its coefficients is zero
 :zh: 平面曲线的充要条件
 :given: any cubic in space, any $t$
-:then: $(A\times B)\cdot(P-D)=t\,(A,B,C)$, $(C\times A)\cdot(P-D)=t^2(A,B,C)$, $(B\times C)\cdot(P-D)=t^3(A,B,C)$
+:then: $(A\times B)\cdot(P-D)=t\,(A,B,C)$, $(C\times A)\cdot(P-D)=t^2(A,B,C)$, $(B\times C)\cdot(P-D)=t^3(A,B,C)$;
+  $A\times(P-D)=t^2A\times B-t\,C\times A$, $B\times(P-D)=t\,B\times C-t^3A\times B$, $C\times(P-D)=t^3C\times A-t^2B\times C$; and for any vector $n$,
+  $(A,B,C)\,n=(n\cdot A)\,B\times C+(n\cdot B)\,C\times A+(n\cdot C)\,A\times B$
 :method: Identities with everything a variable.  If the determinant is 0, each of the three products that is not 0 is the normal of
-  a plane that holds the curve; if all are 0 the curve is a line.  Conversely a curve in a plane has its differences, so
-  $A,B,C$, in one plane, and the determinant is 0.
-:over: x# y# z#: coefficients
+  a plane that holds the curve; if all are 0, $P-D$ is parallel to each of $A$, $B$, $C$, and the curve is on a line, or a point.  Conversely, if
+  $n\cdot(P-D)=0$ for all $t$ and $n\ne0$, the three coefficients $n\cdot A$, $n\cdot B$, $n\cdot C$ are 0, and so is the determinant.
+:over: x# y# z#: coefficients; n#: -
 :control: the last normal with the factor $t^2$
 :::
 */
@@ -299,6 +301,24 @@ CLAIM(cubic_is_plane_when_determinant_vanishes)
         G(cross3)(pairs[k][0], pairs[k][1], normal);
         /* (A × B)·(P - D) = t (A,B,C), and so on with t² and t³ */
         same(T, G(dot)(space, normal, gone), mul(G(power)(t, fault(T, k + 1, k == 2 ? 2 : k + 1)), det));
+    }
+    num products[3][space], n[space], tt = mul(t, t), ttt = mul(tt, t); /* A × B, C × A, B × C */
+    for (int k = 0; k < 3; k++)
+        G(cross3)(pairs[k][0], pairs[k][1], products[k]);
+    for (int j = 0; j < space; j++)
+        n[j] = unknown(T, "n", j);
+    num along[3][space];
+    for (int k = 0; k < 3; k++)
+        G(cross3)(c + (3 - k) * space, gone, along[k]); /* of A, B and C with P - D */
+    for (int j = 0; j < space; j++) {
+        num AB = products[0][j], CA = products[1][j], BC = products[2][j];
+        about(T, "the direction of P - D");
+        same(T, along[0][j], sub(mul(tt, AB), mul(t, CA)));
+        same(T, along[1][j], sub(mul(t, BC), mul(ttt, AB)));
+        same(T, along[2][j], sub(mul(ttt, CA), mul(tt, BC)));
+        about(T, "the determinant times any vector");
+        num sum = add(mul(G(dot)(space, n, A), BC), add(mul(G(dot)(space, n, B), CA), mul(G(dot)(space, n, C), AB)));
+        same(T, mul(det, n[j]), sum);
     }
 }
 

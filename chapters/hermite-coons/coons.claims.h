@@ -506,7 +506,7 @@ in more than the corners: from each of two borders the corner inherits a mixed d
 :printed: $P=q(u)\,[0w\;1w\;0w_u\;1w_u]^T+[u0\;u1\;u0_w\;u1_w]\,q(w)^T-q(u)\,M\,q(w)^T$,
   $q=[q_{00}\;q_{01}\;q_{10}\;q_{11}]$, $M=\begin{bmatrix}00&01&00_w&01_w\\10&11&10_w&11_w\\00_u&01_u&00_{uw}&01_{uw}\\10_u&11_u&10_{uw}&11_{uw}\end{bmatrix}$, has the four borders and the
   four derivatives across; for $u=0$ the right side is $0w$, and its derivative with respect to $u$ is $0w_u$
-:holds-by: coons_kernel_is_the_bordered_product borders_and_cross_derivatives_are_kept
+:holds-by: coons_kernel_is_the_bordered_product borders_and_cross_derivatives_are_kept unit_functions_are_dual_to_the_data
 :hypothesis: two_twists_cannot_both_be_kept | at each corner the data agree: points, tangents, and the derivative of $0w_u$
   along its border with that of $u0_w$ along its own
 :figure: two_twists
@@ -518,7 +518,7 @@ In the text at hand the sums of products have no signs; with those shown here th
 :title: The corners can be computed from the given curves
 :zh: 角点信息可由边界数据求得
 :printed: From $u0,u1,0w,1w$ and $u0_w,u1_w,0w_u,1w_u$ the points, tangents and twist vectors of the four corners can be computed.
-:holds-by: borders_and_cross_derivatives_are_kept
+:holds-by: borders_and_cross_derivatives_are_kept unit_functions_are_dual_to_the_data
 :hypothesis: two_twists_cannot_both_be_kept | both ways to compute each of them give one vector
 :figure: two_twists
 :::
@@ -529,7 +529,8 @@ In the text at hand the sums of products have no signs; with those shown here th
 :given: any matrix $M$; on a border any values of its curve, of its derivative across, and of the four functions along it
 :then: on all four borders the value of the patch and its derivative across are the given ones
 :method: At $u=0$ and $u=1$ the values and the derivatives of the four functions are rows of the unit matrix, and what
-  runs across has its values and derivatives in $M$; likewise for $w$.  No other property is used.
+  runs across has its values and derivatives in $M$; at $w=0$ and $w=1$ the same, run as well.  No other property is used.
+:where: the four functions have at the ends the values and derivatives of the unit matrix
 :over: m#: corner data; x#: border data; f#: blending functions
 :control: one twist differs between the curve and $M$
 :::

@@ -188,7 +188,8 @@ statement_result derive(const statement *s, const claim_result *results, int cou
         }
     }
     /* Words are about what is true: the statement, or what is true instead. */
-    struct gathering *truth = n.of[REFUTED_BY] > 0 ? &corrected : &printed;
+    int is_corrected = n.of[REFUTED_BY] > 0 || (n.of[CORRECTED_BY] > 0 && n.of[HOLDS_BY] + n.of[CHECKED_BY] == 0);
+    struct gathering *truth = is_corrected ? &corrected : &printed;
     for (const statement_link *link = s->links; link->claim != NULL || link->text != NULL; link++)
         if (link->role == ARGUED) {
             add_argument(truth, link->place);

@@ -18,7 +18,7 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :title: Marsden's coefficients for the knots of Bernstein
 :zh: Bernstein 节点的 ω
 :printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.14): $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, $i=0,1,\dots,k-1$
-:holds-by: bernstein_knots_in_every_order
+:holds-by: bernstein_knots_in_every_order bernstein_knots_of_every_function
 :confirmed-by: bernstein_coefficients_and_g
 :needs: bernstein_knots_from_one_shift_the_index | the knots printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
   from 0, $t_0=\dots=t_{k-1}=0$; as $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
@@ -63,7 +63,7 @@ coefficients: it takes the Bernstein basis to the powers.
 :let: $P=x^{k-2-i}(x-1)^i$
 :then: $t_{i+1}=0$ and $t_{i+k}=1$, since $k-1-(i+1)=m\ge0$, $i+k\ge k$ and $2k-1-(i+k)=m+1>0$; so $\omega_{i,k}=q\,(x-0)$, $\omega_{i+1,k}=q\,(x-1)$, and with
   $q=P$ they are $x^{k-1-i}(x-1)^i$ and $x^{k-2-i}(x-1)^{i+1}$
-:method: The step of an induction on $i$; $\omega_{0,k}$ is the product of $k-1$ factors $x$.
+:method: The step of an induction on $i$; $\omega_{0,k}$ is the product of $k-1$ factors $x$, by `bernstein_knots_of_every_function` for $i=0$.
 :degrees: all
 :over: x; k: -; i m q P: -
 :control: $t_{i+k}=0$

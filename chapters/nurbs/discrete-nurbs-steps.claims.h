@@ -193,7 +193,7 @@ CLAIM(insertions_commute)
 :::{claim} insertion_cuts_the_corners
 :title: Each inserted knot cuts corners of the polygon
 :zh: 每嵌入一个节点即割去控制多边形的若干角
-:given: every segment; one knot $\tau$ strictly inside its interval, positive gaps of the knots and weights
+:given: every segment; one knot $\tau$ strictly inside its interval, or at the left end of it, positive gaps of the knots and weights
 :let: $s_i=a_iw_i/(a_iw_i+(1-a_i)w_{i-1})$ with $a_i=(\tau-t_i)/(t_{i+k-1}-t_i)$
 :then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
 :method: The kernel; signs are read off coefficients.
@@ -211,20 +211,23 @@ CLAIM(insertion_cuts_the_corners)
     num R[MOST_KNOTS], w[MOST_KNOTS], v[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], one = from_int(1);
     for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
         const num *u = K.u;
-        num knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
         G(weighted_points)(T, n, 1, R, w);
-        G(nurbs_insert)(nurbs(p, n, 1, u, R, w), mu, knot, v, S, z);
-        about(T, "the old points");
-        same(T, S[0], R[0]);
-        same(T, S[n], R[n - 1]);
-        for (int i = 1; i < n; i++) {
-            num a = div(sub(knot, u[i]), sub(u[i + p], u[i])), right = mul(a, w[i]), left = mul(sub(one, a), w[i - 1]);
-            num s = fault(T, div(right, add(left, right)), a);
-            about(T, "s_i is in [0, 1]");
-            nonnegative(T, s);
-            nonnegative(T, sub(one, s));
-            about(T, "the new point");
-            same(T, S[i], add(mul(sub(one, s), R[i - 1]), mul(s, R[i])));
+        for (int at_knot = 0; at_knot <= 1; at_knot++) {
+            num knot = at_knot ? u[mu] : add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+            G(nurbs_insert)(nurbs(p, n, 1, u, R, w), mu, knot, v, S, z);
+            about(T, "the old points");
+            same(T, S[0], R[0]);
+            same(T, S[n], R[n - 1]);
+            for (int i = 1; i < n; i++) {
+                num a = div(sub(knot, u[i]), sub(u[i + p], u[i]));
+                num right = mul(a, w[i]), left = mul(sub(one, a), w[i - 1]);
+                num s = fault(T, div(right, add(left, right)), a);
+                about(T, "s_i is in [0, 1]");
+                nonnegative(T, s);
+                nonnegative(T, sub(one, s));
+                about(T, "the new point");
+                same(T, S[i], add(mul(sub(one, s), R[i - 1]), mul(s, R[i])));
+            }
         }
     }
 }
@@ -246,7 +249,7 @@ Insert one knot often enough and a new point is the point of the curve.
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no
   $r_0$
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: for every
-  multiplicity $0,\dots,k$ and at $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
+  multiplicity $0,\dots,k$ and at a $k$-fold $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
 :reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: a knot of multiplicity $m$ is inserted $k-1-m$
   times, with the same $\mu$
 :figure: insertion_to_the_curve

@@ -566,7 +566,7 @@ CLAIM(divided_difference_is_leading_coefficient)
 :title: The divided difference as a quotient of determinants
 :zh: 差商的行列式之比表示
 :printed: [t_0,t_1,\dots,t_k]f=c_k=\det H(T;1,t,\dots,t^{k-1},f)/\det H(T;1,t,\dots,t^k)
-:holds-by: cramers_rule_gives_divided_difference
+:holds-by: cramers_rule_gives_divided_difference divided_difference_is_leading_coefficient
 :::
 
 :::{claim} cramers_rule_gives_divided_difference

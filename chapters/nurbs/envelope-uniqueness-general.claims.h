@@ -309,7 +309,7 @@ includes, the values are limits from the left.
 :title: The three steps of the display
 :zh: 所印等式链
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
-  patterns; weights, any $t$
+  patterns; numbers for the weights, any $t$
   and $\tau$, every $r=1,\dots,k-2$
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
 :method: Every expression by its letter, term by term.
@@ -495,8 +495,10 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
 :title: The same for the numerators
 :zh: 分子的类似等式
 :printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
-:holds-by: family_steps_along_the_tangent
+:holds-by: family_steps_along_the_tangent level_by_sums_over_the_level_before
 :figure: nurbs_envelope_square
+
+The first expression against the last is run with the points; those between are an identity in the numbers $w_i$, in whose place any numbers may stand.
 :::
 
 :::{statement} wang-ch4:formula-4.3.17

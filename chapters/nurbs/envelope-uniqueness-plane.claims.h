@@ -311,7 +311,7 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.
 :given: any $x$ and $y$ with their first and second derivatives, here cubic polynomials of $t$ with variable
   coefficients
 :then: $(y'/x')'=(x'y''-x''y')/x'^2$
-:method: Formal derivatives.  The rule holds for all functions; if the right side is 0 for all $t$ of the span,
+:method: Formal derivatives.  Both sides depend on $x',x'',y',y''$ at $t$ only, which are any numbers for cubics, so the rule holds for all functions; if the right side is 0 for all $t$ of the span,
   $y'/x'$ is constant and $y=ax+b$, or $x'=0$ for all $t$ and $x$ is constant: a line.
 :degrees: all
 :over: a# b#: coefficients

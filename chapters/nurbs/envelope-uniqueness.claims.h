@@ -593,17 +593,17 @@ For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
 :title: The triple product is that of p, r', r'', up to the factor −W
 :zh: 混合积与 (p, r', r'') 只差因子 −W
 :given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$; and for
-  $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
+  $k=2,3,4$ every pattern of the knots of a span, points and weights, two vectors $a$, $b$ in the place of $r'$, $r''$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
 :method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
   product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
   weights, knots and $t$ as variables.
-:scope: k = 2 to 4 for the sum over the points
+:scope: k = 2 to 4 and every pattern of the knots of a span for the sum over the points
 :where: $w(t)\ne0$
 :argued: every order | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
   $N_{i,k}(t)w_ir_i$.
-:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
+:over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator; A# B#: vectors
 :control: the sign
 :::
 */
@@ -615,17 +615,24 @@ CLAIM(triple_product_is_that_of_the_point)
     /* (r', A, p'') = -W (p, r', r'') */
     same(T, G(det3)(J.r1, J.A, J.p2), fault(T, neg(product), product));
     for (int p = 1; p <= 3; p++) {
-        num u[MOST_KNOTS], R[3 * 4], w[4], S[4], N[4], t = parameter(T, "t"), sum = from_int(0);
+        num u[MOST_KNOTS], R[3 * 4], w[4], a[3], b[3], t = parameter(T, "t");
         int place[MOST_KNOTS];
         G(free_curve)(T, p, 3, R, w);
-        G(knots_of_span)(T, p, 1, u, place);
-        G(sums)(p, 3, u, p, R, w, t, S);
-        G(bspline_basis)(p, u, p, t, N);
-        for (int i = 0; i <= p; i++)
-            sum = add(sum, mul(mul(N[i], w[i]), G(det3)(R + 3 * i, J.r1, J.r2)));
-        about(T, "the sum over the points");
-        /* Σ N_i,k w_i (r_i, r', r'') = (p, r', r'') */
-        same(T, sum, G(det3)(S, J.r1, J.r2));
+        for (int c = 0; c < 3; c++) { /* r' and r'' */
+            a[c] = unknown(T, "A", c);
+            b[c] = unknown(T, "B", c);
+        }
+        for (int shape = 0; shape < G(shapes)(p); shape++) {
+            num S[4], N[4], sum = from_int(0);
+            G(knots_of_span)(T, p, shape, u, place);
+            G(sums)(p, 3, u, p, R, w, t, S);
+            G(bspline_basis)(p, u, p, t, N);
+            for (int i = 0; i <= p; i++)
+                sum = add(sum, mul(mul(N[i], w[i]), G(det3)(R + 3 * i, a, b)));
+            about(T, "the sum over the points");
+            /* Σ N_i,k w_i (r_i, r', r'') = (p, r', r'') */
+            same(T, sum, G(det3)(S, a, b));
+        }
     }
 }
 
