@@ -239,7 +239,7 @@ An identity for any $t$ and $\tau$; the span is that of $t_j$, see `notation-4.3
 :::{claim} weights_of_two_parameters_differ_as_printed
 :title: The difference of the weights of two parameters
 :zh: 两个参数下权之差
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the distinct knots
   variables for $k\le5$ and numbers above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
 :then: the printed equation
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
@@ -742,7 +742,7 @@ corners arise.
 :title: The determinant of the level before is a sum of triangles of the control points, no factor of which is negative
 :zh: 上一层族曲线的行列式是控制顶点三角形之非负组合
 :types: field rational
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, with positive gaps,
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, with positive gaps,
   variables for $k\le4$ and numbers above; homogeneous points of the plane; $t$, $\tau$ inside the span; every
   $r=1,\dots,k-2$
 :let: $a=t_j$, $b=t_{j+1}$, $P_i=(w_ir_i,w_i)$; $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows

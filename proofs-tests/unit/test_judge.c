@@ -908,7 +908,7 @@ static void test_every_combination_of_roles(void **state)
                 if (bad >= 0) {
                     assert_int_equal(r.as_printed.evidence, NO_EVIDENCE);
                 } else {
-                    evidence correction = in(roles, REFUTED_BY) && words ? BY_ARGUMENT : DECIDED;
+                    evidence correction = words && (in(roles, REFUTED_BY) || !held) ? BY_ARGUMENT : DECIDED;
                     assert_int_equal(r.as_corrected.evidence, in(roles, CORRECTED_BY) ? correction : NO_EVIDENCE);
                     if (r.verdict == VERDICT_FAILS)
                         assert_int_equal(r.as_printed.evidence, DECIDED);
