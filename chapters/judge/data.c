@@ -47,6 +47,8 @@ static num_q input(trial *T, const char *name, int index, enum input_kind kind, 
 static num_f indexed_variable(const char *name, int index)
 {
     char full[16];
+    if (index == ALONE)
+        return variable_f(name);
     snprintf(full, sizeof full, "%s%d", name, index);
     return variable_f(full);
 }
@@ -101,15 +103,15 @@ static num_m from_rational_m(num_q a) { return exact_m(to_double_q(a)); }
     }                                                                                                                  \
     num_##S parameter_##S(trial *T, const char *name)                                                                  \
     {                                                                                                                  \
-        return from_rational_##S(noted_input(T, name, -1, PARAMETER, 0, 0));                                           \
+        return from_rational_##S(noted_input(T, name, ALONE, PARAMETER, 0, 0));                                           \
     }                                                                                                                  \
     num_##S whole_##S(trial *T, const char *name, int low, int high)                                                   \
     {                                                                                                                  \
-        return from_rational_##S(noted_input(T, name, -1, WHOLE_NUMBER, low, high));                                   \
+        return from_rational_##S(noted_input(T, name, ALONE, WHOLE_NUMBER, low, high));                                   \
     }                                                                                                                  \
     num_##S inside_##S(trial *T, const char *name)                                                                     \
     {                                                                                                                  \
-        return from_rational_##S(noted_input(T, name, -1, FRACTION, 0, 0));                                            \
+        return from_rational_##S(noted_input(T, name, ALONE, FRACTION, 0, 0));                                            \
     }
 SAMPLED_DATA(q)
 SAMPLED_DATA(i)

@@ -57,6 +57,8 @@ const char *given_text(trial *T, const char *name); /* lives as long as the clai
 void found_whole(trial *T, const char *name, int value);
 void found_text(trial *T, const char *name, const char *text);
 
+enum { ALONE = -1 }; /* the index of a number whose letter has none */
+
 #define JUDGE_WORDS(S)                                                                                                 \
     num_##S unknown_##S(trial *T, const char *name, int index);                                                        \
     num_##S positive_##S(trial *T, const char *name, int index);                                                       \

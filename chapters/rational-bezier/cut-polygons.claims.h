@@ -248,7 +248,7 @@ cuts every piece is not enough, if the ratios may change.  And the weights have 
 */
 CLAIM(crowded_cuts_do_not_converge)
 {
-    num one = from_int(1), half = from_ratio(1, 2), s = positive(T, "s", 0), y = div(one, add(from_int(4), s));
+    num one = from_int(1), half = from_ratio(1, 2), s = positive(T, "s", ALONE), y = div(one, add(from_int(4), s));
     num factor = fault(T, sub(one, mul(half, y)), half);
     num margin = sub(mul(add(half, y), factor), add(half, mul(half, y)));
     /* (1/2 + y)(1 - y/2) - (1/2 + y/2) = y (1 - 2y)/4 */
@@ -273,13 +273,13 @@ CLAIM(crowded_cuts_do_not_converge)
 :then: $\omega(t)=0$ at $t=p/(p+q)$, which is in $(0,1)$
 :method: Computed as rational functions of $p$ and $q$.
 :scope: n = 1
-:over: p# q#: weights
+:over: p q: weights
 :control: the weight $+q$
 :::
 */
 CLAIM(linear_weights_of_both_signs_have_a_pole)
 {
-    num p = positive(T, "p", 0), q = positive(T, "q", 0), w[] = {p, fault(T, neg(q), q)}, t = div(p, add(p, q));
+    num p = positive(T, "p", ALONE), q = positive(T, "q", ALONE), w[] = {p, fault(T, neg(q), q)}, t = div(p, add(p, q));
     show_points(T, "ω", 2, 1, w);
     show(T, "t", t);
     G(must_be_positive)(T, t);

@@ -228,7 +228,7 @@ quadratic in disguise, with weights in which a number $c$ is free.
 */
 CLAIM(common_factor_hides_the_weights)
 {
-    num t = parameter(T, "t"), c = positive(T, "c", 0);
+    num t = parameter(T, "t"), c = positive(T, "c", ALONE);
     for (int m = 1; m <= 3; m++) {
         int n = 2 * m + 1;
         num P[4], R[8], w[8], one[8], I[8], J[8], left, right;
