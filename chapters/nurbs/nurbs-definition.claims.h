@@ -633,9 +633,10 @@ CLAIM(bezier_knots_give_rational_bezier)
     for (int i = 0; i <= p; i++)
         v[i] = w[fault(T, i, p - i)];
     G(rational_point)(p, 2, R, v, div(sub(t, x[1]), sub(x[2], x[1])), Q);
-    for (int joined = 0; joined < 4; joined++) { /* whether t_1 is one of the knots of the left end, t_2k one of the right end */
+    for (int joined = 0; joined < 4; joined++) { /* whether t_1 = t_2, and whether t_2k-1 = t_2k */
         int left = joined % 2, right = joined / 2;
-        char pattern[] = {(char)('1' - left), (char)('0' + p + left), (char)('0' + p + right), (char)('1' - right), '\0'};
+        char pattern[] = {(char)('1' - left), (char)('0' + p + left), (char)('0' + p + right), (char)('1' - right),
+                          '\0'};
         G(knots_at)(pattern, x, u, place);
         G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, 1, t, P);
         for (int c = 0; c < 2; c++)

@@ -195,7 +195,8 @@ CLAIM(nurbs_moves_with_its_points)
     enum { dim = 3 };
     int p = T->degree;
     struct G(knot_vector) K = {.kind = FIELD && p > 2 ? INTEGERS : 0};
-    num R[dim * MOST_KNOTS], S[MOST_KNOTS], w[MOST_KNOTS], m[dim], v = unknown(T, "v", 0), P[dim], Q, t = unknown(T, "t", 0);
+    num R[dim * MOST_KNOTS], S[MOST_KNOTS], w[MOST_KNOTS], m[dim], P[dim], Q;
+    num v = unknown(T, "v", 0), t = unknown(T, "t", 0);
     for (int c = 0; c < dim; c++)
         m[c] = unknown(T, "m", c);
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
@@ -249,7 +250,7 @@ CLAIM(reversed_data_reverse_the_nurbs)
             S[i] = R[n - 1 - i];
             z[i] = w[fault(T, n - 1 - i, i)];
         }
-        for (int interval = K.place[p]; interval < K.place[n]; interval += 2) { /* from `last` - 2 - `interval` backwards */
+        for (int interval = K.place[p]; interval < K.place[n]; interval += 2) { /* backwards from last - 2 */
             G(nurbs_by_definition)(n, p, 1, K.u, K.place, R, w, interval, t, &P);
             G(nurbs_by_definition)(n, p, 1, y, place, S, z, last - 2 - interval, neg(t), &Q);
             same(T, Q, P);

@@ -596,7 +596,7 @@ CLAIM(uniform_chain_does_not_follow)
     struct G(span) S = G(uniform_span)(k, r);
     static const char *const name[][2] = {{"(4.4.23)", "the first sum"},
                                           {"with k-1-j: (4.4.23)", "with k-1-j: the first sum"}};
-    for (int digit = 0; digit <= 1; digit++) { /* the letter l in the exponents, then the digit 1; r = k-1 numbers l alike in both */
+    for (int digit = 0; digit <= 1; digit++) { /* the letter l in the exponents, then 1; r is k-1 */
         num entry = G(printed_entry)(&S, i - r + k - 1, j, !digit, fault(T, 0, 1)),
             sum = G(uniform_line)(1, k, r, i, j, digit);
         found(T, name[digit][0], entry);
