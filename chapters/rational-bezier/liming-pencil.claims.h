@@ -89,7 +89,8 @@ is the same.
 :then: $S=A(x+y-1)^2+2(B-A)xy+\kappa(y^2-2y)+c_2x+c_4y+c_1-c_2$; so a conic through $R_0$ and $R_2$ whose
   gradient has no component along $l_1$ in $R_0$ and none along $l_2$ in $R_2$, all $c_i$ being 0, is a combination
   of $l_3^2$ and $l_1l_2$
-:method: An identity of polynomials in $x$ and $y$ with the six coefficients of $S$ variables.
+:method: An identity of polynomials in $x$ and $y$ with the six coefficients of $S$ variables.  An affine map takes any
+  triangle to this one.
 :over: S#: conics
 :control: $B-A$ replaced by $B$
 :::
@@ -255,7 +256,10 @@ CLAIM(limings_pencil_misses_one_conic)
 :title: The pencil of conics that three lines determine
 :zh: 由三条直线决定的二次曲线束
 :printed: The caption of figure 3.1.1: the pencil of conics that is determined by three lines.
-:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings every_scaling_takes_the_normal_form
+:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
+  every_scaling_takes_the_normal_form
+:needs: flat_frame_has_no_tangent | § 3.1, (3.1.3): the conics touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$ | $R_0$ is not on $l_2$ and
+  $R_2$ not on $l_1$; three lines through one point have no such conics
 :meant: the text that refers to the figure, where $l_3$ joins the points of contact on $l_1$ and $l_2$ | One of the lines is the chord, the
   two others are tangents.
 :reading: every_scaling_takes_the_normal_form | The lines have these parts: then the pencil is determined by them, whatever factors

@@ -126,7 +126,8 @@ static void G(ratios_at)(const num w[], num t, int without_weight, num g[])
 :zh: 每对 (g_1,g_2) 对应唯一 t
 :given: positive weights $\omega_0,\omega_1,\omega_2$, $t\in(0,1)$, and a number $g>0$
 :let: $c=\frac{\omega_0\omega_2}{\omega_1^2}$ and $t_g=\frac{\omega_0}{\omega_0+\omega_1g}$
-:then: $g_1g_2=c$; $0<t_g<1$, and at $t_g$ the ratios are $g$ and $c/g$; from $g=g_1(t)$ follows $t_g=t$
+:then: $g_1g_2=c$; $0<t_g<1$, and at $t_g$ the ratios are $g$ and $c/g$; from $g=g_1(t)$ follows $t_g=t$; and every positive
+  number $g$ is such a $c$, that of the weights $g,1,1$
 :method: Identities in the weights, $t$ and $g$; $t_g$ and $1-t_g$ have positive coefficients.
 :over: g t: -
 :control: $\omega_1$ left out of $g_2$
@@ -149,6 +150,8 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
     about(T, "the ratios at t_g");
     same(T, g[0], ratio);
     same(T, g[1], div(c, ratio));
+    about(T, "weights with a given constant");
+    same(T, G(constant)((num[]){ratio, one, one}), ratio);
 }
 
 #if RATIONAL

@@ -690,23 +690,25 @@ CLAIM(invariants_survive_fractional_change)
 :zh: 不变量是曲线的内在几何量
 :printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2).
 :meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points run through in one direction, and not only to the points and weights that
-  describe it; this asks for the two hypotheses.
+  describe it; this asks for the three hypotheses.
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
   fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve reversal_exchanges_invariants
 :hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
   otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
+:hypothesis: arc_of_lower_degree_has_two_invariant_sets | numerators and denominator are not all of a lower degree than $n$ in the parameter:
+  otherwise the same arc, with other points, can have other $I_i$, even without a common factor
 :hypothesis: segment_has_two_invariants | the parametrization is proper: a general point of the algebraic curve comes from one
   parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
   $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
-:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the two hypotheses; the example is
+:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the hypotheses; the example is
   an arc of a parabola written as a cubic
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for two parametrizations of degree $n$ of one arc.
-:argued: | With the two hypotheses two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
-  projective change of the parameter, which maps the unit interval onto itself, hence is (3.2.10); without a common factor the homogeneous
-  coordinates are then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.
+:argued: | With the hypotheses two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
+  projective change of the parameter, which maps the unit interval onto itself, hence is (3.2.10); of the degree $n$ and without a common factor the
+  homogeneous coordinates are then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.
 :figure: same_parabola_two_sets
 
 Run backwards, a curve has $I_{n-i}$ for $I_i$ (`reversal_exchanges_invariants`).
@@ -789,6 +791,63 @@ CLAIM(same_parabola_has_two_invariant_sets)
     if (one_map)
         same(T, I[0], J[0]);
 }
+
+/*
+A common factor may also hide at $t=\infty$: the arc has a lower degree than $n$, and nothing is left over to be cancelled.  Let the
+parabola run at two speeds, related by (3.2.10), and raise both from degree 2 to 3: raising does not multiply the weights as (3.2.14) does.
+
+:::{claim} arc_of_lower_degree_has_two_invariant_sets
+:title: One arc without common factors, two sets of quotients: a parabola raised to a cubic at two speeds
+:zh: 两种速度的抛物线弧升为三次:无公因子而不变量不同
+:kind: decision
+:data: R = (0,0) (2/3,0) (2/3,1/3) (0,1); ω = 1 1 1 1; R* = (0,0) (4/5,0) (1/2,1/2) (0,1); ω* = 1 5/3 8/3 4; q = 2
+:instead: R* = (0,0) (2/3,0) (2/3,1/3) (0,1); ω* = 1 2 4 8
+:result: degrees of the homogeneous coordinates = 2 2 0 2 2 2; I = 1 1; I* = 25/24 16/15
+:given: cubic curves of the plane: the points $R$ with equal weights $\omega$, and the points $R^*$ with weights $\omega^*$; a number $q$
+:then: $R^*(u)=R(t)$ with $t=\frac{qu}{qu+1-u}$, so that both run once through one arc, from one end to the other; neither has a common factor of numerators
+  and denominator, which all are of degree 2 at most; but the quotients $I$ and $I^*$ differ
+:method: $R(t)$ is the curve of the points $R$ with the weights $q^i\omega_i$, by `fractional_change_term_by_term`; it is compared with $R^*(u)$ by
+  cross products as polynomials.  Common factors by greatest common divisors.
+:control: the same points with the weights $q^i\omega_i$, which have the same quotients
+:::
+*/
+/* The degrees of the numerators of a plane cubic and of its denominator; have they a constant greatest common divisor? */
+static int G(no_common_factor)(const num R[], const num w[], num degrees[])
+{
+    poly divisor = poly_from_bernstein(3, w);
+    degrees[2] = from_int(poly_degree(divisor));
+    for (int c = 0; c < 2; c++) {
+        num x[4];
+        for (int i = 0; i <= 3; i++)
+            x[i] = mul(w[i], R[2 * i + c]);
+        poly numerator = poly_from_bernstein(3, x);
+        degrees[c] = from_int(poly_degree(numerator));
+        divisor = poly_gcd(divisor, numerator);
+    }
+    return poly_degree(divisor) == 0;
+}
+
+CLAIM(arc_of_lower_degree_has_two_invariant_sets)
+{
+    enum { n = 3 };
+    num R[2 * (n + 1)], w[n + 1], S[2 * (n + 1)], v[n + 1], changed[n + 1], I[n - 1], J[n - 1], degrees[6];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "R*", n + 1, 2, S);
+    given_points(T, "ω*", n + 1, 1, v);
+    num q = given(T, "q");
+    for (int i = 0; i <= n; i++)
+        changed[i] = mul(G(power)(q, i), w[i]);
+    agree(T, G(one_map)(n, 2, R, changed, S, v));
+    int first = G(no_common_factor)(R, w, degrees), second = G(no_common_factor)(S, v, degrees + 3);
+    found_points(T, "degrees of the homogeneous coordinates", 6, 1, degrees);
+    agree(T, first && second);
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    found_points(T, "I", n - 1, 1, I);
+    found_points(T, "I*", n - 1, 1, J);
+    agree(T, !equal_q(I[0], J[0]));
+}
 #endif
 
 /*
@@ -832,6 +891,8 @@ CLAIM(reversal_exchanges_invariants)
 :needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
   $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
 :needs: ratios_do_not_exist_at_the_ends | § 3.1, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$
+:needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
+  on a line.
 
 What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $1/I_1$.
 :::

@@ -38,13 +38,14 @@ set run in the same direction; the same map of the parameter; or congruent curve
   ends, and with them the weights (so for $n=4,5$ as well: `congruent_curves_beyond_cubics`)
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: for "if"
-:needs: segment_has_two_invariants | the theorem | for $n=2$ the three points are not collinear
+:needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n\ge3$ three edges not
+  coplanar; the example has $n=2$ and points of a line, for $n=3$ nothing was tried
 :needs: palindromes_of_degree_four | the theorem | for $n=4$ the edges are not coplanar at one end at least; without it the
   point set, run backwards, can have other invariants
 :needs: common_factor_hides_the_weights | the theorem | for $n=5$ the edges are not coplanar; a plane quintic can be one and the
   same map for weights with different invariants
-:needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: above it the point set, run backwards, can
-  have other invariants
+:needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: for $n=6$ to 9 there are examples, where the point set, run backwards,
+  has other invariants
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used in step (1).
 :argued: | (1) Two curves with one point set $T$ are proper and correspond to each other.  For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, since its points $R_i$ would be in
@@ -362,8 +363,8 @@ In space such a polygon can have independent first edges if it is long enough: o
 way, hence degree $6$.
 
 :::{claim} space_palindromes_beyond_degree_five
-:title: In higher degrees the point set need not determine the invariants
-:zh: 六次起点集未必能确定不变量
+:title: In degrees 6 to 9 the point set need not determine the invariants
+:zh: 六至九次时点集未必能确定不变量
 :kind: decision
 :data: e = (0,0,0) (1,0,0) (0,1,0) (0,0,1); ω_1 = 2
 :result: I_1, I_(n-1) = 4 1; I*_1, I*_(n-1) = 1 4
@@ -611,6 +612,8 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
   \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}=0
 :corrected-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive backward_run_flattens_the_first_edges
 :confirmed-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
+:needs: palindromes_of_degree_four | theorem 3.2.1: the first three edges are not coplanar | $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$; otherwise
+  the point set may be run backwards, in the example for $n=4$, and the start of one curve is the end of the other
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | That both differences are 0: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be
@@ -722,6 +725,8 @@ CLAIM(printed_torsion_denominator_is_wrong)
   $\omega_0\omega_3/(\omega_1\omega_2)=\omega_0^*\omega_3^{*}/(\omega_1^*\omega_2^*)$.
 :holds-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+:needs: common_factor_hides_the_weights | the sentence itself | $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$; in a plane one and the same quintic can have
+  several $I_2$, and both torsions are 0
 
 The proof is for $n=5$.  In the two differences, of the curvatures and of the torsions, which are 0, the geometric factors are not 0, so that the factors of the weights are.  The
 quotient of the second equation is $1/(I_1I_2)$.
@@ -808,6 +813,8 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
+:needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n\ge3$ three edges not
+  coplanar; the example has $n=2$ and points of a line
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be dependent by the claim; so start

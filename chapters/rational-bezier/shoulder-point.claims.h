@@ -236,10 +236,11 @@ The ratio is $\frac{\omega_1}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all posit
 :given: a true triangle and positive weights $\omega_0=a^2$, $\omega_1$, $\omega_2=c^2$
 :where: $R_0$, $R_1$, $R_2$ do not lie on a line; the weights are positive
 :let: $R_s$ be the point of the curve on the median, $t=\frac a{a+c}$, and $M=\frac{R_0+R_2}2$
-:then: $\|R_sM\|^2=I_1\|R_1R_s\|^2$
-:method: The point is taken on the curve (3.1.5) itself; an identity in the six coordinates, $a$, $\omega_1$ and $c$.  Both
+:then: $\|R_sM\|^2=I_1\|R_1R_s\|^2$; and $\omega(u)\,(R_1-M)\times(R(u)-M)=(a(1-u)-cu)(a(1-u)+cu)\,(R_1-M)\times(R_0-M)$, so the curve
+  meets the line $R_1M$ only for $u=t$, and $R_s-M=\frac{\omega_1}{ac+\omega_1}(R_1-M)$ is between
+:method: The point is taken on the curve (3.1.5) itself; identities in the six coordinates, $a$, $\omega_1$, $c$ and $u$.  Both
   ratios are positive, so that $\omega=\sqrt{I_1}$, and $\omega<1$, $=1$, $>1$ with $I_1$.
-:over: a# c#: weights
+:over: a# c#: weights; u: -
 :control: $I_1$ upside down
 :::
 */
@@ -250,13 +251,24 @@ CLAIM(shoulder_ratio_is_the_root_of_the_invariant)
     G(square_ends)(T, &a, &c, w);
     G(rational_point)(2, 2, R, w, div(a, add(a, c)), P);
     G(rational_invariants)(2, w, I);
+    num M[2], Q[2], share = div(w[1], add(mul(a, c), w[1])), u = parameter(T, "u"), rest = sub(from_int(1), u);
     for (int k = 0; k < 2; k++) {
-        num down = sub(P[k], mul(half, add(R[k], R[4 + k]))), up = sub(R[2 + k], P[k]);
+        M[k] = mul(half, add(R[k], R[4 + k]));
+        num down = sub(P[k], M[k]), up = sub(R[2 + k], P[k]);
         base = add(base, mul(down, down));
         vertex = add(vertex, mul(up, up));
+        about(T, "R_s - M");
+        /* R_s - M = ω_1/(ac + ω_1) (R_1 - M) */
+        same(T, down, mul(share, sub(R[2 + k], M[k])));
     }
+    about(T, "the two parts of the median");
     /* ‖R_sM‖² = I_1 ‖R_1R_s‖² */
     same(T, base, fault(T, mul(I[0], vertex), div(vertex, I[0])));
+    about(T, "the side of the median on which R(u) lies");
+    G(rational_point)(2, 2, R, w, u, Q);
+    num side = mul(sub(mul(a, rest), mul(c, u)), add(mul(a, rest), mul(c, u)));
+    /* ω(u) (R_1 - M) × (R(u) - M) = (a(1-u) - cu)(a(1-u) + cu) (R_1 - M) × (R_0 - M) */
+    same(T, mul(G(rational_weight)(2, w, u), G(area)(M, R + 2, Q)), mul(side, G(area)(M, R + 2, R)));
 }
 
 #if RATIONAL

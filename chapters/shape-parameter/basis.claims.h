@@ -261,7 +261,7 @@ together gives the one exception, $\nu_2$ and $\varphi_5$ give the other.
 :title: The functions are a basis
 :zh: 基函数的线性无关性
 :printed: the polynomials (1) are called basis functions with the parameter $\beta$, where $-7\le\beta\le1$
-:holds-by: functions_are_independent_but_for_two_values
+:holds-by: functions_are_independent_but_for_two_values inversions_of_two_diagonals_meet_a_zero
 :hypothesis: two_functions_coincide | $\beta\ne-7$
 :hypothesis: a_combination_vanishes | $\beta\ne-\frac{21}4$
 :figure: dependent_functions
@@ -281,7 +281,7 @@ The text only gives the name; what is decided is whether they are linearly indep
   are the multiples of $\sum k_iB_i$, whose coefficients change their sign three times
 :method: The determinant without row $r$ is, up to positive numbers, the polynomial
   $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$ in $\beta$, since the rows before $r$ leave a lower and those after it an
-  upper triangle.  The greatest common divisor of the nine is computed; its squarefree part
+  upper triangle (`inversions_of_two_diagonals_meet_a_zero`).  The greatest common divisor of the nine is computed; its squarefree part
   has these two roots and no other.  The two ranks by elimination; rank 7 leaves the multiples of one combination, and $\sum k_iB_i$ is the zero polynomial.
 :degrees: 7..7
 :scope: every complex β

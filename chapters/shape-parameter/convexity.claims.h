@@ -31,8 +31,8 @@ sense, for a triangle and its base.
   on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
     linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
-  third_function_has_a_zero_for_every_smaller_beta functions_are_independent_but_for_two_values
-:confirmed-by: roots_are_at_most_sign_changes
+  triangle_has_three_points_on_its_base_below_the_range functions_are_independent_but_for_two_values
+:confirmed-by: roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
 :meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
   possible
@@ -104,30 +104,74 @@ above the line and the height of the curve is $B_2(t)$, which at $\beta=-7$ has 
 :kind: counterexample
 :data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); Q = (0,0); u = (0,1); t = 0 1/9 1
 :instead: β = -21/4
-:result: common points of the curve = 3; y(t) = 0 0 0
+:result: common points of the curve = 3; q(t) = (0,0) (634498/43046721,0) (2,0)
 :given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, the line
   through $Q$ with the normal vector $u$, on which one side is, and three parameters; corrected functions
-:then: the polygon is convex, and the curve meets the line at the three parameters and nowhere else
-:method: The common points are counted exactly; `hull.h` decides that the polygon is convex.
+:then: the polygon is convex, and the curve meets the line at the three parameters, in three points of the plane, and nowhere else
+:method: The parameters of common points are counted exactly, and the points of the three computed; `hull.h` decides that the polygon is convex.
 :control: the left end of the true range
 :::
 */
 CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 {
     struct G(meeting) m = G(given_meeting)(T, 0);
-    num t[3], y[3];
+    num t[3], q[3 * dim];
+    int on_the_line = 1;
     given_points(T, "t", 3, 1, t);
     found_whole(T, "common points of the curve", m.curve.common_closed);
     for (int k = 0; k < 3; k++) {
-        num at[dim];
-        G(curve_point)(0, 7, dim, m.P, m.beta, t[k], at);
-        y[k] = at[1];
+        G(curve_point)(0, 7, dim, m.P, m.beta, t[k], q + k * dim);
+        on_the_line = on_the_line && is_zero_q(q[k * dim + 1]);
     }
-    found_points(T, "y(t)", 3, 1, y);
+    found_points(T, "q(t)", 3, dim, q);
+    int in_order = compare_q(q[0], q[dim]) < 0 && compare_q(q[dim], q[2 * dim]) < 0;
     about(T, "the polygon is not convex, or there are at most two common points");
-    refute(T, polygon_is_convex(7, m.P, 1, NULL) && m.curve.common_closed > 2);
+    refute(T, polygon_is_convex(7, m.P, 1, NULL) && on_the_line && in_order && m.curve.common_closed > 2);
 }
 
+#endif
+
+#if FIELD || RATIONAL
+/*
+:::{claim} triangle_has_three_points_on_its_base_below_the_range
+:title: For every beta of the printed range below the true one the curve of a triangle has three points on its base
+:zh: -7≤β<-21/4 时三角形的曲线与底边有三个公共点
+:given: $\beta=-\frac{21}4-b$, $0<b\le\frac74$; the points $(0,0),(0,0),(1,1),(2,0),\dots,(2,0)$, a convex polygon; corrected functions
+:harmless: $0<b\le\frac74$ | it is $-7\le\beta<-\frac{21}4$
+:then: for $t=\frac{4b}{9(21/4+b)}$ the curve has $y(t)=B_2(t)=0$ and $0<x(t)<2$: with its ends it has three points on the base
+:method: The curve from its Bézier points, $b=\frac74\cdot\frac r{1+r}$ with $r>0$ a variable, and $b=\frac74$; $x$ and $2-x$ are quotients with coefficients of
+  one sign.
+:types: field rational
+:degrees: 7..7
+:scope: −7 ≤ β < −21/4
+:over: r: -
+:control: $b$ replaced by $2b$ in the parameter
+:::
+*/
+CLAIM(triangle_has_three_points_on_its_base_below_the_range)
+{
+    static const int corners[8 * dim] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
+    num P[8 * dim], at[dim], r = positive(T, "r", 0), one = from_int(1), most = from_ratio(7, 4);
+    for (int m = 0; m < 8 * dim; m++)
+        P[m] = from_int(corners[m]);
+#if RATIONAL
+    about(T, "the polygon is convex");
+    agree(T, polygon_is_convex(7, P, 1, NULL));
+#endif
+    for (int end = 0; end <= 1; end++) {
+        num b = end ? most : mul(most, div(r, add(one, r))), above = from_ratio(21, 4);
+        num used = fault(T, b, add(b, b)), t = div(mul(from_int(4), used), mul(from_int(9), add(above, used)));
+        G(shape_point)(7, dim, P, neg(add(above, b)), t, at);
+        about(T, "y(t)");
+        vanishes(T, at[1]);
+        about(T, "x(t) and 2 - x(t)");
+        G(must_be_positive)(T, at[0]);
+        G(must_be_positive)(T, sub(from_int(2), at[0]));
+    }
+}
+#endif
+
+#if RATIONAL
 /*
 :::{claim} printed_curve_of_a_convex_polygon_meets_a_line_four_times
 :title: The printed curve of a convex polygon meets a line four times

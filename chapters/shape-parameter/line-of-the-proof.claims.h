@@ -238,10 +238,10 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :title: A line through an end meets the curve without a root in (0,1)
 :zh: 过端点的直线
 :kind: counterexample
-:data: β = 0; P = (0,0) (1,1) (2,2) (3,3) (4,4) (5,5) (6,6) (7,7); Q = (0,0); u = (0,1)
+:data: β = 0; P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,1); Q = (0,0); u = (0,1)
 :instead: Q = (0,7/2)
 :result: common points of the curve = 1; roots in (0,1) = 0; SA = 0
-:given: the $\beta$ of the Bézier curve, points on a line, and the line through $Q=P_0$ with the normal vector $u$
+:given: the $\beta$ of the Bézier curve, a convex polygon, and a line through $Q=P_0$ with the normal vector $u$, on one side of which the polygon is
 :then: curve and line have the point $P_0$ in common; the function of formula (20) has no root in $(0,1)$, and its
   coefficients no change of sign
 :method: The common points of the closed curve are compared with those of the open one.
@@ -269,7 +269,7 @@ of $Q\cdot u$, so a line through the origin would not have shown it.
 :given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
 :then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for $n=7$ and the printed functions the difference of the two sides is
   $4\beta(1-t)^3t^4\,Q\cdot u$
-:method: Everything is a variable.
+:method: Everything is a variable.  In space each side has one summand more, of the same form.
 :degrees: 2..7 sampled 12
 :over: q#: points; u#: normal vectors
 :control: $P_0$ left without $Q$

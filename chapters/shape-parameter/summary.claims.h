@@ -118,9 +118,13 @@ As a parametrized curve of the same degree that of other points is another one (
 :printed: the Bernstein polynomials have symmetry and end properties; so Bézier curves have end properties, tangency to
   the end edges, convex hull, symmetry and variation diminution
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry bernstein_derivative
-  sums_by_parts_give_the_edges linear_factor_adds_a_change_of_sign
+  sums_by_parts_give_the_edges linear_factor_adds_a_change_of_sign sign_changes_are_counted_one_by_one
 :confirmed-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one
   bernstein_positive_inside reversed_points_reverse_the_curve roots_are_at_most_sign_changes
+:meant: (19) and (20), which count changes of sign and parameters | Variation diminution counts crossings along the curve and along the polygon.
+:reading: linear_factor_adds_a_change_of_sign | crossings, counted along both
+:reading: self_crossing_polygon_has_fewer_points_on_a_line | common points counted as points of the plane: a polygon that crosses itself on the
+  line may have fewer than its Bézier curve
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0: for the tangency
 :figure: end_edges
 :::
