@@ -41,11 +41,11 @@ static struct form *either(const struct form *a, const struct form *b)
         return NULL;
     f->fails = a->fails || b->fails || a->count * b->count > MOST_CLAUSES;
     for (int i = 0; !f->fails && i < a->count * b->count; i++) {
-        struct clause one = a->clause[i / b->count], *other = &f->clause[f->count++];
-        *other = b->clause[i % b->count];
-        f->fails |= one.count + other->count > CAGD_MOST_LITERALS;
-        for (int k = 0; !f->fails && k < one.count; k++)
-            other->literal[other->count++] = one.literal[k];
+        struct clause *one = &f->clause[f->count++], other = b->clause[i % b->count];
+        *one = a->clause[i / b->count]; /* in their order: what was supposed stands first */
+        f->fails |= one->count + other.count > CAGD_MOST_LITERALS;
+        for (int k = 0; !f->fails && k < other.count; k++)
+            one->literal[one->count++] = other.literal[k];
     }
     return f;
 }
@@ -265,6 +265,24 @@ static struct form *form_of(const cagd_tree *t, int negated, int *steps)
     }
 }
 
+/* "(not a, not b, ...) => z" for the clause a, b, ..., z. */
+static const cagd_tree *implication_tree(const cagd_tree *of, const struct clause *c)
+{
+    int last = c->count - 1;
+    cagd_tree *t = cagd_tree_new(CAGD_IMPLIES, of->from, of->to, 2),
+              *all = cagd_tree_new(CAGD_ALL, of->from, of->to, last);
+    if (last == 0 || t == NULL || all == NULL)
+        return last == 0 ? c->literal[0] : NULL;
+    for (int k = 0; k < last; k++) {
+        const cagd_tree *one = c->literal[k];
+        all->at[k] = relation_of(one->at[0], opposite(one->relation[0]), one->at[1]);
+        if (all->at[k] == NULL)
+            return NULL;
+    }
+    t->at[0] = last == 1 ? all->at[0] : all, t->at[1] = c->literal[last];
+    return t;
+}
+
 static const cagd_tree *clause_tree(const cagd_tree *of, const struct clause *c)
 {
     cagd_tree *t = c->count > 1 ? cagd_tree_new(CAGD_ANY, of->from, of->to, c->count) : NULL;
@@ -282,7 +300,8 @@ static int is_plain(const cagd_tree *t)
     return plain;
 }
 
-const cagd_tree *cagd_in_clauses(const cagd_tree *statement)
+static const cagd_tree *rewritten(const cagd_tree *statement,
+                                  const cagd_tree *(*of_clause)(const cagd_tree *of, const struct clause *c))
 {
     int steps = MOST_STEPS;
     if (is_plain(statement))
@@ -292,9 +311,12 @@ const cagd_tree *cagd_in_clauses(const cagd_tree *statement)
         return NULL;
     cagd_tree *all = cagd_tree_new(CAGD_ALL, statement->from, statement->to, f->count);
     for (int k = 0; all != NULL && k < f->count; k++) {
-        all->at[k] = clause_tree(statement, &f->clause[k]);
+        all->at[k] = of_clause(statement, &f->clause[k]);
         if (all->at[k] == NULL)
             return NULL;
     }
     return all;
 }
+
+const cagd_tree *cagd_in_clauses(const cagd_tree *statement) { return rewritten(statement, clause_tree); }
+const cagd_tree *cagd_in_implications(const cagd_tree *statement) { return rewritten(statement, implication_tree); }

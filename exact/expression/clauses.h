@@ -11,4 +11,6 @@ enum { CAGD_MOST_LITERALS = 8 };
 /* A tree that says the same: the statement itself where it is relations, or several of them; otherwise relations of two sides and CAGD_ANY of at most CAGD_MOST_LITERALS of them, all together in CAGD_ALL.  NULL where there are
  * too many, or where the statement has other parts, as "there is". */
 const cagd_tree *cagd_in_clauses(const cagd_tree *statement);
+/* The same with "A => B" in the place of alternatives, A being the opposites of all relations but the last one. */
+const cagd_tree *cagd_in_implications(const cagd_tree *statement);
 #endif
