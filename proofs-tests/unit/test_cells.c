@@ -191,7 +191,7 @@ static void roots_at_infinity(void **state)
     num_f t = variable_f("t"), c = variable_f("c"), one = from_int_f(1);
     cagd_side_of_box of_t = {.variable = t, .has_low = 1, .low = from_int_q(0)}, all = {.variable = c};
     cagd_cells *cells = region_bytes(sizeof *cells);
-    cagd_constraint constraint = {add_f(mul_f(c, t), one), CAGD_MORE_THAN_ZERO, of_t};
+    cagd_constraint constraint = {.p = add_f(mul_f(c, t), one), .demand = CAGD_MORE_THAN_ZERO, .t = of_t};
     assert_true(cagd_cells_of(1, &constraint, &all, cells));
     assert_int_equal(cells->count, 1);
     assert_int_equal(cells->cell[0], CAGD_FAILS);

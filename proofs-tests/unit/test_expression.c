@@ -308,7 +308,7 @@ static void test_cells(void **state)
     num_f p = add_f(mul_f(sub_f(c, one), sub_f(mul_f(c, c), from_int_f(2))), t);
     cagd_side_of_box of_t = {t, 1, 1, 0, 0, from_int_q(0), from_int_q(1)}, all = {.variable = c};
     cagd_cells *cells = region_bytes(sizeof *cells);
-    cagd_constraint constraint[] = {{p, CAGD_AT_LEAST_ZERO, of_t}};
+    cagd_constraint constraint[] = {{.p = p, .demand = CAGD_AT_LEAST_ZERO, .t = of_t}};
     assert_true(cagd_cells_of(1, constraint, &all, cells));
     int changes = 0;
     for (int k = 0; k < cells->count; k++) {

@@ -303,7 +303,8 @@ static void cells_of_a_parameter(void **state)
         cagd_side_of_box parameter = draw_side(x[1]);
         int constraints = random_int(1, 2);
         for (int i = 0; i < constraints; i++)
-            constraint[i] = (cagd_constraint){draw_polynomial(2, x), (cagd_demand)random_int(0, 1), draw_side(x[0])};
+            constraint[i] = (cagd_constraint){
+                .p = draw_polynomial(2, x), .demand = (cagd_demand)random_int(0, 1), .t = draw_side(x[0])};
         cagd_cells *cells = region_bytes(sizeof *cells);
         assert_non_null(cells);
         assert_true(cagd_cells_of(constraints, constraint, &parameter, cells));
