@@ -133,8 +133,11 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
     if (second == NULL)
         return;
     check_as_read(scope, other, until, quick, second);
-    if (second->answer == CAGD_FAILS && (second->has_root || !tell_sides(scope, statement, second)))
+    if (second->answer == CAGD_FAILS && (second->has_root || !tell_sides(scope, statement, second))) {
+        if (cagd_has_squared_roots(statement)) /* perhaps it is not defined there */
+            return;
         second->of_left = second->of_right = NULL; /* those of a part that is not printed */
+    }
     if (second->answer != CAGD_UNDECIDED)
         *out = *second;
 }

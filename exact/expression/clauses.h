@@ -1,6 +1,8 @@
 /* clauses.h -- a statement as clauses (合取范式), each of them an alternative of relations: A => B is "not A, or B".
  *
- * An amount, a greatest or a least of several goes into clauses, too: a statement S of |a| is (a < 0, or S of a) and (a > 0, or S of -a). */
+ * An amount, a greatest or a least of several goes into clauses, too: a statement S of |a| is (a < 0, or S of a) and (a > 0, or S of -a).
+ * A square root that is one side is squared: sqrt(E) <= R is E >= 0, R >= 0 and E <= R^2.  That E >= 0 is said besides: where it is false, the root is not defined,
+ * and the statement is not refuted by that. */
 #ifndef CAGD_EXPRESSION_CLAUSES_H
 #define CAGD_EXPRESSION_CLAUSES_H
 
@@ -13,4 +15,6 @@ enum { CAGD_MOST_LITERALS = 8 };
 const cagd_tree *cagd_in_clauses(const cagd_tree *statement);
 /* The same with "A => B" in the place of alternatives, A being the opposites of all relations but the last one. */
 const cagd_tree *cagd_in_implications(const cagd_tree *statement);
+/* Whether a square root is a side of some relation: then what is false of the clauses may be said of where a root is not defined. */
+int cagd_has_squared_roots(const cagd_tree *statement);
 #endif

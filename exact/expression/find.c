@@ -226,7 +226,8 @@ void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *
     *f = (cagd_finding){0};
     *into = (struct cagd_collection){.poles = poles};
     const cagd_tree *clauses = cagd_in_clauses(statement);
-    if (clauses != NULL) /* otherwise what is not understood is told where it is met */
+    if (clauses != NULL &&
+        !cagd_has_squared_roots(statement)) /* otherwise what is not understood is told where it is met */
         statement = clauses;
     cagd_run r = {.scope = scope,
                   .statement = statement,
