@@ -333,7 +333,7 @@ g(s,t) = s^2 t^3
         unit = "n = 1, 0 \\le t \\le 1"
         for printed, ranges, expected in (("\\sqrt{1+t^2} \\le 1 + t", unit, "holds"), ("\\sqrt{t} \\ge t", unit, "holds"), ("\\sqrt{t} > t", unit, "fails"), ("1 \\le \\sqrt{1+t^2}", unit, "holds"), ("\\sqrt{1+t^2} \\le 1 + t/5", unit, "undecided"),
                                           ("\\sqrt{x^2+y^2} \\le |x| + |y|", "n = 1", "holds"), ("\\sqrt{x^2+1} > x", "n = 1", "holds"), ("\\sqrt{x^2} = x", "n = 1", "fails"), ("\\sqrt{x^2} \\ne x - 1", "n = 1", "holds"), ("\\sqrt{x^2} \\ne -x", "n = 1", "fails"),
-                                          ("\\sqrt{x} \\le x + 1", "n = 1", "undecided"), ("\\sqrt{x - 2} \\ge 0", "n = 1", "undecided"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1", "holds"),
+                                          ("\\sqrt{x} \\le x + 1", "n = 1", "undecided"), ("\\sqrt{x - 2} \\ge 0", "n = 1", "undecided"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1", "undecided"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1", "holds"),
                                           ("|F(t) - t| \\le 1/4", unit, "holds"), ("|F(t) - t| < 1/4", unit, "fails"), ("\\|(t, t^2) - (t, t)\\| \\le 1/4", unit, "holds")):
             self.assertEqual(verdict(printed, ranges)["verdict"], expected, printed)
 
