@@ -352,6 +352,12 @@ static struct turn of_tangent(cagd_value x)
                          cagd_value_div(cagd_value_add(x, x), below)};
 }
 
+static struct turn turned_by_quarters(struct turn a, int quarters)
+{
+    struct turn quarter = {cagd_value_int(0), cagd_value_int(1)};
+    return quarters == 0 ? a : turned(several(quarter, quarters), a);
+}
+
 /* 2 phi for the angle of that name, declared by v. */
 static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *key, const cagd_variable *v)
 {
@@ -366,9 +372,8 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *ke
         !key_of_cosine(c, key, w.quarters, cosine, sizeof cosine))
         return *none();
     c->angles++;
-    struct turn base = several((struct turn){cagd_value_int(0), cagd_value_int(1)}, w.quarters);
     if (cagd_binding_of(c, cosine) != NULL) /* where there is no x */
-        return turned(base, (struct turn){cagd_value_int(-1), cagd_value_int(0)});
+        return turned_by_quarters((struct turn){cagd_value_int(-1), cagd_value_int(0)}, w.quarters);
     cagd_value x = cagd_value_of_key(c, tangent, NULL);
     cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, tangent) : NULL;
     if (b != NULL && b->angle == NULL) {
@@ -380,7 +385,7 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *ke
         else if (has_apart)
             set_apart(c, cosine);
     }
-    return w.quarters == 0 ? of_tangent(x) : turned(base, of_tangent(x));
+    return turned_by_quarters(of_tangent(x), w.quarters);
 }
 
 /* ---- sums of angles ------------------------------------------------------------------------------------ */
