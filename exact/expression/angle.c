@@ -186,7 +186,6 @@ static void turn(struct way_around *w, num_q full)
 static struct way_around way_of(const cagd_context *c, const cagd_variable *v)
 {
     struct way_around w = {.known = 1, .all = 1};
-    num_q full = from_int_q(share(c));
     if (v->low == NULL && v->high == NULL)
         return w;
     if (v->low == NULL || v->high == NULL || !cagd_multiple_of_pi(c->scope, v->low, &w.end[0]) ||
@@ -194,7 +193,7 @@ static struct way_around way_of(const cagd_context *c, const cagd_variable *v)
         w.known = 0;
         return w;
     }
-    num_q length = sub_q(w.end[1], w.end[0]);
+    num_q full = from_int_q(share(c)), length = sub_q(w.end[1], w.end[0]);
     w.is_empty = cagd_sign_q(length) < 0;
     int order = cagd_compare_q(length, full);
     w.all = order > 0 || (order == 0 && !(v->low_open && v->high_open));
@@ -317,7 +316,6 @@ static int bound_tangent(cagd_context *c, cagd_binding *b, int k, num_q times, i
 static int bound_angle(cagd_context *c, const cagd_variable *v, cagd_binding *b, const struct way_around *w,
                        int *has_apart)
 {
-    num_q full = from_int_q(share(c)), half = div_q(full, from_int_q(2));
     *has_apart = w->all;
     c->used_bounds |= v->low != NULL;
     if (!w->known)
@@ -326,6 +324,7 @@ static int bound_angle(cagd_context *c, const cagd_variable *v, cagd_binding *b,
         c->is_empty = 1, *has_apart = 0;
     if (w->is_empty || w->all)
         return 1;
+    num_q full = from_int_q(share(c)), half = div_q(full, from_int_q(2));
     *has_apart =
         (!v->low_open && cagd_equal_q(w->end[0], neg_q(half))) || (!v->high_open && cagd_equal_q(w->end[1], half));
     int good = bound_tangent(c, b, 0, div_q(w->end[0], full), v->low_open) &&
@@ -354,8 +353,10 @@ static struct turn of_tangent(cagd_value x)
 
 static struct turn turned_by_quarters(struct turn a, int quarters)
 {
+    if (quarters == 0)
+        return a;
     struct turn quarter = {cagd_value_int(0), cagd_value_int(1)};
-    return quarters == 0 ? a : turned(several(quarter, quarters), a);
+    return turned(several(quarter, quarters), a);
 }
 
 /* 2 phi for the angle of that name, declared by v. */
