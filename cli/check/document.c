@@ -428,8 +428,9 @@ static int ranges_at(const char *text, int from, int at, int *to)
 }
 
 /* A formula with ranges behind it, as papers print it, "b_i \ge 0, \quad i = 0, 1, \dots, n": they become known in the scope.  What is
- * before them needs them, or they are no relation.  NULL where it cannot be read so. */
-static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope *scope, int from, int to)
+ * before them needs them, or they are no relation.  NULL where it cannot be read so; with such a list of numbers *error is what is wrong before it. */
+static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope *scope, int from, int to,
+                                           cagd_reading_error *error)
 {
     int depth = 0;
     while (to > from && strchr(" \n.,;", d->text[to - 1]) != NULL)
@@ -445,11 +446,14 @@ static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope 
             continue;
         if (!cagd_read_ranges(&known, d->text, begin, stop, &unused))
             continue;
-        const cagd_tree *t = cagd_read_statement(&known, d->text, from, at, &unused);
+        cagd_reading_error before = {0};
+        const cagd_tree *t = cagd_read_statement(&known, d->text, from, at, &before);
         if (t != NULL) {
             *scope = known;
             return t;
         }
+        if (is_list(d->text, begin, stop))
+            *error = before;
     }
     return NULL;
 }
@@ -542,7 +546,7 @@ static void read_statement(struct document *d, const char *kind, int head, int a
     d->entry = f->name;
     f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
     if (f->tree == NULL)
-        f->tree = with_ranges_behind(d, &f->scope, printed, printed_end);
+        f->tree = with_ranges_behind(d, &f->scope, printed, printed_end, &error);
     if (f->tree == NULL && is_tried)
         leave_out(d, f->name, printed, &error);
     else if (f->tree == NULL)

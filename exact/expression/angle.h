@@ -3,7 +3,8 @@
  * An angle is a name; with phi half of it, or a quarter where halves of angles come up, all its sines and cosines are rational functions
  * of x = tan phi, and so are those of sums of angles and of multiples of pi/12.  The angle for which there is no x is looked at apart.
  * An argument of a definition in which its letter stands in angles is one itself: what it is, is asked for where it is used.
- * Bounds of angles are multiples of pi for which x is a rational number.  The derivative by the angle is
+ * Bounds of angles are multiples of pi; where x is no rational number there its bound is a root, and rational numbers beyond it are the bounds
+ * that everything else knows: what holds between those, holds; what fails is looked at once more.  The derivative by the angle is
  * (1 + x^2) d/dx times phi's share in it. */
 #ifndef CAGD_ANGLE_H
 #define CAGD_ANGLE_H
@@ -19,6 +20,11 @@ int cagd_has_half_angles(const cagd_scope *scope, const cagd_tree *statement);
 int cagd_multiple_of_pi(const cagd_scope *scope, const cagd_tree *t, cagd_num_q *times);
 /* The name of x for that angle, "\tan(\theta/2)"; whether there was room. */
 int cagd_key_of_tangent(const cagd_context *c, const char *angle, char key[], int room);
+
+/* Whether the lower end of x, for k = 1 the upper one, is a root: then *p is a polynomial that is positive inside, 0 there and negative outside, within the rational
+ * bounds.  And whether a number within those is inside, for x or what is no tangent. */
+int cagd_end_of_angle(const cagd_binding *b, int k, cagd_num_f *p);
+int cagd_is_within_angle(const cagd_binding *b, cagd_num_q x);
 
 /* Whether argument k of the name that d and others define is an angle: in some of them its letter stands in a sine or cosine. */
 int cagd_is_angle_argument(cagd_context *c, const cagd_definition *d, int k);

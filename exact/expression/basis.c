@@ -157,6 +157,8 @@ static const char *read_basis(const cagd_scope *scope, const cagd_tree *function
     const cagd_binding *t = cagd_binding_of(c, variable), *p = parameter != NULL ? cagd_binding_of(c, parameter) : NULL;
     if (region_faults != 0 || t == NULL)
         return reason_of(c);
+    if (t->is_root_end[0] || t->is_root_end[1])
+        return "the ends of the interval of an angle are multiples of \\pi/2, or of \\pi";
     out->t = side_of(t);
     if (p != NULL)
         out->range = side_of(p);

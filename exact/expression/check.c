@@ -3,6 +3,7 @@
 #include "core/clock.h"
 #include "exact/expression/cases.h"
 #include "exact/expression/change.h"
+#include "exact/expression/clauses.h"
 #include "exact/expression/depends.h"
 #include "exact/expression/vacuous.h"
 #include "exact/number/recorder.h"
@@ -83,10 +84,10 @@ static int check_once(const cagd_scope *scope, const cagd_tree *statement, doubl
 }
 
 /* Bounds of names that are functions of others may be lost: then what is supposed is left out, as it may be, or decomposed. */
-static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
+static void check_as_read(const cagd_scope *scope, const cagd_tree *statement, double until, int quick,
+                          cagd_finding *out)
 {
-    double until = cagd_seconds() + seconds;
-    int ties = check_once(scope, statement, seconds, quick, TIED, out);
+    int ties = check_once(scope, statement, until - cagd_seconds(), quick, TIED, out);
     cagd_finding *again = out->answer == CAGD_UNDECIDED && ties > 0 ? region_bytes(sizeof *again) : NULL;
     for (enum use_of_ties use = UNTIED; again != NULL && use <= TIED_AND_DECOMPOSED && cagd_seconds() < until; use++) {
         check_once(scope, statement, until - cagd_seconds(), quick, use, again);
@@ -95,6 +96,50 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
         *out = *again;
         return;
     }
+}
+
+/* The first relation of the statement that is false at the numbers of the example, with its two sides; 0 where there is none. */
+static int tell_sides(const cagd_scope *scope, const cagd_tree *t, cagd_finding *f)
+{
+    int told = 0;
+    for (int k = 0; t->kind == CAGD_ALL && k < t->count && !told; k++)
+        told = tell_sides(scope, t->at[k], f);
+    cagd_context *c = t->kind == CAGD_RELATION ? region_bytes(sizeof *c) : NULL;
+    if (c == NULL)
+        return told;
+    *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS, .whole_angles = f->whole_angles};
+    for (int k = 0; k < f->given; k++)
+        cagd_bind(c, f->example[k].name, cagd_value_constant(f->example[k].value));
+    for (int k = 0; k + 1 < t->count && !told; k++) {
+        cagd_value a = cagd_evaluate(c, t->at[k]), b = cagd_evaluate(c, t->at[k + 1]);
+        told = region_faults == 0 && a.rational && b.rational && cagd_compare_values(c, a, t->relation[k], b) == 0;
+        if (told)
+            f->relation = t->relation[k], f->of_left = t->at[k], f->of_right = t->at[k + 1], f->left = a.q,
+            f->right = b.q;
+    }
+    region_faults &= FAULT_MEMORY;
+    return told;
+}
+
+/* What is not decided with its amounts, and so with conditions of higher degree, may be decided as implications (clauses.h). */
+static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
+{
+    double until = cagd_seconds() + seconds;
+    check_as_read(scope, statement, until, quick, out);
+    if (out->answer != CAGD_UNDECIDED || out->first_alone || cagd_seconds() > until)
+        return;
+    const cagd_tree *other = cagd_in_implications(statement);
+    cagd_finding *second = other != NULL && other != statement ? region_bytes(sizeof *second) : NULL;
+    if (second == NULL)
+        return;
+    check_as_read(scope, other, until, quick, second);
+    if (second->answer == CAGD_FAILS && (second->has_root || !tell_sides(scope, statement, second))) {
+        if (cagd_has_squared_roots(statement)) /* perhaps it is not defined there */
+            return;
+        second->of_left = second->of_right = NULL; /* those of a part that is not printed */
+    }
+    if (second->answer != CAGD_UNDECIDED)
+        *out = *second;
 }
 
 /* ---- conditions behind a formula -------------------------------------------------------------------------- */

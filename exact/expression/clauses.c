@@ -41,11 +41,11 @@ static struct form *either(const struct form *a, const struct form *b)
         return NULL;
     f->fails = a->fails || b->fails || a->count * b->count > MOST_CLAUSES;
     for (int i = 0; !f->fails && i < a->count * b->count; i++) {
-        struct clause one = a->clause[i / b->count], *other = &f->clause[f->count++];
-        *other = b->clause[i % b->count];
-        f->fails |= one.count + other->count > CAGD_MOST_LITERALS;
-        for (int k = 0; !f->fails && k < one.count; k++)
-            other->literal[other->count++] = one.literal[k];
+        struct clause *one = &f->clause[f->count++], other = b->clause[i % b->count];
+        *one = a->clause[i / b->count]; /* in their order: what was supposed stands first */
+        f->fails |= one->count + other.count > CAGD_MOST_LITERALS;
+        for (int k = 0; !f->fails && k < other.count; k++)
+            one->literal[one->count++] = other.literal[k];
     }
     return f;
 }
@@ -187,10 +187,49 @@ static int is_bound_of_choice(const cagd_tree *t, const cagd_tree *choice)
     return (less == left) == greatest ? 1 : -1;
 }
 
+/* Whether it is the square root of what is no number. */
+static int is_root(const cagd_tree *t)
+{
+    return t->kind == CAGD_ROOT && t->count == 2 && t->at[1]->kind == CAGD_NUMBER &&
+           cagd_equal_q(t->at[1]->number, from_int_q(2)) && t->at[0]->kind != CAGD_NUMBER;
+}
+static int side_with_root(const cagd_tree *t) { return is_root(t->at[0]) ? 0 : is_root(t->at[1]) ? 1 : -1; }
+
+static const cagd_tree *square_of(const cagd_tree *a)
+{
+    cagd_tree *t = cagd_tree_new(CAGD_POWER, a->from, a->to, 2);
+    const cagd_tree *two = cagd_tree_number(2, a->from, a->to);
+    if (t == NULL || two == NULL)
+        return NULL;
+    t->at[0] = a, t->at[1] = two;
+    return t;
+}
+
+/* sqrt(E) <= R where E >= 0: R >= 0 and E <= R^2; sqrt(E) >= R: R < 0 or E >= R^2; sqrt(E) > R likewise; an equality is R >= 0 and E = R^2. */
+static struct form *of_root(const cagd_tree *t, int side, int *steps)
+{
+    const cagd_tree *E = t->at[side]->at[0], *R = t->at[1 - side], *square = square_of(R),
+                    *zero = cagd_tree_number(0, R->from, R->to);
+    if (square == NULL || zero == NULL)
+        return NULL;
+    cagd_relation relation = t->relation[0];
+    struct form *defined = of_relation(relation_of(E, CAGD_GREATER_OR_EQUAL, zero), steps);
+    struct form *squares =
+        of_relation(side == 0 ? relation_of(E, relation, square) : relation_of(square, relation, E), steps);
+    int above = side == 0 ? relation == CAGD_GREATER || relation == CAGD_GREATER_OR_EQUAL
+                          : relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL;
+    int either_way = above || relation == CAGD_NOT_EQUAL;
+    struct form *sign = of_relation(relation_of(R, either_way ? CAGD_LESS : CAGD_GREATER_OR_EQUAL, zero), steps);
+    return both(defined, joined(either_way, sign, squares));
+}
+
 /* A relation of two sides. */
 static struct form *of_relation(const cagd_tree *t, int *steps)
 {
     const cagd_tree *choice = t != NULL ? choice_in(t) : NULL;
+    int side = choice == NULL && t != NULL ? side_with_root(t) : -1;
+    if (side >= 0)
+        return --*steps < 0 ? NULL : of_root(t, side, steps);
     if (choice == NULL)
         return of_literal(t);
     int bound = is_bound_of_choice(t, choice);
@@ -265,6 +304,24 @@ static struct form *form_of(const cagd_tree *t, int negated, int *steps)
     }
 }
 
+/* "(not a, not b, ...) => z" for the clause a, b, ..., z. */
+static const cagd_tree *implication_tree(const cagd_tree *of, const struct clause *c)
+{
+    int last = c->count - 1;
+    cagd_tree *t = cagd_tree_new(CAGD_IMPLIES, of->from, of->to, 2),
+              *all = cagd_tree_new(CAGD_ALL, of->from, of->to, last);
+    if (last == 0 || t == NULL || all == NULL)
+        return last == 0 ? c->literal[0] : NULL;
+    for (int k = 0; k < last; k++) {
+        const cagd_tree *one = c->literal[k];
+        all->at[k] = relation_of(one->at[0], opposite(one->relation[0]), one->at[1]);
+        if (all->at[k] == NULL)
+            return NULL;
+    }
+    t->at[0] = last == 1 ? all->at[0] : all, t->at[1] = c->literal[last];
+    return t;
+}
+
 static const cagd_tree *clause_tree(const cagd_tree *of, const struct clause *c)
 {
     cagd_tree *t = c->count > 1 ? cagd_tree_new(CAGD_ANY, of->from, of->to, c->count) : NULL;
@@ -277,12 +334,15 @@ static const cagd_tree *clause_tree(const cagd_tree *of, const struct clause *c)
 static int is_plain(const cagd_tree *t)
 {
     int plain = t->kind == CAGD_ALL || (t->kind == CAGD_RELATION && choice_in(t) == NULL);
+    for (int k = 0; t->kind == CAGD_RELATION && k < t->count; k++)
+        plain &= !is_root(t->at[k]);
     for (int k = 0; t->kind == CAGD_ALL && k < t->count; k++)
         plain &= is_plain(t->at[k]);
     return plain;
 }
 
-const cagd_tree *cagd_in_clauses(const cagd_tree *statement)
+static const cagd_tree *rewritten(const cagd_tree *statement,
+                                  const cagd_tree *(*of_clause)(const cagd_tree *of, const struct clause *c))
 {
     int steps = MOST_STEPS;
     if (is_plain(statement))
@@ -292,9 +352,20 @@ const cagd_tree *cagd_in_clauses(const cagd_tree *statement)
         return NULL;
     cagd_tree *all = cagd_tree_new(CAGD_ALL, statement->from, statement->to, f->count);
     for (int k = 0; all != NULL && k < f->count; k++) {
-        all->at[k] = clause_tree(statement, &f->clause[k]);
+        all->at[k] = of_clause(statement, &f->clause[k]);
         if (all->at[k] == NULL)
             return NULL;
     }
     return all;
+}
+
+const cagd_tree *cagd_in_clauses(const cagd_tree *statement) { return rewritten(statement, clause_tree); }
+const cagd_tree *cagd_in_implications(const cagd_tree *statement) { return rewritten(statement, implication_tree); }
+
+int cagd_has_squared_roots(const cagd_tree *t)
+{
+    int has = is_root(t);
+    for (int k = 0; k < t->count && !has; k++)
+        has = cagd_has_squared_roots(t->at[k]);
+    return has;
 }

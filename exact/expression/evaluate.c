@@ -199,9 +199,9 @@ static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
     const cagd_binding *b = cagd_binding_of(c, key);
     if (b != NULL)
         return of_letter(c, t, b->value);
-    char tangent[120];
-    if (c->angles > 0 && cagd_key_of_tangent(c, key, tangent, sizeof tangent) && cagd_binding_of(c, tangent) != NULL)
-        return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
+    for (int k = 0; k < c->count; k++)
+        if (c->binding[k].angle != NULL && strcmp(c->binding[k].angle, key) == 0)
+            return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
     if (strcmp(key, "\\pi") == 0 && cagd_declared(c->scope, t->head) == NULL)
         return cagd_fail(c, t, FAULT_UNABLE, "\\pi is no rational number: it stands in angles, and in their bounds");
     return unknown(c, t, key, cagd_declared(c->scope, t->head));

@@ -1,5 +1,6 @@
 #include "exact/expression/example.h"
 
+#include "exact/expression/angle.h"
 #include "exact/expression/cell.h"
 #include "exact/expression/sign.h"
 #include "exact/expression/suppose.h"
@@ -54,7 +55,8 @@ int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, num_q valu
     for (int m = 0; m < c->count; m++)
         if (c->binding[m].unknown) {
             cagd_side_of_box s = side_of(&c->binding[m]);
-            if (c->binding[m].is_number || !cagd_is_inside(&s, value[m]))
+            if (c->binding[m].is_number || !cagd_is_inside(&s, value[m]) ||
+                !cagd_is_within_angle(&c->binding[m], value[m]))
                 return 0;
             exact->binding[m].unknown = 0;
             exact->binding[m].value = cagd_value_q(value[m]);

@@ -1,6 +1,7 @@
 #include "exact/expression/find.h"
 
 #include "core/clock.h"
+#include "exact/expression/angle.h"
 #include "exact/expression/cases.h"
 #include "exact/expression/clauses.h"
 #include "exact/expression/depends.h"
@@ -78,7 +79,7 @@ static cagd_constraint constraint_of(cagd_relation relation, num_f d)
 
 /* The name besides the parameter on which the constraint depends becomes its other variable, *other; 0, and why, where there are several, or where more is
  * known of them than bounds.  Where `alone`, an equality may have any names. */
-static int find_other(cagd_run *r, cagd_context *c, int alone, cagd_constraint *one, const char **other)
+static int find_other(cagd_run *r, cagd_context *c, int alone, cagd_constraint *one, const cagd_binding **other)
 {
     const cagd_binding *parameter = cagd_binding_of(c, r->parameter);
     cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
@@ -98,7 +99,7 @@ static int find_other(cagd_run *r, cagd_context *c, int alone, cagd_constraint *
                 return 0;
             }
             one->t = side[m];
-            *other = b->key;
+            *other = b;
         }
     }
     if (*other == NULL)
@@ -106,20 +107,35 @@ static int find_other(cagd_run *r, cagd_context *c, int alone, cagd_constraint *
     return 1;
 }
 
+/* The constraint, or its variable is beyond an end that is a root. */
+static void collect_outside(cagd_run *r, const cagd_binding *other, cagd_constraint one)
+{
+    num_f inside;
+    for (int k = 0; k < 2 && other != NULL; k++)
+        if (cagd_end_of_angle(other, k, &inside))
+            collect(r,
+                    (cagd_constraint){.p = neg_f(inside),
+                                      .demand = other->root_end_open[k] ? CAGD_AT_LEAST_ZERO : CAGD_MORE_THAN_ZERO,
+                                      .t = one.t,
+                                      .or_next = 1},
+                    other->key);
+    collect(r, one, other != NULL ? other->key : NULL);
+}
+
 /* Its value must not be a pole of d or of a divisor. */
 cagd_answer cagd_collected(cagd_run *r, cagd_context *c, cagd_relation relation, cagd_value d)
 {
     struct cagd_collection *into = r->into;
     const cagd_binding *parameter = cagd_binding_of(c, r->parameter);
-    const char *other;
+    const cagd_binding *other;
     r->out->comparisons++;
-    if (into->count + 1 + c->divisors >= MOST_CONSTRAINTS)
+    if (into->count + 3 + c->divisors >= MOST_CONSTRAINTS)
         return cagd_note_undecided(r, c, "too many cases");
     num_f f = cagd_in_field(d);
     cagd_constraint one = constraint_of(relation, f);
     if (!find_other(r, c, 1, &one, &other))
         return CAGD_UNDECIDED;
-    collect(r, one, other);
+    collect_outside(r, other, one);
     if (relation != CAGD_EQUAL)
         collect_poles(r, cagd_denominator_f(f), parameter);
     for (int i = 0; into->poles && i < c->divisors; i++)
@@ -132,7 +148,7 @@ cagd_answer cagd_collected(cagd_run *r, cagd_context *c, cagd_relation relation,
 /* A relation of a clause, and that the parameter is none of its poles. */
 struct literal {
     cagd_constraint one, defined;
-    const char *other;
+    const cagd_binding *other;
     int has_poles;
 };
 
@@ -184,7 +200,7 @@ cagd_answer cagd_collect_clause(cagd_run *r, cagd_context *c, const cagd_tree *t
             return CAGD_UNDECIDED;
         place[k] = literal[k].has_poles ? with_poles++ : -1;
     }
-    if (into->count + (t->count << with_poles) >= MOST_CONSTRAINTS)
+    if (into->count + 3 * (t->count << with_poles) >= MOST_CONSTRAINTS)
         return cagd_note_undecided(r, c, "too many cases");
     r->out->comparisons++;
     for (int choice = 0; choice < 1 << with_poles; choice++) /* each literal is "true and defined" */
@@ -192,7 +208,7 @@ cagd_answer cagd_collect_clause(cagd_run *r, cagd_context *c, const cagd_tree *t
             int defined = place[k] >= 0 && (choice >> place[k] & 1);
             cagd_constraint one = defined ? literal[k].defined : literal[k].one;
             one.or_next = k + 1 < t->count;
-            collect(r, one, defined ? NULL : literal[k].other);
+            collect_outside(r, defined ? NULL : literal[k].other, one);
         }
     return CAGD_HOLDS;
 }
@@ -210,7 +226,8 @@ void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *
     *f = (cagd_finding){0};
     *into = (struct cagd_collection){.poles = poles};
     const cagd_tree *clauses = cagd_in_clauses(statement);
-    if (clauses != NULL) /* otherwise what is not understood is told where it is met */
+    if (clauses != NULL &&
+        !cagd_has_squared_roots(statement)) /* otherwise what is not understood is told where it is met */
         statement = clauses;
     cagd_run r = {.scope = scope,
                   .statement = statement,

@@ -1,6 +1,7 @@
 #include "exact/expression/implied.h"
 
 #include "exact/decide/cylinders.h"
+#include "exact/expression/angle.h"
 #include "exact/expression/radical.h"
 #include "exact/words.h"
 
@@ -73,9 +74,13 @@ static void know_bounds(struct known *k, const cagd_binding *b)
         know(k, sub_f(x, from_rational_f(b->low)), signs_of(b->low_open ? CAGD_GREATER : CAGD_GREATER_OR_EQUAL));
     if (b->has_high)
         know(k, sub_f(x, from_rational_f(b->high)), signs_of(b->high_open ? CAGD_LESS : CAGD_LESS_OR_EQUAL));
+    num_f p;
+    for (int end = 0; end < 2; end++)
+        if (cagd_end_of_angle(b, end, &p))
+            know(k, p, signs_of(b->root_end_open[end] ? CAGD_GREATER : CAGD_GREATER_OR_EQUAL));
     if (!b->has_root)
         return;
-    num_f p = from_int_f(0);
+    p = from_int_f(0);
     for (int e = cagd_poly_degree(b->root.factor); e >= 0; e--)
         p = add_f(mul_f(p, x), from_rational_f(poly_coefficient(b->root.factor, e)));
     know(k, p, CAGD_IS_ZERO);

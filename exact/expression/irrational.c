@@ -25,7 +25,7 @@ static int has_bounds_alone(const cagd_context *c, int *roots, int *root)
     for (int k = 0; k < c->count; k++) {
         const cagd_binding *b = &c->binding[k];
         const cagd_variable *v = b->variable;
-        if (b->solved)
+        if (b->solved || b->is_root_end[0] || b->is_root_end[1])
             return 0;
         if (b->unknown && v != NULL && ((v->low != NULL && !b->has_low) || (v->high != NULL && !b->has_high)))
             return 0;

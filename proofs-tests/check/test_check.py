@@ -298,11 +298,44 @@ g(s,t) = s^2 t^3
             ("\\cos s \\ge 0", "-\\frac{\\pi}{2} \\le s \\le \\frac{\\pi}{2}", "holds"), ("\\cos s \\ge 0", "-\\frac{\\pi}{2} \\le s \\le \\pi", "fails"), ("\\sin s \\ge 0", "0 \\le s \\le \\pi", "holds"),
             ("\\sin s \\ge 0", "0 \\le s \\le 2\\pi", "fails"), ("\\sin s \\le 0", "\\pi \\le s \\le 2\\pi", "holds"), ("\\sin s \\ge 0", "2\\pi \\le s \\le 3\\pi", "holds"), ("\\sin s \\ge 0", "3\\pi \\le s \\le 4\\pi", "fails"),
             ("\\cos s + 1 > 0", "0 \\le s < \\pi", "holds"), ("\\cos s + 1 > 0", "0 \\le s \\le \\pi", "fails"), ("\\cos s + 1 > 0", "-\\pi < s < \\pi", "holds"), ("\\cos s + 1 > 0", "-\\pi \\le s < \\pi", "fails"),
-            ("\\cos s \\ge \\frac12", "0 \\le s \\le \\frac{\\pi}{3}", "undecided"), ("\\sin s \\le s", "0 \\le s", "undecided"), ("\\cos s = 2", "\\pi \\le s \\le 0", "undecided"),
+            ("\\cos s \\ge \\frac12", "0 \\le s \\le \\frac{\\pi}{3}", "holds"), ("\\sin s \\le s", "0 \\le s", "undecided"), ("\\cos s = 2", "\\pi \\le s \\le 0", "undecided"),
             ("\\sin(s + q) \\ge 0", "0 \\le s \\le \\frac{\\pi}{2}, 0 \\le q \\le \\frac{\\pi}{2}", "holds"), ("\\sin(s + q) \\ge 0", "0 \\le s \\le \\pi, 0 \\le q \\le \\pi", "fails"),
             ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "0 \\le s \\le \\pi", "holds"), ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "0 \\le s \\le 2\\pi", "fails"), ("\\cos \\frac{s}{2} > 0", "-\\pi < s < \\pi", "holds"),
             ("\\cos \\frac{s}{2} \\ge 0", "-\\pi \\le s \\le \\pi", "holds"), ("\\cos \\frac{s}{2} > 0", "-\\pi < s \\le \\pi", "fails"), ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\frac{\\pi}{2}", "holds"),
             ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\pi", "fails")))
+
+    def test_bounds_of_angles_whose_tangents_are_roots(self):
+        """Ends that belong to the range and ends that do not; ranges through half a turn; amounts, of which no side is linear."""
+        third, sixths, behind, fifths = "0 \\le s \\le \\frac{\\pi}{3}", "\\frac{\\pi}{6} \\le s \\le \\frac{5\\pi}{6}", "\\frac{\\pi}{2} \\le s \\le \\frac{3\\pi}{2}", "\\frac{\\pi}{5} \\le s \\le \\frac{2\\pi}{5}"
+        self.all_angles((
+            ("\\cos s > \\frac12", third, "fails"), ("\\cos s > \\frac12", "0 \\le s < \\frac{\\pi}{3}", "holds"), ("\\cos \\frac{s}{2} \\ge \\frac{\\sqrt 3}{2}", third, "holds"), ("\\cos s + \\sin s \\ge 1", third, "holds"),
+            ("\\sin s \\ge \\frac12", sixths, "holds"), ("\\sin s > \\frac12", sixths, "fails"), ("\\sin s \\ge \\frac{51}{100}", sixths, "fails"), ("\\sin s < \\cos s", "0 < s < \\frac{\\pi}{4}", "holds"), ("\\sin s < \\cos s", "0 < s \\le \\frac{\\pi}{4}", "fails"),
+            ("\\cos s \\le 0", behind, "holds"), ("\\cos s > -1", behind, "fails"), ("\\sin s \\ge 0", behind, "fails"), ("\\sin(s + \\pi) = -\\sin s", behind, "holds"), ("\\sin(s + \\frac{\\pi}{2}) = -\\cos s", behind, "fails"),
+            ("\\frac{d}{ds} \\sin s = \\cos s", behind, "holds"), ("4 \\cos^2 s + 2 \\cos s \\ge 1", fifths, "holds"), ("4 \\cos^2 s - 2 \\cos s \\ge 1", fifths, "fails"),
+            ("|\\sin s| \\le \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} \\le s \\le \\frac{4\\pi}{3}", "holds"), ("|\\sin s| < \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} \\le s \\le \\frac{4\\pi}{3}", "fails"), ("|\\sin s| < \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} < s < \\frac{4\\pi}{3}", "holds"),
+            ("|\\sin s| < \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} < s \\le \\frac{4\\pi}{3}", "undecided"), ("m(s) \\le 1", behind, "undecided"),
+            ("|\\sin 3s| \\le 3 |\\sin s|", "0 \\le s \\le 2\\pi", "holds"), ("|\\sin 3s| \\le 3 |\\sin s|", "-\\pi \\le s \\le \\pi", "holds"), ("|\\sin 3s| \\le 2 |\\sin s|", "0 \\le s \\le 2\\pi", "fails")))
+        find = Ranges().found
+        for printed, ranges, values in (("\\cos y \\ge x", "0 \\le y \\le \\frac{\\pi}{3}", "x ≤ 1/2"), ("x \\sin y \\le 1", "\\frac{\\pi}{6} \\le y \\le \\frac{5\\pi}{6}", "x ≤ 1"), ("\\sin y < x", "0 < y < \\frac{\\pi}{4}", "x ≥ 0.707106…"),
+                                        ("\\sin y < x", "0 < y \\le \\frac{\\pi}{4}", "x > 0.707106…"), ("\\cos y \\le x", "\\frac{\\pi}{2} \\le y \\le \\frac{3\\pi}{2}", "x ≥ 0")):
+            self.assertEqual(find(printed, "x", ranges)["values"], values, printed)
+
+    def test_amounts_of_what_is_not_linear(self):
+        """As implications; the sides of an example are those that are printed."""
+        for printed, expected in (("|x y - 1| + |x| \\ge |x + y| - |y| - 1", "holds"), ("x^2 \\le y \\Rightarrow |x| \\le y", "fails"), ("\\max(x^2 y, x y^2) \\ge x y \\min(x, y)", "holds"), ("x < x \\Rightarrow x = 5", "undecided")):
+            self.assertEqual(verdict(printed)["verdict"], expected, printed)
+        s = verdict("|x^2 - 2| \\le |x - 1| |x + 3| + 2")
+        x = fractions.Fraction(s["counterexample"]["values"][0]["value"])
+        self.assertEqual([fractions.Fraction(s["counterexample"][k]) for k in ("left", "right")], [abs(x * x - 2), abs(x - 1) * abs(x + 3) + 2])
+
+    def test_roots_of_functions(self):
+        """A root that is one side is squared; what fails is told where both sides are numbers, and a root that is not defined refutes nothing."""
+        unit = "n = 1, 0 \\le t \\le 1"
+        for printed, ranges, expected in (("\\sqrt{1+t^2} \\le 1 + t", unit, "holds"), ("\\sqrt{t} \\ge t", unit, "holds"), ("\\sqrt{t} > t", unit, "fails"), ("1 \\le \\sqrt{1+t^2}", unit, "holds"), ("\\sqrt{1+t^2} \\le 1 + t/5", unit, "undecided"),
+                                          ("\\sqrt{x^2+y^2} \\le |x| + |y|", "n = 1", "holds"), ("\\sqrt{x^2+1} > x", "n = 1", "holds"), ("\\sqrt{x^2} = x", "n = 1", "fails"), ("\\sqrt{x^2} \\ne x - 1", "n = 1", "holds"), ("\\sqrt{x^2} \\ne -x", "n = 1", "fails"),
+                                          ("\\sqrt{x} \\le x + 1", "n = 1", "undecided"), ("\\sqrt{x - 2} \\ge 0", "n = 1", "undecided"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1", "undecided"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1", "holds"),
+                                          ("|F(t) - t| \\le 1/4", unit, "holds"), ("|F(t) - t| < 1/4", unit, "fails"), ("\\|(t, t^2) - (t, t)\\| \\le 1/4", unit, "holds")):
+            self.assertEqual(verdict(printed, ranges)["verdict"], expected, printed)
 
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
