@@ -235,7 +235,7 @@ cuts every piece is not enough, if the ratios may change.  And the weights have 
 :title: Cuts that crowd one end leave a piece of length above 1/2 for ever
 :zh: 分割点聚于一端时多边形不收敛
 :given: the parabola $(t,t^2)$ over $[0,1]$, all pieces cut at $\lambda_k=2^{-k-1}$ in step $k=1,2,\dots$; the last
-  piece, of length $h_k$; $y=2^{-k-1}$, which is $\frac1{4+s}$ with an $s\ge0$
+  piece, of length $h_k$; $y=2^{-k-1}$, written as $\frac1{4+s}$
 :then: $h_k\ge\frac12+2^{-k-1}$ for every $k$; the middle vertex of a piece of length $h$ lies $h^2/4$ below the
   parabola: there is always a vertex more than $\frac1{16}$ below the curve
 :method: $h_1=\frac34$.  With $y=2^{-k-1}$, the step $h_{k+1}=h_k(1-\frac y2)$ and the identity $(\frac12+y)(1-\frac

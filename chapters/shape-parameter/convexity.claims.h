@@ -138,6 +138,7 @@ CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 :zh: -7≤β<-21/4 时三角形的曲线与底边有三个公共点
 :given: $\beta=-\frac{21}4-b$, $0<b\le\frac74$; the points $(0,0),(0,0),(1,1),(2,0),\dots,(2,0)$, a convex polygon; corrected functions
 :harmless: $0<b\le\frac74$ | it is $-7\le\beta<-\frac{21}4$
+:harmless: convex polygon | it is the one whose points stand there
 :then: for $t=\frac{4b}{9(21/4+b)}$ the curve has $y(t)=B_2(t)=0$ and $0<x(t)<2$: with its ends it has three points on the base
 :method: The curve from its Bézier points, $b=\frac74\cdot\frac r{1+r}$ with $r>0$ a variable, and $b=\frac74$; $x$ and $2-x$ are quotients with coefficients of
   one sign.

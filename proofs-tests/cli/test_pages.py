@@ -14,7 +14,7 @@ from pathlib import Path
 REGISTER_FILE = sys.argv.pop(2)
 CAGD = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scripts"))
-from register import load  # noqa: E402
+from register import load, words  # noqa: E402
 
 REGISTER = load(REGISTER_FILE)
 # Statements whose claims take longer than a page is worth here.
@@ -29,14 +29,6 @@ def show(*ids, width=92):
     r = subprocess.run([CAGD, "show", *ids], capture_output=True, text=True, env={**os.environ, "COLUMNS": str(width)})
     assert r.returncode == 0, r.stderr
     return r.stdout
-
-
-def words_of(entry, key):
-    return " ".join(text for name, text in entry["options"] if name == key)
-
-
-def words(entry, key):
-    return words_of(entry, key).split()
 
 
 class Width(unittest.TestCase):
@@ -208,7 +200,7 @@ class Words(unittest.TestCase):
     def test_a_step_names_another_by_its_number(self):
         claims = {c["name"] for c in REGISTER["claims"]}
         leaning = [s["id"] for s in REGISTER["statements"] if len(words(s, "holds-by")) > 1 and any(
-            set(re.findall(r"`(\w+)`", words_of(c, "method"))) & set(words(s, "holds-by"))
+            set(re.findall(r"`(\w+)`", " ".join(words(c, "method")))) & set(words(s, "holds-by"))
             for c in REGISTER["claims"] if c["name"] in words(s, "holds-by"))]
         self.assertGreater(len(leaning), 20)
         for name in sorted(set(leaning) - SLOW)[::12]:
