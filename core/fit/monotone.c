@@ -11,6 +11,7 @@
 enum {
     ROUNDS = 100,   /* fits, each with other neighbours pooled                                  */
     DIVISIONS = 20, /* rounds in which pools are divided; after them they only grow, which ends */
+    LEAST = 2,      /* pools, of which one alone has no extent and no curve                     */
     STEPS = 4 /* of a fit after which pools have changed: feet astray are called back before they lead the curve */
 };
 
@@ -245,6 +246,8 @@ cagd_status fit_monotone(const cagd_fit_data *data, const cagd_fit_options *opti
         cagd_fit_result *one = NULL;
         int divided = 0, pooled = 0;
         take_means(&p);
+        if (p.count < LEAST && last != NULL)
+            break;
         next.max_iterations = whole || options->max_iterations < STEPS ? options->max_iterations : STEPS;
         status = fit(&p.means, &next, whole && p.count == data->count ? strategy : &quick, &one, where);
         if (status == CAGD_TOO_FEW && last != NULL) {

@@ -1423,6 +1423,14 @@ class Fits(Case):
         self.assertIn("every foot lies behind the one before by itself", self.text(quadratic(20, 0.75, 0.01), "--monotone"))
         self.assertEqual(self.fit(table(track), "--monotone", "--smooth", "auto", code=None)["quality"]["problems"], [])
 
+    def test_points_without_order_and_feet_in_order(self):
+        """Points all over the plane: feet are shared until all of them are one, which has no curve.  Once refused as out of the range of numbers."""
+        for seed in range(3):
+            r = random.Random(seed)
+            cloud = [[round(r.gauss(0, 1), 3) for _ in "xy"] for _ in range(20)]
+            options = ["--monotone", "--closed", "--degree", "3", "--control-points", "4", "--no-verify"]
+            self.assertTrue(self.fit(table(cloud), *options, code=None)["quality"]["problems"])
+
     def test_many_control_points_converge(self):
         """Splines with more control points than the points determine come to a minimum by default, and how is said."""
         r = random.Random(8)
