@@ -460,7 +460,7 @@ static const struct topic topics[] = {
      "circle), or "
      "null; \"quality\" (good, problems, crossings of the curve with itself and of the polygon of the points, "
      "widest_gap "
-     "as a part of the length, same_side of pairs of neighbours and the probability of so many); \"verification\" "
+     "as a part of the length, same_side of pairs of neighbours and the probability of so many, how many points lie far_off); \"verification\" "
      "(status: verified, not verified or not asked; "
      "\"leaving_bounds\": whether the cost grows when weights leave their bounds; with --free none also "
      "refuted, and \"excess\", by how much the foot of a point may be farther than the nearest point of the "

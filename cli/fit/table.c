@@ -12,6 +12,11 @@ enum { MOST_FIELDS = 256, MOST_SHOWN = 40, MOST_LEADING = 16 };
 enum role { X, Y, Z, SIGMA, ROLES };
 static const char *const role_name[ROLES] = {"x", "y", "z", "sigma"};
 
+/* What maps and surveyors call x and y. */
+static const char *const pair_name[][2] = {{"longitude", "latitude"}, {"lon", "lat"},   {"long", "lat"}, {"lng", "lat"},
+                                           {"easting", "northing"},   {"east", "north"}, {"e", "n"},      {"rechtswert", "hochwert"}};
+enum { PAIRS = sizeof pair_name / sizeof *pair_name };
+
 /* A piece of the file, without the quotes around it. */
 struct field {
     char *at;
@@ -24,6 +29,7 @@ struct table {
     char separator;    /* ';', '\t', ',', ' '; 0: not known yet  */
     int comma, point;  /* lines of the first decimal comma and of the first decimal point; 0: none     */
     int column[ROLES]; /* where each is, from 0; -1: nowhere                                          */
+    int pair;          /* which one the columns are called by, from 1; 0: they are called x and y, or not at all  */
     int fields;        /* of every line                                                               */
     int dim;
     int leading; /* lines before the first row: titles, names, counts                        */
@@ -258,6 +264,19 @@ static int asked_sigma(const struct table *r, const char *asked, const struct fi
                   names == NULL ? "; there are no names, expected a number from 1" : "");
 }
 
+/* The columns of the first pair that stands among the names. */
+static void find_pair(struct table *r, const struct field *names)
+{
+    for (int pair = 0; pair < PAIRS && r->pair == 0; pair++) {
+        int at[2] = {-1, -1};
+        for (int c = 0; c < 2; c++)
+            for (int k = r->fields - 1; k >= 0; k--)
+                at[c] = is_called(&names[k], pair_name[pair][c]) ? k : at[c];
+        if (at[X] >= 0 && at[Y] >= 0)
+            r->column[X] = at[X], r->column[Y] = at[Y], r->pair = pair + 1;
+    }
+}
+
 /* Columns by their names.  1 when the names say nothing. */
 static int columns_by_name(struct table *r, const struct columns *asked, const struct field *names)
 {
@@ -269,6 +288,8 @@ static int columns_by_name(struct table *r, const struct columns *asked, const s
             return refuse(&r->in, NULL, "two columns are called %s", role_name[role]);
         r->column[role] = k;
     }
+    if (r->column[X] < 0 && r->column[Y] < 0)
+        find_pair(r, names);
     if (r->column[X] < 0 && r->column[Y] < 0) {
         for (int k = 0; k < ROLES; k++)
             r->column[k] = -1;
@@ -498,6 +519,8 @@ static int read_headings(struct table *r, const struct columns *asked, const str
     for (int k = 0; k < r->leading; k++)
         if (k != names)
             note_of(p, "line %d, \"%.*s\", is passed over", r->lead[k].line, MOST_SHOWN, r->lead[k].text);
+    if (r->pair > 0)
+        note_of(p, "%s and %s are taken as they are, as coordinates x and y of a plane", pair_name[r->pair - 1][X], pair_name[r->pair - 1][Y]);
     if (names >= 0)
         return 0;
     if (asked->dim == 0 && are_cut_at_thousands(r, field, fields))

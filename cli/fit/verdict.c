@@ -228,7 +228,8 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
             "the distances are no noise: %d of %d neighbours lie on the same side, by chance that is so with "
             "probability %.1g (%s)",
             q->runs.same, q->runs.pairs, q->runs.probability,
-            is_ellipse(f)                         ? "--control-points auto, or another model"
+            q->strays > 0                         ? "--loss huber, for the points that lie far off"
+            : is_ellipse(f)                       ? "--control-points auto, or another model"
             : f->choices.form || f->choices.count ? "more points, or --tolerance-distance"
                                                   : "--control-points auto, or a higher degree");
     if (q->problems & CAGD_FIT_FAR)
@@ -250,6 +251,25 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
     return count;
 }
 
+/* Points that squares follow, though their errors are of another kind. */
+static void print_strays(const struct fit *f)
+{
+    const cagd_fit_quality *q = &f->quality;
+    char *text;
+    size_t size;
+    if (q->strays == 0)
+        return;
+    FILE *out = text_open(&text, &size);
+    for (int k = 0; k < q->strays && k < CAGD_FIT_STRAYS; k++)
+        fprintf(out, "%spoint %d (line %d)", k > 0 ? ", " : "", q->stray[k] + 1, f->points.line[q->stray[k]]);
+    if (q->strays > CAGD_FIT_STRAYS)
+        fprintf(out, " and %d more", q->strays - CAGD_FIT_STRAYS);
+    text_close(out, &text);
+    say("Far off", "%s: farther than ten standard deviations, as the median of the distances has them; the curve follows %s (--loss huber)", text,
+        q->strays == 1 ? "it" : "them");
+    free(text);
+}
+
 void print_quality(const struct fit *f)
 {
     char *sentence[MOST_PROBLEMS], *text;
@@ -268,4 +288,5 @@ void print_quality(const struct fit *f)
     else
         say("Fit", "NOT good, whatever is said of the minimum%s", text);
     free(text);
+    print_strays(f);
 }

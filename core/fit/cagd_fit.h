@@ -463,6 +463,8 @@ enum {
     CAGD_FIT_SIMPLE = 128
 };
 
+enum { CAGD_FIT_STRAYS = 3 };
+
 typedef struct cagd_fit_quality {
     int problems;
     double length_ratio;                /* NaN of points in no order                                              */
@@ -471,6 +473,9 @@ typedef struct cagd_fit_quality {
     cagd_fit_runs runs;
     int far;       /* the control point; -1: none                                            */
     int backwards; /* how many feet                                                          */
+    int strays;    /* points of another kind of error, which squares follow: alone, and farther than ten standard deviations as the median of
+                      the distances has them; no problem of the curve, and a robust loss cures it        */
+    int stray[CAGD_FIT_STRAYS]; /* the first of them                                         */
 } cagd_fit_quality;
 
 /* `data` as for the fit; a point that repeats the first one is passed over.  Statuses: OK, NO_MEMORY. */

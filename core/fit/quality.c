@@ -1,7 +1,9 @@
 #include "core/fit/cagd_fit.h"
 
+#include "core/fit/outliers.h"
 #include "core/require.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +12,7 @@
 
 enum { SIDES = 600, PER_PIECE = 24, FEW = 30 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02;
+static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02, STRAY = 10;
 
 typedef struct polygon {
     int corners, dim;
@@ -156,20 +158,31 @@ static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_
         q->problems |= CAGD_FIT_BACKWARDS;
 }
 
-/* What is large against the extent of the points: a control point's distance from their middle; of few points the distances. */
-static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
+/* The diagonal of the box about the points, and its middle. */
+static double extent_of(const cagd_fit_data *data, double middle[])
 {
-    double middle[3], extent = 0, farthest = 0;
+    double extent = 0;
     const int dim = data->dim;
     for (int c = 0; c < dim; c++) {
         double low = data->points[c], high = low;
-        for (int i = 1; i < r->count; i++) {
+        for (int i = 1; i < data->count; i++) {
             low = fmin(low, data->points[(size_t)i * (size_t)dim + (size_t)c]);
             high = fmax(high, data->points[(size_t)i * (size_t)dim + (size_t)c]);
         }
-        middle[c] = low / 2 + high / 2 - r->origin[c];
+        middle[c] = low / 2 + high / 2;
         extent = hypot(extent, high - low);
     }
+    return extent;
+}
+
+/* What is large against the extent of the points: a control point's distance from their middle; of few points the distances. */
+static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
+{
+    double middle[3], farthest = 0;
+    const int dim = data->dim;
+    const double extent = extent_of(data, middle);
+    for (int c = 0; c < dim; c++)
+        middle[c] -= r->origin[c];
     for (int j = 0; j < r->curve.count && !r->found.ellipse.known; j++) {
         double d = distance(dim, r->relative + j * dim, middle);
         if (d > 1.5 * extent && d > farthest)
@@ -179,6 +192,49 @@ static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_f
         q->problems |= CAGD_FIT_FAR;
     if (data->sigma == NULL && (q->runs.pairs < FEW || r->roughness > 0) && r->rms > COARSE * extent)
         q->problems |= CAGD_FIT_COARSE;
+}
+
+/* Points that errors of another kind have put far off.  Where neighbours are far off, too, the curve has missed something, as a corner. */
+static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r, cagd_fit_quality *q)
+{
+    if (options->loss != CAGD_FIT_SQUARES || r->points_on_curve || r->degrees_of_freedom < FEW)
+        return CAGD_OK;
+    const double limit = STRAY * fit_robust_deviation(data, r);
+    int alone = 0, far = 0;
+    REQUIRE(!isnan(limit), CAGD_NO_MEMORY);
+    for (int i = 0, before = 0; i < r->count && limit > 0; i++) {
+        const int now = fabs(r->distances[i]) > limit * (data->sigma != NULL ? data->sigma[i] : 1);
+        if (now && far < CAGD_FIT_STRAYS)
+            q->stray[far] = i;
+        alone += now && !before ? 1 : now && before == 1 ? -1 : 0;
+        far += now, before = now ? before + 1 : 0;
+    }
+    q->strays = far <= PART * r->count && 2 * alone > far ? far : 0;
+    return CAGD_OK;
+}
+
+/* The unit of the last decimal place of the coordinates, at most nine behind the point; 0 where there are more. */
+static double unit_of(const cagd_fit_data *data)
+{
+    double scale = 1;
+    for (int places = 0; places <= 9; places++, scale *= 10) {
+        int k = 0;
+        while (k < data->count * data->dim &&
+               fabs(data->points[k] * scale - rint(data->points[k] * scale)) <= 4 * DBL_EPSILON * fabs(data->points[k] * scale))
+            k++;
+        if (k == data->count * data->dim)
+            return 1 / scale;
+    }
+    return 0;
+}
+
+/* Whether rounding to the places that are written explains all distances: it moves a point by at most half the diagonal of a cell.  Which side
+ * of the curve neighbours lie on is that of rounding then, which goes on for many where the curve is nearly along an axis. */
+static int is_within_rounding(const cagd_fit_data *data, const cagd_fit_result *r)
+{
+    double middle[3];
+    const double unit = unit_of(data);
+    return unit <= COARSE * extent_of(data, middle) && r->largest <= unit * sqrt(data->dim) / 2;
 }
 
 cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
@@ -195,6 +251,8 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         status = cagd_fit_runs_of(r, &q->runs);
     if (status == CAGD_OK && r->count > 1)
         status = find_gap(r, &curve, q);
+    if (status == CAGD_OK)
+        status = find_strays(&own, options, r, q);
     if (status == CAGD_OK) {
         if (!options->unordered && options->free != 0) {
             q->length_ratio = cagd_fit_length_ratio(&own, r);
@@ -208,7 +266,7 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         find_far(&own, r, q);
         q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
-        q->problems |= q->runs.probability < BY_CHANCE && !r->points_on_curve ? CAGD_FIT_STRUCTURE : 0;
+        q->problems |= q->runs.probability < BY_CHANCE && !r->points_on_curve && !is_within_rounding(&own, r) ? CAGD_FIT_STRUCTURE : 0;
     }
     free(curve.at);
     free(points.at);

@@ -1499,6 +1499,43 @@ class Fits(Case):
         return self.file(json.dumps({"kind": "rational-bezier", "points": [rows[0], [1, 2], rows[-1]],
                                      "weights": [1, 1, 1]}), "start.json")
 
+    def test_points_far_off_are_named(self):
+        """Squares follow them: the curve is poor, and the cure is the robust loss, which is tried here."""
+        r = random.Random(11)
+        rows = [[100 * t, 120 * t * (1 - t) + r.gauss(0, 0.05) + (15 if k in (20, 77, 110) else 0)] for k, t in ((k, k / 149) for k in range(150))]
+        text = self.text(rows, "--no-verify")
+        self.assertRegex(text, r"Far off +point 21 \(line 21\), point 78 \(line 78\), point 111 \(line 111\): farther")
+        self.assertIn("(--loss huber, for the points that lie far off)", text)
+        self.assertEqual(self.fit(table(rows), "--no-verify")["quality"]["far_off"], 3)
+        cured = self.fit(table(rows), "--no-verify", "--loss", "huber")
+        self.assertEqual((cured["quality"]["good"], cured["quality"]["far_off"]), (True, 0))
+        plain = [[x, y - (15 if k in (20, 77, 110) else 0)] for k, (x, y) in enumerate(rows)]
+        self.assertNotIn("Far off", self.text(plain, "--no-verify"))
+        corner = [[k / 50, abs(k / 50 - 1) + r.gauss(0, 1e-4)] for k in range(101)]  # what a curve misses has neighbours
+        self.assertNotIn("Far off", self.text(corner, "--no-verify", "--control-points", "9"))
+
+    def test_rounding_is_no_structure(self):
+        """A quarter of a circle in coordinates of three decimal places: which side of it neighbours lie on is that of rounding."""
+        arc = [[3456789.12 + 50 * math.cos(a), 5678901.5 + 50 * math.sin(a)] for a in (k * math.pi / 118 for k in range(60))]
+        d = self.fit(table(arc, number=lambda x: f"{x:.3f}"), "--no-verify")
+        self.assertEqual((d["curve"]["degree"], len(d["curve"]["points"]), d["quality"]["good"]), (2, 3, True))
+        self.assertLess(d["quality"]["probability"], 0.01)
+        rows = [[x, y + 0.002 * math.sin(x / 4)] for x, y in arc]  # more than half a diagonal of a cell
+        d = self.fit(table(rows, number=lambda x: f"{x:.3f}"), "--no-verify", "--degree", "2")
+        self.assertFalse(d["quality"]["good"])
+
+    def test_names_of_maps_and_surveys(self):
+        r = random.Random(3)
+        rows = [[k, 3456700 + 50 * math.cos(k / 40), 5678900 + 50 * math.sin(k / 40) + r.gauss(0, 0.01)] for k in range(60)]
+        for names in ["Nr.", "Rechtswert", "Hochwert"], ["id", "Easting [m]", "Northing [m]"], ["point", "E", "N"], ["time", "lon", "lat"]:
+            text = table(rows, ";", names=names, number=lambda x: f"{x:.3f}")
+            self.assertEqual(self.fit(text, "--no-verify")["points"]["count"], 60)
+            out = run("fit", self.file(text), "--no-verify").stdout.decode()
+            self.assertIn("are taken as they are, as coordinates x and y of a plane", " ".join(out.split()))
+        other = table([[k, y, x] for k, x, y in rows], names=["id", "lat", "lon"])
+        self.assertAlmostEqual(self.fit(other, "--no-verify")["curve"]["points"][0][0], rows[0][1], 1)
+        self.refuses(table(rows, names=["id", "E", "lat"]), "three columns without names", "--no-verify")
+
     def test_pictures_of_all_kinds(self):
         for text, options in [(table(helix(30, 0.01), names=["x", "y", "z"]), ["--degree", "3"]),
                               (table(quadratic(3000, 0.75, 0.02)), []), (table(quadratic(3, 0.75)), ["--ends", "exact"]),
