@@ -549,7 +549,8 @@ CLAIM(mixed_weights_change_sign_changes)
 :then: $V[y_0,\dots,y_n]$ is the number of times that a point which runs along the polygon changes sides
 :method: Between its quarters an edge of these polygons meets the line at most once; the sides of the points at $\frac14$ and
   $\frac34$ of every edge, none of which is an isolated point on the line, are read one after the other.  Compared with
-  $V$ and with the count of `exact/decide/crossings.h`.
+  $V$ and with the count of `exact/decide/crossings.h`.  Heights of other size but the same signs change the sides of the edges in the same way, since
+  the height along an edge is linear.
 :degrees: 1..8
 :scope: all patterns of signs
 :control: zeros counted as positive in $V$

@@ -49,6 +49,7 @@ coefficients that change their sign three times.
 :zh: 直线与凸控制多边形的交点
 :printed: this is because a line and the (convex) control polygon have at most two points of intersection
 :holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
+  points_between_two_on_one_side_are_on_it
 :hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
 :argued: | From crossings to points: three different points $X,Y,Z$ of the polygon on the line, in its order, may be taken for vertices, for no
   determinant becomes negative. A vertex $V$ between $X$ and $Y$ and off the line has $D_{XVY},D_{YZV},D_{ZXV}\ge0$, by which $Z$ lies between

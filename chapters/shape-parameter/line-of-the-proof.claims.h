@@ -71,8 +71,9 @@ Between two points on one side of $L$ there is no point of $L$.  That is what th
 :zh: 同侧两点之间的线段不与直线(平面)相交
 :given: points $A$, $B$ and $Q$ of space, any vector $u$, a point $X=A+\lambda(B-A)$, $0<\lambda<1$; and two numbers $a,b>0$
 :harmless: a point $X=A+\lambda(B-A)$, $0<\lambda<1$ | the points of the edge but its ends are these
-:harmless: two numbers $a,b>0$ | the values at two ends on one side are such, or their negatives are
-:then: $u\cdot(X-Q)=(1-\lambda)\,u\cdot(A-Q)+\lambda\,u\cdot(B-Q)$, and $(1-\lambda)a+\lambda b>0$
+:harmless: two numbers $a,b>0$ | the values at two ends off the line are such, or their negatives are
+:then: $u\cdot(X-Q)=(1-\lambda)\,u\cdot(A-Q)+\lambda\,u\cdot(B-Q)$, and $(1-\lambda)a+\lambda b>0$; with the values $a$ and $-b$ at the ends it is
+  $(1-\lambda)a-\lambda b=(a+b)\bigl(\frac a{a+b}-\lambda\bigr)$, 0 for one $\lambda$ and positive before it and negative behind
 :method: Everything is a variable, $\lambda=s/(1+s)$ with $s>0$; in the plane the third coordinates are 0.  So with both ends strictly on one side, $a$ and $b$ being
   their values or the negatives of them, the whole edge is; an edge that meets $L$ and has no end on it has its ends on two sides.
 :over: q#: points; u#: normal vectors; a b s: -
@@ -95,7 +96,11 @@ CLAIM(points_between_two_on_one_side_are_on_it)
     same(T, G(dot)(space, u, to[2]),
          add(mul(of_first, G(dot)(space, u, to[0])), mul(of_second, G(dot)(space, u, to[1]))));
     num a = positive(T, "a", 0), b = positive(T, "b", 0);
+    about(T, "two ends on one side");
     G(must_be_positive)(T, add(mul(other, a), mul(lambda, b)));
+    about(T, "two ends on two sides");
+    /* (1-λ) a - λ b = (a + b)(a/(a+b) - λ) */
+    same(T, sub(mul(other, a), mul(lambda, b)), mul(add(a, b), sub(div(a, add(a, b)), lambda)));
 }
 
 #if RATIONAL
@@ -172,7 +177,7 @@ CLAIM(line_through_an_edge_has_no_two_sides)
 :title: The changes of sign are at most the intersections of the polygon
 :zh: 式 (19)
 :printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
-:holds-by: sign_changes_are_polygon_crossings
+:holds-by: sign_changes_are_polygon_crossings points_between_two_on_one_side_are_on_it
 :hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane
   they may be fewer
 :figure: polygon_crossing_itself
