@@ -341,7 +341,7 @@ which the length of the first interval stands and not that of the domain.
 :::{claim} clamped_ends_interpolate
 :title: At an end of multiplicity p+1 the curve begins in its first point, in the direction of the first edge
 :zh: 端节点 p+1 重时的端点性质
-:given: simple inner knots, the first knot of the domain of multiplicity $p+1$, the last as well, points variables
+:given: two simple inner knots, the first knot of the domain of multiplicity $p+1$, the last as well, points variables
 :then: $s(u_p)=c_0$, $s(u_n)=c_{n-1}$, $s'(u_p)=\frac p{u_{p+1}-u_p}(c_1-c_0)$,
   $s'(u_n)=\frac p{u_n-u_{n-1}}(c_{n-1}-c_{n-2})$
 :method: Values and derivatives from the recursion by its letter.

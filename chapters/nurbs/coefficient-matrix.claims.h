@@ -127,7 +127,7 @@ may be taken as integers; and that the B-splines have the sum 1 is a property of
 :::{claim} coefficient_matrix_is_affinely_invariant
 :title: The knots at + b have the same matrix
 :zh: 系数矩阵的仿射不变性
-:given: orders $k=p+1$, simple knots $t_i$, numbers $a\ne0$ and $b$, all variables
+:given: orders $k=p+1$, simple knots $t_i$, numbers $a>0$ and $b$, all variables
 :then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
 :method: The two matrices of the kernel.
 :degrees: 0..5 sampled 7

@@ -161,7 +161,8 @@ product of these matrices, and so, by the formula of Cauchy and Binet, no minor 
 
 For the theorem of Schoenberg and Whitney every order of knots and sites is a case of its own, and a determinant of order $n$ of
 rational functions of all the gaps: with $n=5$ both the cases and the determinants are too many for a proof in passing, so that
-the field stops at four functions; that no minor is negative is known in general from the next two claims.
+the field stops at four functions; that no minor is negative is decided by the next claim for one site in every interval, and sampled by the
+one after it for several.
 */
 
 #if FIELD || RATIONAL
@@ -234,11 +235,11 @@ a number of steps that grows with the cube of the order, where the minors themse
 :::{claim} bspline_collocation_is_totally_nonnegative
 :title: The collocation matrix at increasing sites has no negative minor
 :zh: B 样条配置矩阵的全正性
-:given: random knots with the patterns of several segments, $2n$ random increasing sites of the domain
+:given: random knots with the patterns of several segments, $p+1$ random increasing sites inside every interval of the domain
 :where: the knots and the sites increase
 :then: the matrix $\bigl(N_{j,p}(x_i)\bigr)$ is totally nonnegative
 :method: The elimination of `total_positivity.h`, which knows nothing of B-splines, on the values of the recursion of de Boor and
-  Cox by its letter.  The reason, which is no sample, is `bspline_collocation_is_product_of_insertions`.
+  Cox by its letter.  The reason is that of `bspline_collocation_is_product_of_insertions`, where one site in every interval is decided for all knots.
 :types: rational
 :degrees: 1..6
 :control: the first two sites exchanged

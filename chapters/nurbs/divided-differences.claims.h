@@ -471,6 +471,7 @@ CLAIM(confluent_vandermonde_determinant_is_product)
 :zh: 方程组有唯一解
 :printed: hence (4.4.6) has exactly one solution
 :holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
+:meant: the determinant before it, that of $H(T;1,t,\dots,t^k)$ | (4.4.6) as corrected in `formula-4.4.6` and `formula-4.4.6-right-side`.
 :needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | the $\tau_i$ differ: equal
   nodes have to be counted by multiplicity
 :figure: osculating_polynomial

@@ -18,11 +18,13 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
   r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$
 :class: invalid-proof
 :refuted-by: osculating_plane_meets_the_origin_once
-:reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises
+:reading: osculating_plane_meets_the_origin_once | at one $t$, from (4.3.12) alone, as the sentence says
+:reading: first_level_condition_factors | at one $t$ where (4.3.9) itself holds with $\tau\ne t$: there $\mathbf r'\times\mathbf r''=0$, and each
+  product is 0 at this $t$, whatever the points are
 :reading: points_are_polar_values_of_the_segment | for all $t$ of the span, but not for this reason, the
   coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants | The Wronskian of the coordinates of $\mathbf r$ is 0,
   so they are linearly dependent, as for the corrected sentence; a plane through the origin that has the segment has its points.
-:meant: the proof, in which (4.3.12) is the alternative to $\tau=t$ | The first: at one $t$.
+:meant: the sentence, which begins with (4.3.12) and names its reason | The first: at one $t$, from (4.3.12).
 :corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
   linearly dependent, the segment is in a plane through the origin, and so are its control points
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
@@ -280,7 +282,7 @@ CLAIM(family_moves_with_its_points)
 :title: In the plane the condition is (τ-t)(x'y''-x''y') = 0
 :zh: 平面情形的等价条件
 :printed: (4.3.13) is equivalent to $(\tau-t)[x'(t)y''(t)-x''(t)y'(t)]=0$
-:holds-by: first_level_condition_factors
+:holds-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_second_line
 
 The factor between them is $w^3/((k-1)^2W^3)$, which is positive.
@@ -391,7 +393,7 @@ CLAIM(inflected_cubic_is_not_straight)
 :refuted-by: folded_line_has_another_solution
 :corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of
   $\mathbf r$
-:corrected-by: first_level_condition_factors
+:corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_folded_line
 :::
 
@@ -441,7 +443,7 @@ CLAIM(folded_line_has_another_solution)
 :title: If (4.3.14) does not hold, τ = t
 :zh: 否则必有 τ=t
 :printed: if (4.3.14) does not hold, (4.3.11) must hold, and put into (4.3.3), $r=1$, it shows that the envelope of the family is $\mathbf r(t)$
-:holds-by: first_level_condition_factors member_of_span_touches_curve
+:holds-by: first_level_condition_factors first_level_follows_the_tangent member_of_span_touches_curve
 :hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
   identically is not enough
 :meant: (4.3.3) and (4.3.9), by which the section determines the envelope | All joint solutions, as in theorem 4.3.2.

@@ -22,7 +22,8 @@ $(t,\tau)$ together, and not for the single pair at hand.
 :corrected: $\tau=t$, that is (4.3.11), or the same sum with $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$ and with
   $\mathbf r^{[k-r+1]}(t,\tau)=\mathbf p^{[r-1]}(t,\tau)/w^{[r-1]}(t,\tau)$, the member of the level before, for
   $\mathbf r^{[r-1]}(t,\tau)$
-:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before
 :figure: order_and_level
 
 Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined; and
@@ -82,14 +83,16 @@ CLAIM(superscript_of_the_order_gives_another_product)
   $t_j\le t,\tau<t_{j+1}$
 :class: invalid-proof
 :refuted-by: member_osculates_a_plane_through_the_origin
-:reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, as the alternative to $\tau=t$ arises
+:reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, from the sum alone, as the sentence says; where (4.3.15) itself holds
+  with $\tau\ne t$ it is as corrected
 :reading: points_are_polar_values_of_the_segment | for all pairs of the square, each member
   being in a plane through the origin and its points with it, but not by linear independence | The Wronskian of the coordinates
   of the member is 0 for all $t$, so they are linearly dependent.
-:meant: the proof, in which the sum is the alternative to $\tau=t$ | The first: at one pair $(t,\tau)$.
+:meant: the sentence, which begins with the sum | The first: at one pair $(t,\tau)$, from the sum.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
   whatever the points are
-:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 :::
 */
@@ -224,7 +227,8 @@ CLAIM(weighted_points_follow_the_recursion)
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
   are 0 on every level
-:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
 No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
@@ -271,12 +275,12 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 for $t_j\le t,\tau<t_{j+1}$
   means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
-  points_are_polar_values_of_the_segment
+  points_are_polar_values_of_the_segment curvatures_have_a_fixed_ratio member_of_span_is_polar
 :needs: twisted_sextic_has_products_zero | the sentence is about the whole span | the condition holds for all pairs of the
   square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
   need not be coplanar
 :argued: | Either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
-  slopes have the derivative 0, and with them, at $\tau=t$, the segment.
+  slopes have the derivative 0; then $\mathbf r'\times\mathbf r''$, of which $R'\times R''$ at $\tau=t$ is a multiple, is 0 for all $t$, and the segment is straight.
 :figure: nurbs_envelope_space
 :::
 
@@ -327,7 +331,8 @@ CLAIM(twisted_sextic_has_products_zero)
 :refuted-by: convex_quartic_of_span_has_second_envelope
 :corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$
   of the level before, not of the curve
-:corrected-by: general_condition_is_that_of_the_level_before derivative_by_tau_is_that_of_the_level_before
+:corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before
 :figure: nurbs_envelope_extra
 :::
 */

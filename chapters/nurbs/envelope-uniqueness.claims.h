@@ -140,7 +140,7 @@ CLAIM(member_that_stands_still_is_not_touched)
   $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
-:corrected-by: first_level_condition_factors
+:corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_second_line
 :::
 
@@ -250,7 +250,7 @@ tangent of the curve at $t$.
 :zh: 族曲线对 τ 的偏导矢
 :printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
   r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
-:holds-by: derivatives_of_the_first_member
+:holds-by: derivatives_of_the_first_member first_level_follows_the_tangent
 :figure: nurbs_second_line
 
 The words before it are lost in the copy at hand.
@@ -262,7 +262,7 @@ The words before it are lost in the copy at hand.
 :printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial
   t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]\mathbf p''(t)-w''(t)\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf
   p(t)\Bigr]\Bigr\}+(k-2)w^2(t)\mathbf r'(t)
-:holds-by: derivatives_of_the_first_member
+:holds-by: derivatives_of_the_first_member first_level_follows_the_tangent
 :figure: nurbs_second_line
 :::
 */
@@ -316,7 +316,7 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :zh: 包络条件的等价形式
 :printed: (4.3.9) is equivalent to $(\tau-t)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr][\mathbf r'(t)\times\mathbf p''(t)]=(\tau-t)\,w''(t)\Bigl\{\mathbf
   r'(t)\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)\Bigr]\Bigr\}$
-:holds-by: first_level_condition_as_printed derivatives_of_the_first_member
+:holds-by: first_level_condition_as_printed derivatives_of_the_first_member first_level_follows_the_tangent
 :figure: nurbs_second_line
 :::
 */
