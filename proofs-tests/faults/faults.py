@@ -86,7 +86,7 @@ class Expression(Room):
     configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
     SCRIPT = [sys.executable, ROOT / "proofs-tests/check/test_check.py", "cagd", "-f"]
     LATEX = [sys.executable, ROOT / "proofs-tests/check/test_latex.py", "cagd", "-f"]
-    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_changes test_statements test_expression test_cells test_for_every test_drawn test_known".split()},
+    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_changes test_statements test_expression test_cells test_for_every test_drawn test_known test_example".split()},
              "page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "standard functions": [*SCRIPT, "Standard"], "what is said": [*SCRIPT, "Reasons", "Verdicts", "Language", "Ranges", "Pictures"], "mistakes": [*SCRIPT, "Mistakes"],
              "papers": LATEX, "what holds for small numbers": [*SCRIPT, "Cells"], "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
