@@ -1110,6 +1110,16 @@ class Ranges(unittest.TestCase):
         f = {k: fractions.Fraction(v) for k, v in s["fails_for"][0].items()}
         self.assertLess((1 - f["x"] * f["t"]) * (1 - f["t"]), 0)
 
+    def test_what_breaks_it_has_its_whole_numbers(self):
+        """x t^n <= n for n = 1, 2, 3 and t in [0, 1]: every example names n, t and x, and fails there."""
+        s = self.found("x t^n \\le n", "x", "n = 1..3, 0 \\le t \\le 1")
+        self.assertEqual(s["values"], "x ≤ 1")
+        self.assertTrue(s["fails_for"])
+        for f in s["fails_for"]:
+            self.assertEqual(set(f), {"n", "t", "x"})
+            n, t, x = int(f["n"]), fractions.Fraction(f["t"]), fractions.Fraction(f["x"])
+            self.assertTrue(1 <= n <= 3 and 0 <= t <= 1 and x * t**n > n, f)
+
     def test_the_published_basis_is_what_the_ledger_says(self):
         r = subprocess.run([CAGD, "check", "--json", HERE / "deng-zhang-2022.md"], capture_output=True, text=True, timeout=100)
         s = {s["name"]: s for s in json.loads(r.stdout)["statements"]}
@@ -1189,6 +1199,12 @@ class Mistakes(unittest.TestCase):
             self.assertEqual((r.returncode, r.stderr), (0, b""))
         r = check(document("\tx + zz = 1"))
         self.assertEqual(r.stderr.splitlines()[1:], ["  :printed:  x + zz = 1", "                 ^"])
+
+    def test_what_is_no_text_gets_one_line(self):
+        for text in (document("x = x") + "\0", "\0" + document("x = x"), "\0", document("x \0 = x")):
+            r = check(text)
+            self.assertEqual((r.returncode, r.stdout), (2, ""))
+            self.assertEqual(r.stderr, "cagd: standard input: is no text, there is a zero byte in it; expected Markdown or LaTeX\n")
 
     def test_what_is_large_gets_one_line(self):
         for text in ("(" * 10**6 + "x" + ")" * 10**6, "x + " * 250000 + "x", "{" * 19000, "\\frac{" * 3000, "-" * 10**6,

@@ -86,7 +86,7 @@ class Expression(Room):
     configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
     SCRIPT = [sys.executable, ROOT / "proofs-tests/check/test_check.py", "cagd", "-f"]
     LATEX = [sys.executable, ROOT / "proofs-tests/check/test_latex.py", "cagd", "-f"]
-    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_changes test_statements test_expression test_cells test_for_every test_drawn test_known".split()},
+    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_changes test_statements test_expression test_cells test_for_every test_drawn test_known test_example".split()},
              "page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "standard functions": [*SCRIPT, "Standard"], "what is said": [*SCRIPT, "Reasons", "Verdicts", "Language", "Ranges", "Pictures"], "mistakes": [*SCRIPT, "Mistakes"],
              "papers": LATEX, "what holds for small numbers": [*SCRIPT, "Cells"], "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
@@ -106,10 +106,11 @@ class Code(Room):
     tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_harness test_border test_shares test_machine test_conditions test_decide".split()},
              "language": [sys.executable, ROOT / "proofs-tests/code/test_language.py", "./cagd-compile-exactly", "proofs-tests/code/run_programs", "-f"],
              "what is said": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Verdicts", "Mistakes"],
-             "pages": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Page", "Certificates"]}
+             "pages": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Page", "Certificates"],
+             "formulas": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Printed"]}
     slow = {"interface": [sys.executable, ROOT / "proofs-tests/code/test_interface.py", ".", ROOT]}
     KNOWS = {"driver": "test_harness", "conditions": "test_conditions", "polyhedron": "test_conditions", "signs": "test_conditions", "border": "test_border",
-             "harness": "test_harness", "points": "test_harness", "orders": "test_shares", "decide": "test_decide"}
+             "harness": "test_harness", "points": "test_harness", "formula": "formulas", "orders": "test_shares", "decide": "test_decide"}
 
     def units(self):
         return {c: [c] for c in sources("exact/code/*.c") if not c.endswith("session.c")}

@@ -357,6 +357,30 @@ static void every_greek_letter_is_known(void **state)
     }
 }
 
+/* A relation says for which values of t where t stands by itself: no part of a word or a command, without an index or an argument. */
+static void a_letter_stands_by_itself(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *phrase;
+        int says;
+    } list[] = {{"0 < t < 1", 1}, {"$t>0$", 1},   {"t > 0", 1},    {"s < t", 1},    {"f(t) > 0", 1}, {"st, t > 0", 1},
+                {"\\tau > 0", 0}, {"\\t > 0", 0}, {"at s > 0", 0}, {"s > st", 0},   {"ts < 1", 0},   {"t_1 > 0", 0},
+                {"t(s) > 0", 0},  {"βt > 0", 0},  {"tβ > 0", 0},   {"every st", 0}, {"every t", 1},  {"of t alone", 0}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        char name[] = "t";
+        const claim c = {.name = "letter", .scope = list[k].phrase, .over = "t"};
+        claim_result r = IN_FIELD(c, 0, 0);
+        r.by[FIELD_TYPE].variables = name;
+        finding f = finding_of(&r, "n");
+        const char *told = strstr(f.scope, list[k].phrase);
+        assert_non_null(told);
+        if ((strstr(told + strlen(list[k].phrase), "every t") == NULL) != list[k].says)
+            fail_msg("%s", f.scope);
+        free_finding(&f);
+    }
+}
+
 static void a_condition_that_says_nothing_is_none(void **state)
 {
     (void)state;
@@ -556,6 +580,7 @@ int main(void)
                                        unit(simple_numbers_are_of_their_kind),
                                        unit(names_are_whole_words),
                                        unit(every_greek_letter_is_known),
+                                       unit(a_letter_stands_by_itself),
                                        unit(a_condition_that_says_nothing_is_none),
                                        unit(decisions_have_no_degrees_to_sample),
                                        unit(a_result_has_a_sign),

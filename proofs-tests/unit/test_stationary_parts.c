@@ -55,6 +55,67 @@ static void ways_are_added_upward(void **state)
     assert_true(v.weight_alone < 2 && v.point_alone < 2 && v.weight_alone > 1.99 && v.point_alone > 1.99);
 }
 
+static num_q absolute(num_q x) { return cagd_sign_q(x) < 0 ? neg_q(x) : x; }
+
+/* Steps of every size, one after the other.  A coordinate is the sum of two binary64, which a step moves by itself but for 2^-50 of it
+ * and 2^-100 of the coordinate; what is said to be moved is at least the way from where it was at first, by rationals, and more by a
+ * few times the smaller of the two numbers.  A weight v that began as w is moved by at least |log(v/w)|, which for numbers above 0 is
+ * less than |v - w|/min(v, w).  What is held stays. */
+static void the_centre_moves_no_farther_than_is_told(void **state)
+{
+    (void)state;
+    enum { POINTS = 3, UNKNOWNS = 2 * POINTS + 1, HELD = 4, MOVES = 4 };
+    for (int n = 0; n < 400; n++) {
+        double points[2 * POINTS], weights[POINTS] = {1, 0.375 + random_int(0, 99), 1};
+        cagd_fit_unknown unknown[UNKNOWNS];
+        int held[UNKNOWNS] = {0};
+        held[HELD] = CAGD_STATIONARY_HELD;
+        for (int a = 0; a < 2 * POINTS; a++) {
+            unknown[a] = (cagd_fit_unknown){0, a / 2, a % 2};
+            points[a] = ldexp(random_int(-(1 << 30), 1 << 30), random_int(-60, 10));
+        }
+        unknown[2 * POINTS] = (cagd_fit_unknown){1, 1, 0};
+        const cagd_spline curve = {2, POINTS, 2, NULL, points, n % 2 ? weights : NULL};
+        const cagd_fit_data data = {.dim = 2};
+        const cagd_stationary_problem problem = {
+            .data = &data, .curve = &curve, .unknowns = UNKNOWNS, .unknown = unknown, .held = held};
+        struct workspace s = {0};
+        assert_true(workspace_new(&s, &problem));
+        for (int move = 0; move < MOVES; move++) {
+            num_q before[2 * POINTS];
+            double weight = s.weights[1];
+            for (int a = 0; a < UNKNOWNS; a++) {
+                s.newton[a] = ldexp(random_int(-(1 << 30), 1 << 30), random_int(-110, a < 2 * POINTS ? 10 : -40));
+                if (a < 2 * POINTS)
+                    before[a] = add_q(from_double_q(s.points[a]), from_double_q(s.rest[a]));
+            }
+            move_centre(&problem, &s);
+            for (int a = 0; a < 2 * POINTS; a++) {
+                num_q now = add_q(from_double_q(s.points[a]), from_double_q(s.rest[a]));
+                num_q step = sub_q(now, before[a]), way = sub_q(now, from_double_q(points[a]));
+                if (a == HELD) {
+                    assert_true(cagd_is_zero_q(way) && s.moved[a] == 0);
+                    continue;
+                }
+                num_q off = sub_q(step, from_double_q(s.newton[a])), told = from_double_q(s.moved[a]);
+                num_q room =
+                    add_q(mul_q(absolute(step), from_double_q(0x1p-50)), mul_q(absolute(now), from_double_q(0x1p-100)));
+                assert_true(cagd_compare_q(absolute(off), room) <= 0);
+                assert_true(cagd_compare_q(told, absolute(way)) >= 0);
+                num_q most =
+                    add_q(mul_q(absolute(way), from_double_q(1 + 0x1p-40)), from_double_q(3 * fabs(s.rest[a])));
+                assert_true(cagd_compare_q(told, most) <= 0);
+            }
+            double first = n % 2 ? weights[1] : 1, v = s.weights[1];
+            assert_true(fabs(log(v / weight) - s.newton[2 * POINTS]) <= 0x1p-50);
+            assert_true(cagd_compare_q(mul_q(from_double_q(s.moved[2 * POINTS]), from_double_q(fmin(v, first))),
+                                       absolute(sub_q(from_double_q(v), from_double_q(first)))) >= 0);
+        }
+        free(s.memory);
+        free(s.sign);
+    }
+}
+
 static void the_nearer_bound(void **state)
 {
     (void)state;
@@ -220,8 +281,12 @@ static void the_smoothing_term(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(the_smoothing_term),    unit(the_extent_of_a_box),
-                                       unit(what_a_radius_reaches), unit(the_size_of_points),
-                                       unit(ways_are_added_upward), unit(the_nearer_bound)};
+    const struct CMUnitTest tests[] = {unit(the_smoothing_term),
+                                       unit(the_extent_of_a_box),
+                                       unit(what_a_radius_reaches),
+                                       unit(the_size_of_points),
+                                       unit(ways_are_added_upward),
+                                       unit(the_nearer_bound),
+                                       unit(the_centre_moves_no_farther_than_is_told)};
     return run_unit_tests(tests);
 }

@@ -198,6 +198,10 @@ double z_reallocarray(void) { double *p = reallocarray(0, 3, sizeof *p); p[2] = 
 double z_reallocarray_never(void) { double *p = reallocarray(0, 3, sizeof *p); p[2] = 1.0 / 3; p = reallocarray(p, 30, sizeof *p); return p[20] + 1; }
 /* ! never computed */
 double z_valloc(void) { double *p = valloc(64); return p[2] + 1; }
+/* = F(1,3) */
+double z_pvalloc(void) { extern void *pvalloc(size_t); char *p = pvalloc(5000); memset(p, 1, 8192); return p[8191] == 1 && ((uintptr_t)p & 4095) == 0 ? 1.0 / 3 : 0; }
+/* ! behind the end of */
+double z_pvalloc_behind(void) { extern void *pvalloc(size_t); char *p = pvalloc(5000); p[8192] = 1; return p[8192]; }
 /* ! never computed */
 double z_memalign(void) { extern void *memalign(size_t, size_t); double *p = memalign(64, 64); return p[2] + 1; }
 /* = F(1,3) */
