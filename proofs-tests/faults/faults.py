@@ -127,7 +127,7 @@ class Check(Room):
     tests = {"page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": Expression.LATEX,
              "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges", "Pictures", "Standard"], "bases": Expression.tests["bases"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"],
-             "the ledger": ["cagd", "check", ROOT / "chapters/shape-parameter/print.md"]}
+             "the ledger": ["./cagd", "check", ROOT / "chapters/shape-parameter/print.md"]}
     KNOWS = {"paper": "papers", "document": "mistakes", "sheet": "bases", "graphs": "bases", "certificate": "certificates"}
 
     def units(self):
