@@ -293,6 +293,16 @@ class FromPaper(unittest.TestCase):
                 self.assertIn(place, r.stderr)
                 self.assertIn(words, r.stderr)
 
+    def test_what_an_entry_has_as_printed_is_in_no_paper(self):
+        """:from: and :printed: say what the formula of a statement or an equation is; that of an entry is what the ledger has."""
+        let = ":::{let}\n:from: paper.tex eq:g\nx \\in \\mathbb{R}\n:::\n"
+        for kind, is_refused in (("statement", False), ("equation", False), ("printed", True)):
+            for line in (":from: paper.tex eq:a", ":printed: x = x"):
+                with self.subTest(kind=kind, line=line):
+                    r = self.run_beside(f"{let}:::{{{kind}}} deng-zhang-2022:property-2.2\n{line}\n:::\n", self.PAPER)
+                    self.assertEqual(r.returncode == 2, is_refused, r.stderr)
+                    self.assertEqual("notes.md:6:1: expected :printed:, :from:" in r.stderr, is_refused, r.stderr)
+
 
 class Counts(unittest.TestCase):
     def test_there_are_sixty_cases(self):

@@ -120,12 +120,14 @@ class Code(Room):
 
 
 class Check(Room):
-    """`cagd check`: pages and papers that are read, and what is told of them."""
-    configured, targets = Expression.configured, ["cagd"]
+    """`cagd check`: pages and papers that are read, and what is told of them; what the ledger has as printed, by a chapter that has all of its
+    verdicts."""
+    configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting;shape-parameter", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
     SCRIPT = Expression.SCRIPT
     tests = {"page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": Expression.LATEX,
              "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges", "Pictures", "Standard"], "bases": Expression.tests["bases"],
-             "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
+             "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"],
+             "the ledger": ["./cagd", "check", ROOT / "chapters/shape-parameter/print.md"]}
     KNOWS = {"paper": "papers", "document": "mistakes", "sheet": "bases", "graphs": "bases", "certificate": "certificates"}
 
     def units(self):

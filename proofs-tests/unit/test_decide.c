@@ -38,8 +38,8 @@ static const struct asked {
     {8, ":input: most = 9; x in [8, most]", CAGD_CODE_DIFFERS, 0, 0, 0, 1, 0, "", "", "*"},
     {9, ":input: x", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
     /* more ways than are run; a square, of which a point by chance shows where it is larger */
-    {13, ":input: y[11]\n:points: 40", CAGD_CODE_PROVED, 256, 256, 0, 40, 0, "",
-     "there are more ways than are followed", NULL},
+    {13, ":input: y[11]\n:points: 1", CAGD_CODE_PROVED, 256, 256, 0, 1, 0, "", "there are more ways than are followed",
+     NULL},
     {14, ":input: x", CAGD_CODE_DIFFERS, 2, 1, 0, 20, 0, "", "", "*"},
     {10, ":input: x", CAGD_CODE_UNDECIDED, 0, 0, 0, 0, 0, "no point was found where the preconditions are true", "",
      NULL},

@@ -56,6 +56,50 @@ static void ranges_begin_where_they_say(void **state)
     }
 }
 
+/* One to three conditions, implications and equivalences, all of which have to be true: by truth tables.  (A single condition behind
+ * others could be what is supposed of them.) */
+static void lists_of_implications(void **state)
+{
+    (void)state;
+    enum { NUMBERS = 4, LISTS = 150 };
+    static const struct {
+        const char *text;
+        int at[NUMBERS]; /* whether it is true for n = 0, 1, 2, 3 */
+    } atom[] = {{"n < 2", {1, 1, 0, 0}},    {"n \\ge 1", {0, 1, 1, 1}}, {"n > 2", {0, 0, 0, 1}},
+                {"n \\ne 2", {1, 1, 0, 1}}, {"0 \\le n", {1, 1, 1, 1}}, {"2 n^2 < 5 n", {0, 1, 1, 0}}};
+    static const char *const joined[] = {"", " \\Rightarrow ", " \\iff "};
+    int answers[3] = {0};
+    for (int k = 0; k < LISTS; k++) {
+        char text[400] = "";
+        int is[NUMBERS] = {1, 1, 1, 1}, parts = random_int(1, 3), failing = 0;
+        for (int m = 0; m < parts; m++) {
+            int a = random_int(0, 5), b = random_int(0, 5), how = random_int(m > 0, 2);
+            size_t at = strlen(text);
+            snprintf(text + at, sizeof text - at, "%s(%s%s%s)", m > 0 ? " \\land " : "", atom[a].text, joined[how],
+                     how > 0 ? atom[b].text : "");
+            for (int n = 0; n < NUMBERS; n++)
+                is[n] &= how == 0   ? atom[a].at[n]
+                         : how == 1 ? !atom[a].at[n] || atom[b].at[n]
+                                    : atom[a].at[n] == atom[b].at[n];
+        }
+        for (int n = 0; n < NUMBERS; n++)
+            failing += !is[n];
+        cagd_finding found;
+        let((const char *const[]){"*n = 0..3", NULL});
+        const cagd_tree *t = statement_of(text);
+        if (t == NULL)
+            fail_msg("%s", text);
+        cagd_check(&scope, t, 20, &found);
+        if (found.answer != (failing > 0 ? CAGD_FAILS : CAGD_HOLDS) || found.failing != failing)
+            fail_msg("%s: answer %d, %ld of %ld cases fail, not %d", text, (int)found.answer, found.failing,
+                     found.cases, failing);
+        answers[found.answer]++;
+        region_faults = 0;
+        field_close();
+    }
+    assert_true(answers[CAGD_HOLDS] >= 8 && answers[CAGD_FAILS] >= 15);
+}
+
 /* Every spelling of the numbers 0 to 3 has just these: the first and the last are among them, and their neighbours are not. */
 static void ranges_have_the_numbers_they_say(void **state)
 {
@@ -266,6 +310,7 @@ static void monotony(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(ranges_begin_where_they_say),
+                                       unit(lists_of_implications),
                                        unit(ranges_have_the_numbers_they_say),
                                        unit(what_is_false_near_a_point),
                                        unit(what_is_certified_stands_for_itself),
