@@ -132,7 +132,7 @@ may be taken as integers; and that the B-splines have the sum 1 is a property of
 :method: The two matrices of the kernel.
 :degrees: 0..5 sampled 7
 :scope: simple knots
-:where: the factor of the knots is not 0
+:where: the factor of the knots is positive
 :over: t#: knots; a: factor; b: shift
 :control: the first inner knot is not moved
 :::
