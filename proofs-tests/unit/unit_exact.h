@@ -22,7 +22,11 @@ static inline uint64_t random_bits(void)
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
 }
-static inline int random_int(int lo, int hi) { return lo + (int)(random_bits() % (uint64_t)(hi - lo + 1)); }
+/* Uniform in lo..hi; 64 bits in between, since hi - lo may be beyond an int. */
+static inline int random_int(int lo, int hi)
+{
+    return (int)(lo + (int64_t)(random_bits() % (uint64_t)((int64_t)hi - lo + 1)));
+}
 
 /* Numerators and denominators of about nine digits. */
 static inline num_q random_q(void) { return from_ratio_q(random_int(-999999937, 999999937), random_int(1, 999999893)); }
