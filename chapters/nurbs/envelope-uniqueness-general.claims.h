@@ -38,10 +38,11 @@ vanishing curvature or torsion, and its members have them.
   $\ne0$ everywhere: a counterexample for $k=7$, $r=3$
 :reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
   meant: a counterexample for $k=6$, $r=3$, with an inflection
-:reading: curvatures_have_a_fixed_ratio | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
-  closed span and $\tau(t)$ continuous on it | A continuous $\tau(t)$ of the span into itself has a fixed point $\tau(t)=t$; about such a point
-  the only solution is $\tau=t$, since a second one through it needs $\mathbf r'\times\mathbf r''=0$ there; so the fixed points are
-  the whole span.
+:reading: span_derivatives_are_parallel | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
+  closed span and $\tau(t)$ continuous on it | Beside $\tau=t$ the condition is $R'\times R''=0$ for the member of the level before, as what is corrected says;
+  on the diagonal its derivatives are parallel to those of the curve, so that $R'\times R''$ is $\mathbf r'\times\mathbf r''$ times a factor which is not 0
+  (`curvatures_have_a_fixed_ratio`).  So about a point of the diagonal $\tau=t$ is the only solution.  A continuous $\tau(t)$ of the closed span into itself has a
+  point $\tau(t)=t$; such points are closed in the span, and by what was said open in it: they are the whole span.
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
   solutions.
 :corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
@@ -635,23 +636,31 @@ CLAIM(twisted_sextic_has_second_envelope)
 :zh: 在整段上有定义的另一解 τ(t)
 :kind: counterexample
 :given: the cubic $\sum a_mt^m$, which is $(t,t^3)$, as a segment of degree five over the uniform knots $t_i$, weights
-  1; $r=3$, and the solution $\tau(t)=-\frac t2$, here at one $t$
-:data: t_i = -11 -9 -7 -5 -3 -1 1 3 5 7 9 11; a = (0,0) (1,0) (0,0) (0,1) (0,0) (0,0); r = 3; t = 4/5; τ = -2/5
-:instead: τ = 4/5
-:then: (4.3.15) is satisfied at a point that is not on the curve
-:result: r_i = (-5,-95) (-3,-9) (-1,5) (1,-5) (3,9) (5,95); point of the member = (2/25,-4/625); its derivatives by t
-  and τ = (2/5,-12/125) (3/5,-18/125)
-:method: The condition is found to be satisfied; then $y-x^3$ is compared with 0.  For all $t$:
-  `second_envelopes_of_spans`.
+  1; $r=3$, and the solution $\tau(t)=ct$
+:data: t_i = -11 -9 -7 -5 -3 -1 1 3 5 7 9 11; a = (0,0) (1,0) (0,0) (0,1) (0,0) (0,0); r = 3; c = -1/2; t = 4/5
+:instead: c = 1
+:then: (4.3.15) is satisfied for all $t$ of the span; one point, that of the last $t$, is not on the curve
+:result: r_i = (-5,-95) (-3,-9) (-1,5) (1,-5) (3,9) (5,95); the condition is satisfied at t = (-1) (-3/4) (-1/2) (-1/4) (0) (1/4) (1/2) (3/4) (1); point of the member =
+  (2/25,-4/625); its derivatives by t and τ = (2/5,-12/125) (3/5,-18/125)
+:method: With weights 1 a member is a polynomial in $t$ and $\tau$ of degree $5$ together, and $X_t\times X_\tau$ one in $t$ of degree $8$ for $\tau=ct$: it is $0$ for all $t$
+  if it is at nine.  Then $y-x^3$ of one point is compared with 0.
 :control: $\tau=t$
 :::
 */
 CLAIM(solution_over_the_whole_span)
 {
-    num u[12], R[12], w[6], X[2], t = given(T, "t"), tau = given(T, "τ");
-    int r = given_whole(T, "r");
+    enum { PLACES = 9 };
+    num u[12], R[12], w[6], X[2], D[6], c = given(T, "c"), t = given(T, "t"), places[PLACES];
+    int r = given_whole(T, "r"), satisfied = 0;
     G(given_curve_of_powers)(T, 5, 2, u, R, w);
-    if (!G(pair_of_the_envelope)(T, 5, 2, u, 5, R, w, r, tau, t, X))
+    for (int i = 0; i < PLACES; i++) {
+        num place = from_ratio(i - 4, 4);
+        G(family_derivatives)(5, 2, u, 5, R, w, r, mul(c, place), place, D);
+        if (is_zero_q(G(cross2)(D + 2, D + 4)))
+            places[satisfied++] = place;
+    }
+    found_points(T, "the condition is satisfied at t", satisfied, 1, places);
+    if (!G(pair_of_the_envelope)(T, 5, 2, u, 5, R, w, r, mul(c, t), t, X) || satisfied < PLACES)
         return;
     about(T, "y and x³ of the point");
     same(T, X[1], mul(X[0], mul(X[0], X[0])));
@@ -758,6 +767,7 @@ corners arise.
   one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5
 :scope: every pattern of the knots of a span up to order 4, three above; the gaps of the knots variables up to order 4, numbers above
+:where: the weights are positive
 :over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x#: -
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::

@@ -285,7 +285,7 @@ CLAIM(family_moves_with_its_points)
 :holds-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_second_line
 
-The factor between them is $w^3/((k-1)^2W^3)$, which is positive.
+The factor between them is $w^3/((k-1)^2W^3)$, which is not 0.
 :::
 
 :::{statement} wang-ch4:formula-4.3.14

@@ -167,37 +167,47 @@ CLAIM(printed_factors_are_the_discrete_shares)
 
 /*
 :::{claim} clamped_start_inserted_again_repeats_the_first_point
-:title: At a k-fold start the points (4.1.6) repeat the first point
-:zh: 左端 k 重节点再嵌入时 (4.1.6) 重复首顶点
-:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $T'$ is $q$ times $t_1=t_k$, $q=1,\dots,k$
-:then: $\alpha_{i,k}^{(T,T')}(j)$ is $1$ for $i=\max(1,j-q)$ and $0$ for all other $i$: the new points are $r_1$, $q$ times, and then $r_1,\dots,r_n$
+:title: At a k-fold knot, the start or an inner one, the points (4.1.6) repeat a point
+:zh: k 重节点(左端或内节点)再嵌入时 (4.1.6) 重复一个顶点
+:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $T'$ is $q$ times the knot $t_s=t_{s+k-1}$, $q=1,\dots,k$, where $s=1$, or
+  $t_s$ is the knot between, of multiplicity $k$
+:then: $\alpha_{i,k}^{(T,T')}(j)$ is $1$ for $i=j$, $j<s$, and for $i=\max(s,j-q)$, $j\ge s$, and $0$ for all other $i$: $r_s$ is repeated $q$ times, the other points stay
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left.
 :degrees: k = 1..6 sampled 7
 :scope: clamped ends with one knot of every multiplicity between
-:control: $i=\max(1,j-q+1)$
+:control: $i=\max(s,j-q+1)$
 :::
 */
+/* The knot t_s = t_{s+k-1} is inserted q times. */
+static void G(compare_with_a_repeated_point)(trial *T, int k, const struct G(knot_vector) * K, int s, int q)
+{
+    struct G(knot_vector) V = {.count = K->count + q};
+    int n = K->count - k;
+    for (int j = 1; j <= V.count; j++) {
+        int old = j < s ? j : j - q > s ? j - q : s;
+        V.t[j] = K->t[old];
+        V.place[j] = K->place[old];
+    }
+    for (int j = 1; j <= n + q; j++)
+        for (int i = 1; i <= n; i++) {
+            int left = fault(T, q, q - 1), old = j < s ? j : j - left > s ? j - left : s;
+            same(T, G(alpha)(k - 1, K->t + 1, K->place + 1, V.t + 1, V.place + 1, i - 1, j - 1), from_int(i == old));
+        }
+}
+
 CLAIM(clamped_start_inserted_again_repeats_the_first_point)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 1; m <= k; m++)
+    for (int m = 1; m <= k; m++) {
+        G(pattern_of_insertion)(k, m, pattern);
+        struct G(knot_vector) K = G(pattern)(T, pattern);
         for (int q = 1; q <= k; q++) {
-            G(pattern_of_insertion)(k, m, pattern);
-            struct G(knot_vector) K = G(pattern)(T, pattern), V;
-            int n = K.count - k;
-            V.count = K.count + q;
-            for (int i = 1; i <= V.count; i++) {
-                V.t[i] = K.t[i > q ? i - q : 1];
-                V.place[i] = K.place[i > q ? i - q : 1];
-            }
-            for (int j = 1; j <= n + q; j++)
-                for (int i = 1; i <= n; i++) {
-                    int old = j - fault(T, q, q - 1);
-                    num share = from_int(i == (old > 1 ? old : 1));
-                    same(T, G(alpha)(k - 1, K.t + 1, K.place + 1, V.t + 1, V.place + 1, i - 1, j - 1), share);
-                }
+            G(compare_with_a_repeated_point)(T, k, &K, 1, q);
+            if (m == k)
+                G(compare_with_a_repeated_point)(T, k, &K, k + 1, q);
         }
+    }
 }
 
 /*

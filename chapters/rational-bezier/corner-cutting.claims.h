@@ -301,6 +301,7 @@ CLAIM(cut_depends_on_level_edge_and_weights)
 :method: Identities of rational functions.  By induction on the level geometric weights are cut at one ratio; and if
   the ratio is one on all edges of level 1 for one $\lambda\in(0,1)$, then $\omega_{i-1}\omega_{i+1}=\omega_i^2$ for
   all $i$.
+:where: $0<\lambda<1$; the new weights are not 0
 :scope: any three neighbouring weights of any level
 :over: x# y# z#: weights; q
 :control: $q^3$ for $q^2$
