@@ -143,9 +143,9 @@ void print_steps(const statement *s, role wanted, const finding *together, int w
 void print_deciders(const statement *s, role wanted, const claim_result *results, int count)
 {
     static const char *const one[] = {"an identity", "a decision", "a counterexample", "an argument in words",
-                                      "a cited theorem"};
+                                      "a citation"};
     static const char *const more[] = {"identities", "decisions", "counterexamples", "arguments in words",
-                                       "cited theorems"};
+                                       "citations"};
     static const char *const number[] = {"two", "three", "four", "five", "six", "seven", "eight", "nine"};
     enum { PARTS = KINDS + 2 };
     int of[PARTS] = {0}, parts = 0, all = 0, put = 0;

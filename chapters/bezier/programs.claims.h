@@ -44,10 +44,13 @@ In the text at hand the signs `<` are lost, and the line that fills R and the he
 :::{statement} slides-ch4:4-program-step
 :title: Each step goes from curves of degree n-1 to one of degree n
 :zh: 程序注释:n 次曲线由两条 n-1 次曲线线性组合
-:printed: the value of a curve of degree $n$ at $t$ is found by a linear combination of the values of two curves of degree $n-1$ at $t$
+:printed: the value of a Bézier curve of degree $n$ at $t$ is found by a linear combination of the values of two Bézier curves of degree $n-1$ at $t$
 :holds-by: bernstein_recurrence
 :confirmed-by: curve_blends_two_curves_of_one_point_less program_computes_the_curve
 :figure: two_curves_of_one_point_less
+
+The two curves are those of the first $n$ and of the last $n$ points, the factors $1-t$ and $t$: the coefficients of each point on both sides are those of the
+recurrence of the Bernstein polynomials.
 :::
 */
 

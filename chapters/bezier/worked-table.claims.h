@@ -146,7 +146,7 @@ static void wrong_number(trial *T, const char *coordinate)
     given_points(T, "P", 4, dim, P);
     num t = given(T, "t"), printed = given(T, coordinate), exact = G(curve)(3, dim, P, *coordinate == 'y', t);
     found(T, *coordinate == 'y' ? "y(t)" : "x(t)", exact);
-    about(T, "the distance from the exact value, and half a unit of the last digit");
+    about(T, "half a unit of the last digit less the distance from the exact value");
     is_rounded(T, printed, 0, exact);
 }
 

@@ -42,7 +42,8 @@ struct G(corner) {
   $0w$, $1w$, $0w_u$ and $1w_u$ have theirs at $w=0$ and $w=1$, and are the entries of $Mq(w)^T$
 :method: The sums are formed from the data by their names, as polynomials with the functions $q$ multiplied out from their factors;
   values and derivatives at the ends, and the product with $M$, entry by entry.
-:over: x#: corner data
+:scope: every $u$ and $w$
+:over: x#: corner data; u: -
 :control: the twist $11_{uw}$ left out of $u1_w$
 :::
 */

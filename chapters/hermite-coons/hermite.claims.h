@@ -262,7 +262,7 @@ CLAIM(cubic_equations_are_the_conditions)
   $a_1=\frac{f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1}{(t_1-t_0)^3}$;
   $a_0=\frac{-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3}{(t_1-t_0)^3}$
 :holds-by: cubic_coefficients_by_monomials
-:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
 In the text at hand the three sums have no signs and no primes; those shown here satisfy the four conditions.
@@ -379,7 +379,7 @@ CLAIM(cubic_coefficients_by_monomials)
 :class: misprint
 :corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
-:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: square_without_its_prime
 
 In the text at hand the sum has no signs and no primes, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
@@ -431,7 +431,7 @@ slope right at its own.
 :zh: 按型值整理的三次插值多项式
 :printed: P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
 :holds-by: cubic_ordered_by_data
-:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
 :figure: nodes_that_meet
 
 In the text at hand the sum has no signs and no primes; with those shown here it satisfies the four conditions.
@@ -476,7 +476,7 @@ CLAIM(cubic_ordered_by_data)
   $g_{01}=\bigl(1-2\frac{t-t_1}{t_1-t_0}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
   $h_{00}=\frac{t-t_0}{t_1-t_0}\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=\frac{t-t_1}{t_1-t_0}\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
-:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two ends of an
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two ends of an
   interval
 :figure: hermite_blending_functions
 
@@ -526,7 +526,7 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :printed: $g_{00}(t_0)=1$, $g_{00}(t_1)=0$, $g_{01}(t_0)=0$, $g_{01}(t_1)=1$, $h_{00}(t_0)=h_{00}(t_1)=h_{01}(t_0)=h_{01}(t_1)=0$;
   $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=\frac1{t_1-t_0}$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=\frac1{t_1-t_0}$
 :holds-by: blending_functions_are_dual_to_the_data
-:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 
 In the text at hand the table has no primes; with those shown here it is true.
@@ -670,7 +670,7 @@ follows, and the slides do not always keep the two apart.
   $g_{01}(t)=(3-2u)u^2=-2u^3+3u^2=q_{01}(u)$, $h_{00}(t)=u(u-1)^2=u^3-2u^2+u=q_{10}(u)$, $h_{01}(t)=(u-1)u^2=u^3-u^2=q_{11}(u)$; so
   $P_0(t_0+(t_1-t_0)u)=f(t_0)q_{00}(u)+f(t_1)q_{01}(u)+f'(t_0)(t_1-t_0)q_{10}(u)+f'(t_1)(t_1-t_0)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; those shown here are true.
@@ -682,7 +682,7 @@ In the text at hand the formulas have no signs and no primes; those shown here a
 :printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the problem is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
 :figure: hermite_blending_functions
 
 The letter $\varphi$ stands for the polynomial as a function of $u$.  In the text at hand the formulas have no signs and no primes; those
@@ -697,7 +697,8 @@ shown here are true.
 :then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
-:over: t# h#: different nodes; f#: data
+:where: $t_0\ne t_1$
+:over: t# h#: nodes; f#: data
 :control: the derivatives not multiplied by the length
 :::
 */

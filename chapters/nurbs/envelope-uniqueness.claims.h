@@ -571,10 +571,10 @@ CLAIM(product_with_second_derivative_says_nothing)
 :title: The first alternative is the diagonal
 :zh: 第一种情形:τ=t
 :printed: \tau(t)=t
-:holds-by: envelope_condition_holds_on_the_diagonal
+:holds-by: envelope_condition_holds_on_the_diagonal member_of_span_touches_curve
 :figure: nurbs_second_line
 
-It solves (4.3.9) and gives the curve.
+It solves (4.3.9), and its points are those of the curve.
 :::
 
 :::{statement} wang-ch4:formula-4.3.12

@@ -196,7 +196,7 @@ three separate parameters says more.
   weights and the points are variables.  The minors by their coefficients, with $t_l=\frac{s_l}{1+s_l}$, $s_1=p_0$, $s_2=s_1+p_1$, $s_3=s_2+p_2$, row $l$
   multiplied by $(1+s_l)^n$.
 :degrees: 2..6
-:scope: $0<t_1<t_2<t_3<1$
+:scope: any three parameters inside $(0,1)$, in order
 :over: b# p#: -
 :control: $t_1$ and $t_2$ exchanged in the minors
 :::

@@ -595,7 +595,7 @@ CLAIM(means_of_powers_go_one_way)
   the inequalities $e,f>0$ are those of `means_of_powers_go_one_way` for the pairs $x_1<x_2$ and $x_2<x_3$, $a=j-i$, $b=k-i$.  Outside the field the minors of a random
   degree are computed from the Bernstein functions and compared with this product.
 :degrees: all
-:scope: $0<t_1<t_2<t_3<1$
+:scope: any three parameters inside $(0,1)$, in order
 :harmless: numbers $u_1<u_2<u_3$ and $v_l$ with $v_2-v_1=c(u_2-u_1)-f$, $v_3-v_2=c(u_3-u_2)+e$, $c,e,f>0$ | powers of parameters
   in order are such numbers, by `means_of_powers_go_one_way`
 :over: u v p q c e f s: -

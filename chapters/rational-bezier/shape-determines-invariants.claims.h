@@ -632,7 +632,7 @@ The two factors are those of $n=5$:
 :title: Curvature and torsion at the start of a quintic
 :zh: 五次曲线始端的曲率与挠率
 :given: $n=5$, weights $\omega_0,\dots,\omega_5$ and points $R_0,\dots,R_5$ of space, $a_1\times a_2\ne0$
-:where: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$; $\omega_0\omega_1\omega_2\ne0$
+:where: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$; no weight is 0
 :then: $\kappa(0)^2=\left(\frac45\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{\|a_1\times a_2\|^2}{\|a_1\|^6}$ and
   $\tau(0)=\frac35\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{\|a_1\times a_2\|^2}$
 :method: From the derivatives of the curve, with all weights and coordinates variables.  The difference of two curves over the same points is that of their weights' factors times
@@ -668,7 +668,7 @@ CLAIM(quintic_starts_with_these_factors) { G(compare_the_end_of_a_quintic)(T, 0)
 :title: Curvature and torsion at the end of a quintic
 :zh: 五次曲线末端的曲率与挠率
 :given: $n=5$, weights $\omega_0,\dots,\omega_5$ and points $R_0,\dots,R_5$ of space, $a_4\times a_5\ne0$
-:where: $\mathbf a_4\times\mathbf a_5\ne\mathbf 0$; $\omega_3\omega_4\omega_5\ne0$
+:where: $\mathbf a_4\times\mathbf a_5\ne\mathbf 0$; no weight is 0
 :then: $\kappa(1)^2=\left(\frac45\frac{\omega_5\omega_3}{\omega_4^2}\right)^2\frac{\|a_4\times a_5\|^2}{\|a_5\|^6}$ and
   $\tau(1)=\frac35\frac{\omega_5\omega_2}{\omega_4\omega_3}\frac{(a_3,a_4,a_5)}{\|a_4\times a_5\|^2}$
 :method: From the derivatives of the curve, with all weights and coordinates variables.  The difference of two curves over the same points is that of their weights' factors times

@@ -727,7 +727,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :printed: for $\beta=0$ and every $i=0,\dots,7$: $B_{0,7}(t)=B_i^7(t)$
 :refuted-by: first_function_is_not_every_bernstein_polynomial
 :class: misprint
-:corrected: $\hat B_i(t)=B_i^7(t)$: the index 0 on the left is $i$; printed and corrected functions alike
+:corrected: $B_{i,7}(t)=B_i^7(t)$: the index 0 on the left is $i$; so for the functions $\hat B_i$ that are printed and for the corrected ones
 :corrected-by: beta_zero_gives_bernstein_polynomials
 :figure: beta_zero
 :degree: 7
@@ -752,9 +752,9 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :data: β = 0; i = 1; t = 1/2
 :result: left side of (9) = 1/128; right side of (9) = 7/128
 :given: $\beta$, for which formula (9) is printed, an index $i$ and a parameter $t$
-:then: $\hat B_0(t)$, on the left of the formula, is not $B_i^7(t)$, on the right
+:then: $B_{0,7}(t)$, on the left of the formula, is not $B_i^7(t)$, on the right
 :method: Both values, the second by the kernel of the Bernstein basis.
-:control: $\hat B_i(t)$ on the left
+:control: $B_{i,7}(t)$ on the left
 :::
 */
 CLAIM(first_function_is_not_every_bernstein_polynomial)

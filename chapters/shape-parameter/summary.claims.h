@@ -177,6 +177,7 @@ One digit, 4 for 9.  The fact about the journal is no computation, and is cited.
 :given: the year that is printed, and the year of the first volume of the journal
 :then: the printed year is before the first volume
 :method: The two numbers; that the first is not less than the second is refuted.
+:argued: | That volume 1 is of 1993 is said by the journal's list of volumes.
 :control: the year 1994
 :::
 */
