@@ -697,8 +697,7 @@ shown here are true.
 :then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
-:where: $t_0\ne t_1$
-:over: t# h#: nodes; f#: data
+:over: t# h#: different nodes; f#: data
 :control: the derivatives not multiplied by the length
 :::
 */

@@ -178,6 +178,7 @@ The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r
 :degrees: 0..4 sampled 7
 :scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x#: points
+:where: $w(t)\ne0$
 :control: the last weight left out
 :::
 */
