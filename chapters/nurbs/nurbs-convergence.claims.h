@@ -19,8 +19,9 @@ of the curve and the curve does not jump, and then with the square of the larges
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve: otherwise $r_1$, a vertex of every polygon, keeps its distance
-:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide: otherwise every
+:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve; otherwise $r_1$, a
+  vertex of every polygon, may keep its distance
+:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide: otherwise every
   polygon keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that the first hypothesis is needed.
@@ -43,8 +44,8 @@ of the curve and the curve does not jump, and then with the square of the larges
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve
-:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide
+:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve
+:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
   all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve, and either side is treated alone.
@@ -278,25 +279,27 @@ But they are the points of a spline themselves, and insertion makes means of the
 :::{claim} second_differences_are_averaged
 :title: Inserting a knot averages the points of the second derivative
 :zh: 嵌入节点使二阶导数的控制点作凸组合
-:given: simple knots with positive gaps, one knot inserted in an interval, points $c_i$
+:given: positive gaps, points $c_i$; simple knots, or ends of multiplicity $k$ and a knot between of any multiplicity $m=1,\dots,k-2$; one knot put into an
+  interval of the domain, or for $m<k-2$ the knot between once more
 :then: the points of $f''$ after the insertion are those that the insertion into the spline $f''$ of degree $p-2$ gives: each is
   $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
 :method: The kernels for differences and insertion, in both orders; the coefficients by their signs.
 :degrees: 2..6 sampled 8
-:scope: one knot put into a span of simple knots
+:scope: one knot put into simple knots, or into clamped ones with a knot of every multiplicity below k-1 between
 :over: s: ratio in which the new knot divides its interval
 :control: the difference taken once only after the insertion, with the spline $f'$
 :::
 */
-CLAIM(second_differences_are_averaged)
+/* The points of f'' by both ways; the new knot is knot mu, if it is not inside the interval that begins with it. */
+static void G(compare_second_differences)(trial *T, int n, const num u[], int mu, int inner)
 {
-    int p = T->degree, n = p + 2, mu = p;
-    num u[MOST_KNOTS], c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], e[MOST_KNOTS], after[MOST_KNOTS];
-    num before[MOST_KNOTS], y[MOST_KNOTS], inserted[MOST_KNOTS];
-    G(increasing_knots)(T, n + p + 1, 6, u);
+    int p = T->degree;
+    num c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], e[MOST_KNOTS], after[MOST_KNOTS];
+    num before[MOST_KNOTS], y[MOST_KNOTS], inserted[MOST_KNOTS], one = from_int(1), knot = u[mu];
     for (int i = 0; i < n; i++)
         c[i] = unknown(T, "c", i);
-    num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+    if (inner)
+        knot = add(knot, mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
     G(bspline_insert)(spline(p, n, 1, u, c), mu, knot, v, d);
     G(bspline_difference)(n + 1, p, 1, v, d, e);
     G(bspline_difference)(n, p - 1, 1, v + 1, e, after);
@@ -315,6 +318,23 @@ CLAIM(second_differences_are_averaged)
             nonnegative(T, sub(one, a));
             same(T, after[i], add(mul(sub(one, a), before[i - 1]), mul(a, before[i])));
         }
+    }
+}
+
+CLAIM(second_differences_are_averaged)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS];
+    G(increasing_knots)(T, 2 * p + 3, 6, u);
+    G(compare_second_differences)(T, p + 2, u, p, 1);
+    G(increasing_knots)(T, 3, 6, x);
+    for (int m = 1; m < p; m++) {
+        const char pattern[] = {(char)('1' + p), (char)('0' + m), (char)('1' + p), '\0'};
+        (void)G(knots_at)(pattern, x, u, place);
+        G(compare_second_differences)(T, p + 1 + m, u, p, 1);
+        G(compare_second_differences)(T, p + 1 + m, u, p + m, 1);
+        if (m < p - 1)
+            G(compare_second_differences)(T, p + 1 + m, u, p + m, 0);
     }
 }
 

@@ -232,7 +232,9 @@ another.
 :corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for a polygon that runs through its points once, or with the hulls for the $A$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
   steps_of_refinement_compose
-:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
+:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
+  knots as variables, and hold for equal ones, too, where they divide by no 0.
 :figure: hulls_of_knot_sets
 
 $T_1$ and $T_2$ are in theorem 4.1.1 the two parts of one set of knots, and need not contain one another; the sequence of
@@ -296,8 +298,8 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points
   there coincide; else the polygons converge to the curve
   together with the segment over which it jumps
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve: (4.1.10) is the limit of the whole
-  polygon, as for corollary 4.1.1; else $A$ is the hull of more than the curve
+:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve, as for
+  corollary 4.1.1, (4.1.10) being the limit of the whole polygon; else $A$ may be the hull of more than the curve
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through its points once: as for the theorem; else
   the $A$ of a refined polygon need not exist
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive

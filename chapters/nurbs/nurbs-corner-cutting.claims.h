@@ -258,7 +258,7 @@ the corners are cut.
   or less for a knot outside the domain
 :then: the determinants of three new homogeneous points are sums of those of three old ones with the $3\times3$ minors of the matrix of
   the insertion; no minor is negative
-:method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables for $n\le4$; the minors by their coefficients.  Minors are polynomials in the
+:method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables; the minors by their coefficients.  Minors are polynomials in the
   $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits. With $n\ge5$ all cases of three rows occur.
 :degrees: points = 3..6
 :argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
@@ -303,11 +303,9 @@ CLAIM(insertion_turns_like_its_triangles)
                         for (int a = 0; a < b; a++) {
                             num minor = G(minor)(n, M, fault(T, i, j), fault(T, j, i), l, a, b, c);
                             nonnegative(T, minor);
-                            if (n <= 4)
-                                sum = add(sum, mul(minor, G(det3)(H + 3 * a, H + 3 * b, H + 3 * c)));
+                            sum = add(sum, mul(minor, G(det3)(H + 3 * a, H + 3 * b, H + 3 * c)));
                         }
-                if (n <= 4)
-                    same(T, sum, G(det3)(N + 3 * i, N + 3 * j, N + 3 * l));
+                same(T, sum, G(det3)(N + 3 * i, N + 3 * j, N + 3 * l));
             }
 }
 

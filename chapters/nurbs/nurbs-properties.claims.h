@@ -27,8 +27,8 @@ the curve itself rather than about its homogeneous form has to be carried throug
   of numerator and denominator do, and by the rule for quotients those of the curve.
 :reading: one_order_more_jumps | continuity of one order more
 :reading: nurbs_moves_with_its_points | affine invariance
-:reading: clamped_end_is_the_first_point | the polygon begins with the curve, when $t_2=\dots=t_k$; and ends with it when
-  $t_{n+1}=\dots=t_{n+k-1}$ | The end is the beginning of the reversed data, by the reading on symmetry.
+:reading: clamped_end_is_the_first_point | the polygon begins with the curve, when $t_2=\dots=t_k<t_{k+1}$; and ends with it when
+  $t_n<t_{n+1}=\dots=t_{n+k-1}$ | The end is the beginning of the reversed data, by the reading on symmetry.
 :reading: simple_knots_need_other_points | the same for simple knots
 :reading: reversed_data_reverse_the_nurbs | symmetry
 :reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere | Where the derivatives of numerator and

@@ -401,7 +401,8 @@ change can arise.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
   of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
-:hypothesis: cut_corner_lies_on_the_line | it counts as one intersection, not as infinitely many points
+:hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has, and not as
+  infinitely many points
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
@@ -512,7 +513,7 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
-:hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
+:hypothesis: edge_on_the_line_must_be_counted | a piece of curve or polygon on the line counts as one intersection
 :needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :reading: designed_splines_cross_no_more | of crossings
 :reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
@@ -776,7 +777,7 @@ $\mu_i+(i-1)(k-1)$.
   the lemma fails
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
-:hypothesis: cut_corner_lies_on_the_line | it counts as one intersection
+:hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :figure: what_must_be_counted
 :::

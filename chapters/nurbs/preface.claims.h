@@ -216,7 +216,7 @@ The preface confuses the size of the expression with the number of operations; b
 :refuted-by: recursion_is_not_exponential
 :class: false
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
-  dimension only, and the insertion of one knot, with another such constant, takes $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m$,
+  dimension only, and the insertion of one knot, with another such constant, takes $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m\ge1$,
   and an exponential does not
 :corrected-by: recursion_is_quadratic twice_the_degree_takes_less_than_four_times_the_steps
 :meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.

@@ -89,6 +89,7 @@ not show.
 :then: $[t_0,\dots,t_k]f=\sum f(t_l)/\prod_{j\ne l}(t_l-t_j)$, and the printed sum is $(-1)^k$ times this
 :method: The table of divided differences against both sums.
 :degrees: k = 0..6 sampled 10
+:scope: simple knots
 :over: t#: nodes; f#: values of the function
 :control: the sign $(-1)^{k+1}$
 :::
