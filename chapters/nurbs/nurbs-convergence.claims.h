@@ -76,6 +76,7 @@ static num G(squares_of_differences)(int p, const num x[])
 :title: The vertex of a parabola lies below it by the variance of its knots
 :zh: 抛物线的顶点偏差为节点的方差
 :given: $p\ge2$ knots $x_1,\dots,x_p$, variables; $f(t)=\frac12t^2$ and $f(t)=t$
+:let: $\xi$ their mean
 :then: for $f=\frac12t^2$: $\;f(\xi)-f[x_1,\dots,x_p]=\frac1{2p(p-1)}\sum_i(x_i-\xi)^2=\frac1{2p^2(p-1)}\sum_{i<j}(x_i-x_j)^2$; for $f=t$
   the difference is $0$
 :method: The polar form by the kernel, of the segment over $[0,1]$ with Bézier points, here in degree $p$ for both functions.
@@ -117,7 +118,7 @@ $p$.
 :::{claim} gaps_bound_the_defect
 :title: With gaps at most h the defect is at most (k/24) h²
 :zh: 节点间距不超过 h 时偏差不超过 k h²/24
-:given: $p\ge2$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
+:given: $p\ge2$, a variable; and $p$ knots $x_1\le\dots\le x_p$ with gaps $g_i=h-e_i$, $0\le e_i\le h$
 :let: $V_p=\sum_{i<j}(i-j)^2$
 :then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect $\frac{V_ph^2}{2p^2(p-1)}$ is $\frac{p+1}{24}h^2$; with smaller gaps
   it is not larger
@@ -187,7 +188,8 @@ static poly G(segment)(int p, const num u[], int mu, const num c[])
 :::{claim} polygon_is_within_the_bound_of_the_spline
 :title: The distance of a spline from its polygon, with the exact constant
 :zh: 样条与其控制多边形的距离
-:given: patterns of knots of multiplicity at most $k-2$ inside, with increasing random values; any points
+:given: a spline $f$ of degree $p=k-1$ with any points, over patterns of knots of multiplicity at most $k-2$ inside, with increasing random values; $x_{j,1},\dots,x_{j,p}$ the knots
+  between the ends of $N_j$, $\xi_j$ their mean; $d(t)$ the polygon as a function, point $j$ over $\xi_j$
 :where: the knots inside are at most $(k-2)$-fold
 :harmless: increasing random values | knots increase
 :let: $c''$ the points of $f''$, $\delta_j=\frac1{2p(p-1)}\sum_i(x_{j,i}-\xi_j)^2$
@@ -279,7 +281,7 @@ But they are the points of a spline themselves, and insertion makes means of the
 :::{claim} second_differences_are_averaged
 :title: Inserting a knot averages the points of the second derivative
 :zh: 嵌入节点使二阶导数的控制点作凸组合
-:given: positive gaps, points $c_i$; simple knots, or ends of multiplicity $k$ and a knot between of any multiplicity $m=1,\dots,k-2$; one knot put into an
+:given: a spline $f$ of degree $p=k-1$, positive gaps of the knots, points $c_i$; simple knots, or ends of multiplicity $k$ and a knot between of any multiplicity $m=1,\dots,k-2$; one knot put into an
   interval of the domain, or for $m<k-2$ the knot between once more
 :then: the points of $f''$ after the insertion are those that the insertion into the spline $f''$ of degree $p-2$ gives: each is
   $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
@@ -342,7 +344,7 @@ CLAIM(second_differences_are_averaged)
 :::{claim} halving_the_gaps_divides_the_bound_by_four
 :title: The parabola with equal gaps attains the bound at every step of halving
 :zh: 抛物线达到上界,误差每次减为四分之一
-:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex with simple knots
+:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex $d_j$ with simple knots, $\xi_j$ their mean; $k=p+1$
 :then: $f(\xi_j)-d_j=\frac k{24}h^2$, and with the gaps halved a quarter of it: the order of convergence is 2 and not higher
 :method: The polar form by the kernel.
 :degrees: 2..6 sampled 9
@@ -377,7 +379,7 @@ numerator and denominator of the polygon both are near those of the curve, and t
 :title: The distance of a rational curve from its polygon
 :zh: 有理曲线与其多边形的距离
 :given: $X$ and $w$ at $t$ for the curve; $X-E$ and $w-e$ for the polygon in homogeneous coordinates
-:let: $r=\frac Xw$, $\rho=\frac{X-E}{w-e}$, a point of the polygon in space
+:let: $M_X$, $M_w$ the largest absolute values of the points of $X''$ and of $w''$, $h$ the largest gap of the knots; $r=\frac Xw$, $\rho=\frac{X-E}{w-e}$, a point of the polygon in space
 :then: $r-\rho=\frac{E-\rho\,e}w$; with $|E|\le\frac k{24}h^2M_X$, $|e|\le\frac k{24}h^2M_w$ and $w\ge\min w_i$ the distance is at most
   $\frac k{24}h^2\,(M_X+\max|r_i|M_w)/\min w_i$
 :method: An identity of the four variables.  The projection maps the segments of the homogeneous polygon onto those of the polygon, whose

@@ -181,6 +181,7 @@ static enum cagd_sign_pattern sign_of_span(poly p) { return sign_on(p, from_int_
 :given: a cubic curve of two segments, of the convex points $r$ and weights $w$ of both signs, over the knots $T$
 :data: T = 0 0 0 0 1 2 2 2 2; r = (0,0) (2,0) (3,2) (1,4) (0,3); w = 8 -1 8 8 8
 :instead: w = 8 1 8 8 8
+:let: $P=(wx,wy,w)$, the curve in homogeneous coordinates
 :then: $w(t)>0$ on the domain, and $\det(P,P',P'')$ takes both signs on the first segment
 :result: det(P,P',P'') on [0,1] = "-12960*t^3 + 12096*t^2 + 2304*t - 2304"
 :method: The polynomials of the interval; their signs by counting roots.
@@ -317,6 +318,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :zh: 设计算例曲线的转向
 :kind: decision
 :given: seven designed curves of the orders 2 to 4 with convex polygons, and four families of positive weights
+:let: $P=(wx,wy,w)$, the curve in homogeneous coordinates
 :then: $\det(P,P',P'')\ge0$ on every interval of knots, and any three of thirteen points of the curve, equally spaced in the
   parameter, turn left in their order or are on one line
 :method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.  The points by the

@@ -622,7 +622,7 @@ point.
 :reading: polygon_through_the_crossings_crosses_as_often | intersections are points in common
 :reading: jump_crosses_the_line_without_a_point | intersections are crossings: at a knot of multiplicity $k$ the curve may change sides by
   a jump, for which there is no parameter
-:argued: | Of whole numbers, more than $N$ is $N+1$ at least; and a point that the curve has in common with the line is a
+:argued: every curve | Of whole numbers, more than $N$ is $N+1$ at least; and a point that the curve has in common with the line is a
   point of the curve, which has a parameter.
 :figure: points_of_the_line_as_vertices
 
@@ -637,6 +637,7 @@ Where a piece of curve is on the line one of its parameters is taken.
   ordinates $y$ and its crossings, of which one is a knot; the weights 1, and $w$ and 1 in turn
 :data: roots of the first cubic = 1/4 1/2 3/4; roots of the second cubic = 1/4 1/2 1/2; t_i of the cubics = 0 0 0 0 1
   1 1 1; t_i of the spline = 0 0 0 1 2 2 2; y = -3 1 -1 3; crossings of the spline = 3/5 1 7/5; w = 1000
+:let: $\mu_i$ the number of the knot before root $i$, that is $t_{\mu_i}$ less than the root and $t_{\mu_i+1}$ not
 :then: after each root is inserted $k-1$ times, vertex $\mu_i+(i-1)(k-1)$ is on the line, and the polygon crosses it and
   meets it exactly as often as the curve
 :method: The printed insertions; the curve by counting roots, polygons by `exact/decide/crossings.h`.

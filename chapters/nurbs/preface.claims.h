@@ -98,7 +98,7 @@ A whole circle is one NURBS curve with rational points and weights, whatever the
 :::{claim} tangent_conics_are_curves_of_order_three
 :title: A conic that touches two sides of a triangle at their ends has its arc inside as a NURBS curve of order 3
 :zh: 切于三角形两边端点的二次曲线,其三角形内的弧是三阶 NURBS 曲线
-:given: order three, $n=3$, knots $x_0,x_1^2,x_2^2,x_3$, variables; the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights
+:given: numbers $\mu$ and $\nu$; order three, $n=3$, knots $x_0,x_1^2,x_2^2,x_3$, variables; the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights
   $1,1,-\frac{4\nu}\mu$; any $t$
 :where: the conic is no pair of lines; $w(t)\ne0$
 :then: $\mu\,xy+\nu(x+y-1)^2=0$ with the coordinates $x,y$ of $r(t)$
