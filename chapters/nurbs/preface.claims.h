@@ -70,6 +70,7 @@ this can be computed is decided here.
   every such curve has.
 :reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion
 :reading: one_order_more_jumps | that every curve is continuous of one order more
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: so that $w(t)\ne0$
 :argued: | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
   power of $w>0$.
 :figure: knot_sides
