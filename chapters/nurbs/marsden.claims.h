@@ -399,8 +399,7 @@ an approximation, are history and opinion.
 :printed: for $k=1$ (4.4.13) is obvious
 :holds-by: marsden_identity_of_order_one
 :confirmed-by: marsden_identity_for_every_pattern
-:needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
-  summed
+:needs: identity_of_order_one_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose function stands on the right
 
 It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span.  That it is obvious is an opinion.
 :::
@@ -425,6 +424,35 @@ CLAIM(marsden_identity_of_order_one)
     num product = G(omega)(&S, 0, fault(T, 1, 2), x);
     same(T, mul(product, G(basis_value)(&S, 0, 1, t)), G(power)(sub(x, t), 0));
 }
+
+#if RATIONAL
+/*
+:::{claim} identity_of_order_one_ends_with_the_span
+:title: Outside the span the function of order 1 is 0
+:zh: 区间外一阶恒等式不成立
+:kind: counterexample
+:given: $k=1$, the knots $t_i$, the function $N_{0,1}$ of the span $[t_0,t_1)$, at a $t$ of the next span; $x$
+:data: t_i = 0 1 2; t = 3/2; x = 0
+:instead: t = 1/2
+:then: $\omega_{0,1}(x)N_{0,1}(t)=0$, while $(x-t)^0=1$
+:result: ω_0,1(x) N_0,1(t) = 0; (x - t)^0 = 1
+:method: The function by the definition of the B-splines, for the span that contains $t$; $\omega$ is the product of no factors.
+:control: a $t$ of the span
+:::
+*/
+CLAIM(identity_of_order_one_ends_with_the_span)
+{
+    num knots[3];
+    int place[3] = {0, 1, 2};
+    given_points(T, "t_i", 3, 1, knots);
+    num t = given(T, "t"), x = given(T, "x"), left = G(power)(sub(x, t), 0);
+    num right = G(cox_de_boor)(0, knots, place, 0, compare_q(t, knots[1]) < 0 ? 0 : 1, t);
+    found(T, "ω_0,1(x) N_0,1(t)", right);
+    found(T, "(x - t)^0", left);
+    about(T, "the product, and the power of order 0");
+    same(T, right, left);
+}
+#endif
 
 /*
 :::{statement} wang-ch4:formula-4.4.15
@@ -643,8 +671,8 @@ What is compared is the same for every order: a factor more, and every coefficie
 :title: The coefficients of the powers of x on both sides of Marsden's identity, in every order
 :zh: Marsden 恒等式两边 x 的同次幂系数(任意阶数)
 :types: field rational
-:given: symmetric functions $S_j=\mathrm{Sym}_j$ and $S_{j-1}$ of some numbers, one number $b$ more, $\sigma=(-1)^j$; integers $i,h\ge1$,
-  $m=i+h-1$, $j=i$; $t$
+:given: symmetric functions $S_j=\mathrm{Sym}_j$ and $S_{j-1}$ of some numbers, one number $b$ more, $\sigma=(-1)^j$; integers $j,h\ge1$,
+  $m=j+h-1$; an order $k>j$; $t$
 :let: $c=\binom mj$, so that $\binom m{j-1}=c\frac jh$ and $\binom{m+1}j=c\frac{j+h}h$; $A=j!$, $B=(k-1-j)!$, $\binom{k-1}j=\frac{(k-1)!}{AB}$
 :then: (1) the numbers with $b$ have $\mathrm{Sym}_j=S_j+bS_{j-1}$, and $(x-b)\bigl(\dots+\sigma S_jx^{m-j}-\sigma S_{j-1}x^{m-j+1}+\dots\bigr)$ has at $x^{m+1-j}$
   the coefficient $\sigma(S_j+bS_{j-1})$; (2) of $m+1$ numbers $t$ it is $\binom{m+1}jt^j=\binom mjt^j+t\binom m{j-1}t^{j-1}$; (3)

@@ -19,8 +19,9 @@ of the curve and the curve does not jump, and then with the square of the larges
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve: otherwise $r_1$, a vertex of every polygon, keeps its distance
-:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide: otherwise every
+:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve; otherwise $r_1$, a
+  vertex of every polygon, may keep its distance
+:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide: otherwise every
   polygon keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that the first hypothesis is needed.
@@ -42,9 +43,10 @@ of the curve and the curve does not jump, and then with the square of the larges
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
+:hypothesis: knot_at_an_outer_end_has_no_shares | the $T_m'$ are in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve
-:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide
+:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve
+:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
   all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve, and either side is treated alone.
@@ -75,6 +77,7 @@ static num G(squares_of_differences)(int p, const num x[])
 :title: The vertex of a parabola lies below it by the variance of its knots
 :zh: 抛物线的顶点偏差为节点的方差
 :given: $p\ge2$ knots $x_1,\dots,x_p$, variables; $f(t)=\frac12t^2$ and $f(t)=t$
+:let: $\xi$ their mean
 :then: for $f=\frac12t^2$: $\;f(\xi)-f[x_1,\dots,x_p]=\frac1{2p(p-1)}\sum_i(x_i-\xi)^2=\frac1{2p^2(p-1)}\sum_{i<j}(x_i-x_j)^2$; for $f=t$
   the difference is $0$
 :method: The polar form by the kernel, of the segment over $[0,1]$ with Bézier points, here in degree $p$ for both functions.
@@ -116,7 +119,7 @@ $p$.
 :::{claim} gaps_bound_the_defect
 :title: With gaps at most h the defect is at most (k/24) h²
 :zh: 节点间距不超过 h 时偏差不超过 k h²/24
-:given: $p\ge2$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
+:given: $p\ge2$, a variable; and $p$ knots $x_1\le\dots\le x_p$ with gaps $g_i=h-e_i$, $0\le e_i\le h$
 :let: $V_p=\sum_{i<j}(i-j)^2$
 :then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect $\frac{V_ph^2}{2p^2(p-1)}$ is $\frac{p+1}{24}h^2$; with smaller gaps
   it is not larger
@@ -186,7 +189,8 @@ static poly G(segment)(int p, const num u[], int mu, const num c[])
 :::{claim} polygon_is_within_the_bound_of_the_spline
 :title: The distance of a spline from its polygon, with the exact constant
 :zh: 样条与其控制多边形的距离
-:given: patterns of knots of multiplicity at most $k-2$ inside, with increasing random values; any points
+:given: a spline $f$ of degree $p=k-1$ with any points, over patterns of knots of multiplicity at most $k-2$ inside, with increasing random values; $x_{j,1},\dots,x_{j,p}$ the knots
+  between the ends of $N_j$, $\xi_j$ their mean; $d(t)$ the polygon as a function, point $j$ over $\xi_j$
 :where: the knots inside are at most $(k-2)$-fold
 :harmless: increasing random values | knots increase
 :let: $c''$ the points of $f''$, $\delta_j=\frac1{2p(p-1)}\sum_i(x_{j,i}-\xi_j)^2$
@@ -278,25 +282,27 @@ But they are the points of a spline themselves, and insertion makes means of the
 :::{claim} second_differences_are_averaged
 :title: Inserting a knot averages the points of the second derivative
 :zh: 嵌入节点使二阶导数的控制点作凸组合
-:given: simple knots with positive gaps, one knot inserted in an interval, points $c_i$
+:given: a spline $f$ of degree $p=k-1$, positive gaps of the knots, points $c_i$; simple knots, or ends of multiplicity $k$ and a knot between of any multiplicity $m=1,\dots,k-2$; one knot put into an
+  interval of the domain, or for $m<k-2$ the knot between once more
 :then: the points of $f''$ after the insertion are those that the insertion into the spline $f''$ of degree $p-2$ gives: each is
   $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
 :method: The kernels for differences and insertion, in both orders; the coefficients by their signs.
 :degrees: 2..6 sampled 8
-:scope: one knot put into a span of simple knots
+:scope: one knot put into simple knots, or into clamped ones with a knot of every multiplicity below k-1 between
 :over: s: ratio in which the new knot divides its interval
 :control: the difference taken once only after the insertion, with the spline $f'$
 :::
 */
-CLAIM(second_differences_are_averaged)
+/* The points of f'' by both ways; the new knot is knot mu, if it is not inside the interval that begins with it. */
+static void G(compare_second_differences)(trial *T, int n, const num u[], int mu, int inner)
 {
-    int p = T->degree, n = p + 2, mu = p;
-    num u[MOST_KNOTS], c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], e[MOST_KNOTS], after[MOST_KNOTS];
-    num before[MOST_KNOTS], y[MOST_KNOTS], inserted[MOST_KNOTS];
-    G(increasing_knots)(T, n + p + 1, 6, u);
+    int p = T->degree;
+    num c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], e[MOST_KNOTS], after[MOST_KNOTS];
+    num before[MOST_KNOTS], y[MOST_KNOTS], inserted[MOST_KNOTS], one = from_int(1), knot = u[mu];
     for (int i = 0; i < n; i++)
         c[i] = unknown(T, "c", i);
-    num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+    if (inner)
+        knot = add(knot, mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
     G(bspline_insert)(spline(p, n, 1, u, c), mu, knot, v, d);
     G(bspline_difference)(n + 1, p, 1, v, d, e);
     G(bspline_difference)(n, p - 1, 1, v + 1, e, after);
@@ -318,11 +324,28 @@ CLAIM(second_differences_are_averaged)
     }
 }
 
+CLAIM(second_differences_are_averaged)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS];
+    G(increasing_knots)(T, 2 * p + 3, 6, u);
+    G(compare_second_differences)(T, p + 2, u, p, 1);
+    G(increasing_knots)(T, 3, 6, x);
+    for (int m = 1; m < p; m++) {
+        const char pattern[] = {(char)('1' + p), (char)('0' + m), (char)('1' + p), '\0'};
+        (void)G(knots_at)(pattern, x, u, place);
+        G(compare_second_differences)(T, p + 1 + m, u, p, 1);
+        G(compare_second_differences)(T, p + 1 + m, u, p + m, 1);
+        if (m < p - 1)
+            G(compare_second_differences)(T, p + 1 + m, u, p + m, 0);
+    }
+}
+
 /*
 :::{claim} halving_the_gaps_divides_the_bound_by_four
 :title: The parabola with equal gaps attains the bound at every step of halving
 :zh: 抛物线达到上界,误差每次减为四分之一
-:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex with simple knots
+:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex $d_j$ with simple knots, $\xi_j$ their mean; $k=p+1$
 :then: $f(\xi_j)-d_j=\frac k{24}h^2$, and with the gaps halved a quarter of it: the order of convergence is 2 and not higher
 :method: The polar form by the kernel.
 :degrees: 2..6 sampled 9
@@ -357,7 +380,7 @@ numerator and denominator of the polygon both are near those of the curve, and t
 :title: The distance of a rational curve from its polygon
 :zh: 有理曲线与其多边形的距离
 :given: $X$ and $w$ at $t$ for the curve; $X-E$ and $w-e$ for the polygon in homogeneous coordinates
-:let: $r=\frac Xw$, $\rho=\frac{X-E}{w-e}$, a point of the polygon in space
+:let: $M_X$, $M_w$ the largest absolute values of the points of $X''$ and of $w''$, $h$ the largest gap of the knots; $r=\frac Xw$, $\rho=\frac{X-E}{w-e}$, a point of the polygon in space
 :then: $r-\rho=\frac{E-\rho\,e}w$; with $|E|\le\frac k{24}h^2M_X$, $|e|\le\frac k{24}h^2M_w$ and $w\ge\min w_i$ the distance is at most
   $\frac k{24}h^2\,(M_X+\max|r_i|M_w)/\min w_i$
 :method: An identity of the four variables.  The projection maps the segments of the homogeneous polygon onto those of the polygon, whose

@@ -181,6 +181,7 @@ static enum cagd_sign_pattern sign_of_span(poly p) { return sign_on(p, from_int_
 :given: a cubic curve of two segments, of the convex points $r$ and weights $w$ of both signs, over the knots $T$
 :data: T = 0 0 0 0 1 2 2 2 2; r = (0,0) (2,0) (3,2) (1,4) (0,3); w = 8 -1 8 8 8
 :instead: w = 8 1 8 8 8
+:let: $P=(wx,wy,w)$, the curve in homogeneous coordinates
 :then: $w(t)>0$ on the domain, and $\det(P,P',P'')$ takes both signs on the first segment
 :result: det(P,P',P'') on [0,1] = "-12960*t^3 + 12096*t^2 + 2304*t - 2304"
 :method: The polynomials of the interval; their signs by counting roots.
@@ -229,10 +230,12 @@ another.
 :printed: $T_{i+1}\supseteq T_i$, where the $A(\Gamma_k^{(T)}(T_i))$ are plane convex closed sets, $i=1,2,\dots,m$
 :class: misprint
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
-:corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for a polygon that runs through its points once, or with the hulls for the $A$
+:corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for knots in $(t_1,t_{n+k})$ and a polygon that runs through its points once, or with the hulls for the $A$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
   steps_of_refinement_compose
-:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.
+:needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
+:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
+  knots as variables, and hold for equal ones, too, where they divide by no 0.
 :figure: hulls_of_knot_sets
 
 $T_1$ and $T_2$ are in theorem 4.1.1 the two parts of one set of knots, and need not contain one another; the sequence of
@@ -296,8 +299,8 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points
   there coincide; else the polygons converge to the curve
   together with the segment over which it jumps
-:hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve: (4.1.10) is the limit of the whole
-  polygon, as for corollary 4.1.1; else $A$ is the hull of more than the curve
+:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve, as for
+  corollary 4.1.1, (4.1.10) being the limit of the whole polygon; else $A$ may be the hull of more than the curve
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through its points once: as for the theorem; else
   the $A$ of a refined polygon need not exist
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -315,6 +318,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :zh: 设计算例曲线的转向
 :kind: decision
 :given: seven designed curves of the orders 2 to 4 with convex polygons, and four families of positive weights
+:let: $P=(wx,wy,w)$, the curve in homogeneous coordinates
 :then: $\det(P,P',P'')\ge0$ on every interval of knots, and any three of thirteen points of the curve, equally spaced in the
   parameter, turn left in their order or are on one line
 :method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.  The points by the

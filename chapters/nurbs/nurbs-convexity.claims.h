@@ -64,6 +64,7 @@ triples are not enough: a polygon may turn left at every vertex and come round t
 :title: A polygon closed by its chord is convex exactly when its triangles have one sign
 :zh: 凸多边形等价于各三角形同向
 :kind: decision
+:let: $D_{ijl}$ twice the signed area of the triangle of the points $i$, $j$, $l$
 :given: all polygons of $n$ points: of the grid $\{0,1,2\}^2$ for $n=3,4$, of $\{0,1,2\}\times\{0,1\}$ for $n=5$, of $\{0,1\}^2$
   for $n=6$
 :then: the polygon is convex when closed by its chord if and only if all $D_{ijl}$, $i<j<l$, are $\ge0$ or all $\le0$, and not all are $0$
@@ -124,6 +125,7 @@ static int every_edge_on_the_border(int n, const num_q R[])
 :title: A convex polygon is part of the boundary of its hull
 :zh: 凸多边形位于其凸包边界上
 :kind: decision
+:let: $D_{ijl}$ twice the signed area of the triangle of the points $i$, $j$, $l$
 :given: all polygons of $n$ points: of the grid $\{0,1,2\}^2$ for $n=3,4$, of $\{0,1,2\}\times\{0,1\}$ for $n=5$, of $\{0,1\}^2$
   for $n=6$
 :then: if a polygon runs through once and is convex, then each of its edges has all vertices on one side: it is part of the boundary

@@ -216,6 +216,7 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
 :zh: 0≤α_i≤1
 :given: an index $i=\mu-k+2+m$ of the middle case, $m\ge0$, and so $i+k-1=\mu+1+m$; the distances $a=t_\mu-t_i$, $b=\tau-t_\mu$, $c=t_{\mu+1}-\tau$ and
   $d=t_{i+k-1}-t_{\mu+1}$, with $b>0$ and each of the others positive or $0$
+:let: $\alpha_i=\frac{\tau-t_i}{t_{i+k-1}-t_i}$
 :then: $0\le\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
 :method: $\alpha_i=\frac{a+b}{a+b+c+d}$, whose divisor is not $0$, since $b>0$.  Nothing else of the knots enters, so this is for every $k$ and all knots,
   multiple ones among them.
@@ -254,11 +255,11 @@ the corners are cut.
 :::{claim} insertion_turns_like_its_triangles
 :title: An insertion keeps the turn of every triangle
 :zh: 嵌节点保持三角形转向
-:given: $n$ points of the plane with weights, all $\alpha_i=\frac{a_i}{1+a_i}$ with $a_i>0$; the first and the last new point are the old one times a positive share, which is $1$,
+:given: $n$ points of the plane with weights; new homogeneous points, $1-\alpha_i$ times point $i-1$ plus $\alpha_i$ times point $i$, all $\alpha_i=\frac{a_i}{1+a_i}$ with $a_i>0$; the first and the last new point are the old one times a positive share, which is $1$,
   or less for a knot outside the domain
 :then: the determinants of three new homogeneous points are sums of those of three old ones with the $3\times3$ minors of the matrix of
   the insertion; no minor is negative
-:method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables for $n\le4$; the minors by their coefficients.  Minors are polynomials in the
+:method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables; the minors by their coefficients.  Minors are polynomials in the
   $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits. With $n\ge5$ all cases of three rows occur.
 :degrees: points = 3..6
 :argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
@@ -303,11 +304,9 @@ CLAIM(insertion_turns_like_its_triangles)
                         for (int a = 0; a < b; a++) {
                             num minor = G(minor)(n, M, fault(T, i, j), fault(T, j, i), l, a, b, c);
                             nonnegative(T, minor);
-                            if (n <= 4)
-                                sum = add(sum, mul(minor, G(det3)(H + 3 * a, H + 3 * b, H + 3 * c)));
+                            sum = add(sum, mul(minor, G(det3)(H + 3 * a, H + 3 * b, H + 3 * c)));
                         }
-                if (n <= 4)
-                    same(T, sum, G(det3)(N + 3 * i, N + 3 * j, N + 3 * l));
+                same(T, sum, G(det3)(N + 3 * i, N + 3 * j, N + 3 * l));
             }
 }
 
@@ -379,7 +378,8 @@ static int positive_on_the_interval(int n, const num_q w[])
 :title: With weights of both signs the new vertices are beside the edges
 :zh: 权因子变号时新顶点不在边上
 :kind: counterexample
-:given: a cubic segment of the points $r$, a square, over the knots $T$, with weights $w$ of both signs for which $w(t)>0$; $\tau$
+:given: a cubic segment of the points $r$, a square, over the knots $T$, with weights $w$ of both signs for which $w(t)>0$; $\tau$ is inserted,
+  which divides the edge $r_{i-1}r_i$ in the ratio $s_i:(1-s_i)$
 :data: T = 0 0 0 0 1 1 1 1; r = (0,0) (1,0) (1,1) (0,1); w = 4 -1 4 4; τ = 1/2
 :instead: w = 4 1 4 4
 :then: $s_2$ is negative and $s_3$ greater than $1$, and the new polygon $r'$ is not convex
@@ -433,7 +433,8 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :title: The new point divides the edge in the ratio of the weighted factors
 :zh: 新顶点按加权比分割边
 :given: $0\le\alpha\le1$, written $\alpha=\frac a{1+a}$; positive weights $w_{i-1},w_i$; points $r_{i-1},r_i$
-:then: $w'=(1-\alpha)w_{i-1}+\alpha w_i$ and $r'=(1-s)r_{i-1}+sr_i$ satisfy $w'r'=(1-\alpha)w_{i-1}r_{i-1}+\alpha w_ir_i$; and
+:let: $w'=(1-\alpha)w_{i-1}+\alpha w_i$, $s=\frac{\alpha w_i}{w'}$, $r'=(1-s)r_{i-1}+sr_i$
+:then: $w'r'=(1-\alpha)w_{i-1}r_{i-1}+\alpha w_ir_i$; and
   $w'>0$, $s\ge0$, $1-s\ge0$
 :method: Identities in the field, and signs of coefficients.  For $\alpha=0$ and $\alpha=1$ it is $s=\alpha$.
 :over: a#: ratios of division; r#: points

@@ -243,6 +243,7 @@ the orders determine.
 :given: the derivatives $P,P',P''$ of a curve with weight $w>0$, two coordinates, and those of the member,
   $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n\ge2$ and $m\ge1$
 :where: $w(t)>0$
+:let: $r$, $r_m$ the two in the plane, $\kappa$, $\kappa_m$ their curvatures
 :then: $r_m'=\frac mnr'$ and $r_m'\times r_m''=\frac{m^2(m-1)}{n^2(n-1)}\,r'\times r''$, hence
   $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where
   $\kappa\ne0$

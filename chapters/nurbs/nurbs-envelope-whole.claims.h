@@ -24,7 +24,7 @@ span; what has to be asked is whether the members exist.
   $w_i^{[\rho]}\mathbf r_i^{[\rho]}$ are computed by (4.1.3)
 :hypothesis: extrapolated_member_has_a_pole | no denominator of a member vanishes; with a negative $w_i^{[r]}(\tau)$
   it may
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with $t_i=t_{i+k-r}$
+:hypothesis: high_knot_leaves_a_point_undefined | $t_i<t_{i+k-r}$ for $i=r+1,\dots,n$, or the terms with $t_i=t_{i+k-r}$
   are left out: their $N_{i,k-r}$ is 0; else (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
 :meant: the domain $[t_k,t_{n+1}]$ is printed closed | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval` says.

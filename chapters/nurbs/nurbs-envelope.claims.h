@@ -39,7 +39,7 @@ quotients $0/0$.
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
 :given: $k=p+1$; $p+3$ points and weights over knots of these patterns: an inner knot of every multiplicity
-  $1,\dots,k$ among simple ones, and $k$-fold ends with two simple knots between; every span; any $t$
+  $1,\dots,k$ among simple ones, and $k$-fold ends with two simple knots between; every span $[t_j,t_{j+1})$; any $t$
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
@@ -104,6 +104,7 @@ the places that are left.
   the distinct
   knots variables for $k\le5$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
 :where: the weights of the levels are not 0
+:let: $f$ the polar form of the segment in homogeneous coordinates, $f[\tau^r,t^{k-1-r}]$ its value for $r$ arguments $\tau$ and the others $t$
 :then: $\sum N_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$
 :method: The left side runs the recursion (4.1.3), (4.1.4), which divides by weights, and sums with the B-splines of
   order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,

@@ -24,15 +24,15 @@ the curve itself rather than about its homogeneous form has to be carried throug
 :reading: point_is_in_the_hull_of_k_points | convex hull, span by span, for positive weights
 :reading: negative_weight_leaves_the_hull | the same for weights of both signs
 :reading: sides_agree_up_to_order_less_multiplicity | continuity of order $k-1-m$ at a knot of multiplicity $m$ | Where the derivatives of the basis functions agree, those
-  of numerator and denominator do, and by the rule for quotients those of the curve.
+  of numerator and denominator do, and where $w(t)\ne0$ by the rule for quotients those of the curve.
 :reading: one_order_more_jumps | continuity of one order more
 :reading: nurbs_moves_with_its_points | affine invariance
-:reading: clamped_end_is_the_first_point | the polygon begins with the curve, when $t_2=\dots=t_k$; and ends with it when
-  $t_{n+1}=\dots=t_{n+k-1}$ | The end is the beginning of the reversed data, by the reading on symmetry.
+:reading: clamped_end_is_the_first_point | the polygon begins with the curve, when $t_2=\dots=t_k<t_{k+1}$; and ends with it when
+  $t_n<t_{n+1}=\dots=t_{n+k-1}$ | The end is the beginning of the reversed data, by the reading on symmetry.
 :reading: simple_knots_need_other_points | the same for simple knots
 :reading: reversed_data_reverse_the_nurbs | symmetry
 :reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere | Where the derivatives of numerator and
-  denominator agree, those of the curve do, by the rule for quotients.
+  denominator agree, those of the curve do where $w(t)\ne0$, by the rule for quotients.
 :figure: knot_vectors
 
 Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one.

@@ -401,7 +401,8 @@ change can arise.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
   of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
-:hypothesis: cut_corner_lies_on_the_line | it counts as one intersection, not as infinitely many points
+:hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has, and not as
+  infinitely many points
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
@@ -512,7 +513,7 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
-:hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
+:hypothesis: edge_on_the_line_must_be_counted | a piece of curve or polygon on the line counts as one intersection
 :needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :reading: designed_splines_cross_no_more | of crossings
 :reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
@@ -621,7 +622,7 @@ point.
 :reading: polygon_through_the_crossings_crosses_as_often | intersections are points in common
 :reading: jump_crosses_the_line_without_a_point | intersections are crossings: at a knot of multiplicity $k$ the curve may change sides by
   a jump, for which there is no parameter
-:argued: | Of whole numbers, more than $N$ is $N+1$ at least; and a point that the curve has in common with the line is a
+:argued: every curve | Of whole numbers, more than $N$ is $N+1$ at least; and a point that the curve has in common with the line is a
   point of the curve, which has a parameter.
 :figure: points_of_the_line_as_vertices
 
@@ -636,6 +637,7 @@ Where a piece of curve is on the line one of its parameters is taken.
   ordinates $y$ and its crossings, of which one is a knot; the weights 1, and $w$ and 1 in turn
 :data: roots of the first cubic = 1/4 1/2 3/4; roots of the second cubic = 1/4 1/2 1/2; t_i of the cubics = 0 0 0 0 1
   1 1 1; t_i of the spline = 0 0 0 1 2 2 2; y = -3 1 -1 3; crossings of the spline = 3/5 1 7/5; w = 1000
+:let: $\mu_i$ the number of the knot before root $i$, that is $t_{\mu_i}$ less than the root and $t_{\mu_i+1}$ not
 :then: after each root is inserted $k-1$ times, vertex $\mu_i+(i-1)(k-1)$ is on the line, and the polygon crosses it and
   meets it exactly as often as the curve
 :method: The printed insertions; the curve by counting roots, polygons by `exact/decide/crossings.h`.
@@ -776,7 +778,7 @@ $\mu_i+(i-1)(k-1)$.
   the lemma fails
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
-:hypothesis: cut_corner_lies_on_the_line | it counts as one intersection
+:hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :figure: what_must_be_counted
 :::

@@ -70,6 +70,7 @@ this can be computed is decided here.
   every such curve has.
 :reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion
 :reading: one_order_more_jumps | that every curve is continuous of one order more
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: so that $w(t)\ne0$
 :argued: | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
   power of $w>0$.
 :figure: knot_sides
@@ -98,7 +99,7 @@ A whole circle is one NURBS curve with rational points and weights, whatever the
 :::{claim} tangent_conics_are_curves_of_order_three
 :title: A conic that touches two sides of a triangle at their ends has its arc inside as a NURBS curve of order 3
 :zh: 切于三角形两边端点的二次曲线,其三角形内的弧是三阶 NURBS 曲线
-:given: order three, $n=3$, knots $x_0,x_1^2,x_2^2,x_3$, variables; the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights
+:given: numbers $\mu$ and $\nu$; order three, $n=3$, knots $x_0,x_1^2,x_2^2,x_3$, variables; the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights
   $1,1,-\frac{4\nu}\mu$; any $t$
 :where: the conic is no pair of lines; $w(t)\ne0$
 :then: $\mu\,xy+\nu(x+y-1)^2=0$ with the coordinates $x,y$ of $r(t)$
@@ -216,7 +217,7 @@ The preface confuses the size of the expression with the number of operations; b
 :refuted-by: recursion_is_not_exponential
 :class: false
 :corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
-  dimension only, and the insertion of one knot, with another such constant, takes $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m$,
+  dimension only, and the insertion of one knot, with another such constant, takes $c\,(k-1)$ beside copying: from order $m+1$ to order $2m+1$ they grow less than fourfold, for every $m\ge1$,
   and an exponential does not
 :corrected-by: recursion_is_quadratic twice_the_degree_takes_less_than_four_times_the_steps
 :meant: the words, which set the algorithm that is carried out against the matrix form; it is algorithm 4.1.1 | The time of computing level after level.

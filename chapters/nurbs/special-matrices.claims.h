@@ -25,7 +25,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :::{claim} simple_determinant_is_vandermonde
 :title: The determinant over simple nodes
 :zh: Vandermonde 行列式
-:given: $k+1$ simple nodes, variables
+:given: $k+1$ simple nodes $t_0,\dots,t_k$, variables; $H$ the matrix of (4.4.6)
 :then: $\det H=\prod_{i<j}(t_j-t_i)$, and row $i$ of $H$ is $1,t_i,\dots,t_i^k$
 :method: The determinant of the kernel's matrix, and its product formula, against the product of the differences.
 :degrees: k = 0..5 sampled 8
@@ -85,10 +85,11 @@ not show.
 :::{claim} simple_difference_has_factors_of_both_orders
 :title: The divided difference over simple nodes, and the printed one times (-1)^k
 :zh: 单节点差商的正确符号
-:given: $k+1$ simple nodes and the values of $f$, variables
+:given: $k+1$ simple nodes $t_0,\dots,t_k$ and the values of $f$, variables
 :then: $[t_0,\dots,t_k]f=\sum f(t_l)/\prod_{j\ne l}(t_l-t_j)$, and the printed sum is $(-1)^k$ times this
 :method: The table of divided differences against both sums.
 :degrees: k = 0..6 sampled 10
+:scope: simple knots
 :over: t#: nodes; f#: values of the function
 :control: the sign $(-1)^{k+1}$
 :::

@@ -498,7 +498,7 @@ common points is now a matter of how the four lines lie.
 :holds-by: line_pairs_share_four_points conics_through_four_points_are_a_pencil
 :needs: parallel_lines_meet_in_two_points | the sentence itself, by which the pairs meet two by two in four points | each of
   $l_1,l_2$ meets each of $l_3,l_4$.
-:needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | the four points are different.
+:needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | the four points of the two pairs are different.
 :hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3l_4=0$ is missing.
 :figure: pencil_of_conics
 

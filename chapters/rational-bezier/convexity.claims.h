@@ -188,7 +188,7 @@ three separate parameters says more.
 :::{claim} curve_turns_like_its_triangles
 :title: Three points of the curve turn as the triangles of the polygon do
 :zh: 曲线上三点的转向由控制三角形决定
-:given: $0<t_1<t_2<t_3<1$, positive weights
+:given: $0<t_1<t_2<t_3<1$, weights $\omega_i$
 :let: $D_{ijk}=\det\bigl((x_i,y_i,1),(x_j,y_j,1),(x_k,y_k,1)\bigr)$ for the points $(x_i,y_i)$; $P(t)=\sum_iB_i(t)\omega_i(x_i,y_i,1)$
 :then: $\det(P(t_1),P(t_2),P(t_3))=\sum_{i<j<k}M_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$ with the $3\times3$ minors $M_{ijk}$ of
   $(B_m(t_l))$, and every $M_{ijk}>0$
@@ -379,6 +379,7 @@ corner after the other.
 :kind: decision
 :given: polygons that are convex when closed, among them a square, a polygon with collinear and one with repeated vertices, one
   that turns by more than a half turn; all weights from $\frac1{1000},1,1000$
+:let: $P=(\omega x,\omega y,\omega)$, the curve in homogeneous coordinates
 :then: $\det(P,P',P'')>0$ for $0<t<1$
 :method: The sign of the polynomial is decided by counting its roots, by Descartes' rule and by Sturm's theorem.
 :degrees: 2..4
@@ -454,6 +455,7 @@ one side of a triangle, back, and along another, is part of the boundary.
 :instead: R = (1,0) (2,0) (2,1) (0,1)
 :result: det(P,P',P'') = "-54*t^2 + 18*t"; det(P,P',P'') at t = 0; inflections in (0,1) = 1
 :given: the cubic curve with points $R$ and equal weights $\omega$; all points of the polygon are on two sides of a triangle; a parameter $t$
+:let: $P=(\omega x,\omega y,\omega)$, the curve in homogeneous coordinates
 :then: $\det(P,P',P'')$ changes its sign at $t$
 :method: The polynomial is computed, its sign decided by counting roots.  A convex curve has curvature of one sign.
 :control: the third point moved, so that the polygon bounds a convex region with its chord
@@ -485,6 +487,7 @@ sign although all $D_{ijk}$ are positive.
 :instead: ω = 4 1 4 4
 :result: det(P,P',P'') = "-1440*t^3 + 864*t^2 + 576*t - 288"; inflections in (0,1) = 2
 :given: the cubic curve with the corners $R$ of a square and weights $\omega$, of which one is negative, though $\omega(t)>0$ on $[0,1]$
+:let: $P=(\omega x,\omega y,\omega)$, the curve in homogeneous coordinates
 :then: $\det(P,P',P'')$ changes its sign twice in $(0,1)$
 :method: The polynomial is computed, its sign decided by counting roots.
 :control: the negative weight made positive
@@ -648,6 +651,7 @@ The converse is not claimed by the source, and it is false, for a curve may smoo
 :instead: R = (0,0) (1,2) (2,-1) (3,2) (4,0)
 :result: x(t) = "4*t"; x'y'' - y'x'' = "-480*t^2 + 480*t - 144"
 :given: the quartic curve with points $R$ and equal weights $\omega$
+:let: $P=(\omega x,\omega y,\omega)$, the curve in homogeneous coordinates
 :then: $\det(P,P',P'')<0$ for $0<t<1$ and $x(t)$ increases, so that the curve with its chord bounds a convex region; the polygon turns to
   both sides
 :method: The sign of the polynomial is decided by counting roots; convexity by `exact/decide/hull.h`.

@@ -294,7 +294,7 @@ CLAIM(cut_depends_on_level_edge_and_weights)
 :::{claim} geometric_weights_cut_evenly
 :title: Exactly geometric weights are cut at one ratio everywhere
 :zh: 等比权时各边割角系数相同
-:given: three neighbouring weights of level $r-1$, and $\lambda$
+:given: three neighbouring weights of level $r-1$, $\omega,\omega q,\omega q^2$ or any $x,y,z$, and $\lambda$; the coefficients are those of the second points
 :then: for $\omega,\omega q,\omega q^2$ the coefficient is $\lambda q/(1-\lambda+\lambda q)$ on both edges, and the
   two weights of the next level again have the quotient $q$; for any three weights $x,y,z$ the coefficients on the
   two edges differ by $\lambda(1-\lambda)(xz-y^2)$ over the product of the two new weights

@@ -88,7 +88,7 @@ variable, so one computation serves every $n$.
 :title: A polygon is as near to its chord as its second differences are small
 :zh: 控制多边形与弦之距由二阶差分界定
 :given: variables $n,j,k$, and $b_0,b_1$, $b_{n-1},b_n$, $b_{j-1},b_j,b_{j+1}$ of a polygon
-:let: $g_j=j(n-k)/n$ for $j\le k$ and $g_j=k(n-j)/n$ for $j\ge k$; $T_j=g_jb_{j+1}-g_{j+1}b_j$
+:let: $\Delta^2b_{j-1}=b_{j+1}-2b_j+b_{j-1}$, and so for $g$; $g_j=j(n-k)/n$ for $j\le k$ and $g_j=k(n-j)/n$ for $j\ge k$; $T_j=g_jb_{j+1}-g_{j+1}b_j$
 :then: $g_j\Delta^2b_{j-1}-b_j\Delta^2g_{j-1}=T_j-T_{j-1}$, for any $g$; $T_{n-1}-T_0=\frac{n-k}nb_0+\frac knb_n$;
   $\Delta^2g_{j-1}$ is $0$ for $j\ne k$ and $-1$ for $j=k$; $\sum_{0<j<n}g_j=\frac{k(n-k)}2\le\frac{n^2}8$
 :method: Each is computed from the formulas of $g$ at the neighbouring indices.  Added up over $0<j<n$ the first

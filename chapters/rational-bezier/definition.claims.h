@@ -29,7 +29,7 @@ source defines it.
 :confirmed-by: homogeneous_points_carry_their_weight common_factor_of_weights_is_free
 
 The pair $(R_i,\omega_i)$ and the homogeneous point determine each other as long as $\omega_i\ne0$.  A common
-factor of the weights does not change the curve in space.
+factor of the weights, if it is not 0, does not change the curve in space.
 :::
 
 :::{claim} homogeneous_point_determines_point_and_weight
@@ -580,7 +580,7 @@ CLAIM(two_middle_weights_give_two_arcs)
 :::{claim} infinite_weight_reaches_the_vertex
 :title: In the limit of an infinite weight the curve is at R_i
 :zh: 权趋于无穷时曲线趋于 R_i
-:given: points, weights, a parameter $0<t<1$; one weight $\omega_i$ replaced by $\omega_i+1/\varepsilon$; every $i=0,\dots,n$
+:given: points $R_j$, weights $\omega_j$, a parameter $0<t<1$; one weight $\omega_i$ replaced by $\omega_i+1/\varepsilon$; every $i=0,\dots,n$
 :then: the curve is that of the weights $\varepsilon\omega_j$ ($j\ne i$) and $\varepsilon\omega_i+1$, and for
   $\varepsilon=0$ it is at $R_i$
 :method: The first is an equality in the field; the second is computed at $\varepsilon=0$, where the denominator is
@@ -824,10 +824,12 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: reversed_points_and_weights_reverse_the_curve
 :meant: (3.2.2), which has a weight with every point | The control points are taken backwards with their weights; they give $R(1-t)$.
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  $\omega(t)\ne0$; for which positive weights suffice: otherwise there may be no point.
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
 :figure: reversed_polygon
 
-No sign of the weights is needed.
+No sign of the weights is needed: the two curves have one denominator, at $t$ and at $1-t$.
 :::
 
 :::{claim} reversed_points_and_weights_reverse_the_curve

@@ -19,7 +19,7 @@ arise so.
 :holds-by: change_of_parameter_acts_on_one_factor mean_grows_by_one_term bernstein_sum_of_powers_is_a_power
 :confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
-:needs: weights_that_are_zero_have_no_curve | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega\ne0$
+:needs: weights_that_are_zero_have_no_curve | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the common weight is not 0
 :reading: polynomial_line_with_unequal_weights | read as "exactly when", which is not claimed
 :figure: equal_weights
 

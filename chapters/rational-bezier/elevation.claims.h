@@ -187,6 +187,8 @@ and any other numbers would do.
 :printed: The formulas can be obtained by applying the operator (1.3.9) to the numerator and to the denominator of (3.2.2).
 :holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
 :confirmed-by: elevation_through_the_power_basis elevated_points_as_printed
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: so that the numerators can be divided by the $\hat\omega_i$ for (3.2.9)
 
 Chapter 1 of the source is not at hand; the operator is taken to be that of elevation,
 $b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.

@@ -57,6 +57,27 @@ def is_told(condition, scope):
     return as_read(condition) in as_read(scope) or bool(positive and re.search(rf"all positive [^;]*\b{positive.group(1)}\b", scope))
 
 
+DEGREES = {"linear": 1, "quadratic": 2, "cubic": 3, "quartic": 4}
+
+
+def degrees_of(scope):
+    """The lowest and the highest degree of a scope that begins with them, (2, 6) for "k = 3 to 7"; None where it does not."""
+    found = re.match(r"(k|order|n|degree) (?:= )?(\d+)(?: to (\d+))?(?=;|,|$)", scope)
+    if not found:
+        return None
+    letter, low, high = found.groups()
+    less = letter in ("k", "order")
+    return int(low) - less, int(high or low) - less
+
+
+def degree_of_instance(block):
+    """The one degree that the curve of a block has, by its order or by the word for it; None where neither is said, or several are."""
+    given = words_of(block.get("given", ""))
+    order = re.search(r"\$k=(\d+)\$|(?<!\w)k = (\d+)", given + "; " + words_of(block.get("data", "")))
+    said = {DEGREES[word] for word in re.findall(r"\b(?:" + "|".join(DEGREES) + r")\b", given)}
+    return int(order.group(1) or order.group(2)) - 1 if order else said.pop() if len(said) == 1 else None
+
+
 def is_worked_number(text):
     """What is printed are numbers: an equation one side of which is a number other than 0, or begins with one."""
     return re.search(r"=\s*(?:\\frac|\[)?\s*[-(\[{]*\s*[\d.,]*[1-9]", text) is not None
@@ -117,6 +138,28 @@ class Scopes(unittest.TestCase):
                     self.assertTrue(any(is_told(one, scope) for one in [condition, *WITHIN.get(condition, [])]), f"{condition}: {scope}")
                     told += 1
         self.assertGreater(told, 150)
+
+    def test_a_hypothesis_is_tried_within_the_scope(self):
+        """That a statement about cubics needs a hypothesis is not shown by a line, unless it says of which degree the example is."""
+        tried = 0
+        for row in LEDGER:
+            printed, finding = row["as_printed"], decided(row)[1]
+            degrees = finding and not finding["argued_for"] and degrees_of(finding["scope"])
+            for hypothesis in (printed["hypotheses"] + printed["stated_hypotheses_needed"]) if degrees else []:
+                claim = (hypothesis.get("without_it") or {}).get("claim")
+                degree = degree_of_instance(CLAIM_BLOCKS[claim]) if claim else None
+                if degree is not None:
+                    tried += 1
+                    with self.subTest(row["id"], claim=claim):
+                        told = re.search(rf"\$n={degree}\$|\$k={degree + 1}\$", hypothesis["hypothesis"])
+                        self.assertTrue(told or degrees[0] <= degree <= degrees[1], f"degree {degree}: {finding['scope']}")
+        self.assertGreater(tried, 50)
+        self.assertEqual(degrees_of("k = 3 to 7; every t"), (2, 6))
+        self.assertEqual(degrees_of("order 1; all knots"), (0, 0))
+        self.assertIsNone(degrees_of("every n"))
+        self.assertEqual(degree_of_instance({"given": "$k=2$, the knots $t_i$"}), 1)
+        self.assertEqual(degree_of_instance({"given": "a curve of order $k$", "data": "n = 5; k = 4"}), 3)
+        self.assertIsNone(degree_of_instance({"given": "a linear and a cubic curve"}))
 
     def test_an_argument_is_told_once(self):
         """What is argued for more cases was computed for some: "argued for n = 2 to 6; argued for every n" is never told."""
