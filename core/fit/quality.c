@@ -87,14 +87,40 @@ static double side_of(const double a[], const double b[], const double q[])
     return (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
 }
 
-/* How often a polygon of the plane crosses itself; sides that have a corner in common do not count. */
-static int crossings_of(const polygon *p, int closed)
+/* How far q is from the corners low, ..., high of a polygon of the plane and the sides between them. */
+static double distance_from(const polygon *p, int low, int high, const double q[])
+{
+    double nearest = distance(2, p->at + 2 * low, q);
+    for (int i = low; i < high; i++) {
+        const double *a = p->at + 2 * i, x = a[2] - a[0], y = a[3] - a[1], square = x * x + y * y;
+        const double s = square > 0 ? fmin(1, fmax(0, ((q[0] - a[0]) * x + (q[1] - a[1]) * y) / square)) : 0;
+        nearest = fmin(nearest, hypot(a[0] + s * x - q[0], a[1] + s * y - q[1]));
+    }
+    return nearest;
+}
+
+/* Whether sides i < j of an open polygon cross where its two ends come together, as at the trailing edge of an airfoil (翼型后缘): from there to the
+ * ends the one is no farther from the other than `within`. */
+static int is_where_ends_meet(const polygon *p, int i, int j, double within)
+{
+    const int last = p->corners - 1;
+    for (int k = 0; k <= i; k++)
+        REQUIRE(distance_from(p, j, last, p->at + 2 * k) <= within, 0);
+    for (int k = j + 1; k <= last; k++)
+        REQUIRE(distance_from(p, 0, i + 1, p->at + 2 * k) <= within, 0);
+    return 1;
+}
+
+/* How often a polygon of the plane crosses itself; sides that have a corner in common do not count, nor what happens within errors where the ends of
+ * an open one come together. */
+static int crossings_of(const polygon *p, int closed, double within)
 {
     int count = 0;
     for (int i = 0; i + 1 < p->corners; i++)
         for (int j = i + 2; j + 1 < p->corners - (closed && i == 0); j++) {
             const double *a = p->at + 2 * i, *b = a + 2, *c = p->at + 2 * j, *d = c + 2;
-            count += side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
+            count += side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0 &&
+                     (closed || !is_where_ends_meet(p, i, j, within));
         }
     return count;
 }
@@ -259,8 +285,8 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
             find_backwards(r, &curve, q);
             if (data->dim == 2) {
                 const int closed = r->period > 0 || r->found.ellipse.whole;
-                q->crossings = crossings_of(&curve, closed);
-                q->crossings_of_points = crossings_of(&points, closed);
+                q->crossings = crossings_of(&curve, closed, DEVIATIONS * r->rms);
+                q->crossings_of_points = crossings_of(&points, closed, DEVIATIONS * r->rms);
             }
         }
         find_far(&own, r, q);

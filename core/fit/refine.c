@@ -113,7 +113,7 @@ typedef struct search {
     cagd_fit_result *best;
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
-    int shapely;    /* whether a curve with excursions, loops or gaps is passed over        */
+    int shapely;    /* whether a curve with excursions, loops, gaps or a cusp is passed over */
     int scattered; /* how many neighbours it takes until points do not scatter by more than they are apart, see means.h */
     int dense;     /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
@@ -191,10 +191,17 @@ static int problems_of(const search *s, const cagd_fit_result *r)
 /* A good fit that crosses itself no more often than its points do. */
 static int has_no_loops(const search *s, const cagd_fit_result *r) { return !(problems_of(s, r) & CAGD_FIT_LOOPS); }
 
+/* Whether the curve has excursions, loops, gaps, or turns back as at a cusp. */
+static int is_shapely(const search *s, const cagd_fit_result *r)
+{
+    double t;
+    return !(problems_of(s, r) & FIGURE) && cagd_fit_has_cusp(r, &t) == 0;
+}
+
 /* Whether the fit is one that the search may end with. */
 static int may_be_best(const search *s, const cagd_fit_result *r)
 {
-    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r) && !(s->shapely && problems_of(s, r) & FIGURE));
+    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r) && !(s->shapely && !is_shapely(s, r)));
     return s->good_alone ? has_no_loops(s, r) : cagd_fit_is_minimum(r);
 }
 
@@ -240,6 +247,7 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
     REQUIRE(status == CAGD_OK, (cagd_fit_free(last), status));
     const int worse =
         (fit_is_good(s->data, options, last) && !fit_is_good(s->data, options, *result)) ||
+        (is_shapely(s, last) && !is_shapely(s, *result)) ||
         (last->found.smoothed == 3 && (is_within(s, *result) < is_within(s, last) || !has_no_loops(s, *result)));
     (*result)->found = last->found;
     cagd_fit_free(worse ? *result : last);
@@ -677,16 +685,41 @@ static cagd_status settle_for_nearest(search *s)
     return take_out_idle(s);
 }
 
-/* Knots are put in, and then taken out. */
-static cagd_status search_knots(search *s)
+/* Knots are put in, each where it helps most, and even ones. */
+static cagd_status put_both(search *s)
 {
     cagd_status status = put_in(s, 0);
-    if (status == CAGD_OK && !s->dense)
-        status = put_in(s, 1);
-    if (status == CAGD_OK && s->best != NULL)
+    return status == CAGD_OK && !s->dense ? put_in(s, 1) : status;
+}
+
+/* Where the best curve has excursions, loops, gaps or a cusp, once more among those that have none, if there are any. */
+static cagd_status put_shapely(search *s)
+{
+    REQUIRE(s->best != NULL && !s->shapely && !(s->within > 0) && !is_shapely(s, s->best), CAGD_OK);
+    search again = *s;
+    again.best = NULL, again.shapely = 1;
+    const cagd_status status = put_both(&again);
+    const int found = status == CAGD_OK && again.best != NULL;
+    cagd_fit_free(found ? s->best : again.best);
+    if (found)
+        *s = again;
+    return status;
+}
+
+/* Knots are put in, and then taken out; out of a shapely curve as long as it stays one. */
+static cagd_status search_knots(search *s)
+{
+    const int shapely = s->shapely;
+    cagd_status status = put_both(s);
+    if (status == CAGD_OK)
+        status = put_shapely(s);
+    if (status == CAGD_OK && s->best != NULL) {
+        s->shapely = shapely || (!(s->within > 0) && is_shapely(s, s->best));
         status = take_out_idle(s);
+    }
     if (status == CAGD_OK && s->best != NULL)
         status = settle_for_nearest(s);
+    s->shapely = shapely;
     return status;
 }
 

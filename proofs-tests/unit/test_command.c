@@ -516,7 +516,7 @@ static void pages_say(void **state)
           "y > 0", "page 7"}},
         {"paper:4",
          {"A definition, with what is checked of it: argued for the stated instance.",
-          "A decision, an argument in words and a cited theorem check it together.", "a theorem",
+          "A decision, an argument in words and a citation check it together.", "a theorem",
           "A paper, pages 1 to 9"}},
         {"paper:5", {"A definition."}},
         {"paper:6",

@@ -19,10 +19,10 @@ def half_thickness(x, t, closed=False):
     return 5 * t * (0.2969 * math.sqrt(x) - 0.1260 * x - 0.3516 * x**2 + 0.2843 * x**3 - (0.1036 if closed else 0.1015) * x**4)
 
 
-def cambered(x, m, p, t, side):
+def cambered(x, m, p, t, side, closed=False):
     camber = m / p**2 * (2 * p * x - x * x) if x < p else m / (1 - p) ** 2 * (1 - 2 * p + 2 * p * x - x * x)
     slope = 2 * m / (p if x < p else 1 - p) ** 2 * (p - x)
-    a, y = math.atan(slope), half_thickness(x, t)
+    a, y = math.atan(slope), half_thickness(x, t, closed)
     return x - side * y * math.sin(a), camber + side * y * math.cos(a)
 
 
@@ -55,6 +55,9 @@ def main():
     write("naca2412.dat", "NACA 2412\n" + "".join(f"  {x:8.5f}  {y:8.5f}\n" for x, y in upper[::-1] + lower[1:]))
     write("naca0015-lednicer.dat", "NACA 0015 (Lednicer)\n       31.       31.\n\n" + "".join(f" {x:9.6f} {half_thickness(x, 0.15):9.6f}\n" for x in xs) + "\n"
           + "".join(f" {x:9.6f} {-half_thickness(x, 0.15):9.6f}\n" for x in xs))
+    fine = cosine(100)
+    upper, lower = [cambered(x, 0.04, 0.4, 0.15, 1, True) for x in fine], [cambered(x, 0.04, 0.4, 0.15, -1, True) for x in fine]
+    write("naca4415-fine.dat", "NACA 4415, sharp\n" + "".join(f"  {x:10.8f}  {y:11.8f}\n" for x, y in upper[::-1] + lower[1:]))
     sharp = [(x, half_thickness(x, 0.12, True)) for x in xs]
     write("naca0012-sharp.dat", "NACA 0012 CLOSED TE\r\n" + "".join(f"{x:.4f} {abs(round(y, 4)):.4f}\r\n" for x, y in sharp[::-1]) + "".join(f"{x:.4f} {-y:.4f}\r\n" for x, y in sharp[1:]))
     cam = traced(lambda x, y: math.hypot(x, y) < 10 + 4 * math.exp(-6 * (1 - math.cos(math.atan2(y, x) - 1))), -16, 16, 0.4)
