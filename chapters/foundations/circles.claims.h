@@ -39,9 +39,9 @@ sections of their own.
 :::{claim} rotation_matrix_adds_the_angle
 :title: The row of the point times the matrix is the point of the sum of the angles
 :zh: 旋转矩阵使角度相加
-:given: any $r$, and two angles by the directions $(a_0,a_1)$ and $(b_0,b_1)$ of their halves, which are not $(0,0)$, so that
+:given: any $r$, and two angles by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of their halves, so that
   $\cos\theta=\frac{a_0^2-a_1^2}{a_0^2+a_1^2}$ and $\sin\theta=\frac{2a_0a_1}{a_0^2+a_1^2}$, likewise those of $\Delta\theta$
-:harmless: which are not $(0,0)$ | so is the half of every angle
+:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
 :method: The sum of the angles is formed on the other side, from the direction $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ of half of it; the five numbers
   are variables.
