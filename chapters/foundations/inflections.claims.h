@@ -214,7 +214,8 @@ polynomial and everything can be compared in rational numbers.
 :zh: 拐点的定义
 :definition: yes
 :printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
-:checked-by: curvature_and_torsion_belong_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic merged_inflections_are_a_cusp
+:checked-by: curvature_and_torsion_belong_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic sign_of_delta_tells_the_form
+  merged_inflections_are_a_cusp
 :confirmed-by: fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 
