@@ -102,7 +102,7 @@ def follows(relation, known):
 
 def said_twice(scope):
     """The phrases of a scope whose relations follow from its other phrases; those in brackets are each for a step of its own."""
-    phrases = re.split(r"; |, (?:and )?where |, and |^where ", re.sub(r"\bcases \((?:[^()]|\([^()]*\))*\)", "cases", scope))
+    phrases = re.split(r"; (?:where )?|, (?:and )?where |, and |^where ", re.sub(r"\bcases \((?:[^()]|\([^()]*\))*\)", "cases", scope))
     held = [smaller_first(phrase) for phrase in phrases]
     return [phrase for k, phrase in enumerate(phrases)
             if held[k] and all(follows(r, set().union(*held[:k], *held[k + 1 :])) for r in held[k])]
