@@ -188,7 +188,7 @@ three separate parameters says more.
 :::{claim} curve_turns_like_its_triangles
 :title: Three points of the curve turn as the triangles of the polygon do
 :zh: 曲线上三点的转向由控制三角形决定
-:given: $0<t_1<t_2<t_3<1$, positive weights
+:given: $0<t_1<t_2<t_3<1$, any weights
 :let: $D_{ijk}=\det\bigl((x_i,y_i,1),(x_j,y_j,1),(x_k,y_k,1)\bigr)$ for the points $(x_i,y_i)$; $P(t)=\sum_iB_i(t)\omega_i(x_i,y_i,1)$
 :then: $\det(P(t_1),P(t_2),P(t_3))=\sum_{i<j<k}M_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$ with the $3\times3$ minors $M_{ijk}$ of
   $(B_m(t_l))$, and every $M_{ijk}>0$

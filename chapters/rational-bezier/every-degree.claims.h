@@ -596,8 +596,6 @@ CLAIM(means_of_powers_go_one_way)
   degree are computed from the Bernstein functions and compared with this product.
 :degrees: all
 :scope: any three parameters inside $(0,1)$, in order
-:harmless: numbers $u_1<u_2<u_3$ and $v_l$ with $v_2-v_1=c(u_2-u_1)-f$, $v_3-v_2=c(u_3-u_2)+e$, $c,e,f>0$ | powers of parameters
-  in order are such numbers, by `means_of_powers_go_one_way`
 :over: u v p q c e f s: -
 :control: the two differences of $v$ exchanged
 :::
