@@ -83,7 +83,8 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 */
 CLAIM(second_orbit_has_equal_angles)
 {
-    struct G(half) a = G(free_half)(T, "a"), b = G(free_half)(T, "b"), once = G(sum_of)(a, b), twice = G(sum_of)(once, b);
+    struct G(half) a = G(free_half)(T, "a"), b = G(free_half)(T, "b"), once = G(sum_of)(a, b),
+                   twice = G(sum_of)(once, b);
     struct G(turn) theta = G(turn_of)(a), delta = G(turn_of)(b), one = G(turn_of)(once), full = G(turn_of)(twice),
                    last = G(turn_of)(G(sum_of)(twice, b));
     num r = positive(T, "r", 0), two = from_int(2);

@@ -447,7 +447,8 @@ CLAIM(end_direction_has_a_positive_factor)
 */
 CLAIM(differences_over_a_part_are_means)
 {
-    num one = from_int(1), Z = unknown(T, "Z", 0), u = inside(T, "r"), v = inside(T, "s"), place[3] = {u, from_int(0), one};
+    num one = from_int(1), Z = unknown(T, "Z", 0), u = inside(T, "r"), v = inside(T, "s"),
+        place[3] = {u, from_int(0), one};
     num p = positive(T, "p", 0), q = positive(T, "q", 0);
     num length = fault(T, sub(v, u), add(v, u));
     about(T, "the difference of the two factors");
